@@ -1352,8 +1352,6 @@ pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
 pub const STAGES: rt::Scalar<u32> = rt::Scalar(11u32);
 #[allow(non_upper_case_globals)]
-pub const STAGE_OBJECT: rt::Scalar<u32> = rt::Scalar(3u32);
-#[allow(non_upper_case_globals)]
 pub const TURN_STEPS: rt::Scalar<u32> = rt::Scalar(12u32);
 #[allow(non_upper_case_globals)]
 pub const WRAP_CLAMP: rt::Scalar<u32> = rt::Scalar(1u32);
@@ -3098,34 +3096,53 @@ impl<'g> Resources<'g> {
         let bx = (h_1.y() - h_1.x());
         let by_1 = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_132 = ((grid_1.origin - cell_2) + (grid_1.step * t_10));
+        let at_137 = ((grid_1.origin - cell_2) + (grid_1.step * t_10));
         let z_1 = (path_6.h.x() + (t_10 * (path_6.h.y() + (t_10 * path_6.h.z()))));
         let dz = (path_6.h.y() + ((rt::Scalar(2f32) * t_10) * path_6.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_132.x())) + (by_1 * at_132.y())) + ((twist * at_132.x()) * at_132.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_132.x() * grid_1.step.y()) + (at_132.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_137.x())) + (by_1 * at_137.y())) + ((twist * at_137.x()) * at_137.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_137.x() * grid_1.step.y()) + (at_137.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
-    pub(crate) fn grid_cell(
+    pub(crate) fn object_none_cell(
         &self,
         cell_3: impl rt::Into<rt::Vec2<i32>>,
         level_10: impl rt::Into<rt::Scalar<u32>>,
+        params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_grid_cell(rt::into(cell_3), rt::into(level_10)))
+        rt::into(self.v_object_none_cell(rt::into(cell_3), rt::into(level_10), rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_grid_cell(
+    #[inline(always)]
+    fn v_object_none_cell(
         &self,
         cell_3: rt::Vec2<i32>,
         level_10: rt::Scalar<u32>,
+        params_5: rt::Vec4<f32>,
+    ) -> rt::Vec4<f32> {
+        let _e3 = self.v_height_cell(cell_3, level_10);
+        return _e3;
+    }
+    pub(crate) fn cell_of_images(
+        &self,
+        cell_4: impl rt::Into<rt::Vec2<i32>>,
+        level_11: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_cell_of_images(rt::into(cell_4), rt::into(level_11)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_cell_of_images(
+        &self,
+        cell_4: rt::Vec2<i32>,
+        level_11: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let mut local_9: rt::Scalar<bool>;
 
         let _e4 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(CELLS_BILINEAR)) {
-            let _e7 = self.v_height_cell(cell_3, level_10);
+            let _e7 = self.v_height_cell(cell_4, level_11);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(CELLS_HIGHEST)) {
-            let _e13 = self.v_height_cell(cell_3, level_10);
+            let _e13 = self.v_height_cell(cell_4, level_11);
             let most_4 = _e13.x().max(_e13.y()).max(_e13.z().max(_e13.w()));
             let least = _e13.x().min(_e13.y()).min(_e13.z().min(_e13.w()));
             let _e31 = rt::Scalar(self.surface_settings.jump);
@@ -3134,44 +3151,150 @@ impl<'g> Resources<'g> {
             }
             return _e13;
         }
-        let _e36 = rt::Scalar(self.surface_settings.cells);
-        if rt::Scalar::into_branch_condition(_e36.elementwise_eq(CELLS_MASK)) {
-            let _e39 = self.v_height_cell(cell_3, level_10);
-            return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select(rt::Scalar(1f32), _e39.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e39.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e39.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e39.w().elementwise_gt(rt::Scalar(0.00001f32))));
-        }
-        let dual = <rt::Vec2<i32>>::from_scalars((cell_3.x() >> rt::Scalar(1u32)), (cell_3.y() >> rt::Scalar(1u32)));
-        let _e72 = self.v_height_cell(dual, level_10);
-        let most_5 = _e72.x().max(_e72.y()).max(_e72.z().max(_e72.w()));
-        let least_1 = _e72.x().min(_e72.y()).min(_e72.z().min(_e72.w()));
-        let right = ((cell_3.x() - dual.x()) - dual.x()).elementwise_eq(rt::Scalar(1i32));
-        let lower = ((cell_3.y() - dual.y()) - dual.y()).elementwise_eq(rt::Scalar(1i32));
-        let _e103 = rt::Scalar(self.surface_settings.cells);
-        if rt::Scalar::into_branch_condition((!_e103.elementwise_eq(CELLS_NEAREST))) {
-            let _e112 = rt::Scalar(self.surface_settings.jump);
-            local_9 = (most_5 - least_1).elementwise_gt(_e112);
+        let dual = <rt::Vec2<i32>>::from_scalars((cell_4.x() >> rt::Scalar(1u32)), (cell_4.y() >> rt::Scalar(1u32)));
+        let _e41 = self.v_height_cell(dual, level_11);
+        let most_5 = _e41.x().max(_e41.y()).max(_e41.z().max(_e41.w()));
+        let least_1 = _e41.x().min(_e41.y()).min(_e41.z().min(_e41.w()));
+        let right = ((cell_4.x() - dual.x()) - dual.x()).elementwise_eq(rt::Scalar(1i32));
+        let lower = ((cell_4.y() - dual.y()) - dual.y()).elementwise_eq(rt::Scalar(1i32));
+        let _e72 = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition((!_e72.elementwise_eq(CELLS_NEAREST))) {
+            let _e81 = rt::Scalar(self.surface_settings.jump);
+            local_9 = (most_5 - least_1).elementwise_gt(_e81);
         } else {
             local_9 = rt::Scalar(true);
         }
-        let _e115 = local_9;
-        if rt::Scalar::into_branch_condition(_e115) {
-            let nearest_1 = _e72.x().select(_e72.y(), right).select(_e72.z().select(_e72.w(), right), lower);
+        let _e84 = local_9;
+        if rt::Scalar::into_branch_condition(_e84) {
+            let nearest_1 = _e41.x().select(_e41.y(), right).select(_e41.z().select(_e41.w(), right), lower);
             return <rt::Vec4<f32>>::from_scalars(nearest_1, nearest_1, nearest_1, nearest_1);
         }
-        let top_3 = (rt::Scalar(0.5f32) * (_e72.x() + _e72.y()));
-        let bottom_2 = (rt::Scalar(0.5f32) * (_e72.z() + _e72.w()));
-        let left_1 = (rt::Scalar(0.5f32) * (_e72.x() + _e72.z()));
-        let side_4 = (rt::Scalar(0.5f32) * (_e72.y() + _e72.w()));
+        let top_3 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.y()));
+        let bottom_2 = (rt::Scalar(0.5f32) * (_e41.z() + _e41.w()));
+        let left_1 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.z()));
+        let side_4 = (rt::Scalar(0.5f32) * (_e41.y() + _e41.w()));
         let middle_10 = (rt::Scalar(0.5f32) * (top_3 + bottom_2));
-        return <rt::Vec4<f32>>::from_scalars(_e72.x().select(top_3, right).select(left_1.select(middle_10, right), lower), top_3.select(_e72.y(), right).select(middle_10.select(side_4, right), lower), left_1.select(middle_10, right).select(_e72.z().select(bottom_2, right), lower), middle_10.select(side_4, right).select(bottom_2.select(_e72.w(), right), lower));
+        return <rt::Vec4<f32>>::from_scalars(_e41.x().select(top_3, right).select(left_1.select(middle_10, right), lower), top_3.select(_e41.y(), right).select(middle_10.select(side_4, right), lower), left_1.select(middle_10, right).select(_e41.z().select(bottom_2, right), lower), middle_10.select(side_4, right).select(bottom_2.select(_e41.w(), right), lower));
+    }
+    pub(crate) fn object_depth_cell(
+        &self,
+        cell_5: impl rt::Into<rt::Vec2<i32>>,
+        level_12: impl rt::Into<rt::Scalar<u32>>,
+        params_6: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_object_depth_cell(rt::into(cell_5), rt::into(level_12), rt::into(params_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_object_depth_cell(
+        &self,
+        cell_5: rt::Vec2<i32>,
+        level_12: rt::Scalar<u32>,
+        params_6: rt::Vec4<f32>,
+    ) -> rt::Vec4<f32> {
+        let _e3 = self.v_cell_of_images(cell_5, level_12);
+        return _e3;
+    }
+    pub(crate) fn cell_of_mask(
+        &self,
+        cell_6: impl rt::Into<rt::Vec2<i32>>,
+        level_13: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_cell_of_mask(rt::into(cell_6), rt::into(level_13)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_cell_of_mask(
+        &self,
+        cell_6: rt::Vec2<i32>,
+        level_13: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let _e2 = self.v_height_cell(cell_6, level_13);
+        return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select(rt::Scalar(1f32), _e2.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e2.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e2.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e2.w().elementwise_gt(rt::Scalar(0.00001f32))));
+    }
+    pub(crate) fn object_hull_cell(
+        &self,
+        cell_7: impl rt::Into<rt::Vec2<i32>>,
+        level_14: impl rt::Into<rt::Scalar<u32>>,
+        params_7: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_object_hull_cell(rt::into(cell_7), rt::into(level_14), rt::into(params_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_object_hull_cell(
+        &self,
+        cell_7: rt::Vec2<i32>,
+        level_14: rt::Scalar<u32>,
+        params_7: rt::Vec4<f32>,
+    ) -> rt::Vec4<f32> {
+        let _e3 = self.v_cell_of_mask(cell_7, level_14);
+        return _e3;
+    }
+    pub(crate) fn object_blend_cell(
+        &self,
+        cell_8: impl rt::Into<rt::Vec2<i32>>,
+        level_15: impl rt::Into<rt::Scalar<u32>>,
+        params_8: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_object_blend_cell(rt::into(cell_8), rt::into(level_15), rt::into(params_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_object_blend_cell(
+        &self,
+        cell_8: rt::Vec2<i32>,
+        level_15: rt::Scalar<u32>,
+        params_8: rt::Vec4<f32>,
+    ) -> rt::Vec4<f32> {
+        let _e3 = self.v_height_cell(cell_8, level_15);
+        return _e3;
+    }
+    pub(crate) fn object_cell_stage(
+        &self,
+        cell_9: impl rt::Into<rt::Vec2<i32>>,
+        level_16: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_object_cell_stage(rt::into(cell_9), rt::into(level_16)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_object_cell_stage(
+        &self,
+        cell_9: rt::Vec2<i32>,
+        level_16: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
+        match rt::Scalar::into_inner(_e6) {
+            0u32 => {
+                let _e11 = self.surface_settings.choices[3usize].params;
+                let _e12 = self.v_object_none_cell(cell_9, level_16, _e11);
+                return _e12;
+            }
+            1u32 => {
+                let _e17 = self.surface_settings.choices[3usize].params;
+                let _e18 = self.v_object_depth_cell(cell_9, level_16, _e17);
+                return _e18;
+            }
+            2u32 => {
+                let _e23 = self.surface_settings.choices[3usize].params;
+                let _e24 = self.v_object_hull_cell(cell_9, level_16, _e23);
+                return _e24;
+            }
+            _ => {
+                let _e29 = self.surface_settings.choices[3usize].params;
+                let _e30 = self.v_object_blend_cell(cell_9, level_16, _e29);
+                return _e30;
+            }
+        }
     }
     pub(crate) fn cell_gap(
         &self,
         path_7: Path,
         grid_2: Grid,
-        cell_4: impl rt::Into<rt::Vec2<f32>>,
+        cell_10: impl rt::Into<rt::Vec2<f32>>,
         t_11: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_cell_gap(path_7, grid_2, rt::into(cell_4), rt::into(t_11)))
+        rt::into(self.v_cell_gap(path_7, grid_2, rt::into(cell_10), rt::into(t_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3179,39 +3302,39 @@ impl<'g> Resources<'g> {
         &self,
         path_7: Path,
         grid_2: Grid,
-        cell_4: rt::Vec2<f32>,
+        cell_10: rt::Vec2<f32>,
         t_11: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let _e6 = self.v_grid_cell(cell_4.to_i32(), rt::Scalar(path_7.level));
-        let _e7 = self.v_gap_to(path_7, grid_2, cell_4, _e6, t_11);
+        let _e6 = self.v_object_cell_stage(cell_10.to_i32(), rt::Scalar(path_7.level));
+        let _e7 = self.v_gap_to(path_7, grid_2, cell_10, _e6, t_11);
         return _e7;
     }
     pub(crate) fn cell_leave(
         &self,
         grid_3: Grid,
-        cell_5: impl rt::Into<rt::Vec2<f32>>,
+        cell_11: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_leave(grid_3, rt::into(cell_5)))
+        rt::into(self.v_cell_leave(grid_3, rt::into(cell_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cell_leave(
         &self,
         grid_3: Grid,
-        cell_5: rt::Vec2<f32>,
+        cell_11: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let mut leave_2: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
 
         if rt::Scalar::into_branch_condition(grid_3.step.x().elementwise_gt(rt::Scalar(0f32))) {
-            leave_2.set_x((((cell_5.x() + rt::Scalar(1f32)) - grid_3.origin.x()) / grid_3.step.x()));
+            leave_2.set_x((((cell_11.x() + rt::Scalar(1f32)) - grid_3.origin.x()) / grid_3.step.x()));
         }
         if rt::Scalar::into_branch_condition(grid_3.step.x().elementwise_lt(rt::Scalar(0f32))) {
-            leave_2.set_x(((cell_5.x() - grid_3.origin.x()) / grid_3.step.x()));
+            leave_2.set_x(((cell_11.x() - grid_3.origin.x()) / grid_3.step.x()));
         }
         if rt::Scalar::into_branch_condition(grid_3.step.y().elementwise_gt(rt::Scalar(0f32))) {
-            leave_2.set_y((((cell_5.y() + rt::Scalar(1f32)) - grid_3.origin.y()) / grid_3.step.y()));
+            leave_2.set_y((((cell_11.y() + rt::Scalar(1f32)) - grid_3.origin.y()) / grid_3.step.y()));
         }
         if rt::Scalar::into_branch_condition(grid_3.step.y().elementwise_lt(rt::Scalar(0f32))) {
-            leave_2.set_y(((cell_5.y() - grid_3.origin.y()) / grid_3.step.y()));
+            leave_2.set_y(((cell_11.y() - grid_3.origin.y()) / grid_3.step.y()));
         }
         let _e58 = leave_2;
         return _e58;
@@ -3219,46 +3342,29 @@ impl<'g> Resources<'g> {
     pub(crate) fn cell_next(
         &self,
         grid_4: Grid,
-        cell_6: impl rt::Into<rt::Vec2<f32>>,
+        cell_12: impl rt::Into<rt::Vec2<f32>>,
         leave_3: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_next(grid_4, rt::into(cell_6), rt::into(leave_3)))
+        rt::into(self.v_cell_next(grid_4, rt::into(cell_12), rt::into(leave_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_cell_next(
         &self,
         grid_4: Grid,
-        cell_6: rt::Vec2<f32>,
+        cell_12: rt::Vec2<f32>,
         leave_3: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let mut next: rt::Vec2<f32>;
 
-        next = cell_6;
+        next = cell_12;
         if rt::Scalar::into_branch_condition(leave_3.x().elementwise_le(leave_3.y())) {
-            next.set_x((cell_6.x() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.x().elementwise_gt(rt::Scalar(0f32)))));
+            next.set_x((cell_12.x() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.x().elementwise_gt(rt::Scalar(0f32)))));
         } else {
-            next.set_y((cell_6.y() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.y().elementwise_gt(rt::Scalar(0f32)))));
+            next.set_y((cell_12.y() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.y().elementwise_gt(rt::Scalar(0f32)))));
         }
         let _e27 = next;
         return _e27;
-    }
-    pub(crate) fn cell_parts(&self) -> i32 {
-        rt::into(self.v_cell_parts())
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_cell_parts(&self) -> rt::Scalar<i32> {
-        let mut local_10: rt::Scalar<bool>;
-
-        let cells = rt::Scalar(self.surface_settings.cells);
-        if rt::Scalar::into_branch_condition((!cells.elementwise_eq(CELLS_STEP))) {
-            local_10 = cells.elementwise_eq(CELLS_NEAREST);
-        } else {
-            local_10 = rt::Scalar(true);
-        }
-        let _e11 = local_10;
-        return rt::Scalar(1i32).select(rt::Scalar(2i32), _e11);
     }
     pub(crate) fn cell_slopes(
         &self,
@@ -3354,15 +3460,15 @@ impl<'g> Resources<'g> {
         dx: rt::Scalar<f32>,
         interval_1: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_11: rt::Scalar<bool>;
+        let mut local_10: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x0_.elementwise_lt(rt::Scalar(0f32)))) {
-                local_11 = x0_.elementwise_gt(rt::Scalar(1f32));
+                local_10 = x0_.elementwise_gt(rt::Scalar(1f32));
             } else {
-                local_11 = rt::Scalar(true);
+                local_10 = rt::Scalar(true);
             }
-            let _e13 = local_11;
+            let _e13 = local_10;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
             }
@@ -3397,6 +3503,117 @@ impl<'g> Resources<'g> {
         let _e33 = rest;
         return _e33;
     }
+    pub(crate) fn object_none_parts(
+        &self,
+        level_17: impl rt::Into<rt::Scalar<u32>>,
+        params_9: impl rt::Into<rt::Vec4<f32>>,
+    ) -> i32 {
+        rt::into(self.v_object_none_parts(rt::into(level_17), rt::into(params_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_object_none_parts(
+        &self,
+        level_17: rt::Scalar<u32>,
+        params_9: rt::Vec4<f32>,
+    ) -> rt::Scalar<i32> {
+        return rt::Scalar(1i32);
+    }
+    pub(crate) fn parts_of_images(&self) -> i32 {
+        rt::into(self.v_parts_of_images())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_parts_of_images(&self) -> rt::Scalar<i32> {
+        let mut local_11: rt::Scalar<bool>;
+
+        let cells = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition((!cells.elementwise_eq(CELLS_STEP))) {
+            local_11 = cells.elementwise_eq(CELLS_NEAREST);
+        } else {
+            local_11 = rt::Scalar(true);
+        }
+        let _e11 = local_11;
+        return rt::Scalar(1i32).select(rt::Scalar(2i32), _e11);
+    }
+    pub(crate) fn object_depth_parts(
+        &self,
+        level_18: impl rt::Into<rt::Scalar<u32>>,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
+    ) -> i32 {
+        rt::into(self.v_object_depth_parts(rt::into(level_18), rt::into(params_10)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_object_depth_parts(
+        &self,
+        level_18: rt::Scalar<u32>,
+        params_10: rt::Vec4<f32>,
+    ) -> rt::Scalar<i32> {
+        let _e2 = self.v_parts_of_images();
+        return _e2;
+    }
+    pub(crate) fn object_hull_parts(
+        &self,
+        level_19: impl rt::Into<rt::Scalar<u32>>,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
+    ) -> i32 {
+        rt::into(self.v_object_hull_parts(rt::into(level_19), rt::into(params_11)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_object_hull_parts(
+        &self,
+        level_19: rt::Scalar<u32>,
+        params_11: rt::Vec4<f32>,
+    ) -> rt::Scalar<i32> {
+        return rt::Scalar(1i32);
+    }
+    pub(crate) fn object_blend_parts(
+        &self,
+        level_20: impl rt::Into<rt::Scalar<u32>>,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
+    ) -> i32 {
+        rt::into(self.v_object_blend_parts(rt::into(level_20), rt::into(params_12)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_object_blend_parts(
+        &self,
+        level_20: rt::Scalar<u32>,
+        params_12: rt::Vec4<f32>,
+    ) -> rt::Scalar<i32> {
+        return rt::Scalar(1i32);
+    }
+    pub(crate) fn object_parts_stage(&self, level_21: impl rt::Into<rt::Scalar<u32>>) -> i32 {
+        rt::into(self.v_object_parts_stage(rt::into(level_21)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_object_parts_stage(&self, level_21: rt::Scalar<u32>) -> rt::Scalar<i32> {
+        let _e5 = rt::Scalar(self.surface_settings.choices[3usize].number);
+        match rt::Scalar::into_inner(_e5) {
+            0u32 => {
+                let _e10 = self.surface_settings.choices[3usize].params;
+                let _e11 = self.v_object_none_parts(level_21, _e10);
+                return _e11;
+            }
+            1u32 => {
+                let _e16 = self.surface_settings.choices[3usize].params;
+                let _e17 = self.v_object_depth_parts(level_21, _e16);
+                return _e17;
+            }
+            2u32 => {
+                let _e22 = self.surface_settings.choices[3usize].params;
+                let _e23 = self.v_object_hull_parts(level_21, _e22);
+                return _e23;
+            }
+            _ => {
+                let _e28 = self.surface_settings.choices[3usize].params;
+                let _e29 = self.v_object_blend_parts(level_21, _e28);
+                return _e29;
+            }
+        }
+    }
     pub(crate) fn grid_of(&self, path_9: Path) -> Grid {
         rt::into(self.v_grid_of(path_9))
     }
@@ -3404,8 +3621,8 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     fn v_grid_of(&self, path_9: Path) -> Grid {
         let _e2 = self.v_height_size(rt::Scalar(path_9.level));
-        let _e3 = self.v_cell_parts();
-        let parts_4 = _e3.to_f32();
+        let _e4 = self.v_object_parts_stage(rt::Scalar(path_9.level));
+        let parts_4 = _e4.to_f32();
         return <Grid>::new((((path_9.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * parts_4), ((path_9.duv * _e2) * parts_4));
     }
     pub(crate) fn rounded_gap(
@@ -3448,7 +3665,7 @@ impl<'g> Resources<'g> {
         slack_2: rt::Scalar<f32>,
         texels_2: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut cell_7: rt::Vec2<f32>;
+        let mut cell_13: rt::Vec2<f32>;
         let mut t_13: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut local_12: rt::Scalar<bool>;
         let mut local_13: rt::Scalar<bool>;
@@ -3457,8 +3674,8 @@ impl<'g> Resources<'g> {
         let _e3 = self.v_grid_of(path_11);
         let _e4 = self.v_rounded_gap(path_11, slack_2, texels_2);
         let _e6 = self.v_cell_of(_e3.origin);
-        cell_7 = _e6;
-        let _e10 = cell_7;
+        cell_13 = _e6;
+        let _e10 = cell_13;
         let _e12 = self.v_cell_gap(path_11, _e3, _e10, rt::Scalar(0f32));
         let is_near = _e12.x().elementwise_ge((rt::Scalar(0f32) - _e4));
         if rt::Scalar::into_branch_condition(_e12.x().elementwise_le(rt::Scalar(0f32))) {
@@ -3485,10 +3702,10 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e38 = cell_7;
+                    let _e38 = cell_13;
                     let _e39 = self.v_cell_leave(_e3, _e38);
                     let end_2 = _e39.x().min(_e39.y()).min(rt::Scalar(path_11.exit));
-                    let _e48 = cell_7;
+                    let _e48 = cell_13;
                     let _e49 = t_13;
                     let _e50 = self.v_cell_gap(path_11, _e3, _e48, _e49);
                     let below_3 = (<rt::Vec3<f32>>::from_scalars(_e34, rt::Scalar(0f32), rt::Scalar(0f32)) - _e50);
@@ -3513,9 +3730,9 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e72) {
                         return rt::Scalar(0f32);
                     }
-                    let _e74 = cell_7;
+                    let _e74 = cell_13;
                     let _e75 = self.v_cell_next(_e3, _e74, _e39);
-                    cell_7 = _e75;
+                    cell_13 = _e75;
                     let _e76 = t_13;
                     t_13 = _e76.max(end_2);
                 }
@@ -3528,14 +3745,14 @@ impl<'g> Resources<'g> {
         pixel_5: PixelIn,
         at_13: Entered,
         middle_1: impl rt::Into<rt::Scalar<f32>>,
-        params_5: impl rt::Into<rt::Vec4<f32>>,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
         a_4: ShellPoint,
         b_4: ShellPoint,
         bend_2: impl rt::Into<rt::Scalar<f32>>,
         ends: impl rt::Into<rt::Vec2<f32>>,
         beyond: impl rt::Into<rt::Vec3<f32>>,
     ) -> Path {
-        rt::into(self.v_chord_path(pixel_5, at_13, rt::into(middle_1), rt::into(params_5), a_4, b_4, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
+        rt::into(self.v_chord_path(pixel_5, at_13, rt::into(middle_1), rt::into(params_13), a_4, b_4, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_chord_path(
@@ -3543,7 +3760,7 @@ impl<'g> Resources<'g> {
         pixel_5: PixelIn,
         at_13: Entered,
         middle_1: rt::Scalar<f32>,
-        params_5: rt::Vec4<f32>,
+        params_13: rt::Vec4<f32>,
         a_4: ShellPoint,
         b_4: ShellPoint,
         bend_2: rt::Scalar<f32>,
@@ -3610,7 +3827,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e125.elementwise_gt(rt::Scalar(0f32))) {
             let _e128 = path_12;
             let _e129 = path_12;
-            let _e133 = self.v_out_of_ground(_e129, (rt::Scalar(4f32) * _e26), params_5.x());
+            let _e133 = self.v_out_of_ground(_e129, (rt::Scalar(4f32) * _e26), params_13.x());
             let _e134 = self.v_path_from(_e128, _e133);
             path_12 = _e134;
         }
@@ -3622,9 +3839,9 @@ impl<'g> Resources<'g> {
         pixel_6: PixelIn,
         at_14: Entered,
         middle_2: impl rt::Into<rt::Scalar<f32>>,
-        params_6: impl rt::Into<rt::Vec4<f32>>,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_chord_reach(pixel_6, at_14, rt::into(middle_2), rt::into(params_6)))
+        rt::into(self.v_chord_reach(pixel_6, at_14, rt::into(middle_2), rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3633,13 +3850,13 @@ impl<'g> Resources<'g> {
         pixel_6: PixelIn,
         at_14: Entered,
         middle_2: rt::Scalar<f32>,
-        params_6: rt::Vec4<f32>,
+        params_14: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e11 = self.v_height_size(rt::Scalar(0u32));
         let _e14 = self.v_height_size(rt::Scalar(0u32));
         let texel_6 = (at_14.metric.x().max(at_14.metric.z()).sqrt() / _e11.x().max(_e14.y()));
         let _e18 = self.v_shell_slack(pixel_6, middle_2);
-        return (_e18 + ((rt::Scalar(2f32) * params_6.x()) * texel_6));
+        return (_e18 + ((rt::Scalar(2f32) * params_14.x()) * texel_6));
     }
     pub(crate) fn way_bend(
         &self,
@@ -3763,21 +3980,21 @@ impl<'g> Resources<'g> {
     pub(crate) fn color_at(
         &self,
         uv_3: impl rt::Into<rt::Vec2<f32>>,
-        level_11: impl rt::Into<rt::Scalar<u32>>,
+        level_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_color_at(rt::into(uv_3), rt::into(level_11)))
+        rt::into(self.v_color_at(rt::into(uv_3), rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_color_at(
         &self,
         uv_3: rt::Vec2<f32>,
-        level_11: rt::Scalar<u32>,
+        level_22: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.surface_settings.color_size;
-        let _e5 = self.v_level_texels(_e4, level_11);
+        let _e5 = self.v_level_texels(_e4, level_22);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_42 = level_11.to_i32();
+        let k_42 = level_22.to_i32();
         let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_42));
         let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_42));
         let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_42));
@@ -3835,10 +4052,10 @@ impl<'g> Resources<'g> {
         let _e82 = x;
         let along_21 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_3));
         let place_20 = <rt::Vec2<f32>>::from_scalars(across_3, along_21).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_3, last_3));
-        let cell_21 = place_20.floor().min(<rt::Vec2<f32>>::from_scalars((last_3 - rt::Scalar(1f32)), (last_3 - rt::Scalar(1f32))));
-        let part_9 = (place_20 - cell_21);
+        let cell_27 = place_20.floor().min(<rt::Vec2<f32>>::from_scalars((last_3 - rt::Scalar(1f32)), (last_3 - rt::Scalar(1f32))));
+        let part_9 = (place_20 - cell_27);
         let side_5 = (last_3.to_u32() + rt::Scalar(1u32));
-        let first_9 = ((cell_21.y().to_u32() * side_5) + cell_21.x().to_u32());
+        let first_9 = ((cell_27.y().to_u32() * side_5) + cell_27.x().to_u32());
         let beside_4 = (first_9 + side_5).select((first_9 + rt::Scalar(1u32)), part_9.x().elementwise_gt(part_9.y()));
         let least_2 = part_9.x().min(part_9.y());
         let most_7 = part_9.x().max(part_9.y());
@@ -3944,6 +4161,174 @@ impl<'g> Resources<'g> {
         let _e30 = sum_1;
         return _e30;
     }
+    pub(crate) fn object_color(
+        &self,
+        at_16: Entered,
+        view_8: impl rt::Into<rt::Vec3<f32>>,
+        asked_1: impl rt::Into<rt::Scalar<bool>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_object_color(at_16, rt::into(view_8), rt::into(asked_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_object_color(
+        &self,
+        at_16: Entered,
+        view_8: rt::Vec3<f32>,
+        asked_1: rt::Scalar<bool>,
+    ) -> rt::Vec3<f32> {
+        let mut angle1_: rt::Scalar<f32> = rt::Scalar(4f32);
+        let mut angle2_: rt::Scalar<f32> = rt::Scalar(4f32);
+        let mut angle3_: rt::Scalar<f32> = rt::Scalar(4f32);
+        let mut angle4_: rt::Scalar<f32> = rt::Scalar(4f32);
+        let mut image1_: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut image2_: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut image3_: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_4: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut weight1_: rt::Scalar<f32>;
+        let mut weight2_: rt::Scalar<f32>;
+        let mut weight3_: rt::Scalar<f32>;
+
+        'naga_break: loop {
+            'naga_continue: {
+                let _e19 = k_4;
+                let _e22 = rt::Scalar(self.surface_settings.images);
+                if rt::Scalar::into_branch_condition(_e19.elementwise_lt(_e22)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e24 = k_4;
+                    let _e25 = self.v_image_of_object(_e24);
+                    let _e27 = self.v_angle_to_image(_e25, at_16.point, view_8, asked_1);
+                    let _e28 = angle1_;
+                    if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e28)) {
+                        let _e30 = angle3_;
+                        angle4_ = _e30;
+                        let _e31 = angle2_;
+                        angle3_ = _e31;
+                        let _e32 = image2_;
+                        image3_ = _e32;
+                        let _e33 = angle1_;
+                        angle2_ = _e33;
+                        let _e34 = image1_;
+                        image2_ = _e34;
+                        angle1_ = _e27;
+                        let _e35 = k_4;
+                        image1_ = _e35;
+                    } else {
+                        let _e36 = angle2_;
+                        if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e36)) {
+                            let _e38 = angle3_;
+                            angle4_ = _e38;
+                            let _e39 = angle2_;
+                            angle3_ = _e39;
+                            let _e40 = image2_;
+                            image3_ = _e40;
+                            angle2_ = _e27;
+                            let _e41 = k_4;
+                            image2_ = _e41;
+                        } else {
+                            let _e42 = angle3_;
+                            if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e42)) {
+                                let _e44 = angle3_;
+                                angle4_ = _e44;
+                                angle3_ = _e27;
+                                let _e45 = k_4;
+                                image3_ = _e45;
+                            } else {
+                                let _e46 = angle4_;
+                                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e46)) {
+                                    angle4_ = _e27;
+                                }
+                            }
+                        }
+                    }
+                    let _e48 = k_4;
+                    k_4 = (_e48 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e51 = angle1_;
+        let less = rt::Scalar(0f32).select(rt::Scalar(2f32), _e51.elementwise_ge(rt::Scalar(2f32)));
+        let _e57 = angle4_;
+        let last_4 = (_e57 - less).min(rt::Scalar(0.5f32));
+        let _e61 = angle1_;
+        weight1_ = (rt::Scalar(1f32) - ((_e61 - less) / last_4)).max(rt::Scalar(0f32));
+        let _e69 = angle2_;
+        weight2_ = (rt::Scalar(1f32) - ((_e69 - less) / last_4)).max(rt::Scalar(0f32));
+        let _e77 = angle3_;
+        weight3_ = (rt::Scalar(1f32) - ((_e77 - less) / last_4)).max(rt::Scalar(0f32));
+        let _e85 = weight1_;
+        let _e86 = weight2_;
+        let _e88 = weight3_;
+        if rt::Scalar::into_branch_condition((!((_e85 + _e86) + _e88).elementwise_gt(rt::Scalar(0f32)))) {
+            weight1_ = rt::Scalar(1f32);
+            let _e94 = angle2_;
+            let _e95 = angle1_;
+            weight2_ = rt::Scalar(0f32).select(rt::Scalar(1f32), _e94.elementwise_eq(_e95));
+            let _e100 = angle3_;
+            let _e101 = angle1_;
+            weight3_ = rt::Scalar(0f32).select(rt::Scalar(1f32), _e100.elementwise_eq(_e101));
+        }
+        let _e106 = image1_;
+        let _e107 = self.v_image_of_object(_e106);
+        let _e109 = self.v_place_in_image(_e107, at_16.point);
+        let uv1_ = _e109.xy();
+        let _e111 = image2_;
+        let _e112 = self.v_image_of_object(_e111);
+        let _e114 = self.v_place_in_image(_e112, at_16.point);
+        let uv2_ = _e114.xy();
+        let _e116 = image3_;
+        let _e117 = self.v_image_of_object(_e116);
+        let _e119 = self.v_place_in_image(_e117, at_16.point);
+        let uv3_ = _e119.xy();
+        let _e122 = self.v_color_at(uv1_, rt::Scalar(0u32));
+        let _e124 = weight1_;
+        let first_10 = (_e122.xyz() * _e124);
+        let _e127 = self.v_color_at(uv2_, rt::Scalar(0u32));
+        let _e129 = weight2_;
+        let _e133 = self.v_color_at(uv3_, rt::Scalar(0u32));
+        let _e135 = weight3_;
+        let sum_5 = ((first_10 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
+        let _e138 = weight1_;
+        let _e139 = weight2_;
+        let _e141 = weight3_;
+        return (sum_5 * (rt::Scalar(1f32) / ((_e138 + _e139) + _e141)));
+    }
+    pub(crate) fn color_of_object(
+        &self,
+        at_17: Entered,
+        view_9: impl rt::Into<rt::Vec3<f32>>,
+        how: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_color_of_object(at_17, rt::into(view_9), rt::into(how)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_color_of_object(
+        &self,
+        at_17: Entered,
+        view_9: rt::Vec3<f32>,
+        how: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let mut local_23: rt::Scalar<bool>;
+
+        let _e5 = rt::Scalar(self.surface_settings.has_color);
+        if rt::Scalar::into_branch_condition((!_e5.elementwise_ne(rt::Scalar(1u32)))) {
+            local_23 = how.elementwise_eq(rt::Scalar(2f32));
+        } else {
+            local_23 = rt::Scalar(true);
+        }
+        let _e14 = local_23;
+        if rt::Scalar::into_branch_condition(_e14) {
+            return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
+        }
+        if rt::Scalar::into_branch_condition(how.elementwise_eq(rt::Scalar(3f32))) {
+            let _e21 = self.v_color_of_frames(at_17, view_9);
+            return _e21;
+        }
+        let _e24 = self.v_object_color(at_17, view_9, how.elementwise_eq(rt::Scalar(1f32)));
+        return _e24;
+    }
     pub(crate) fn color_or_white(
         &self,
         uv_4: impl rt::Into<rt::Vec2<f32>>,
@@ -4006,9 +4391,9 @@ impl<'g> Resources<'g> {
         path_13: Path,
         place_5: impl rt::Into<rt::Vec2<i32>>,
         layer_1: impl rt::Into<rt::Scalar<i32>>,
-        level_12: impl rt::Into<rt::Scalar<i32>>,
+        level_23: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel(path_13, rt::into(place_5), rt::into(layer_1), rt::into(level_12)))
+        rt::into(self.v_search_texel(path_13, rt::into(place_5), rt::into(layer_1), rt::into(level_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4017,15 +4402,15 @@ impl<'g> Resources<'g> {
         path_13: Path,
         place_5: rt::Vec2<i32>,
         layer_1: rt::Scalar<i32>,
-        level_12: rt::Scalar<i32>,
+        level_23: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_13.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_5, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_12));
+            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_5, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_23));
             let _e12 = self.surface_settings.maps[2usize];
             let _e13 = self.v_decoded(texel_7, _e12);
             return _e13;
         }
-        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_5, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_12));
+        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_5, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_23));
         let _e19 = self.surface_settings.maps[1usize];
         let _e20 = self.v_decoded(_e15, _e19);
         return _e20;
@@ -4087,13 +4472,13 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return (normal_7.dot((pixel_8.a.position - pixel_8.origin)) / normal_7.dot(pixel_8.direction));
     }
-    pub(crate) fn depth_in_samples(&self, pixel_9: PixelIn, at_16: Entered) -> f32 {
-        rt::into(self.v_depth_in_samples(pixel_9, at_16))
+    pub(crate) fn depth_in_samples(&self, pixel_9: PixelIn, at_18: Entered) -> f32 {
+        rt::into(self.v_depth_in_samples(pixel_9, at_18))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_depth_in_samples(&self, pixel_9: PixelIn, at_16: Entered) -> rt::Scalar<f32> {
-        let _e3 = self.v_plane_distance(pixel_9, at_16.facing);
+    fn v_depth_in_samples(&self, pixel_9: PixelIn, at_18: Entered) -> rt::Scalar<f32> {
+        let _e3 = self.v_plane_distance(pixel_9, at_18.facing);
         let _e6 = self.frame.eye_right;
         let _e10 = self.frame.right;
         let _e17 = rt::Scalar(self.frame.sample_width);
@@ -4112,20 +4497,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn footprint_axis(
         &self,
         pixel_11: PixelIn,
-        at_17: Entered,
+        at_19: Entered,
         normal_8: impl rt::Into<rt::Vec3<f32>>,
         t_14: impl rt::Into<rt::Scalar<f32>>,
         origin: impl rt::Into<rt::Vec3<f32>>,
         direction_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_footprint_axis(pixel_11, at_17, rt::into(normal_8), rt::into(t_14), rt::into(origin), rt::into(direction_4)))
+        rt::into(self.v_footprint_axis(pixel_11, at_19, rt::into(normal_8), rt::into(t_14), rt::into(origin), rt::into(direction_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_footprint_axis(
         &self,
         pixel_11: PixelIn,
-        at_17: Entered,
+        at_19: Entered,
         normal_8: rt::Vec3<f32>,
         t_14: rt::Scalar<f32>,
         origin: rt::Vec3<f32>,
@@ -4133,38 +4518,38 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec2<f32> {
         let aside_3 = (origin + (direction_4 * t_14));
         let along_22 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
-        let _e15 = self.v_climb(at_17, (aside_3 - (pixel_11.direction * along_22)));
+        let _e15 = self.v_climb(at_19, (aside_3 - (pixel_11.direction * along_22)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.to_f32());
     }
     pub(crate) fn footprint_of(
         &self,
         pixel_12: PixelIn,
-        at_18: Entered,
+        at_20: Entered,
         anisotropy: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_footprint_of(pixel_12, at_18, rt::into(anisotropy)))
+        rt::into(self.v_footprint_of(pixel_12, at_20, rt::into(anisotropy)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_of(
         &self,
         pixel_12: PixelIn,
-        at_18: Entered,
+        at_20: Entered,
         anisotropy: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let normal_21 = at_18.facing;
+        let normal_21 = at_20.facing;
         let _e4 = self.v_plane_distance(pixel_12, normal_21);
         let _e7 = self.frame.eye_right;
         let _e11 = self.frame.right;
-        let _e13 = self.v_footprint_axis(pixel_12, at_18, normal_21, _e4, _e7.xyz(), _e11.xyz());
+        let _e13 = self.v_footprint_axis(pixel_12, at_20, normal_21, _e4, _e7.xyz(), _e11.xyz());
         let _e16 = self.frame.eye_down;
         let _e20 = self.frame.down;
-        let _e22 = self.v_footprint_axis(pixel_12, at_18, normal_21, _e4, _e16.xyz(), _e20.xyz());
+        let _e22 = self.v_footprint_axis(pixel_12, at_20, normal_21, _e4, _e16.xyz(), _e20.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
-        let sum_5 = both.dot(both);
+        let sum_6 = both.dot(both);
         let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
-        let apart_2 = ((sum_5 - (rt::Scalar(2f32) * area_1)) * (sum_5 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
-        let longer = (rt::Scalar(0.5f32) * (sum_5 + apart_2));
+        let apart_2 = ((sum_6 - (rt::Scalar(2f32) * area_1)) * (sum_6 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
+        let longer = (rt::Scalar(0.5f32) * (sum_6 + apart_2));
         let shorter = ((area_1 * area_1) / longer);
         let squared_1 = shorter.max((longer / (anisotropy * anisotropy)));
         let _e53 = rt::Scalar(self.frame.sample_width);
@@ -4173,87 +4558,87 @@ impl<'g> Resources<'g> {
     pub(crate) fn detail_fade(
         &self,
         pixel_13: PixelIn,
-        at_19: Entered,
-        params_7: impl rt::Into<rt::Vec4<f32>>,
+        at_21: Entered,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_fade(pixel_13, at_19, rt::into(params_7)))
+        rt::into(self.v_detail_fade(pixel_13, at_21, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_fade(
         &self,
         pixel_13: PixelIn,
-        at_19: Entered,
-        params_7: rt::Vec4<f32>,
+        at_21: Entered,
+        params_15: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_13, at_19, params_7.x());
-        let begin_4 = (params_7.z() * params_7.w());
-        let _e8 = self.v_depth_in_samples(pixel_13, at_19);
-        let part_10 = ((begin_4 - _e8) / (begin_4 - params_7.z()).max(rt::Scalar(0.000001f32)));
+        let _e4 = self.v_footprint_of(pixel_13, at_21, params_15.x());
+        let begin_4 = (params_15.z() * params_15.w());
+        let _e8 = self.v_depth_in_samples(pixel_13, at_21);
+        let part_10 = ((begin_4 - _e8) / (begin_4 - params_15.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
-        let _e20 = self.v_levels_of((_e4 / params_7.y()), _e19);
-        let level_28 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_28, _e4, part_10.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        let _e20 = self.v_levels_of((_e4 / params_15.y()), _e19);
+        let level_39 = rt::Scalar(_e20.fine);
+        return <Detail>::new(level_39, _e4, part_10.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
         pixel_14: PixelIn,
-        at_20: Entered,
-        params_8: impl rt::Into<rt::Vec4<f32>>,
+        at_22: Entered,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_14, at_20, rt::into(params_8)))
+        rt::into(self.v_detail_footprint(pixel_14, at_22, rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_footprint(
         &self,
         pixel_14: PixelIn,
-        at_20: Entered,
-        params_8: rt::Vec4<f32>,
+        at_22: Entered,
+        params_16: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_14, at_20, params_8.x());
+        let _e4 = self.v_footprint_of(pixel_14, at_22, params_16.x());
         let _e9 = rt::Scalar(self.surface_settings.height_levels);
-        let _e10 = self.v_levels_of((_e4 / params_8.y()), _e9);
+        let _e10 = self.v_levels_of((_e4 / params_16.y()), _e9);
         return <Detail>::new(rt::Scalar(_e10.fine), _e4, rt::Scalar(0f32));
     }
     pub(crate) fn detail_none(
         &self,
         pixel_15: PixelIn,
-        at_21: Entered,
-        params_9: impl rt::Into<rt::Vec4<f32>>,
+        at_23: Entered,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_15, at_21, rt::into(params_9)))
+        rt::into(self.v_detail_none(pixel_15, at_23, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_none(
         &self,
         pixel_15: PixelIn,
-        at_21: Entered,
-        params_9: rt::Vec4<f32>,
+        at_23: Entered,
+        params_17: rt::Vec4<f32>,
     ) -> Detail {
         return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn detail_stage(&self, pixel_16: PixelIn, at_22: Entered) -> Detail {
-        rt::into(self.v_detail_stage(pixel_16, at_22))
+    pub(crate) fn detail_stage(&self, pixel_16: PixelIn, at_24: Entered) -> Detail {
+        rt::into(self.v_detail_stage(pixel_16, at_24))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_detail_stage(&self, pixel_16: PixelIn, at_22: Entered) -> Detail {
+    fn v_detail_stage(&self, pixel_16: PixelIn, at_24: Entered) -> Detail {
         let _e6 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[4usize].params;
-                let _e12 = self.v_detail_none(pixel_16, at_22, _e11);
+                let _e12 = self.v_detail_none(pixel_16, at_24, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[4usize].params;
-                let _e18 = self.v_detail_footprint(pixel_16, at_22, _e17);
+                let _e18 = self.v_detail_footprint(pixel_16, at_24, _e17);
                 return _e18;
             }
             _ => {
                 let _e23 = self.surface_settings.choices[4usize].params;
-                let _e24 = self.v_detail_fade(pixel_16, at_22, _e23);
+                let _e24 = self.v_detail_fade(pixel_16, at_24, _e23);
                 return _e24;
             }
         }
@@ -4262,9 +4647,9 @@ impl<'g> Resources<'g> {
         &self,
         place_6: impl rt::Into<rt::Vec2<i32>>,
         layer_2: impl rt::Into<rt::Scalar<i32>>,
-        level_13: impl rt::Into<rt::Scalar<i32>>,
+        level_24: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel(rt::into(place_6), rt::into(layer_2), rt::into(level_13)))
+        rt::into(self.v_detail_texel(rt::into(place_6), rt::into(layer_2), rt::into(level_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4272,9 +4657,9 @@ impl<'g> Resources<'g> {
         &self,
         place_6: rt::Vec2<i32>,
         layer_2: rt::Scalar<i32>,
-        level_13: rt::Scalar<i32>,
+        level_24: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_6, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_13));
+        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_6, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_24));
         let _e8 = self.surface_settings.maps[0usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -4283,9 +4668,9 @@ impl<'g> Resources<'g> {
         &self,
         uv_5: impl rt::Into<rt::Vec2<f32>>,
         layer_3: impl rt::Into<rt::Scalar<i32>>,
-        level_14: impl rt::Into<rt::Scalar<u32>>,
+        level_25: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel_between(rt::into(uv_5), rt::into(layer_3), rt::into(level_14)))
+        rt::into(self.v_detail_texel_between(rt::into(uv_5), rt::into(layer_3), rt::into(level_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4293,11 +4678,11 @@ impl<'g> Resources<'g> {
         &self,
         uv_5: rt::Vec2<f32>,
         layer_3: rt::Scalar<i32>,
-        level_14: rt::Scalar<u32>,
+        level_25: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_14);
+        let _e3 = self.v_height_texels(level_25);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_43 = (level_14 - SEEN_FIRST_LEVEL).to_i32();
+        let k_43 = (level_25 - SEEN_FIRST_LEVEL).to_i32();
         let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_43);
         let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_43);
         let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_43);
@@ -4325,9 +4710,9 @@ impl<'g> Resources<'g> {
         &self,
         rows: DiceRows,
         side: impl rt::Into<rt::Scalar<u32>>,
-        at_23: impl rt::Into<rt::Scalar<u32>>,
+        at_25: impl rt::Into<rt::Scalar<u32>>,
     ) -> DicePoint {
-        rt::into(self.v_dice_border(rows, rt::into(side), rt::into(at_23)))
+        rt::into(self.v_dice_border(rows, rt::into(side), rt::into(at_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4335,11 +4720,11 @@ impl<'g> Resources<'g> {
         &self,
         rows: DiceRows,
         side: rt::Scalar<u32>,
-        at_23: rt::Scalar<u32>,
+        at_25: rt::Scalar<u32>,
     ) -> DicePoint {
         let _e4 = self.v_one_of(rows.sides, side);
         let _e6 = self.v_one_of(rows.parts, side);
-        let on_side = at_23.select((_e6 - at_23), side.elementwise_eq(rt::Scalar(2u32)));
+        let on_side = at_25.select((_e6 - at_25), side.elementwise_eq(rt::Scalar(2u32)));
         let no_weights = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(on_side.elementwise_eq(_e6)) {
             let _e17 = self.v_around_three(_e4, rt::Scalar(1u32));
@@ -4419,11 +4804,11 @@ impl<'g> Resources<'g> {
                     let _e38 = a_7;
                     let _e39 = n_3;
                     let _e41 = b_7;
-                    let last_4 = ((_e38 * _e39) + _e41);
+                    let last_5 = ((_e38 * _e39) + _e41);
                     let _e43 = m_2;
-                    n_3 = (last_4 / _e43);
+                    n_3 = (last_5 / _e43);
                     let _e45 = m_2;
-                    b_7 = (last_4 % _e45);
+                    b_7 = (last_5 % _e45);
                     let swapped = m_2;
                     let _e48 = a_7;
                     m_2 = _e48.max(rt::Scalar(1u32));
@@ -4697,15 +5082,15 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_dice_rows(&self, parts_1: rt::Vec3<u32>) -> DiceRows {
-        let mut local_23: rt::Scalar<bool>;
+        let mut local_24: rt::Scalar<bool>;
 
         let of_last = rt::Scalar(2u32).select(rt::Scalar(1u32), parts_1.y().elementwise_le(parts_1.z()));
         if rt::Scalar::into_branch_condition(parts_1.x().elementwise_le(parts_1.y())) {
-            local_23 = parts_1.x().elementwise_le(parts_1.z());
+            local_24 = parts_1.x().elementwise_le(parts_1.z());
         } else {
-            local_23 = rt::Scalar(false);
+            local_24 = rt::Scalar(false);
         }
-        let _e17 = local_23;
+        let _e17 = local_24;
         let short = of_last.select(rt::Scalar(0u32), _e17);
         let _e20 = self.v_around_three(short, rt::Scalar(2u32));
         let _e22 = self.v_around_three(short, rt::Scalar(1u32));
@@ -4732,8 +5117,8 @@ impl<'g> Resources<'g> {
         steps: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let mut j: rt::Scalar<u32>;
-        let mut local_24: rt::Scalar<bool>;
         let mut local_25: rt::Scalar<bool>;
+        let mut local_26: rt::Scalar<bool>;
 
         let least_3 = rt::Scalar(0u32).select((steps - above), steps.elementwise_gt(above));
         let most_8 = below.min(steps);
@@ -4744,11 +5129,11 @@ impl<'g> Resources<'g> {
                 if rt::Scalar::into_branch_condition(_e19.elementwise_gt(least_3)) {
                     let _e24 = j;
                     let _e30 = j;
-                    local_24 = (((rt::Scalar(2u32) * _e24) - rt::Scalar(1u32)) * above).elementwise_gt((((rt::Scalar(2u32) * (steps - _e30)) + rt::Scalar(1u32)) * below));
+                    local_25 = (((rt::Scalar(2u32) * _e24) - rt::Scalar(1u32)) * above).elementwise_gt((((rt::Scalar(2u32) * (steps - _e30)) + rt::Scalar(1u32)) * below));
                 } else {
-                    local_24 = rt::Scalar(false);
+                    local_25 = rt::Scalar(false);
                 }
-                let _e38 = local_24;
+                let _e38 = local_25;
                 if rt::Scalar::into_branch_condition(_e38) {
                 } else {
                     break 'naga_break;
@@ -4765,11 +5150,11 @@ impl<'g> Resources<'g> {
                 if rt::Scalar::into_branch_condition(_e42.elementwise_lt(most_8)) {
                     let _e47 = j;
                     let _e53 = j;
-                    local_25 = (((rt::Scalar(2u32) * _e47) + rt::Scalar(1u32)) * above).elementwise_le((((rt::Scalar(2u32) * (steps - _e53)) - rt::Scalar(1u32)) * below));
+                    local_26 = (((rt::Scalar(2u32) * _e47) + rt::Scalar(1u32)) * above).elementwise_le((((rt::Scalar(2u32) * (steps - _e53)) - rt::Scalar(1u32)) * below));
                 } else {
-                    local_25 = rt::Scalar(false);
+                    local_26 = rt::Scalar(false);
                 }
-                let _e61 = local_25;
+                let _e61 = local_26;
                 if rt::Scalar::into_branch_condition(_e61) {
                 } else {
                     break 'naga_break;
@@ -4796,7 +5181,7 @@ impl<'g> Resources<'g> {
         rows_13: DiceRows,
         number_4: rt::Scalar<u32>,
     ) -> DiceTriangle {
-        let mut local_26: rt::Scalar<bool>;
+        let mut local_27: rt::Scalar<bool>;
 
         let _e2 = self.v_dice_row_of_triangle(rows_13, number_4);
         let _e5 = self.v_dice_row_parts(rows_13, (_e2 - rt::Scalar(1u32)));
@@ -4804,11 +5189,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(1u32))) {
             let _e15 = self.v_dice_share(rows_13, (_e2 - rt::Scalar(1u32)), rows_13.parts.x());
             let _e18 = self.v_dice_share(rows_13, _e2, rows_13.parts.x());
-            local_26 = _e15.elementwise_eq(_e18);
+            local_27 = _e15.elementwise_eq(_e18);
         } else {
-            local_26 = rt::Scalar(false);
+            local_27 = rt::Scalar(false);
         }
-        let is_shared = local_26;
+        let is_shared = local_27;
         let _e24 = self.v_dice_triangles_before(rows_13, (_e2 - rt::Scalar(1u32)));
         let step_5 = ((number_4 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
         let _e30 = self.v_dice_steps_below(_e5, _e6, step_5);
@@ -4881,9 +5266,9 @@ impl<'g> Resources<'g> {
         let _e27 = rest_1;
         let part_12 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
         let square_1 = (part_12 * part_12);
-        let sum_6 = (rt::Scalar(1f32) + (square_1 * (rt::Scalar(0.33333334f32) + (square_1 * (rt::Scalar(0.2f32) + (square_1 * (rt::Scalar(0.14285715f32) + (square_1 * rt::Scalar(0.11111111f32)))))))));
+        let sum_7 = (rt::Scalar(1f32) + (square_1 * (rt::Scalar(0.33333334f32) + (square_1 * (rt::Scalar(0.2f32) + (square_1 * (rt::Scalar(0.14285715f32) + (square_1 * rt::Scalar(0.11111111f32)))))))));
         let _e45 = exponent;
-        return (_e45 + ((rt::Scalar(2.88539f32) * part_12) * sum_6));
+        return (_e45 + ((rt::Scalar(2.88539f32) * part_12) * sum_7));
     }
     pub(crate) fn level_at(&self, grid_5: Tessellation, site: BaseSite) -> f32 {
         rt::into(self.v_level_at(grid_5, site))
@@ -4901,22 +5286,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn height_and_slope(
         &self,
         uv_6: impl rt::Into<rt::Vec2<f32>>,
-        level_15: impl rt::Into<rt::Scalar<u32>>,
+        level_26: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_6), rt::into(level_15)))
+        rt::into(self.v_height_and_slope(rt::into(uv_6), rt::into(level_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_height_and_slope(
         &self,
         uv_6: rt::Vec2<f32>,
-        level_15: rt::Scalar<u32>,
+        level_26: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_height_size(level_15);
+        let _e2 = self.v_height_size(level_26);
         let point_22 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_22);
         let f_1 = (point_22 - _e8);
-        let _e11 = self.v_height_cell(_e8.to_i32(), level_15);
+        let _e11 = self.v_height_cell(_e8.to_i32(), level_26);
         let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_3 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
         let left_3 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
@@ -4926,19 +5311,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn relief_between_levels(
         &self,
         uv_7: impl rt::Into<rt::Vec2<f32>>,
-        level_16: impl rt::Into<rt::Scalar<f32>>,
+        level_27: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_relief_between_levels(rt::into(uv_7), rt::into(level_16)))
+        rt::into(self.v_relief_between_levels(rt::into(uv_7), rt::into(level_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_relief_between_levels(
         &self,
         uv_7: rt::Vec2<f32>,
-        level_16: rt::Scalar<f32>,
+        level_27: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let finer = level_16.to_u32();
-        let part_13 = (level_16 - finer.to_f32());
+        let finer = level_27.to_u32();
+        let part_13 = (level_27 - finer.to_f32());
         let _e5 = self.v_height_and_slope(uv_7, finer);
         if rt::Scalar::into_branch_condition(part_13.elementwise_eq(rt::Scalar(0f32))) {
             return _e5;
@@ -5008,11 +5393,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e4 = self.v_height_texels(rt::Scalar(path_16.level));
         let _e5 = self.v_texels_around(uv_8, _e4);
-        let level_29 = rt::Scalar(path_16.level).to_i32();
-        let _e13 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_29);
-        let _e19 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_29);
-        let _e25 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_29);
-        let _e31 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_29);
+        let level_40 = rt::Scalar(path_16.level).to_i32();
+        let _e13 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_40);
+        let _e19 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_40);
+        let _e25 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_40);
+        let _e31 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_40);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
@@ -5099,17 +5484,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_enter(
         &self,
         pixel_19: PixelIn,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_enter(pixel_19, rt::into(params_10)))
+        rt::into(self.v_surface_plane_enter(pixel_19, rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_enter(
         &self,
         pixel_19: PixelIn,
-        params_10: rt::Vec4<f32>,
+        params_18: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_27: rt::Scalar<bool>;
+        let mut local_28: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_19);
         let _e5 = self.v_plane_distance(pixel_19, _e2);
@@ -5130,11 +5515,11 @@ impl<'g> Resources<'g> {
         let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
         let descent_2 = (rt::Scalar(0f32) - normal_22.dot((pixel_19.direction / rt::Vec3::splat_from_scalar(pixel_19.direction.length()))));
         if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
-            local_27 = descent_2.elementwise_gt(rt::Scalar(0f32));
+            local_28 = descent_2.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_27 = rt::Scalar(false);
+            local_28 = rt::Scalar(false);
         }
-        let _e86 = local_27;
+        let _e86 = local_28;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
         return <Entered>::new(segments, point_23, uv_30, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
@@ -5160,9 +5545,9 @@ impl<'g> Resources<'g> {
         pixel_21: PixelIn,
         along_5: impl rt::Into<rt::Vec3<f32>>,
         middle_3: impl rt::Into<rt::Scalar<f32>>,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Prism {
-        rt::into(self.v_prism_of(pixel_21, rt::into(along_5), rt::into(middle_3), rt::into(params_11)))
+        rt::into(self.v_prism_of(pixel_21, rt::into(along_5), rt::into(middle_3), rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5171,13 +5556,13 @@ impl<'g> Resources<'g> {
         pixel_21: PixelIn,
         along_5: rt::Vec3<f32>,
         middle_3: rt::Scalar<f32>,
-        params_11: rt::Vec4<f32>,
+        params_19: rt::Vec4<f32>,
     ) -> Prism {
         let origin_4 = (pixel_21.origin + (along_5 * middle_3));
         let _e8 = self.v_ordered(pixel_21, rt::Scalar(0u32));
         let _e10 = self.v_ordered(pixel_21, rt::Scalar(1u32));
         let _e12 = self.v_ordered(pixel_21, rt::Scalar(2u32));
-        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_21.side)), (_e10.normal * rt::Scalar(pixel_21.side)), (_e12.normal * rt::Scalar(pixel_21.side)), (pixel_21.shell.lift * (params_11.y() * rt::Scalar(pixel_21.side))));
+        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_21.side)), (_e10.normal * rt::Scalar(pixel_21.side)), (_e12.normal * rt::Scalar(pixel_21.side)), (pixel_21.shell.lift * (params_19.y() * rt::Scalar(pixel_21.side))));
     }
     pub(crate) fn frame_at(
         &self,
@@ -5243,7 +5628,7 @@ impl<'g> Resources<'g> {
         pixel_24: PixelIn,
         along_7: rt::Vec3<f32>,
     ) -> Entered {
-        let mut at_24: Entered;
+        let mut at_26: Entered;
 
         let third_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
         let uv_31 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
@@ -5251,9 +5636,9 @@ impl<'g> Resources<'g> {
         let point_24 = (pixel_24.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_7);
         let _e21 = self.v_frame_at(pixel_24, third_1, point_24, uv_31, _e20);
-        at_24 = _e21;
-        rt::Scalar(at_24.segments) = rt::Scalar(0u32);
-        let _e25 = at_24;
+        at_26 = _e21;
+        rt::Scalar(at_26.segments) = rt::Scalar(0u32);
+        let _e25 = at_26;
         return _e25;
     }
     pub(crate) fn way_weight(
@@ -5296,9 +5681,9 @@ impl<'g> Resources<'g> {
         prism_3: Prism,
         along_9: rt::Vec3<f32>,
     ) -> Way {
-        let first_10 = (rt::Scalar(pixel_25.shell.order) & rt::Scalar(3u32));
+        let first_11 = (rt::Scalar(pixel_25.shell.order) & rt::Scalar(3u32));
         let second_2 = ((rt::Scalar(pixel_25.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
-        let is_turned = (((second_2 + rt::Scalar(3u32)) - first_10) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
+        let is_turned = (((second_2 + rt::Scalar(3u32)) - first_11) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
         let _e24 = self.v_way_weight(along_9, prism_3.p1_, prism_3.n1_, prism_3.p2_, prism_3.n2_);
         let _e29 = self.v_way_weight(along_9, prism_3.p2_, prism_3.n2_, prism_3.p0_, prism_3.n0_);
         let _e34 = self.v_way_weight(along_9, prism_3.p0_, prism_3.n0_, prism_3.p1_, prism_3.n1_);
@@ -5400,8 +5785,8 @@ impl<'g> Resources<'g> {
         way_3: Way,
         beyond_1: rt::Vec3<f32>,
     ) -> Way {
-        let sum_7 = ((way_3.first + way_3.second) + way_3.third);
-        return <Way>::new((way_3.first + (sum_7 * beyond_1.x())), (way_3.second + (sum_7 * beyond_1.y())), (way_3.third + (sum_7 * beyond_1.z())), rt::Scalar(way_3.turn));
+        let sum_8 = ((way_3.first + way_3.second) + way_3.third);
+        return <Way>::new((way_3.first + (sum_8 * beyond_1.x())), (way_3.second + (sum_8 * beyond_1.y())), (way_3.third + (sum_8 * beyond_1.z())), rt::Scalar(way_3.turn));
     }
     pub(crate) fn root_behind(
         &self,
@@ -5448,17 +5833,17 @@ impl<'g> Resources<'g> {
         way_4: Way,
         offset_3: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_28: rt::Scalar<bool>;
+        let mut local_29: rt::Scalar<bool>;
 
         let _e3 = self.v_quadratic(way_4.first, offset_3);
         let _e5 = self.v_quadratic(way_4.second, offset_3);
         let _e7 = self.v_quadratic(way_4.third, offset_3);
         if rt::Scalar::into_branch_condition((!_e3.min(_e5).min(_e7).elementwise_gt(rt::Scalar(0f32)))) {
-            local_28 = _e3.max(_e5).max(_e7).elementwise_lt(rt::Scalar(0f32));
+            local_29 = _e3.max(_e5).max(_e7).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_28 = rt::Scalar(true);
+            local_29 = rt::Scalar(true);
         }
-        let _e20 = local_28;
+        let _e20 = local_29;
         return _e20;
     }
     pub(crate) fn way_chord(
@@ -5490,8 +5875,8 @@ impl<'g> Resources<'g> {
         let mut count_3: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut begin: rt::Scalar<f32>;
         let mut pieces: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_29: rt::Scalar<bool>;
         let mut local_30: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
 
         let _e8 = self.v_grown_way(way_5, beyond_2);
         begin = offsets_1.x();
@@ -5500,11 +5885,11 @@ impl<'g> Resources<'g> {
                 let _e19 = pieces;
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(MOST_PIECES)) {
                     let _e24 = begin;
-                    local_29 = _e24.elementwise_lt(offsets_1.y());
+                    local_30 = _e24.elementwise_lt(offsets_1.y());
                 } else {
-                    local_29 = rt::Scalar(false);
+                    local_30 = rt::Scalar(false);
                 }
-                let _e28 = local_29;
+                let _e28 = local_30;
                 if rt::Scalar::into_branch_condition(_e28) {
                 } else {
                     break 'naga_break;
@@ -5527,11 +5912,11 @@ impl<'g> Resources<'g> {
                         let _e54 = count_3;
                         if rt::Scalar::into_branch_condition(number_6.elementwise_ge(_e54)) {
                             let _e58 = count_3;
-                            local_30 = number_6.elementwise_lt((_e58 + _e53));
+                            local_31 = number_6.elementwise_lt((_e58 + _e53));
                         } else {
-                            local_30 = rt::Scalar(false);
+                            local_31 = rt::Scalar(false);
                         }
-                        let _e62 = local_30;
+                        let _e62 = local_31;
                         if rt::Scalar::into_branch_condition(_e62) {
                             let _e63 = begin;
                             let long_2 = (end_3 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
@@ -5557,32 +5942,32 @@ impl<'g> Resources<'g> {
     pub(crate) fn folded_enter(
         &self,
         pixel_28: PixelIn,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_folded_enter(pixel_28, rt::into(params_12)))
+        rt::into(self.v_folded_enter(pixel_28, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_folded_enter(
         &self,
         pixel_28: PixelIn,
-        params_12: rt::Vec4<f32>,
+        params_20: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_25: Entered;
+        let mut at_27: Entered;
 
         let along_23 = pixel_28.direction.normalize();
         let _e4 = self.v_middle_of(pixel_28, along_23);
-        let _e5 = self.v_prism_of(pixel_28, along_23, _e4, params_12);
+        let _e5 = self.v_prism_of(pixel_28, along_23, _e4, params_20);
         let _e6 = self.v_shell_middle(pixel_28, along_23);
-        at_25 = _e6;
+        at_27 = _e6;
         let _e8 = self.v_way_of(pixel_28, _e5, along_23);
         let _e9 = self.v_shell_slack(pixel_28, _e4);
         let _e10 = self.v_way_offsets(pixel_28, _e5, _e9);
-        let _e11 = at_25;
-        let _e12 = self.v_chord_reach(pixel_28, _e11, _e4, params_12);
+        let _e11 = at_27;
+        let _e12 = self.v_chord_reach(pixel_28, _e11, _e4, params_20);
         let _e13 = self.v_way_beyond(_e5, _e10, _e12);
-        let _e17 = self.v_way_chord(pixel_28, _e5, along_23, _e8, _e10, _e13, params_12.x(), rt::Scalar(0u32));
-        rt::Scalar(at_25.segments) = rt::Scalar(_e17.count);
-        let _e19 = at_25;
+        let _e17 = self.v_way_chord(pixel_28, _e5, along_23, _e8, _e10, _e13, params_20.x(), rt::Scalar(0u32));
+        rt::Scalar(at_27.segments) = rt::Scalar(_e17.count);
+        let _e19 = at_27;
         return _e19;
     }
     pub(crate) fn in_slab(
@@ -5626,9 +6011,9 @@ impl<'g> Resources<'g> {
         prism_8: Prism,
         along_12: impl rt::Into<rt::Vec3<f32>>,
         middle_4: impl rt::Into<rt::Scalar<f32>>,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_span_of(pixel_29, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_13)))
+        rt::into(self.v_span_of(pixel_29, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_span_of(
@@ -5637,14 +6022,14 @@ impl<'g> Resources<'g> {
         prism_8: Prism,
         along_12: rt::Vec3<f32>,
         middle_4: rt::Scalar<f32>,
-        params_13: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
     ) -> rt::Vec2<f32> {
         let mut shell_2: Shell;
         let mut span_1: rt::Vec2<f32>;
 
         shell_2 = pixel_29.shell;
         let _e9 = shell_2.lift;
-        shell_2.lift = (_e9 * params_13.y());
+        shell_2.lift = (_e9 * params_21.y());
         let _e12 = shell_2;
         let _e13 = self.v_offsets_of(_e12);
         let _e14 = self.v_shell_slack(pixel_29, middle_4);
@@ -5798,53 +6183,53 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_enter(
         &self,
         pixel_30: PixelIn,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_enter(pixel_30, rt::into(params_14)))
+        rt::into(self.v_surface_prism_enter(pixel_30, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_enter(
         &self,
         pixel_30: PixelIn,
-        params_14: rt::Vec4<f32>,
+        params_22: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_31: rt::Scalar<bool>;
-        let mut at_26: Entered;
+        let mut local_32: rt::Scalar<bool>;
+        let mut at_28: Entered;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_30.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e6 = self.v_folded_enter(pixel_30, params_14);
+            let _e6 = self.v_folded_enter(pixel_30, params_22);
             return _e6;
         }
         let along_24 = pixel_30.direction.normalize();
         let _e9 = self.v_middle_of(pixel_30, along_24);
-        let _e10 = self.v_prism_of(pixel_30, along_24, _e9, params_14);
-        let _e11 = self.v_span_of(pixel_30, _e10, along_24, _e9, params_14);
+        let _e10 = self.v_prism_of(pixel_30, along_24, _e9, params_22);
+        let _e11 = self.v_span_of(pixel_30, _e10, along_24, _e9, params_22);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
-            local_31 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+            local_32 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
-            local_31 = rt::Scalar(true);
+            local_32 = rt::Scalar(true);
         }
-        let _e27 = local_31;
+        let _e27 = local_32;
         if rt::Scalar::into_branch_condition(_e27) {
             let _e28 = self.v_passed_by();
             return _e28;
         }
         let _e29 = self.v_shell_middle(pixel_30, along_24);
-        at_26 = _e29;
-        at_26.span = _e11;
+        at_28 = _e29;
+        at_28.span = _e11;
         let height_14 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
-        let _e43 = at_26.span.x();
+        let _e43 = at_28.span.x();
         let _e45 = self.v_shell_point(_e10, (along_24 * _e43), height_14);
-        let _e48 = at_26.span.y();
+        let _e48 = at_28.span.y();
         let _e50 = self.v_shell_point(_e10, (along_24 * _e48), height_14);
-        let _e53 = at_26.span.x();
+        let _e53 = at_28.span.x();
         let _e58 = self.v_between(_e45, _e50);
         let _e59 = self.v_shell_point_from(_e10, (along_24 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
-        let _e62 = at_26.span.x();
+        let _e62 = at_28.span.x();
         let _e67 = self.v_between(_e45, _e59);
         let _e68 = self.v_shell_point_from(_e10, (along_24 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
-        let _e71 = at_26.span.x();
+        let _e71 = at_28.span.x();
         let _e76 = self.v_between(_e59, _e50);
         let _e77 = self.v_shell_point_from(_e10, (along_24 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
         let _e79 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e68, rt::Scalar(0.25f32));
@@ -5852,8 +6237,8 @@ impl<'g> Resources<'g> {
         let quarters_1 = _e79.max(_e81);
         let _e84 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e59, rt::Scalar(0.5f32));
         let most_11 = _e84.max(quarters_1);
-        rt::Scalar(at_26.segments) = (most_11 / params_14.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
-        let _e95 = at_26;
+        rt::Scalar(at_28.segments) = (most_11 / params_22.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
+        let _e95 = at_28;
         return _e95;
     }
     pub(crate) fn weight_at(
@@ -5930,63 +6315,63 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_enter(
         &self,
         pixel_32: PixelIn,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_enter(pixel_32, rt::into(params_15)))
+        rt::into(self.v_surface_quadric_vertical_enter(pixel_32, rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_enter(
         &self,
         pixel_32: PixelIn,
-        params_15: rt::Vec4<f32>,
+        params_23: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_27: Entered;
+        let mut at_29: Entered;
 
-        let _e2 = self.v_surface_plane_enter(pixel_32, params_15);
-        at_27 = _e2;
-        let _e6 = at_27.point;
-        let _e8 = self.v_quadric_of(pixel_32, _e6, params_15.y());
-        at_27.of_surface = _e8;
-        let _e11 = at_27.metric.x();
-        let _e14 = at_27.metric.z();
-        let _e18 = at_27.metric.y();
-        let _e21 = at_27.metric.y();
+        let _e2 = self.v_surface_plane_enter(pixel_32, params_23);
+        at_29 = _e2;
+        let _e6 = at_29.point;
+        let _e8 = self.v_quadric_of(pixel_32, _e6, params_23.y());
+        at_29.of_surface = _e8;
+        let _e11 = at_29.metric.x();
+        let _e14 = at_29.metric.z();
+        let _e18 = at_29.metric.y();
+        let _e21 = at_29.metric.y();
         let area_3 = ((_e11 * _e14) - (_e18 * _e21));
-        rt::Scalar(at_27.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
-        let _e30 = at_27;
+        rt::Scalar(at_29.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
+        let _e30 = at_29;
         return _e30;
     }
     pub(crate) fn surface_quadric_perpendicular_enter(
         &self,
         pixel_33: PixelIn,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_33, rt::into(params_16)))
+        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_33, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_enter(
         &self,
         pixel_33: PixelIn,
-        params_16: rt::Vec4<f32>,
+        params_24: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_28: Entered;
+        let mut at_30: Entered;
 
-        let _e2 = self.v_surface_quadric_vertical_enter(pixel_33, params_16);
-        at_28 = _e2;
+        let _e2 = self.v_surface_quadric_vertical_enter(pixel_33, params_24);
+        at_30 = _e2;
         let along_25 = pixel_33.direction.length();
-        let _e6 = at_28;
+        let _e6 = at_30;
         let _e10 = self.v_across_of(_e6, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_25)));
         let _e11 = self.v_plane_normal(pixel_33);
         let _e12 = self.v_plane_distance(pixel_33, _e11);
         let eye_2 = (rt::Scalar(0f32) - (_e12 * along_25));
-        let _e17 = at_28;
+        let _e17 = at_30;
         let _e18 = self.v_across_span(_e17, _e10, eye_2);
-        at_28.span = _e18;
-        let _e22 = rt::Scalar(at_28.segments);
-        let _e28 = at_28.span.y();
-        let _e31 = at_28.span.x();
-        rt::Scalar(at_28.segments) = rt::Scalar(0u32).select((_e22 * params_16.z().to_u32()), _e28.elementwise_gt(_e31));
-        let _e34 = at_28;
+        at_30.span = _e18;
+        let _e22 = rt::Scalar(at_30.segments);
+        let _e28 = at_30.span.y();
+        let _e31 = at_30.span.x();
+        rt::Scalar(at_30.segments) = rt::Scalar(0u32).select((_e22 * params_24.z().to_u32()), _e28.elementwise_gt(_e31));
+        let _e34 = at_30;
         return _e34;
     }
     pub(crate) fn moved_out(
@@ -6045,7 +6430,7 @@ impl<'g> Resources<'g> {
         number_7: rt::Scalar<u32>,
     ) -> Tetrahedron {
         let mut inside_1: rt::Vec2<f32>;
-        let mut local_32: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
 
         let origin_5 = (pixel_34.origin + (along_13 * middle_5));
         let is_first_1 = number_7.elementwise_eq(rt::Scalar(0u32));
@@ -6095,11 +6480,11 @@ impl<'g> Resources<'g> {
         inside_1 = _e100;
         if rt::Scalar::into_branch_condition((!(!volume_1.abs().elementwise_gt(rt::Scalar(0f32))))) {
             let _e109 = inside_1.y();
-            local_32 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+            local_33 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
-            local_32 = rt::Scalar(true);
+            local_33 = rt::Scalar(true);
         }
-        let _e114 = local_32;
+        let _e114 = local_33;
         if rt::Scalar::into_branch_condition(_e114) {
             inside_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(-300000000000000000000000000000000000000f32));
         }
@@ -6140,45 +6525,45 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_enter(
         &self,
         pixel_36: PixelIn,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_enter(pixel_36, rt::into(params_17)))
+        rt::into(self.v_surface_tetrahedra_enter(pixel_36, rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_enter(
         &self,
         pixel_36: PixelIn,
-        params_17: rt::Vec4<f32>,
+        params_25: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_33: rt::Scalar<bool>;
         let mut local_34: rt::Scalar<bool>;
-        let mut at_29: Entered;
+        let mut local_35: rt::Scalar<bool>;
+        let mut at_31: Entered;
 
         let along_26 = pixel_36.direction.normalize();
         let _e4 = self.v_middle_of(pixel_36, along_26);
         let _e6 = self.v_is_met(pixel_36, along_26, _e4, rt::Scalar(0u32));
         if rt::Scalar::into_branch_condition((!_e6)) {
             let _e11 = self.v_is_met(pixel_36, along_26, _e4, rt::Scalar(1u32));
-            local_33 = (!_e11);
-        } else {
-            local_33 = rt::Scalar(false);
-        }
-        let _e14 = local_33;
-        if rt::Scalar::into_branch_condition(_e14) {
-            let _e18 = self.v_is_met(pixel_36, along_26, _e4, rt::Scalar(2u32));
-            local_34 = (!_e18);
+            local_34 = (!_e11);
         } else {
             local_34 = rt::Scalar(false);
         }
-        let is_passed_by = local_34;
+        let _e14 = local_34;
+        if rt::Scalar::into_branch_condition(_e14) {
+            let _e18 = self.v_is_met(pixel_36, along_26, _e4, rt::Scalar(2u32));
+            local_35 = (!_e18);
+        } else {
+            local_35 = rt::Scalar(false);
+        }
+        let is_passed_by = local_35;
         if rt::Scalar::into_branch_condition(is_passed_by) {
             let _e22 = self.v_passed_by();
             return _e22;
         }
         let _e23 = self.v_shell_middle(pixel_36, along_26);
-        at_29 = _e23;
-        rt::Scalar(at_29.segments) = rt::Scalar(3u32);
-        let _e27 = at_29;
+        at_31 = _e23;
+        rt::Scalar(at_31.segments) = rt::Scalar(3u32);
+        let _e27 = at_31;
         return _e27;
     }
     pub(crate) fn triangle_distance(
@@ -6234,32 +6619,32 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_is_on_map(&self, uv_11: rt::Vec2<f32>) -> rt::Scalar<bool> {
-        let mut local_35: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
 
         let beyond_4 = ((uv_11.x() - rt::Scalar(0.5f32)).abs().max((uv_11.y() - rt::Scalar(0.5f32)).abs()) - rt::Scalar(0.5f32));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition((!_e14.elementwise_ne(WRAP_CLAMP))) {
-            local_35 = beyond_4.elementwise_le(rt::Scalar(0.000001f32));
+            local_36 = beyond_4.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_35 = rt::Scalar(true);
+            local_36 = rt::Scalar(true);
         }
-        let _e23 = local_35;
+        let _e23 = local_36;
         return _e23;
     }
     pub(crate) fn surface_facets_enter(
         &self,
         pixel_39: PixelIn,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_enter(pixel_39, rt::into(params_18)))
+        rt::into(self.v_surface_facets_enter(pixel_39, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_facets_enter(
         &self,
         pixel_39: PixelIn,
-        params_18: rt::Vec4<f32>,
+        params_26: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_36: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_39);
         let _e5 = self.v_triangle_distance(pixel_39, _e2);
@@ -6268,35 +6653,35 @@ impl<'g> Resources<'g> {
         let uv_33 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
         let tangent_3 = (((pixel_39.a.tangent * _e8.x()) + (pixel_39.b.tangent * _e8.y())) + (pixel_39.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_39.a.bitangent * _e8.x()) + (pixel_39.b.bitangent * _e8.y())) + (pixel_39.c.bitangent * _e8.z()));
-        let sum_8 = ((((pixel_39.a.normal * _e8.x()) + (pixel_39.b.normal * _e8.y())) + (pixel_39.c.normal * _e8.z())) * rt::Scalar(pixel_39.side));
+        let sum_9 = ((((pixel_39.a.normal * _e8.x()) + (pixel_39.b.normal * _e8.y())) + (pixel_39.c.normal * _e8.z())) * rt::Scalar(pixel_39.side));
         let tt_1 = tangent_3.dot(tangent_3);
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
             let _e77 = self.v_is_on_map(uv_33);
-            local_36 = _e77;
+            local_37 = _e77;
         } else {
-            local_36 = rt::Scalar(false);
+            local_37 = rt::Scalar(false);
         }
-        let _e79 = local_36;
+        let _e79 = local_37;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_25, uv_33, tangent_3, bitangent_2, sum_8.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_25, uv_33, tangent_3, bitangent_2, sum_9.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
         pixel_40: PixelIn,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_enter(pixel_40, rt::into(params_19)))
+        rt::into(self.v_surface_slices_enter(pixel_40, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_slices_enter(
         &self,
         pixel_40: PixelIn,
-        params_19: rt::Vec4<f32>,
+        params_27: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_37: rt::Scalar<bool>;
         let mut local_38: rt::Scalar<bool>;
+        let mut local_39: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_40);
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
@@ -6316,91 +6701,91 @@ impl<'g> Resources<'g> {
         let height_m = (_e87 + (_e90 * slice_6.x()));
         let normal_25 = raw_.normalize();
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            local_37 = area_4.elementwise_gt(rt::Scalar(0f32));
-        } else {
-            local_37 = rt::Scalar(false);
-        }
-        let _e105 = local_37;
-        if rt::Scalar::into_branch_condition(_e105) {
-            let _e108 = self.v_is_on_map(uv_34);
-            local_38 = _e108;
+            local_38 = area_4.elementwise_gt(rt::Scalar(0f32));
         } else {
             local_38 = rt::Scalar(false);
         }
-        let _e110 = local_38;
+        let _e105 = local_38;
+        if rt::Scalar::into_branch_condition(_e105) {
+            let _e108 = self.v_is_on_map(uv_34);
+            local_39 = _e108;
+        } else {
+            local_39 = rt::Scalar(false);
+        }
+        let _e110 = local_39;
         let _e116 = rt::Scalar(self.surface_settings.scale_m);
         return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_26 - (raw_ * height_m)), uv_34, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
         pixel_41: PixelIn,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_enter(pixel_41, rt::into(params_20)))
+        rt::into(self.v_surface_object_enter(pixel_41, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_enter(
         &self,
         pixel_41: PixelIn,
-        params_20: rt::Vec4<f32>,
+        params_28: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_30: Entered;
+        let mut at_32: Entered;
 
         let _e2 = self.v_passed_by();
-        at_30 = _e2;
+        at_32 = _e2;
         let _e7 = rt::Scalar(self.surface_settings.images);
-        rt::Scalar(at_30.segments) = _e7;
-        at_30.point = pixel_41.origin;
-        let _e10 = at_30;
+        rt::Scalar(at_32.segments) = _e7;
+        at_32.point = pixel_41.origin;
+        let _e10 = at_32;
         return _e10;
     }
     pub(crate) fn surface_frames_enter(
         &self,
         pixel_42: PixelIn,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_enter(pixel_42, rt::into(params_21)))
+        rt::into(self.v_surface_frames_enter(pixel_42, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_frames_enter(
         &self,
         pixel_42: PixelIn,
-        params_21: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_31: Entered;
+        let mut at_33: Entered;
 
         let _e2 = self.v_passed_by();
-        at_31 = _e2;
-        rt::Scalar(at_31.segments) = FRAMES;
-        at_31.point = pixel_42.origin;
-        let _e8 = at_31;
+        at_33 = _e2;
+        rt::Scalar(at_33.segments) = FRAMES;
+        at_33.point = pixel_42.origin;
+        let _e8 = at_33;
         return _e8;
     }
     pub(crate) fn surface_object_slices_enter(
         &self,
         pixel_43: PixelIn,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_enter(pixel_43, rt::into(params_22)))
+        rt::into(self.v_surface_object_slices_enter(pixel_43, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_slices_enter(
         &self,
         pixel_43: PixelIn,
-        params_22: rt::Vec4<f32>,
+        params_30: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_32: Entered;
+        let mut at_34: Entered;
 
         let _e2 = self.v_plane_normal(pixel_43);
         let _e3 = self.v_passed_by();
-        at_32 = _e3;
-        rt::Scalar(at_32.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
+        at_34 = _e3;
+        rt::Scalar(at_34.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
         let _e15 = self.v_triangle_distance(pixel_43, _e2);
-        at_32.point = (pixel_43.origin + (pixel_43.direction * _e15));
-        let _e18 = at_32;
+        at_34.point = (pixel_43.origin + (pixel_43.direction * _e15));
+        let _e18 = at_34;
         return _e18;
     }
     pub(crate) fn surface_enter_stage(&self, pixel_44: PixelIn) -> Entered {
@@ -6467,21 +6852,21 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_enter_relief(&self, pixel_45: PixelIn) -> Entered {
-        let mut at_33: Entered;
+        let mut at_35: Entered;
 
         let _e1 = self.v_surface_enter_stage(pixel_45);
-        at_33 = _e1;
-        let _e4 = rt::Scalar(at_33.segments);
+        at_35 = _e1;
+        let _e4 = rt::Scalar(at_35.segments);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0u32))) {
-            let _e7 = at_33;
+            let _e7 = at_35;
             return _e7;
         }
-        let _e8 = at_33;
+        let _e8 = at_35;
         let _e9 = self.v_detail_stage(pixel_45, _e8);
-        rt::Scalar(at_33.level) = rt::Scalar(_e9.level);
-        rt::Scalar(at_33.footprint) = rt::Scalar(_e9.footprint);
-        rt::Scalar(at_33.fade) = rt::Scalar(_e9.fade);
-        let _e16 = at_33;
+        rt::Scalar(at_35.level) = rt::Scalar(_e9.level);
+        rt::Scalar(at_35.footprint) = rt::Scalar(_e9.footprint);
+        rt::Scalar(at_35.fade) = rt::Scalar(_e9.fade);
+        let _e16 = at_35;
         return _e16;
     }
     pub(crate) fn entered_once(
@@ -6512,7 +6897,7 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut cost_1: rt::Vec3<u32>;
-        let mut local_39: rt::Scalar<bool>;
+        let mut local_40: rt::Scalar<bool>;
 
         near_1 = above_1;
         far_1 = below_1;
@@ -6537,11 +6922,11 @@ impl<'g> Resources<'g> {
                     let _e33 = near_1;
                     if rt::Scalar::into_branch_condition(middle_12.elementwise_gt(_e33)) {
                         let _e37 = far_1;
-                        local_39 = middle_12.elementwise_lt(_e37);
+                        local_40 = middle_12.elementwise_lt(_e37);
                     } else {
-                        local_39 = rt::Scalar(false);
+                        local_40 = rt::Scalar(false);
                     }
-                    let _e40 = local_39;
+                    let _e40 = local_40;
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
@@ -6589,9 +6974,9 @@ impl<'g> Resources<'g> {
         &self,
         uv_12: impl rt::Into<rt::Vec2<f32>>,
         layer_5: impl rt::Into<rt::Scalar<i32>>,
-        level_17: impl rt::Into<rt::Scalar<u32>>,
+        level_28: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_12), rt::into(layer_5), rt::into(level_17)))
+        rt::into(self.v_normal_at(rt::into(uv_12), rt::into(layer_5), rt::into(level_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6599,12 +6984,12 @@ impl<'g> Resources<'g> {
         &self,
         uv_12: rt::Vec2<f32>,
         layer_5: rt::Scalar<i32>,
-        level_17: rt::Scalar<u32>,
+        level_28: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.normal_size;
-        let _e6 = self.v_level_texels(_e5, level_17);
+        let _e6 = self.v_level_texels(_e5, level_28);
         let _e7 = self.v_texels_around(uv_12, _e6);
-        let k_44 = level_17.to_i32();
+        let k_44 = level_28.to_i32();
         let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_44));
         let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_44));
         let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_44));
@@ -6643,15 +7028,15 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slopes_between_creases(
         &self,
-        at_34: Entered,
+        at_36: Entered,
         uv_13: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_34, rt::into(uv_13)))
+        rt::into(self.v_slopes_between_creases(at_36, rt::into(uv_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slopes_between_creases(
         &self,
-        at_34: Entered,
+        at_36: Entered,
         uv_13: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
@@ -6674,9 +7059,9 @@ impl<'g> Resources<'g> {
         let _e45 = self.v_cell_slopes(_e44, part_16);
         let behind_v = _e45.y();
         let _e50 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_u = ((_e3.x() * _e50) / at_34.tangent.length());
+        let rate_u = ((_e3.x() * _e50) / at_36.tangent.length());
         let _e58 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_v = ((_e3.y() * _e58) / at_34.bitangent.length());
+        let rate_v = ((_e3.y() * _e58) / at_36.bitangent.length());
         let _e64 = self.v_slope_beside(_e14.x(), before_u, rate_u);
         let _e66 = self.v_slope_beside(_e14.y(), before_v, rate_v);
         let before_2 = <rt::Vec2<f32>>::from_scalars(_e64, _e66);
@@ -6687,45 +7072,45 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_of_slopes(
         &self,
-        at_35: Entered,
+        at_37: Entered,
         slope_u: impl rt::Into<rt::Scalar<f32>>,
         slope_v: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_slopes(at_35, rt::into(slope_u), rt::into(slope_v)))
+        rt::into(self.v_normal_of_slopes(at_37, rt::into(slope_u), rt::into(slope_v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_of_slopes(
         &self,
-        at_35: Entered,
+        at_37: Entered,
         slope_u: rt::Scalar<f32>,
         slope_v: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_1 = (at_35.tangent + (at_35.normal * slope_u));
-        let along_v_1 = (at_35.bitangent + (at_35.normal * slope_v));
+        let along_u_1 = (at_37.tangent + (at_37.normal * slope_u));
+        let along_v_1 = (at_37.bitangent + (at_37.normal * slope_v));
         let across_6 = along_v_1.cross(along_u_1).normalize();
-        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_35.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_37.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_36: Entered,
+        at_38: Entered,
         uv_14: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_36, rt::into(uv_14)))
+        rt::into(self.v_normal_from_height(at_38, rt::into(uv_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
-        at_36: Entered,
+        at_38: Entered,
         uv_14: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_36, uv_14);
+            let _e9 = self.v_slopes_between_creases(at_38, uv_14);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
-            let _e17 = self.v_normal_of_slopes(at_36, slopes.x(), slopes.y());
+            let _e17 = self.v_normal_of_slopes(at_38, slopes.x(), slopes.y());
             return _e17;
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
@@ -6740,30 +7125,30 @@ impl<'g> Resources<'g> {
         let slope_u_1 = (rise_u_1 * ((rt::Scalar(0.5f32) * _e3.x()) * _e47));
         let _e55 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v_1 = (rise_v_1 * ((rt::Scalar(0.5f32) * _e3.y()) * _e55));
-        let _e58 = self.v_normal_of_slopes(at_36, slope_u_1, slope_v_1);
+        let _e58 = self.v_normal_of_slopes(at_38, slope_u_1, slope_v_1);
         return _e58;
     }
     pub(crate) fn finest_normal(
         &self,
-        at_37: Entered,
+        at_39: Entered,
         uv_15: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_37, rt::into(uv_15)))
+        rt::into(self.v_finest_normal(at_39, rt::into(uv_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_finest_normal(
         &self,
-        at_37: Entered,
+        at_39: Entered,
         uv_15: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
             let _e9 = self.v_normal_at(uv_15, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_37, _e9.xyz());
+            let _e11 = self.v_from_tangent_space(at_39, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_37, uv_15);
+        let _e13 = self.v_normal_from_height(at_39, uv_15);
         return _e13;
     }
     pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
@@ -6777,19 +7162,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_segment(
         &self,
         pixel_46: PixelIn,
-        at_38: Entered,
-        k_4: impl rt::Into<rt::Scalar<u32>>,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        at_40: Entered,
+        k_5: impl rt::Into<rt::Scalar<u32>>,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_46, at_38, rt::into(k_4), rt::into(params_23)))
+        rt::into(self.v_surface_plane_segment(pixel_46, at_40, rt::into(k_5), rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
         &self,
         pixel_46: PixelIn,
-        at_38: Entered,
-        k_4: rt::Scalar<u32>,
-        params_23: rt::Vec4<f32>,
+        at_40: Entered,
+        k_5: rt::Scalar<u32>,
+        params_31: rt::Vec4<f32>,
     ) -> Path {
         let mut enter: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
@@ -6797,9 +7182,9 @@ impl<'g> Resources<'g> {
 
         let along_29 = pixel_46.direction.length();
         let direction_6 = (pixel_46.direction / rt::Vec3::splat_from_scalar(along_29));
-        let _e9 = self.v_climb(at_38, direction_6);
+        let _e9 = self.v_climb(at_40, direction_6);
         let duv_5 = _e9.xy();
-        let descent_3 = (rt::Scalar(0f32) - at_38.normal.dot(direction_6));
+        let descent_3 = (rt::Scalar(0f32) - at_40.normal.dot(direction_6));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
         let slope_8 = ((rt::Scalar(0f32) - descent_3) / _e15);
@@ -6817,10 +7202,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
             let _e49 = leave_4;
-            let _e51 = self.v_inside_unit(at_38.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
+            let _e51 = self.v_inside_unit(at_40.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
             interval_3 = _e51;
             let _e56 = interval_3;
-            let _e57 = self.v_inside_unit(at_38.uv.y(), duv_5.y(), _e56);
+            let _e57 = self.v_inside_unit(at_40.uv.y(), duv_5.y(), _e56);
             interval_3 = _e57;
             let _e59 = interval_3.x();
             enter = _e59;
@@ -6836,39 +7221,39 @@ impl<'g> Resources<'g> {
         let _e81 = leave_4;
         let _e82 = enter;
         let _e87 = enter;
-        return <Path>::new((at_38.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_38.metric, RAY_VIEW, rt::Scalar(at_38.level), (distance + _e87), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new((at_40.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_40.metric, RAY_VIEW, rt::Scalar(at_40.level), (distance + _e87), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn folded_segment(
         &self,
         pixel_47: PixelIn,
-        at_39: Entered,
-        k_5: impl rt::Into<rt::Scalar<u32>>,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        at_41: Entered,
+        k_6: impl rt::Into<rt::Scalar<u32>>,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_folded_segment(pixel_47, at_39, rt::into(k_5), rt::into(params_24)))
+        rt::into(self.v_folded_segment(pixel_47, at_41, rt::into(k_6), rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_folded_segment(
         &self,
         pixel_47: PixelIn,
-        at_39: Entered,
-        k_5: rt::Scalar<u32>,
-        params_24: rt::Vec4<f32>,
+        at_41: Entered,
+        k_6: rt::Scalar<u32>,
+        params_32: rt::Vec4<f32>,
     ) -> Path {
         let mut a_10: WayPoint;
         let mut b_10: WayPoint;
         let mut path_19: Path;
-        let mut local_40: rt::Scalar<bool>;
+        let mut local_41: rt::Scalar<bool>;
 
         let along_30 = pixel_47.direction.normalize();
         let _e6 = self.v_middle_of(pixel_47, along_30);
-        let _e7 = self.v_prism_of(pixel_47, along_30, _e6, params_24);
+        let _e7 = self.v_prism_of(pixel_47, along_30, _e6, params_32);
         let _e8 = self.v_shell_slack(pixel_47, _e6);
         let _e9 = self.v_way_of(pixel_47, _e7, along_30);
         let _e10 = self.v_way_offsets(pixel_47, _e7, _e8);
-        let _e11 = self.v_chord_reach(pixel_47, at_39, _e6, params_24);
+        let _e11 = self.v_chord_reach(pixel_47, at_41, _e6, params_32);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_47, _e7, along_30, _e9, _e10, _e12, params_24.x(), k_5);
+        let _e14 = self.v_way_chord(pixel_47, _e7, along_30, _e9, _e10, _e12, params_32.x(), k_6);
         let _e16 = self.v_before_turn(_e7, along_30, _e9, _e14.offsets);
         let _e18 = self.v_way_point(_e7, along_30, _e9, _e16.x());
         a_10 = _e18;
@@ -6894,16 +7279,16 @@ impl<'g> Resources<'g> {
         let _e58 = b_10.point;
         let _e60 = rt::Scalar(a_10.t);
         let _e62 = rt::Scalar(b_10.t);
-        let _e64 = self.v_chord_path(pixel_47, at_39, _e6, params_24, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        let _e64 = self.v_chord_path(pixel_47, at_41, _e6, params_32, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
         path_19 = _e64;
         let _e67 = rt::Scalar(a_10.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
             let _e76 = rt::Scalar(b_10.beside);
-            local_40 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
+            local_41 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
         } else {
-            local_40 = rt::Scalar(true);
+            local_41 = rt::Scalar(true);
         }
-        let _e82 = local_40;
+        let _e82 = local_41;
         if rt::Scalar::into_branch_condition(_e82) {
             rt::Scalar(path_19.exit) = rt::Scalar(0f32);
         }
@@ -6913,91 +7298,91 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_segment(
         &self,
         pixel_48: PixelIn,
-        at_40: Entered,
-        k_6: impl rt::Into<rt::Scalar<u32>>,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        at_42: Entered,
+        k_7: impl rt::Into<rt::Scalar<u32>>,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_48, at_40, rt::into(k_6), rt::into(params_25)))
+        rt::into(self.v_surface_prism_segment(pixel_48, at_42, rt::into(k_7), rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_segment(
         &self,
         pixel_48: PixelIn,
-        at_40: Entered,
-        k_6: rt::Scalar<u32>,
-        params_25: rt::Vec4<f32>,
+        at_42: Entered,
+        k_7: rt::Scalar<u32>,
+        params_33: rt::Vec4<f32>,
     ) -> Path {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_48.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_folded_segment(pixel_48, at_40, k_6, params_25);
+            let _e8 = self.v_folded_segment(pixel_48, at_42, k_7, params_33);
             return _e8;
         }
         let along_31 = pixel_48.direction.normalize();
         let _e11 = self.v_middle_of(pixel_48, along_31);
-        let _e12 = self.v_prism_of(pixel_48, along_31, _e11, params_25);
+        let _e12 = self.v_prism_of(pixel_48, along_31, _e11, params_33);
         let heights_2 = pixel_48.shell.heights;
         let mean_3 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
-        let _e20 = self.v_chord_end(at_40, k_6);
-        let _e23 = self.v_chord_end(at_40, (k_6 + rt::Scalar(1u32)));
+        let _e20 = self.v_chord_end(at_42, k_7);
+        let _e23 = self.v_chord_end(at_42, (k_7 + rt::Scalar(1u32)));
         let _e25 = self.v_shell_point(_e12, (along_31 * _e20), mean_3);
         let _e27 = self.v_shell_point(_e12, (along_31 * _e23), mean_3);
         let _e32 = self.v_between(_e25, _e27);
         let _e33 = self.v_shell_point_from(_e12, (along_31 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
-        let _e56 = self.v_chord_reach(pixel_48, at_40, _e11, params_25);
+        let _e56 = self.v_chord_reach(pixel_48, at_42, _e11, params_33);
         let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_48, at_40, _e11, params_25, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
+        let _e68 = self.v_chord_path(pixel_48, at_42, _e11, params_33, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
         pixel_49: PixelIn,
-        at_41: Entered,
-        k_7: impl rt::Into<rt::Scalar<u32>>,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        at_43: Entered,
+        k_8: impl rt::Into<rt::Scalar<u32>>,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_49, at_41, rt::into(k_7), rt::into(params_26)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_49, at_43, rt::into(k_8), rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_segment(
         &self,
         pixel_49: PixelIn,
-        at_41: Entered,
-        k_7: rt::Scalar<u32>,
-        params_26: rt::Vec4<f32>,
+        at_43: Entered,
+        k_8: rt::Scalar<u32>,
+        params_34: rt::Vec4<f32>,
     ) -> Path {
         let mut begin_1: rt::Scalar<f32>;
         let mut end_1: rt::Scalar<f32>;
-        let mut local_41: rt::Scalar<bool>;
+        let mut local_42: rt::Scalar<bool>;
         let mut path_20: Path;
         let mut inside_2: rt::Vec2<f32>;
 
         let along_32 = pixel_49.direction.length();
-        let _e9 = self.v_across_of(at_41, (pixel_49.direction / rt::Vec3::splat_from_scalar(along_32)));
+        let _e9 = self.v_across_of(at_43, (pixel_49.direction / rt::Vec3::splat_from_scalar(along_32)));
         let _e10 = self.v_traced_scale_m();
         let _e11 = self.v_plane_normal(pixel_49);
         let _e12 = self.v_plane_distance(pixel_49, _e11);
         let distance_1 = (_e12 * along_32);
-        let whole = (at_41.span.y() - at_41.span.x());
-        let first_11 = (at_41.span.x() + (whole * (k_7.to_f32() / params_26.z())));
-        let last_5 = (at_41.span.x() + (whole * ((k_7 + rt::Scalar(1u32)).to_f32() / params_26.z())));
-        let long_4 = (last_5 - first_11);
-        let _e38 = self.v_across_depth(_e9, first_11);
-        begin_1 = (at_41.of_surface.w() - (_e38 / _e10));
-        if rt::Scalar::into_branch_condition(k_7.elementwise_eq(rt::Scalar(0u32))) {
+        let whole = (at_43.span.y() - at_43.span.x());
+        let first_12 = (at_43.span.x() + (whole * (k_8.to_f32() / params_34.z())));
+        let last_6 = (at_43.span.x() + (whole * ((k_8 + rt::Scalar(1u32)).to_f32() / params_34.z())));
+        let long_4 = (last_6 - first_12);
+        let _e38 = self.v_across_depth(_e9, first_12);
+        begin_1 = (at_43.of_surface.w() - (_e38 / _e10));
+        if rt::Scalar::into_branch_condition(k_8.elementwise_eq(rt::Scalar(0u32))) {
             let _e44 = begin_1;
             begin_1 = _e44.min(rt::Scalar(1f32));
         }
-        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_11 + last_5)));
-        let middle_13 = (at_41.of_surface.w() - (_e52 / _e10));
-        let _e57 = self.v_across_depth(_e9, last_5);
-        end_1 = (at_41.of_surface.w() - (_e57 / _e10));
-        if rt::Scalar::into_branch_condition((k_7 + rt::Scalar(1u32)).elementwise_eq(params_26.z().to_u32())) {
+        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_12 + last_6)));
+        let middle_13 = (at_43.of_surface.w() - (_e52 / _e10));
+        let _e57 = self.v_across_depth(_e9, last_6);
+        end_1 = (at_43.of_surface.w() - (_e57 / _e10));
+        if rt::Scalar::into_branch_condition((k_8 + rt::Scalar(1u32)).elementwise_eq(params_34.z().to_u32())) {
             let _e68 = end_1;
-            local_41 = _e68.elementwise_lt(rt::Scalar(0.5f32));
+            local_42 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
-            local_41 = rt::Scalar(false);
+            local_42 = rt::Scalar(false);
         }
-        let _e72 = local_41;
+        let _e72 = local_42;
         if rt::Scalar::into_branch_condition(_e72) {
             let _e73 = end_1;
             end_1 = _e73.min(rt::Scalar(-0.000001f32));
@@ -7008,9 +7393,9 @@ impl<'g> Resources<'g> {
         let _e84 = end_1;
         let _e85 = begin_1;
         let slope_9 = ((_e84 - _e85) - bend_5);
-        let base_3 = (rt::Scalar(0f32) - first_11).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let base_3 = (rt::Scalar(0f32) - first_12).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin_1;
-        path_20 = <Path>::new((at_41.uv + (_e9.duv * first_11)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_41.metric, RAY_VIEW, rt::Scalar(at_41.level), (distance_1 + first_11), (rt::Scalar(1f32) / params_26.z()), rt::Scalar(0f32));
+        path_20 = <Path>::new((at_43.uv + (_e9.duv * first_12)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_43.metric, RAY_VIEW, rt::Scalar(at_43.level), (distance_1 + first_12), (rt::Scalar(1f32) / params_34.z()), rt::Scalar(0f32));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e118 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e118.elementwise_eq(WRAP_CLAMP)) {
@@ -7039,37 +7424,37 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
         pixel_50: PixelIn,
-        at_42: Entered,
-        k_8: impl rt::Into<rt::Scalar<u32>>,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        at_44: Entered,
+        k_9: impl rt::Into<rt::Scalar<u32>>,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_50, at_42, rt::into(k_8), rt::into(params_27)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_50, at_44, rt::into(k_9), rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_segment(
         &self,
         pixel_50: PixelIn,
-        at_42: Entered,
-        k_8: rt::Scalar<u32>,
-        params_27: rt::Vec4<f32>,
+        at_44: Entered,
+        k_9: rt::Scalar<u32>,
+        params_35: rt::Vec4<f32>,
     ) -> Path {
-        let mut local_42: rt::Scalar<bool>;
         let mut local_43: rt::Scalar<bool>;
+        let mut local_44: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_5: rt::Scalar<f32>;
         let mut interval_4: rt::Vec2<f32>;
         let mut path_21: Path;
-        let mut local_44: rt::Scalar<bool>;
+        let mut local_45: rt::Scalar<bool>;
 
         let along_33 = pixel_50.direction.length();
         let direction_7 = (pixel_50.direction / rt::Vec3::splat_from_scalar(along_33));
-        let _e9 = self.v_climb(at_42, direction_7);
+        let _e9 = self.v_climb(at_44, direction_7);
         let duv_6 = _e9.xy();
-        let descent_4 = (rt::Scalar(0f32) - at_42.normal.dot(direction_7));
+        let descent_4 = (rt::Scalar(0f32) - at_44.normal.dot(direction_7));
         let _e15 = self.v_traced_scale_m();
-        let height_15 = at_42.of_surface.w();
+        let height_15 = at_44.of_surface.w();
         let slope_10 = ((rt::Scalar(0f32) - descent_4) / _e15);
-        let _e23 = self.v_quadric_at(at_42.of_surface.xyz(), duv_6);
+        let _e23 = self.v_quadric_at(at_44.of_surface.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
         let _e27 = self.v_plane_normal(pixel_50);
         let _e28 = self.v_plane_distance(pixel_50, _e27);
@@ -7078,16 +7463,16 @@ impl<'g> Resources<'g> {
         let _e35 = self.v_bent_descent(((height_15 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
             if rt::Scalar::into_branch_condition((!height_15.elementwise_lt(rt::Scalar(1f32)))) {
-                local_43 = _e35.elementwise_ge(rt::Scalar(0f32));
+                local_44 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
-                local_43 = rt::Scalar(true);
+                local_44 = rt::Scalar(true);
             }
-            let _e48 = local_43;
-            local_42 = _e48;
+            let _e48 = local_44;
+            local_43 = _e48;
         } else {
-            local_42 = rt::Scalar(false);
+            local_43 = rt::Scalar(false);
         }
-        let comes_down = local_42;
+        let comes_down = local_43;
         enter_1 = _e35.max(eye_4);
         let _e53 = enter_1;
         let _e54 = enter_1;
@@ -7107,10 +7492,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e85.elementwise_eq(WRAP_CLAMP)) {
             let _e91 = enter_1;
             let _e92 = leave_5;
-            let _e94 = self.v_inside_unit(at_42.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
+            let _e94 = self.v_inside_unit(at_44.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
             interval_4 = _e94;
             let _e99 = interval_4;
-            let _e100 = self.v_inside_unit(at_42.uv.y(), duv_6.y(), _e99);
+            let _e100 = self.v_inside_unit(at_44.uv.y(), duv_6.y(), _e99);
             interval_4 = _e100;
             let _e102 = interval_4.x();
             enter_1 = _e102;
@@ -7128,14 +7513,14 @@ impl<'g> Resources<'g> {
         let _e131 = leave_5;
         let _e132 = enter_1;
         let _e137 = enter_1;
-        path_21 = <Path>::new((at_42.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_42.metric, RAY_VIEW, rt::Scalar(at_42.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
+        path_21 = <Path>::new((at_44.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_44.metric, RAY_VIEW, rt::Scalar(at_44.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e148 = rt::Scalar(path_21.exit);
-            local_44 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
+            local_45 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_44 = rt::Scalar(true);
+            local_45 = rt::Scalar(true);
         }
-        let _e153 = local_44;
+        let _e153 = local_45;
         if rt::Scalar::into_branch_condition(_e153) {
             rt::Scalar(path_21.exit) = rt::Scalar(0f32);
         }
@@ -7145,19 +7530,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_segment(
         &self,
         pixel_51: PixelIn,
-        at_43: Entered,
-        k_9: impl rt::Into<rt::Scalar<u32>>,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        at_45: Entered,
+        k_10: impl rt::Into<rt::Scalar<u32>>,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_51, at_43, rt::into(k_9), rt::into(params_28)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_51, at_45, rt::into(k_10), rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_segment(
         &self,
         pixel_51: PixelIn,
-        at_43: Entered,
-        k_9: rt::Scalar<u32>,
-        params_28: rt::Vec4<f32>,
+        at_45: Entered,
+        k_10: rt::Scalar<u32>,
+        params_36: rt::Vec4<f32>,
     ) -> Path {
         let mut chosen_1: Tetrahedron;
         let mut inside_3: rt::Vec2<f32>;
@@ -7172,10 +7557,10 @@ impl<'g> Resources<'g> {
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
         chosen_1 = _e8;
-        if rt::Scalar::into_branch_condition((_e15 + (rt::Scalar(1u32) - _e21)).elementwise_eq(k_9)) {
+        if rt::Scalar::into_branch_condition((_e15 + (rt::Scalar(1u32) - _e21)).elementwise_eq(k_10)) {
             chosen_1 = _e10;
         }
-        if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_9)) {
+        if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_10)) {
             chosen_1 = _e12;
         }
         let _e30 = self.v_ordered(pixel_51, rt::Scalar(0u32));
@@ -7212,7 +7597,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_22 = <Path>::new((uv_35 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_43.metric, RAY_VIEW, rt::Scalar(at_43.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
+        path_22 = <Path>::new((uv_35 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_45.metric, RAY_VIEW, rt::Scalar(at_45.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
         let _e159 = rt::Scalar(path_22.exit);
         if rt::Scalar::into_branch_condition(_e159.elementwise_gt(rt::Scalar(0f32))) {
             let _e162 = path_22;
@@ -7227,36 +7612,36 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_facets_segment(
         &self,
         pixel_52: PixelIn,
-        at_44: Entered,
-        k_10: impl rt::Into<rt::Scalar<u32>>,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        at_46: Entered,
+        k_11: impl rt::Into<rt::Scalar<u32>>,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_facets_segment(pixel_52, at_44, rt::into(k_10), rt::into(params_29)))
+        rt::into(self.v_surface_facets_segment(pixel_52, at_46, rt::into(k_11), rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_segment(
         &self,
         pixel_52: PixelIn,
-        at_44: Entered,
-        k_10: rt::Scalar<u32>,
-        params_29: rt::Vec4<f32>,
+        at_46: Entered,
+        k_11: rt::Scalar<u32>,
+        params_37: rt::Vec4<f32>,
     ) -> Path {
         let _e4 = self.v_plane_normal(pixel_52);
         let _e5 = self.v_triangle_distance(pixel_52, _e4);
         let start_2 = (_e5 * pixel_52.direction.length());
-        let _e11 = self.v_height_at(at_44.uv, rt::Scalar(at_44.level));
+        let _e11 = self.v_height_at(at_46.uv, rt::Scalar(at_46.level));
         let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Path>::new(at_44.uv, duv_8, <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(1f32), rt::Scalar(0f32), at_44.metric, RAY_VIEW, rt::Scalar(at_44.level), start_2, rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new(at_46.uv, duv_8, <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(1f32), rt::Scalar(0f32), at_46.metric, RAY_VIEW, rt::Scalar(at_46.level), start_2, rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn slice_inside(
         &self,
         map_1: impl rt::Into<rt::Scalar<f32>>,
         slice: impl rt::Into<rt::Scalar<f32>>,
         spacing: impl rt::Into<rt::Scalar<f32>>,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice), rt::into(spacing), rt::into(params_30)))
+        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice), rt::into(spacing), rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7265,7 +7650,7 @@ impl<'g> Resources<'g> {
         map_1: rt::Scalar<f32>,
         slice: rt::Scalar<f32>,
         spacing: rt::Scalar<f32>,
-        params_30: rt::Vec4<f32>,
+        params_38: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_1.elementwise_gt(slice);
     }
@@ -7274,9 +7659,9 @@ impl<'g> Resources<'g> {
         map_2: impl rt::Into<rt::Scalar<f32>>,
         slice_1: impl rt::Into<rt::Scalar<f32>>,
         spacing_1: impl rt::Into<rt::Scalar<f32>>,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_1), rt::into(spacing_1), rt::into(params_31)))
+        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_1), rt::into(spacing_1), rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7285,7 +7670,7 @@ impl<'g> Resources<'g> {
         map_2: rt::Scalar<f32>,
         slice_1: rt::Scalar<f32>,
         spacing_1: rt::Scalar<f32>,
-        params_31: rt::Vec4<f32>,
+        params_39: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_2.elementwise_ge(slice_1);
     }
@@ -7294,9 +7679,9 @@ impl<'g> Resources<'g> {
         map_3: impl rt::Into<rt::Scalar<f32>>,
         slice_2: impl rt::Into<rt::Scalar<f32>>,
         spacing_2: impl rt::Into<rt::Scalar<f32>>,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        params_40: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_2), rt::into(spacing_2), rt::into(params_32)))
+        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_2), rt::into(spacing_2), rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7305,7 +7690,7 @@ impl<'g> Resources<'g> {
         map_3: rt::Scalar<f32>,
         slice_2: rt::Scalar<f32>,
         spacing_2: rt::Scalar<f32>,
-        params_32: rt::Vec4<f32>,
+        params_40: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return (map_3 - slice_2).abs().elementwise_le((rt::Scalar(0.5f32) * spacing_2));
     }
@@ -7345,29 +7730,29 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slice_spacing(
         &self,
-        at_45: Entered,
+        at_47: Entered,
         axis: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_slice_spacing(at_45, rt::into(axis)))
+        rt::into(self.v_slice_spacing(at_47, rt::into(axis)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_slice_spacing(
         &self,
-        at_45: Entered,
+        at_47: Entered,
         axis: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let step_6 = at_45.of_surface.y();
+        let step_6 = at_47.of_surface.y();
         if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_HEIGHT)) {
             return step_6;
         }
         if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_U)) {
             let _e12 = self.v_traced_scale_m();
-            return ((step_6 * at_45.metric.x().sqrt()) / _e12);
+            return ((step_6 * at_47.metric.x().sqrt()) / _e12);
         }
         if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_V)) {
             let _e20 = self.v_traced_scale_m();
-            return ((step_6 * at_45.metric.z().sqrt()) / _e20);
+            return ((step_6 * at_47.metric.z().sqrt()) / _e20);
         }
         let _e22 = self.v_traced_scale_m();
         return (step_6 / _e22);
@@ -7375,23 +7760,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn slice_above(
         &self,
         pixel_53: PixelIn,
-        at_46: Entered,
+        at_48: Entered,
         along_16: impl rt::Into<rt::Scalar<f32>>,
         far_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_above(pixel_53, at_46, rt::into(along_16), rt::into(far_2)))
+        rt::into(self.v_slice_above(pixel_53, at_48, rt::into(along_16), rt::into(far_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_above(
         &self,
         pixel_53: PixelIn,
-        at_46: Entered,
+        at_48: Entered,
         along_16: rt::Scalar<f32>,
         far_2: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut local_45: rt::Scalar<bool>;
+        let mut local_46: rt::Scalar<bool>;
 
-        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_53.direction.dot(at_46.normal).elementwise_lt(rt::Scalar(0f32))) * at_46.of_surface.y());
+        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_53.direction.dot(at_48.normal).elementwise_lt(rt::Scalar(0f32))) * at_48.of_surface.y());
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
         let step_m = (upward * _e17);
         let a_24 = (pixel_53.a.position + (pixel_53.a.normal * step_m));
@@ -7401,44 +7786,44 @@ impl<'g> Resources<'g> {
         let t_37 = (n_10.dot((a_24 - pixel_53.origin)) / n_10.dot(pixel_53.direction));
         let lead = (far_2 - (t_37 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
-            local_45 = t_37.abs().elementwise_le(rt::Scalar(1000000000f32));
+            local_46 = t_37.abs().elementwise_le(rt::Scalar(1000000000f32));
         } else {
-            local_45 = rt::Scalar(false);
+            local_46 = rt::Scalar(false);
         }
-        let _e57 = local_45;
+        let _e57 = local_46;
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
         let _e68 = self.v_weights_of(a_24, b_24, c_16, n_10, (pixel_53.origin + (pixel_53.direction * t_37)));
-        let aside_4 = ((((pixel_53.a.uv * _e68.x()) + (pixel_53.b.uv * _e68.y())) + (pixel_53.c.uv * _e68.z())) - at_46.uv);
+        let aside_4 = ((((pixel_53.a.uv * _e68.x()) + (pixel_53.b.uv * _e68.y())) + (pixel_53.c.uv * _e68.z())) - at_48.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_4, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
     pub(crate) fn slice_beside(
         &self,
-        at_47: Entered,
+        at_49: Entered,
         climbs: impl rt::Into<rt::Vec3<f32>>,
         pace: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_beside(at_47, rt::into(climbs), rt::into(pace)))
+        rt::into(self.v_slice_beside(at_49, rt::into(climbs), rt::into(pace)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_slice_beside(
         &self,
-        at_47: Entered,
+        at_49: Entered,
         climbs: rt::Vec3<f32>,
         pace: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut local_46: rt::Scalar<bool>;
+        let mut local_47: rt::Scalar<bool>;
 
-        let up_3 = (at_47.of_surface.x().select((rt::Scalar(1f32) - at_47.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
-        let lead_1 = (at_47.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_3, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
+        let up_3 = (at_49.of_surface.x().select((rt::Scalar(1f32) - at_49.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
+        let lead_1 = (at_49.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_3, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
         if rt::Scalar::into_branch_condition(lead_1.elementwise_gt(rt::Scalar(0f32))) {
-            local_46 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
+            local_47 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
         } else {
-            local_46 = rt::Scalar(false);
+            local_47 = rt::Scalar(false);
         }
-        let _e33 = local_46;
+        let _e33 = local_47;
         if rt::Scalar::into_branch_condition((!_e33)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
@@ -7447,68 +7832,68 @@ impl<'g> Resources<'g> {
     pub(crate) fn slice_before(
         &self,
         pixel_54: PixelIn,
-        at_48: Entered,
+        at_50: Entered,
         axis_1: impl rt::Into<rt::Scalar<u32>>,
         along_17: impl rt::Into<rt::Scalar<f32>>,
         far_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_before(pixel_54, at_48, rt::into(axis_1), rt::into(along_17), rt::into(far_3)))
+        rt::into(self.v_slice_before(pixel_54, at_50, rt::into(axis_1), rt::into(along_17), rt::into(far_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_before(
         &self,
         pixel_54: PixelIn,
-        at_48: Entered,
+        at_50: Entered,
         axis_1: rt::Scalar<u32>,
         along_17: rt::Scalar<f32>,
         far_3: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_HEIGHT)) {
-            let _e7 = self.v_slice_above(pixel_54, at_48, along_17, far_3);
+            let _e7 = self.v_slice_above(pixel_54, at_50, along_17, far_3);
             return _e7;
         }
-        let _e11 = self.v_climb(at_48, (pixel_54.direction / rt::Vec3::splat_from_scalar(along_17)));
+        let _e11 = self.v_climb(at_50, (pixel_54.direction / rt::Vec3::splat_from_scalar(along_17)));
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_U)) {
-            let _e16 = self.v_slice_beside(at_48, _e11, _e11.x().abs());
+            let _e16 = self.v_slice_beside(at_50, _e11, _e11.x().abs());
             return _e16;
         }
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_V)) {
-            let _e21 = self.v_slice_beside(at_48, _e11, _e11.y().abs());
+            let _e21 = self.v_slice_beside(at_50, _e11, _e11.y().abs());
             return _e21;
         }
-        let _e24 = self.v_slice_beside(at_48, _e11, (rt::Scalar(1f32) / along_17));
+        let _e24 = self.v_slice_beside(at_50, _e11, (rt::Scalar(1f32) / along_17));
         return _e24;
     }
     pub(crate) fn surface_slices_segment(
         &self,
         pixel_55: PixelIn,
-        at_49: Entered,
-        k_11: impl rt::Into<rt::Scalar<u32>>,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        at_51: Entered,
+        k_12: impl rt::Into<rt::Scalar<u32>>,
+        params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_slices_segment(pixel_55, at_49, rt::into(k_11), rt::into(params_33)))
+        rt::into(self.v_surface_slices_segment(pixel_55, at_51, rt::into(k_12), rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_segment(
         &self,
         pixel_55: PixelIn,
-        at_49: Entered,
-        k_11: rt::Scalar<u32>,
-        params_33: rt::Vec4<f32>,
+        at_51: Entered,
+        k_12: rt::Scalar<u32>,
+        params_41: rt::Vec4<f32>,
     ) -> Path {
         let along_35 = pixel_55.direction.length();
         let _e6 = self.v_plane_normal(pixel_55);
         let _e7 = self.v_triangle_distance(pixel_55, _e6);
         let far_7 = (_e7 * along_35);
         let axis_2 = pixel_55.a.of_surface.z().to_u32();
-        let height_16 = at_49.of_surface.x();
-        let _e17 = self.v_height_at(at_49.uv, rt::Scalar(at_49.level));
-        let _e18 = self.v_slice_spacing(at_49, axis_2);
+        let height_16 = at_51.of_surface.x();
+        let _e17 = self.v_height_at(at_51.uv, rt::Scalar(at_51.level));
+        let _e18 = self.v_slice_spacing(at_51, axis_2);
         let _e19 = self.v_slices_stage(_e17, height_16, _e18);
-        let _e20 = self.v_slice_before(pixel_55, at_49, axis_2, along_35, far_7);
+        let _e20 = self.v_slice_before(pixel_55, at_51, axis_2, along_35, far_7);
         let lead_2 = (far_7 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_7), _e20.w().elementwise_gt(rt::Scalar(0f32)));
-        return <Path>::new((at_49.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_16 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_49.metric, RAY_VIEW, rt::Scalar(at_49.level), (far_7 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new((at_51.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_16 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_51.metric, RAY_VIEW, rt::Scalar(at_51.level), (far_7 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn within_bounds(
         &self,
@@ -7529,15 +7914,15 @@ impl<'g> Resources<'g> {
         high: rt::Scalar<f32>,
         interval_5: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_47: rt::Scalar<bool>;
+        let mut local_48: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx_1.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x_1.elementwise_lt(low))) {
-                local_47 = x_1.elementwise_gt(high);
+                local_48 = x_1.elementwise_gt(high);
             } else {
-                local_47 = rt::Scalar(true);
+                local_48 = rt::Scalar(true);
             }
-            let _e13 = local_47;
+            let _e13 = local_48;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(0f32));
             }
@@ -7571,34 +7956,34 @@ impl<'g> Resources<'g> {
     pub(crate) fn path_through_image(
         &self,
         pixel_56: PixelIn,
-        k_12: impl rt::Into<rt::Scalar<u32>>,
+        k_13: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_path_through_image(pixel_56, rt::into(k_12)))
+        rt::into(self.v_path_through_image(pixel_56, rt::into(k_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_through_image(
         &self,
         pixel_56: PixelIn,
-        k_12: rt::Scalar<u32>,
+        k_13: rt::Scalar<u32>,
     ) -> Path {
         let mut begin_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_48: rt::Scalar<bool>;
+        let mut local_49: rt::Scalar<bool>;
         let mut interval_6: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let mut height_5: rt::Vec3<f32>;
 
         let along_36 = pixel_56.direction.normalize();
-        let _e4 = self.v_image_of_object(k_12);
+        let _e4 = self.v_image_of_object(k_13);
         let deepens = _e4.depth.xyz().dot(along_36);
         let _e9 = self.v_depth_in_image(_e4, pixel_56.origin);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e4.has_eye)) {
             let nearest_2 = (rt::Scalar(0.01f32) * rt::Scalar(_e4.nearest));
             begin_2 = rt::Scalar(0f32).select(rt::Scalar(300000000000000000000000000000000000000f32), _e9.elementwise_lt(nearest_2));
             if rt::Scalar::into_branch_condition(_e9.elementwise_lt(nearest_2)) {
-                local_48 = deepens.elementwise_gt(rt::Scalar(0f32));
+                local_49 = deepens.elementwise_gt(rt::Scalar(0f32));
             } else {
-                local_48 = rt::Scalar(false);
+                local_49 = rt::Scalar(false);
             }
-            let _e26 = local_48;
+            let _e26 = local_49;
             if rt::Scalar::into_branch_condition(_e26) {
                 begin_2 = ((nearest_2 - _e9) / deepens);
             }
@@ -7635,49 +8020,49 @@ impl<'g> Resources<'g> {
         let _e135 = interval_6.y();
         let _e140 = self.v_metric_of_image(_e4, (_e33 / nearer));
         let _e143 = begin_2;
-        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_1 + (du_1 * start_3)), (v_3 + (dv_1 * start_3))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_5), _e133, ((_e135 - start_3) / change_5), k_12.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_3 / nearer)), rt::Scalar(1f32), (bend_6 * nearer));
+        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_1 + (du_1 * start_3)), (v_3 + (dv_1 * start_3))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_5), _e133, ((_e135 - start_3) / change_5), k_13.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_3 / nearer)), rt::Scalar(1f32), (bend_6 * nearer));
     }
     pub(crate) fn surface_object_segment(
         &self,
         pixel_57: PixelIn,
-        at_50: Entered,
-        k_13: impl rt::Into<rt::Scalar<u32>>,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        at_52: Entered,
+        k_14: impl rt::Into<rt::Scalar<u32>>,
+        params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_segment(pixel_57, at_50, rt::into(k_13), rt::into(params_34)))
+        rt::into(self.v_surface_object_segment(pixel_57, at_52, rt::into(k_14), rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_segment(
         &self,
         pixel_57: PixelIn,
-        at_50: Entered,
-        k_13: rt::Scalar<u32>,
-        params_34: rt::Vec4<f32>,
+        at_52: Entered,
+        k_14: rt::Scalar<u32>,
+        params_42: rt::Vec4<f32>,
     ) -> Path {
-        let _e4 = self.v_path_through_image(pixel_57, k_13);
+        let _e4 = self.v_path_through_image(pixel_57, k_14);
         return _e4;
     }
     pub(crate) fn surface_frames_segment(
         &self,
         pixel_58: PixelIn,
-        at_51: Entered,
-        k_14: impl rt::Into<rt::Scalar<u32>>,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        at_53: Entered,
+        k_15: impl rt::Into<rt::Scalar<u32>>,
+        params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_frames_segment(pixel_58, at_51, rt::into(k_14), rt::into(params_35)))
+        rt::into(self.v_surface_frames_segment(pixel_58, at_53, rt::into(k_15), rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_frames_segment(
         &self,
         pixel_58: PixelIn,
-        at_51: Entered,
-        k_14: rt::Scalar<u32>,
-        params_35: rt::Vec4<f32>,
+        at_53: Entered,
+        k_15: rt::Scalar<u32>,
+        params_43: rt::Vec4<f32>,
     ) -> Path {
         let _e7 = self.v_frames_around((-pixel_58.direction.normalize()));
-        let _e8 = self.v_frame_number(_e7, k_14);
+        let _e8 = self.v_frame_number(_e7, k_15);
         let _e9 = self.v_path_through_image(pixel_58, _e8);
         return _e9;
     }
@@ -7694,9 +8079,9 @@ impl<'g> Resources<'g> {
         image_9: Image,
         point_11: rt::Vec3<f32>,
     ) -> OnImage {
-        let mut local_49: rt::Scalar<bool>;
         let mut local_50: rt::Scalar<bool>;
         let mut local_51: rt::Scalar<bool>;
+        let mut local_52: rt::Scalar<bool>;
 
         let _e2 = self.v_depth_in_image(image_9, point_11);
         let u_2 = ((image_9.u.xyz().dot(point_11) + image_9.u.w()) / _e2);
@@ -7706,50 +8091,50 @@ impl<'g> Resources<'g> {
         let beside_5 = ((u_2 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_4 - rt::Scalar(0.5f32)).abs() - _e24.y()));
         let uv_36 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_2, v_4)));
         let _e42 = self.v_height_size(rt::Scalar(0u32));
-        let _e48 = self.v_cell_parts();
-        let at_133 = (((uv_36 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e48.to_f32());
-        let _e51 = self.v_cell_of(at_133);
-        let part_18 = (at_133 - _e51);
-        let _e55 = self.v_grid_cell(_e51.to_i32(), rt::Scalar(0u32));
-        let top_7 = (_e55.x() + ((_e55.y() - _e55.x()) * part_18.x()));
-        let bottom_4 = (_e55.z() + ((_e55.w() - _e55.z()) * part_18.x()));
+        let _e49 = self.v_object_parts_stage(rt::Scalar(0u32));
+        let at_138 = (((uv_36 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
+        let _e52 = self.v_cell_of(at_138);
+        let part_18 = (at_138 - _e52);
+        let _e56 = self.v_object_cell_stage(_e52.to_i32(), rt::Scalar(0u32));
+        let top_7 = (_e56.x() + ((_e56.y() - _e56.x()) * part_18.x()));
+        let bottom_4 = (_e56.z() + ((_e56.w() - _e56.z()) * part_18.x()));
         let map_5 = (top_7 + ((bottom_4 - top_7) * part_18.y()));
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(0f32))) {
-            local_49 = beside_5.elementwise_le(rt::Scalar(0.5f32));
-        } else {
-            local_49 = rt::Scalar(false);
-        }
-        let _e81 = local_49;
-        if rt::Scalar::into_branch_condition(_e81) {
-            local_50 = h_6.elementwise_gt(rt::Scalar(0.00001f32));
+            local_50 = beside_5.elementwise_le(rt::Scalar(0.5f32));
         } else {
             local_50 = rt::Scalar(false);
         }
-        let _e87 = local_50;
-        if rt::Scalar::into_branch_condition(_e87) {
-            local_51 = h_6.elementwise_le(rt::Scalar(1f32));
+        let _e82 = local_50;
+        if rt::Scalar::into_branch_condition(_e82) {
+            local_51 = h_6.elementwise_gt(rt::Scalar(0.00001f32));
         } else {
             local_51 = rt::Scalar(false);
         }
-        let is_inside_1 = local_51;
-        let _e96 = rt::Scalar(self.surface_settings.cells);
-        return <OnImage>::new(uv_36, h_6.select(rt::Scalar(0.5f32), _e96.elementwise_eq(CELLS_MASK)), map_5, is_inside_1);
-    }
-    pub(crate) fn is_in_image(&self, at_52: OnImage) -> bool {
-        rt::into(self.v_is_in_image(at_52))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_is_in_image(&self, at_52: OnImage) -> rt::Scalar<bool> {
-        let mut local_52: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_52.is_inside)) {
-            let _e7 = self.v_slices_stage(rt::Scalar(at_52.map), rt::Scalar(at_52.height), rt::Scalar(0f32));
-            local_52 = _e7;
+        let _e88 = local_51;
+        if rt::Scalar::into_branch_condition(_e88) {
+            local_52 = h_6.elementwise_le(rt::Scalar(1f32));
         } else {
             local_52 = rt::Scalar(false);
         }
-        let _e9 = local_52;
+        let is_inside_1 = local_52;
+        let _e97 = rt::Scalar(self.surface_settings.cells);
+        return <OnImage>::new(uv_36, h_6.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_1);
+    }
+    pub(crate) fn is_in_image(&self, at_54: OnImage) -> bool {
+        rt::into(self.v_is_in_image(at_54))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_is_in_image(&self, at_54: OnImage) -> rt::Scalar<bool> {
+        let mut local_53: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_54.is_inside)) {
+            let _e7 = self.v_slices_stage(rt::Scalar(at_54.map), rt::Scalar(at_54.height), rt::Scalar(0f32));
+            local_53 = _e7;
+        } else {
+            local_53 = rt::Scalar(false);
+        }
+        let _e9 = local_53;
         return _e9;
     }
     pub(crate) fn with_image(
@@ -7784,7 +8169,7 @@ impl<'g> Resources<'g> {
     fn v_slice_at(&self, point_13: rt::Vec3<f32>) -> OnSlice {
         let mut slice_5: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
         let mut number_10: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_53: rt::Scalar<bool>;
+        let mut local_54: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
@@ -7792,11 +8177,11 @@ impl<'g> Resources<'g> {
                 let _e18 = rt::Scalar(self.surface_settings.images);
                 if rt::Scalar::into_branch_condition(_e15.elementwise_lt(_e18)) {
                     let _e23 = rt::Scalar(slice_5.passes);
-                    local_53 = _e23;
+                    local_54 = _e23;
                 } else {
-                    local_53 = rt::Scalar(false);
+                    local_54 = rt::Scalar(false);
                 }
-                let _e25 = local_53;
+                let _e25 = local_54;
                 if rt::Scalar::into_branch_condition(_e25) {
                 } else {
                     break 'naga_break;
@@ -7817,94 +8202,94 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_segment(
         &self,
         pixel_59: PixelIn,
-        at_53: Entered,
-        k_15: impl rt::Into<rt::Scalar<u32>>,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        at_55: Entered,
+        k_16: impl rt::Into<rt::Scalar<u32>>,
+        params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_slices_segment(pixel_59, at_53, rt::into(k_15), rt::into(params_36)))
+        rt::into(self.v_surface_object_slices_segment(pixel_59, at_55, rt::into(k_16), rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_slices_segment(
         &self,
         pixel_59: PixelIn,
-        at_53: Entered,
-        k_15: rt::Scalar<u32>,
-        params_36: rt::Vec4<f32>,
+        at_55: Entered,
+        k_16: rt::Scalar<u32>,
+        params_44: rt::Vec4<f32>,
     ) -> Path {
-        let _e5 = self.v_slice_at(at_53.point);
+        let _e5 = self.v_slice_at(at_55.point);
         let _e7 = self.v_image_of_object(rt::Scalar(_e5.number));
-        let far_8 = (at_53.point - pixel_59.origin).length();
+        let far_8 = (at_55.point - pixel_59.origin).length();
         let lead_3 = (far_8 * rt::Scalar(0.0000005f32));
-        let _e28 = self.v_depth_in_image(_e7, at_53.point);
+        let _e28 = self.v_depth_in_image(_e7, at_55.point);
         let _e29 = self.v_metric_of_image(_e7, _e28);
         return <Path>::new(_e5.nearest.uv, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e5.nearest.height), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_3, rt::Scalar(_e5.passes)), lead_3, _e29, RAY_VIEW, rt::Scalar(0u32), (far_8 - lead_3), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_segment_stage(
         &self,
         pixel_60: PixelIn,
-        at_54: Entered,
-        k_16: impl rt::Into<rt::Scalar<u32>>,
+        at_56: Entered,
+        k_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_60, at_54, rt::into(k_16)))
+        rt::into(self.v_surface_segment_stage(pixel_60, at_56, rt::into(k_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
         pixel_60: PixelIn,
-        at_54: Entered,
-        k_16: rt::Scalar<u32>,
+        at_56: Entered,
+        k_17: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[1usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_60, at_54, k_16, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_60, at_56, k_17, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[1usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_60, at_54, k_16, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_60, at_56, k_17, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[1usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_60, at_54, k_16, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_60, at_56, k_17, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[1usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_60, at_54, k_16, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_60, at_56, k_17, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[1usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_60, at_54, k_16, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_60, at_56, k_17, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[1usize].params;
-                let _e43 = self.v_surface_facets_segment(pixel_60, at_54, k_16, _e42);
+                let _e43 = self.v_surface_facets_segment(pixel_60, at_56, k_17, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[1usize].params;
-                let _e49 = self.v_surface_slices_segment(pixel_60, at_54, k_16, _e48);
+                let _e49 = self.v_surface_slices_segment(pixel_60, at_56, k_17, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[1usize].params;
-                let _e55 = self.v_surface_object_segment(pixel_60, at_54, k_16, _e54);
+                let _e55 = self.v_surface_object_segment(pixel_60, at_56, k_17, _e54);
                 return _e55;
             }
             8u32 => {
                 let _e60 = self.surface_settings.choices[1usize].params;
-                let _e61 = self.v_surface_frames_segment(pixel_60, at_54, k_16, _e60);
+                let _e61 = self.v_surface_frames_segment(pixel_60, at_56, k_17, _e60);
                 return _e61;
             }
             _ => {
                 let _e66 = self.surface_settings.choices[1usize].params;
-                let _e67 = self.v_surface_object_slices_segment(pixel_60, at_54, k_16, _e66);
+                let _e67 = self.v_surface_object_slices_segment(pixel_60, at_56, k_17, _e66);
                 return _e67;
             }
         }
@@ -7952,26 +8337,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn segment_of(
         &self,
         pixel_61: PixelIn,
-        at_55: Entered,
-        k_17: impl rt::Into<rt::Scalar<u32>>,
+        at_57: Entered,
+        k_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_61, at_55, rt::into(k_17)))
+        rt::into(self.v_segment_of(pixel_61, at_57, rt::into(k_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
         pixel_61: PixelIn,
-        at_55: Entered,
-        k_17: rt::Scalar<u32>,
+        at_57: Entered,
+        k_18: rt::Scalar<u32>,
     ) -> Path {
         let mut path_24: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_61, at_55, k_17);
+        let _e3 = self.v_surface_segment_stage(pixel_61, at_57, k_18);
         path_24 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_55.fade).elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_57.fade).elementwise_gt(rt::Scalar(0f32))) {
             let _e8 = path_24;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_55.fade));
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_57.fade));
             path_24 = _e13;
             let _e16 = path_24.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
@@ -7984,22 +8369,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_polish(
         &self,
         pixel_62: PixelIn,
-        at_56: Entered,
+        at_58: Entered,
         path_25: Path,
         hit_7: Hit,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_62, at_56, path_25, hit_7, rt::into(params_37)))
+        rt::into(self.v_surface_plane_polish(pixel_62, at_58, path_25, hit_7, rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_polish(
         &self,
         pixel_62: PixelIn,
-        at_56: Entered,
+        at_58: Entered,
         path_25: Path,
         hit_7: Hit,
-        params_37: rt::Vec4<f32>,
+        params_45: rt::Vec4<f32>,
     ) -> Hit {
         return hit_7;
     }
@@ -8091,21 +8476,21 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_polish(
         &self,
         pixel_64: PixelIn,
-        at_57: Entered,
+        at_59: Entered,
         path_26: Path,
         hit_8: Hit,
-        params_38: impl rt::Into<rt::Vec4<f32>>,
+        params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_64, at_57, path_26, hit_8, rt::into(params_38)))
+        rt::into(self.v_surface_prism_polish(pixel_64, at_59, path_26, hit_8, rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
         &self,
         pixel_64: PixelIn,
-        at_57: Entered,
+        at_59: Entered,
         path_26: Path,
         hit_8: Hit,
-        params_38: rt::Vec4<f32>,
+        params_46: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_15: rt::Scalar<f32>;
         let mut point_14: ShellPoint;
@@ -8113,11 +8498,11 @@ impl<'g> Resources<'g> {
 
         let along_37 = pixel_64.direction.normalize();
         let _e7 = self.v_middle_of(pixel_64, along_37);
-        let _e8 = self.v_prism_of(pixel_64, along_37, _e7, params_38);
+        let _e8 = self.v_prism_of(pixel_64, along_37, _e7, params_46);
         let _e10 = self.v_path_gap(path_26, rt::Scalar(hit_8.t));
         let _e11 = self.v_grid_of(path_26);
         let texels_5 = _e11.step.abs();
-        let most_13 = ((rt::Scalar(2f32) * params_38.x()) / texels_5.x().max(texels_5.y()).max((path_26.h.y().abs() / rt::Scalar(0.0625f32))));
+        let most_13 = ((rt::Scalar(2f32) * params_46.x()) / texels_5.x().max(texels_5.y()).max((path_26.h.y().abs() / rt::Scalar(0.0625f32))));
         t_15 = rt::Scalar(hit_8.t);
         let _e30 = t_15;
         let _e34 = t_15;
@@ -8172,110 +8557,110 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
         pixel_65: PixelIn,
-        at_58: Entered,
+        at_60: Entered,
         path_27: Path,
         hit_9: Hit,
-        params_39: impl rt::Into<rt::Vec4<f32>>,
+        params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_65, at_58, path_27, hit_9, rt::into(params_39)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_65, at_60, path_27, hit_9, rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_polish(
         &self,
         pixel_65: PixelIn,
-        at_58: Entered,
+        at_60: Entered,
         path_27: Path,
         hit_9: Hit,
-        params_39: rt::Vec4<f32>,
+        params_47: rt::Vec4<f32>,
     ) -> Hit {
         return hit_9;
     }
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
         pixel_66: PixelIn,
-        at_59: Entered,
+        at_61: Entered,
         path_28: Path,
         hit_10: Hit,
-        params_40: impl rt::Into<rt::Vec4<f32>>,
+        params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_66, at_59, path_28, hit_10, rt::into(params_40)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_66, at_61, path_28, hit_10, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_vertical_polish(
         &self,
         pixel_66: PixelIn,
-        at_59: Entered,
+        at_61: Entered,
         path_28: Path,
         hit_10: Hit,
-        params_40: rt::Vec4<f32>,
+        params_48: rt::Vec4<f32>,
     ) -> Hit {
         return hit_10;
     }
     pub(crate) fn surface_tetrahedra_polish(
         &self,
         pixel_67: PixelIn,
-        at_60: Entered,
+        at_62: Entered,
         path_29: Path,
         hit_11: Hit,
-        params_41: impl rt::Into<rt::Vec4<f32>>,
+        params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_67, at_60, path_29, hit_11, rt::into(params_41)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_67, at_62, path_29, hit_11, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_tetrahedra_polish(
         &self,
         pixel_67: PixelIn,
-        at_60: Entered,
+        at_62: Entered,
         path_29: Path,
         hit_11: Hit,
-        params_41: rt::Vec4<f32>,
+        params_49: rt::Vec4<f32>,
     ) -> Hit {
         return hit_11;
     }
     pub(crate) fn surface_facets_polish(
         &self,
         pixel_68: PixelIn,
-        at_61: Entered,
+        at_63: Entered,
         path_30: Path,
         hit_12: Hit,
-        params_42: impl rt::Into<rt::Vec4<f32>>,
+        params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_68, at_61, path_30, hit_12, rt::into(params_42)))
+        rt::into(self.v_surface_facets_polish(pixel_68, at_63, path_30, hit_12, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_polish(
         &self,
         pixel_68: PixelIn,
-        at_61: Entered,
+        at_63: Entered,
         path_30: Path,
         hit_12: Hit,
-        params_42: rt::Vec4<f32>,
+        params_50: rt::Vec4<f32>,
     ) -> Hit {
         return hit_12;
     }
     pub(crate) fn surface_slices_polish(
         &self,
         pixel_69: PixelIn,
-        at_62: Entered,
+        at_64: Entered,
         path_31: Path,
         hit_13: Hit,
-        params_43: impl rt::Into<rt::Vec4<f32>>,
+        params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_slices_polish(pixel_69, at_62, path_31, hit_13, rt::into(params_43)))
+        rt::into(self.v_surface_slices_polish(pixel_69, at_64, path_31, hit_13, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_polish(
         &self,
         pixel_69: PixelIn,
-        at_62: Entered,
+        at_64: Entered,
         path_31: Path,
         hit_13: Hit,
-        params_43: rt::Vec4<f32>,
+        params_51: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted: Hit;
 
@@ -8317,22 +8702,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_polish(
         &self,
         pixel_70: PixelIn,
-        at_63: Entered,
+        at_65: Entered,
         path_34: Path,
         hit_15: Hit,
-        params_44: impl rt::Into<rt::Vec4<f32>>,
+        params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_polish(pixel_70, at_63, path_34, hit_15, rt::into(params_44)))
+        rt::into(self.v_surface_object_polish(pixel_70, at_65, path_34, hit_15, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_polish(
         &self,
         pixel_70: PixelIn,
-        at_63: Entered,
+        at_65: Entered,
         path_34: Path,
         hit_15: Hit,
-        params_44: rt::Vec4<f32>,
+        params_52: rt::Vec4<f32>,
     ) -> Hit {
         let _e5 = self.v_polished_on_image(path_34, hit_15);
         return _e5;
@@ -8340,22 +8725,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_frames_polish(
         &self,
         pixel_71: PixelIn,
-        at_64: Entered,
+        at_66: Entered,
         path_35: Path,
         hit_16: Hit,
-        params_45: impl rt::Into<rt::Vec4<f32>>,
+        params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_frames_polish(pixel_71, at_64, path_35, hit_16, rt::into(params_45)))
+        rt::into(self.v_surface_frames_polish(pixel_71, at_66, path_35, hit_16, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_frames_polish(
         &self,
         pixel_71: PixelIn,
-        at_64: Entered,
+        at_66: Entered,
         path_35: Path,
         hit_16: Hit,
-        params_45: rt::Vec4<f32>,
+        params_53: rt::Vec4<f32>,
     ) -> Hit {
         let _e5 = self.v_polished_on_image(path_35, hit_16);
         return _e5;
@@ -8363,22 +8748,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_polish(
         &self,
         pixel_72: PixelIn,
-        at_65: Entered,
+        at_67: Entered,
         path_36: Path,
         hit_17: Hit,
-        params_46: impl rt::Into<rt::Vec4<f32>>,
+        params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_slices_polish(pixel_72, at_65, path_36, hit_17, rt::into(params_46)))
+        rt::into(self.v_surface_object_slices_polish(pixel_72, at_67, path_36, hit_17, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_slices_polish(
         &self,
         pixel_72: PixelIn,
-        at_65: Entered,
+        at_67: Entered,
         path_36: Path,
         hit_17: Hit,
-        params_46: rt::Vec4<f32>,
+        params_54: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted_1: Hit;
 
@@ -8389,72 +8774,72 @@ impl<'g> Resources<'g> {
         let _e19 = counted_1;
         return _e19;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_73: PixelIn, at_66: Entered, path_37: Path, hit_18: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_73, at_66, path_37, hit_18))
+    pub(crate) fn surface_polish_stage(&self, pixel_73: PixelIn, at_68: Entered, path_37: Path, hit_18: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_73, at_68, path_37, hit_18))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_73: PixelIn, at_66: Entered, path_37: Path, hit_18: Hit) -> Hit {
+    fn v_surface_polish_stage(&self, pixel_73: PixelIn, at_68: Entered, path_37: Path, hit_18: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_73, at_66, path_37, hit_18, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_73, at_68, path_37, hit_18, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_73, at_66, path_37, hit_18, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_73, at_68, path_37, hit_18, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_73, at_66, path_37, hit_18, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_73, at_68, path_37, hit_18, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_73, at_66, path_37, hit_18, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_73, at_68, path_37, hit_18, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_73, at_66, path_37, hit_18, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_73, at_68, path_37, hit_18, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_73, at_66, path_37, hit_18, _e43);
+                let _e44 = self.v_surface_facets_polish(pixel_73, at_68, path_37, hit_18, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_polish(pixel_73, at_66, path_37, hit_18, _e49);
+                let _e50 = self.v_surface_slices_polish(pixel_73, at_68, path_37, hit_18, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_polish(pixel_73, at_66, path_37, hit_18, _e55);
+                let _e56 = self.v_surface_object_polish(pixel_73, at_68, path_37, hit_18, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_polish(pixel_73, at_66, path_37, hit_18, _e61);
+                let _e62 = self.v_surface_frames_polish(pixel_73, at_68, path_37, hit_18, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_polish(pixel_73, at_66, path_37, hit_18, _e67);
+                let _e68 = self.v_surface_object_slices_polish(pixel_73, at_68, path_37, hit_18, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_74: PixelIn, at_67: Entered, path_38: Path, hit_19: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_74, at_67, path_38, hit_19))
+    pub(crate) fn polish_hit(&self, pixel_74: PixelIn, at_69: Entered, path_38: Path, hit_19: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_74, at_69, path_38, hit_19))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_polish_hit(&self, pixel_74: PixelIn, at_67: Entered, path_38: Path, hit_19: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_74, at_67, path_38, hit_19);
+    fn v_polish_hit(&self, pixel_74: PixelIn, at_69: Entered, path_38: Path, hit_19: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_74, at_69, path_38, hit_19);
         return _e4;
     }
     pub(crate) fn key_of(&self, depth_7: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -8475,11 +8860,11 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_height_texels(rt::Scalar(0u32));
         let _e4 = self.v_height_size(rt::Scalar(0u32));
         let _e10 = self.v_cell_of(((uv_16 * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let cell_22 = _e10.to_i32();
-        let _e14 = self.v_wrap_index(cell_22.x(), _e2.x());
-        let _e19 = self.v_wrap_index((cell_22.x() + rt::Scalar(1i32)), _e2.x());
-        let _e22 = self.v_wrap_index(cell_22.y(), _e2.y());
-        let _e27 = self.v_wrap_index((cell_22.y() + rt::Scalar(1i32)), _e2.y());
+        let cell_28 = _e10.to_i32();
+        let _e14 = self.v_wrap_index(cell_28.x(), _e2.x());
+        let _e19 = self.v_wrap_index((cell_28.x() + rt::Scalar(1i32)), _e2.x());
+        let _e22 = self.v_wrap_index(cell_28.y(), _e2.y());
+        let _e27 = self.v_wrap_index((cell_28.y() + rt::Scalar(1i32)), _e2.y());
         let _e31 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e14, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e36 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e19, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let above_7 = _e31.x().max(_e36.x());
@@ -8504,30 +8889,30 @@ impl<'g> Resources<'g> {
     pub(crate) fn hit_on_segment(
         &self,
         pixel_75: PixelIn,
-        at_68: Entered,
+        at_70: Entered,
         path_39: Path,
         found: Hit,
-        k_18: impl rt::Into<rt::Scalar<u32>>,
+        k_19: impl rt::Into<rt::Scalar<u32>>,
     ) -> FirstHit {
-        rt::into(self.v_hit_on_segment(pixel_75, at_68, path_39, found, rt::into(k_18)))
+        rt::into(self.v_hit_on_segment(pixel_75, at_70, path_39, found, rt::into(k_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_segment(
         &self,
         pixel_75: PixelIn,
-        at_68: Entered,
+        at_70: Entered,
         path_39: Path,
         found: Hit,
-        k_18: rt::Scalar<u32>,
+        k_19: rt::Scalar<u32>,
     ) -> FirstHit {
         let mut first_1: FirstHit;
 
-        first_1 = <FirstHit>::new(found, k_18, rt::Scalar(0f32));
+        first_1 = <FirstHit>::new(found, k_19, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(rt::Scalar(found.found).elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_polish_hit(pixel_75, at_68, path_39, found);
+            let _e11 = self.v_polish_hit(pixel_75, at_70, path_39, found);
             let _e12 = self.v_depth_on_ray(pixel_75, path_39, _e11);
             let _e13 = self.v_key_of(_e12);
-            first_1 = <FirstHit>::new(_e11, k_18, _e13);
+            first_1 = <FirstHit>::new(_e11, k_19, _e13);
             let _e16 = self.v_in_hole(_e11.uv);
             if rt::Scalar::into_branch_condition(_e16) {
                 rt::Scalar(first_1.hit.found) = rt::Scalar(0u32);
@@ -8553,15 +8938,15 @@ impl<'g> Resources<'g> {
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_54: rt::Scalar<bool>;
+        let mut local_55: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(t_17.elementwise_gt(rt::Scalar(path_40.exit))) {
             let _e9 = self.v_path_height(path_40, rt::Scalar(path_40.exit));
-            local_54 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+            local_55 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_54 = rt::Scalar(false);
+            local_55 = rt::Scalar(false);
         }
-        let _e13 = local_54;
+        let _e13 = local_55;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
@@ -8576,17 +8961,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_41: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_55: rt::Scalar<bool>;
+        let mut local_56: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_41.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_55 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_56 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_55 = rt::Scalar(true);
+            local_56 = rt::Scalar(true);
         }
-        let _e16 = local_55;
+        let _e16 = local_56;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -8596,9 +8981,9 @@ impl<'g> Resources<'g> {
         &self,
         path_42: Path,
         found_2: Found,
-        params_47: impl rt::Into<rt::Vec4<f32>>,
+        params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_42, found_2, rt::into(params_47)))
+        rt::into(self.v_refine_none(path_42, found_2, rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8606,7 +8991,7 @@ impl<'g> Resources<'g> {
         &self,
         path_42: Path,
         found_2: Found,
-        params_47: rt::Vec4<f32>,
+        params_55: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_2.cost);
@@ -8621,16 +9006,16 @@ impl<'g> Resources<'g> {
         &self,
         path_43: Path,
         found_3: Found,
-        params_48: impl rt::Into<rt::Vec4<f32>>,
+        params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_43, found_3, rt::into(params_48)))
+        rt::into(self.v_refine_offset(path_43, found_3, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
         path_43: Path,
         found_3: Found,
-        params_48: rt::Vec4<f32>,
+        params_56: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_18: rt::Scalar<f32>;
 
@@ -8655,16 +9040,16 @@ impl<'g> Resources<'g> {
         &self,
         path_44: Path,
         found_4: Found,
-        params_49: impl rt::Into<rt::Vec4<f32>>,
+        params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_44, found_4, rt::into(params_49)))
+        rt::into(self.v_refine_offset_limited(path_44, found_4, rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
         path_44: Path,
         found_4: Found,
-        params_49: rt::Vec4<f32>,
+        params_57: rt::Vec4<f32>,
     ) -> Hit {
         let mut hit_20: Hit;
 
@@ -8710,16 +9095,16 @@ impl<'g> Resources<'g> {
         &self,
         path_46: Path,
         found_5: Found,
-        params_50: impl rt::Into<rt::Vec4<f32>>,
+        params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_46, found_5, rt::into(params_50)))
+        rt::into(self.v_refine_slope(path_46, found_5, rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
         path_46: Path,
         found_5: Found,
-        params_50: rt::Vec4<f32>,
+        params_58: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_19: rt::Scalar<f32>;
 
@@ -8733,7 +9118,7 @@ impl<'g> Resources<'g> {
         let _e13 = self.v_path_height(path_46, _e8);
         let rise_1 = (_e11.x() - _e13);
         t_19 = _e8;
-        if rt::Scalar::into_branch_condition(params_50.x().elementwise_gt(rt::Scalar(0.5f32))) {
+        if rt::Scalar::into_branch_condition(params_58.x().elementwise_gt(rt::Scalar(0.5f32))) {
             let _e19 = self.v_path_slope(path_46, _e8);
             let closing = (_e19 - ((_e11.y() * path_46.duv.x()) + (_e11.z() * path_46.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
@@ -8751,20 +9136,20 @@ impl<'g> Resources<'g> {
         &self,
         path_47: Path,
         found_6: Found,
-        params_51: impl rt::Into<rt::Vec4<f32>>,
+        params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_47, found_6, rt::into(params_51)))
+        rt::into(self.v_refine_slope_iterative(path_47, found_6, rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
         path_47: Path,
         found_6: Found,
-        params_51: rt::Vec4<f32>,
+        params_59: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_20: rt::Scalar<f32>;
         let mut cost_4: rt::Vec3<u32>;
-        let mut k_19: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_20: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_6.cost);
@@ -8775,8 +9160,8 @@ impl<'g> Resources<'g> {
         cost_4 = found_6.cost;
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_19;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_51.x())) {
+                let _e14 = k_20;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_59.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -8791,7 +9176,7 @@ impl<'g> Resources<'g> {
                     let _e28 = t_20;
                     let _e29 = self.v_path_height(path_47, _e28);
                     let rise_2 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_51.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_59.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e34 = t_20;
                         let _e35 = self.v_path_slope(path_47, _e34);
                         let closing_1 = (_e35 - ((_e23.y() * path_47.duv.x()) + (_e23.z() * path_47.duv.y())));
@@ -8806,8 +9191,8 @@ impl<'g> Resources<'g> {
                     }
                     let _e61 = t_20;
                     t_20 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_47.exit));
-                    let _e65 = k_19;
-                    k_19 = (_e65 + rt::Scalar(1f32));
+                    let _e65 = k_20;
+                    k_20 = (_e65 + rt::Scalar(1f32));
                 }
             }
         }
@@ -8821,55 +9206,55 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_7: Found) -> rt::Scalar<bool> {
-        let mut local_56: rt::Scalar<bool>;
         let mut local_57: rt::Scalar<bool>;
         let mut local_58: rt::Scalar<bool>;
+        let mut local_59: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.far).elementwise_gt(rt::Scalar(found_7.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                local_57 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
-            } else {
-                local_57 = rt::Scalar(true);
-            }
-            let _e16 = local_57;
-            if rt::Scalar::into_branch_condition((!_e16)) {
-                local_58 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+                local_58 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
                 local_58 = rt::Scalar(true);
             }
-            let _e24 = local_58;
-            local_56 = _e24;
+            let _e16 = local_58;
+            if rt::Scalar::into_branch_condition((!_e16)) {
+                local_59 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+            } else {
+                local_59 = rt::Scalar(true);
+            }
+            let _e24 = local_59;
+            local_57 = _e24;
         } else {
-            local_56 = rt::Scalar(false);
+            local_57 = rt::Scalar(false);
         }
-        let _e26 = local_56;
+        let _e26 = local_57;
         return _e26;
     }
     pub(crate) fn refine_binary(
         &self,
         path_48: Path,
         found_8: Found,
-        params_52: impl rt::Into<rt::Vec4<f32>>,
+        params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_48, found_8, rt::into(params_52)))
+        rt::into(self.v_refine_binary(path_48, found_8, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
         path_48: Path,
         found_8: Found,
-        params_52: rt::Vec4<f32>,
+        params_60: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
         let mut far_4: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_59: rt::Scalar<bool>;
+        let mut local_60: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
-        let mut k_20: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_21: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_48, found_8, params_52);
+            let _e5 = self.v_refine_none(path_48, found_8, params_60);
             return _e5;
         }
         near_2 = rt::Scalar(found_8.near);
@@ -8878,16 +9263,16 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_8.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_4;
             let _e19 = self.v_path_height(path_48, _e18);
-            local_59 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_60 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_59 = rt::Scalar(true);
+            local_60 = rt::Scalar(true);
         }
-        let _e23 = local_59;
+        let _e23 = local_60;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = k_20;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_52.x())) {
+                let _e27 = k_21;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_60.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -8906,8 +9291,8 @@ impl<'g> Resources<'g> {
                     } else {
                         near_2 = middle_14;
                     }
-                    let _e45 = k_20;
-                    k_20 = (_e45 + rt::Scalar(1f32));
+                    let _e45 = k_21;
+                    k_21 = (_e45 + rt::Scalar(1f32));
                 }
             }
         }
@@ -8927,16 +9312,16 @@ impl<'g> Resources<'g> {
         &self,
         path_49: Path,
         found_9: Found,
-        params_53: impl rt::Into<rt::Vec4<f32>>,
+        params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_49, found_9, rt::into(params_53)))
+        rt::into(self.v_refine_secant(path_49, found_9, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
         path_49: Path,
         found_9: Found,
-        params_53: rt::Vec4<f32>,
+        params_61: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
         let mut far_5: rt::Scalar<f32>;
@@ -8944,11 +9329,11 @@ impl<'g> Resources<'g> {
         let mut far_gap_1: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
         let mut t_21: rt::Scalar<f32>;
-        let mut k_21: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_22: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_49, found_9, params_53);
+            let _e5 = self.v_refine_none(path_49, found_9, params_61);
             return _e5;
         }
         near_3 = rt::Scalar(found_9.near);
@@ -8976,8 +9361,8 @@ impl<'g> Resources<'g> {
         t_21 = _e33;
         'naga_break: loop {
             'naga_continue: {
-                let _e37 = k_21;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_53.x())) {
+                let _e37 = k_22;
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_61.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -8995,8 +9380,8 @@ impl<'g> Resources<'g> {
                     let _e51 = near_3;
                     let _e53 = near_gap_1;
                     t_21 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
-                    let _e57 = k_21;
-                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_53.x())) {
+                    let _e57 = k_22;
+                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_61.x())) {
                         let _e60 = t_21;
                         let _e61 = self.v_path_gap(path_49, _e60);
                         let _e62 = cost_6;
@@ -9011,8 +9396,8 @@ impl<'g> Resources<'g> {
                             near_gap_1 = _e61;
                         }
                     }
-                    let _e69 = k_21;
-                    k_21 = (_e69 + rt::Scalar(1f32));
+                    let _e69 = k_22;
+                    k_22 = (_e69 + rt::Scalar(1f32));
                 }
             }
         }
@@ -9025,27 +9410,27 @@ impl<'g> Resources<'g> {
         &self,
         path_50: Path,
         found_10: Found,
-        params_54: impl rt::Into<rt::Vec4<f32>>,
+        params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_50, found_10, rt::into(params_54)))
+        rt::into(self.v_refine_true_secant(path_50, found_10, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
         path_50: Path,
         found_10: Found,
-        params_54: rt::Vec4<f32>,
+        params_62: rt::Vec4<f32>,
     ) -> Hit {
         let mut before_1: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
         let mut cost_7: rt::Vec3<u32>;
-        let mut k_22: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_23: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_10);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_50, found_10, params_54);
+            let _e5 = self.v_refine_none(path_50, found_10, params_62);
             return _e5;
         }
         before_1 = rt::Scalar(found_10.near);
@@ -9071,8 +9456,8 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e35 = k_22;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_54.x())) {
+                let _e35 = k_23;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_62.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -9095,15 +9480,15 @@ impl<'g> Resources<'g> {
                     let _e58 = last_gap;
                     before_gap = _e58;
                     last = t_38;
-                    let _e59 = k_22;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_54.x())) {
+                    let _e59 = k_23;
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_62.x())) {
                         let _e62 = self.v_path_gap(path_50, t_38);
                         last_gap = _e62;
                         let _e63 = cost_7;
                         cost_7 = (_e63 + HEIGHTS_READ);
                     }
-                    let _e66 = k_22;
-                    k_22 = (_e66 + rt::Scalar(1f32));
+                    let _e66 = k_23;
+                    k_23 = (_e66 + rt::Scalar(1f32));
                 }
             }
         }
@@ -9116,21 +9501,21 @@ impl<'g> Resources<'g> {
         &self,
         path_51: Path,
         found_11: Found,
-        params_55: impl rt::Into<rt::Vec4<f32>>,
+        params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_51, found_11, rt::into(params_55)))
+        rt::into(self.v_refine_patch(path_51, found_11, rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
         path_51: Path,
         found_11: Found,
-        params_55: rt::Vec4<f32>,
+        params_63: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_22: rt::Scalar<f32>;
-        let mut cell_8: rt::Vec2<f32>;
+        let mut cell_14: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_60: rt::Scalar<bool>;
+        let mut local_61: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_11.cost);
@@ -9148,10 +9533,10 @@ impl<'g> Resources<'g> {
         t_22 = rt::Scalar(found_11.near);
         let _e27 = t_22;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
-        cell_8 = _e30;
+        cell_14 = _e30;
         cost_8 = found_11.cost;
         let _e35 = cost_8.x();
-        let limit = (_e35 + params_55.x().to_u32());
+        let limit = (_e35 + params_63.x().to_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_8.x();
@@ -9162,12 +9547,12 @@ impl<'g> Resources<'g> {
                 {
                     let _e42 = cost_8;
                     cost_8 = (_e42 + STEP);
-                    let _e45 = cell_8;
+                    let _e45 = cell_14;
                     let _e46 = self.v_cell_leave(_e22, _e45);
                     let end_4 = _e46.x().min(_e46.y()).min(rt::Scalar(found_11.far));
                     let _e52 = t_22;
                     let span_6 = (end_4 - _e52).max(rt::Scalar(0f32));
-                    let _e56 = cell_8;
+                    let _e56 = cell_14;
                     let _e57 = t_22;
                     let _e58 = self.v_cell_gap(path_51, _e22, _e56, _e57);
                     let _e59 = cost_8;
@@ -9187,11 +9572,11 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(found_11.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_11.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_60 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
+                            local_61 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_60 = rt::Scalar(true);
+                            local_61 = rt::Scalar(true);
                         }
-                        let _e89 = local_60;
+                        let _e89 = local_61;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
                             let _e93 = self.v_hit_on_path(path_51, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
@@ -9201,9 +9586,9 @@ impl<'g> Resources<'g> {
                         let _e95 = self.v_miss(_e94);
                         return _e95;
                     }
-                    let _e96 = cell_8;
+                    let _e96 = cell_14;
                     let _e97 = self.v_cell_next(_e22, _e96, _e46);
-                    cell_8 = _e97;
+                    cell_14 = _e97;
                     let _e98 = t_22;
                     t_22 = _e98.max(end_4);
                 }
@@ -9218,27 +9603,27 @@ impl<'g> Resources<'g> {
         &self,
         path_52: Path,
         found_12: Found,
-        params_56: impl rt::Into<rt::Vec4<f32>>,
+        params_64: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_52, found_12, rt::into(params_56)))
+        rt::into(self.v_refine_half_texel(path_52, found_12, rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
         path_52: Path,
         found_12: Found,
-        params_56: rt::Vec4<f32>,
+        params_64: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_5: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_12.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_52, found_12, params_56);
+            let _e6 = self.v_refine_none(path_52, found_12, params_64);
             return _e6;
         }
         let _e9 = self.v_height_size(rt::Scalar(path_52.level));
         let speed_1 = (path_52.duv * _e9).length();
         if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_52.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_52, found_12, params_56);
+            let _e17 = self.v_refine_none(path_52, found_12, params_64);
             return _e17;
         }
         let half_1 = (rt::Scalar(0.5f32) / speed_1);
@@ -9318,39 +9703,39 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_none(
         &self,
         path_54: Path,
-        params_57: impl rt::Into<rt::Vec4<f32>>,
+        params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_54, rt::into(params_57)))
+        rt::into(self.v_search_none(path_54, rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_none(
         &self,
         path_54: Path,
-        params_57: rt::Vec4<f32>,
+        params_65: rt::Vec4<f32>,
     ) -> Found {
         return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_54.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
         path_55: Path,
-        params_58: impl rt::Into<rt::Vec4<f32>>,
+        params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_55, rt::into(params_58)))
+        rt::into(self.v_search_linear(path_55, rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
         path_55: Path,
-        params_58: rt::Vec4<f32>,
+        params_66: rt::Vec4<f32>,
     ) -> Found {
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32>;
         let mut cost_9: rt::Vec3<u32> = HEIGHTS_READ;
-        let mut k_23: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_24: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let cosine_5 = (path_55.h.y().abs() * path_55.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps_2 = rt::Scalar(1f32).max(((params_58.x() * params_58.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_55.share)).ceil());
+        let steps_2 = rt::Scalar(1f32).max(((params_66.x() * params_66.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_55.share)).ceil());
         let _e24 = self.v_path_gap(path_55, rt::Scalar(0f32));
         near_gap_2 = _e24;
         let _e28 = near_gap_2;
@@ -9362,7 +9747,7 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e40 = k_23;
+                let _e40 = k_24;
                 if rt::Scalar::into_branch_condition(_e40.elementwise_le(steps_2)) {
                 } else {
                     break 'naga_break;
@@ -9370,7 +9755,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e42 = cost_9;
                     cost_9 = (_e42 + STEP);
-                    let _e46 = k_23;
+                    let _e46 = k_24;
                     let t_39 = (rt::Scalar(path_55.exit) * (_e46 / steps_2));
                     let _e49 = self.v_path_gap(path_55, t_39);
                     let _e50 = cost_9;
@@ -9383,8 +9768,8 @@ impl<'g> Resources<'g> {
                     }
                     near_4 = t_39;
                     near_gap_2 = _e49;
-                    let _e60 = k_23;
-                    k_23 = (_e60 + rt::Scalar(1f32));
+                    let _e60 = k_24;
+                    k_24 = (_e60 + rt::Scalar(1f32));
                 }
             }
         }
@@ -9433,15 +9818,15 @@ impl<'g> Resources<'g> {
         first_2: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_61: rt::Scalar<bool>;
+        let mut local_62: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_7.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_2) {
-                local_61 = c_7.x().elementwise_lt(rt::Scalar(0f32));
+                local_62 = c_7.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_61 = rt::Scalar(false);
+                local_62 = rt::Scalar(false);
             }
-            let _e14 = local_61;
+            let _e14 = local_62;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_7.x(), c_7.x(), cost_10);
             }
@@ -9458,24 +9843,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cells(
         &self,
         path_56: Path,
-        params_59: impl rt::Into<rt::Vec4<f32>>,
+        params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_56, rt::into(params_59)))
+        rt::into(self.v_search_cells(path_56, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
         path_56: Path,
-        params_59: rt::Vec4<f32>,
+        params_67: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_9: rt::Vec2<f32>;
+        let mut cell_15: rt::Vec2<f32>;
         let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_11: rt::Vec3<u32> = NO_COST;
 
         let _e2 = self.v_grid_of(path_56);
         let _e4 = self.v_cell_of(_e2.origin);
-        cell_9 = _e4;
-        let limit_1 = params_59.x().to_u32();
+        cell_15 = _e4;
+        let limit_1 = params_67.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_11.x();
@@ -9486,10 +9871,10 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = cost_11;
                     cost_11 = (_e15 + STEP);
-                    let _e18 = cell_9;
+                    let _e18 = cell_15;
                     let _e19 = self.v_cell_leave(_e2, _e18);
                     let end_5 = _e19.x().min(_e19.y()).min(rt::Scalar(path_56.exit));
-                    let _e25 = cell_9;
+                    let _e25 = cell_15;
                     let _e26 = t_24;
                     let _e27 = self.v_cell_gap(path_56, _e2, _e25, _e26);
                     let _e28 = cost_11;
@@ -9508,9 +9893,9 @@ impl<'g> Resources<'g> {
                         let _e52 = cost_11;
                         return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_56.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
                     }
-                    let _e54 = cell_9;
+                    let _e54 = cell_15;
                     let _e55 = self.v_cell_next(_e2, _e54, _e19);
-                    cell_9 = _e55;
+                    cell_15 = _e55;
                     let _e56 = t_24;
                     t_24 = _e56.max(end_5);
                 }
@@ -9522,38 +9907,38 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn image_of(
         &self,
-        cell_10: impl rt::Into<rt::Scalar<i32>>,
+        cell_16: impl rt::Into<rt::Scalar<i32>>,
         n_5: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_image_of(rt::into(cell_10), rt::into(n_5)))
+        rt::into(self.v_image_of(rt::into(cell_16), rt::into(n_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_image_of(
         &self,
-        cell_10: rt::Scalar<i32>,
+        cell_16: rt::Scalar<i32>,
         n_5: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_62: rt::Scalar<bool>;
+        let mut local_63: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(cell_10.elementwise_ge(rt::Scalar(0i32))) {
-            local_62 = cell_10.elementwise_lt(n_5);
+        if rt::Scalar::into_branch_condition(cell_16.elementwise_ge(rt::Scalar(0i32))) {
+            local_63 = cell_16.elementwise_lt(n_5);
         } else {
-            local_62 = rt::Scalar(false);
+            local_63 = rt::Scalar(false);
         }
-        let _e8 = local_62;
+        let _e8 = local_63;
         if rt::Scalar::into_branch_condition(_e8) {
-            return <rt::Vec2<i32>>::from_scalars(cell_10, rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_16, rt::Scalar(0i32));
         }
         let _e13 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
-            return <rt::Vec2<i32>>::from_scalars(cell_10.clamp(rt::Scalar(0i32), (n_5 - rt::Scalar(1i32))), rt::Scalar(2i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_16.clamp(rt::Scalar(0i32), (n_5 - rt::Scalar(1i32))), rt::Scalar(2i32));
         }
         let _e24 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
-            return <rt::Vec2<i32>>::from_scalars((((cell_10 % n_5) + n_5) % n_5), rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars((((cell_16 % n_5) + n_5) % n_5), rt::Scalar(0i32));
         }
         let period_1 = (rt::Scalar(2i32) * n_5);
-        let folded_1 = (((cell_10 % period_1) + period_1) % period_1);
+        let folded_1 = (((cell_16 % period_1) + period_1) % period_1);
         if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_5)) {
             return <rt::Vec2<i32>>::from_scalars(folded_1, rt::Scalar(0i32));
         }
@@ -9565,29 +9950,29 @@ impl<'g> Resources<'g> {
     pub(crate) fn frustum_slope(
         &self,
         path_57: Path,
-        cell_11: impl rt::Into<rt::Vec2<i32>>,
+        cell_17: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_57, rt::into(cell_11), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_57, rt::into(cell_17), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frustum_slope(
         &self,
         path_57: Path,
-        cell_11: rt::Vec2<i32>,
+        cell_17: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_63: rt::Scalar<bool>;
+        let mut local_64: rt::Scalar<bool>;
 
         let _e4 = self.v_height_texels(rt::Scalar(path_57.level));
-        let _e7 = self.v_image_of(cell_11.x(), _e4.x());
-        let _e10 = self.v_image_of(cell_11.y(), _e4.y());
+        let _e7 = self.v_image_of(cell_17.x(), _e4.x());
+        let _e10 = self.v_image_of(cell_17.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_63 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_64 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_63 = rt::Scalar(true);
+            local_64 = rt::Scalar(true);
         }
-        let _e21 = local_63;
+        let _e21 = local_64;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
@@ -9654,28 +10039,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_frustum(
         &self,
         path_59: Path,
-        params_60: impl rt::Into<rt::Vec4<f32>>,
+        params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_59, rt::into(params_60)))
+        rt::into(self.v_search_frustum(path_59, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
         path_59: Path,
-        params_60: rt::Vec4<f32>,
+        params_68: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_12: rt::Vec2<f32>;
+        let mut cell_18: rt::Vec2<f32>;
         let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_3: rt::Scalar<f32>;
-        let mut local_64: rt::Scalar<bool>;
+        let mut local_65: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_59);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_12 = _e9;
-        let limit_2 = params_60.x().to_u32();
+        cell_18 = _e9;
+        let limit_2 = params_68.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_12.x();
@@ -9687,12 +10072,12 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_12;
                     cost_12 = (_e20 + STEP);
                     let _e24 = cost_12.x();
-                    let first_12 = _e24.elementwise_eq(rt::Scalar(0u32));
-                    let _e27 = cell_12;
+                    let first_13 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let _e27 = cell_18;
                     let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_59.level));
                     let _e31 = cost_12;
                     cost_12 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_12;
+                    let _e34 = cell_18;
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_59.exit));
                     let _e41 = t_25;
@@ -9712,14 +10097,14 @@ impl<'g> Resources<'g> {
                     let _e82 = self.v_least_at(above_8, span_8);
                     let _e83 = self.v_quadratic(above_8, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_64 = above_8.x().elementwise_gt(of_heights);
+                        local_65 = above_8.x().elementwise_gt(of_heights);
                     } else {
-                        local_64 = rt::Scalar(false);
+                        local_65 = rt::Scalar(false);
                     }
-                    let _e90 = local_64;
+                    let _e90 = local_65;
                     if rt::Scalar::into_branch_condition(_e90) {
                         if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_59.exit))) {
-                            let _e93 = cell_12;
+                            let _e93 = cell_18;
                             let _e95 = self.v_frustum_slope(path_59, _e93.to_i32(), forward_3);
                             slope_3 = _e95;
                             let _e96 = slope_3;
@@ -9730,22 +10115,22 @@ impl<'g> Resources<'g> {
                             }
                         }
                     } else {
-                        let _e103 = cell_12;
+                        let _e103 = cell_18;
                         let _e104 = t_25;
                         let _e105 = self.v_gap_to(path_59, _e2, _e103, _e30, _e104);
                         let _e106 = t_25;
                         let _e107 = cost_12;
-                        let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_12, _e107);
+                        let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_13, _e107);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e108;
                         }
                     }
                     let _e112 = slope_3;
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e116 = cell_12;
+                        let _e116 = cell_18;
                         let _e119 = t_25;
-                        let at_134 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_4 = at_134.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_134), forward_3);
+                        let at_139 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_4 = at_139.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_139), forward_3);
                         let _e131 = t_25;
                         let far_9 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_3;
@@ -9768,14 +10153,14 @@ impl<'g> Resources<'g> {
                     }
                     let _e174 = slope_3;
                     if rt::Scalar::into_branch_condition(_e174.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e177 = cell_12;
+                        let _e177 = cell_18;
                         let _e178 = next_1;
                         let _e179 = self.v_cell_after(_e2, _e177, _e35, forward_3, _e178);
-                        cell_12 = _e179;
+                        cell_18 = _e179;
                     } else {
-                        let _e180 = cell_12;
+                        let _e180 = cell_18;
                         let _e181 = self.v_cell_next(_e2, _e180, _e35);
-                        cell_12 = _e181;
+                        cell_18 = _e181;
                     }
                     let _e182 = next_1;
                     t_25 = _e182;
@@ -9786,13 +10171,13 @@ impl<'g> Resources<'g> {
         let _e186 = cost_12;
         return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_69: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_69)))
+    pub(crate) fn nearest_corner(&self, at_71: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_nearest_corner(&self, at_69: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_69.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_71: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_71.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
@@ -9816,7 +10201,7 @@ impl<'g> Resources<'g> {
         t_26: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_65: rt::Scalar<bool>;
+        let mut local_66: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         let rest_7 = (rt::Scalar(path_60.exit) - t_26);
@@ -9841,11 +10226,11 @@ impl<'g> Resources<'g> {
         let aside_5 = (((grid_8.origin - offset_6) + (grid_8.step * t_26)) / _e85);
         let c_17 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
         if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
-            local_65 = c_17.elementwise_ge(rt::Scalar(0f32));
+            local_66 = c_17.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_65 = rt::Scalar(true);
+            local_66 = rt::Scalar(true);
         }
-        let _e102 = local_65;
+        let _e102 = local_66;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
@@ -9876,17 +10261,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone(
         &self,
         path_61: Path,
-        params_61: impl rt::Into<rt::Vec4<f32>>,
+        params_69: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_61, rt::into(params_61)))
+        rt::into(self.v_search_cone(path_61, rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
         path_61: Path,
-        params_61: rt::Vec4<f32>,
+        params_69: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_13: rt::Vec2<f32>;
+        let mut cell_19: rt::Vec2<f32>;
         let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
@@ -9894,8 +10279,8 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_grid_of(path_61);
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_13 = _e9;
-        let limit_3 = params_61.x().to_u32();
+        cell_19 = _e9;
+        let limit_3 = params_69.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_13.x();
@@ -9907,27 +10292,27 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_13;
                     cost_13 = (_e20 + STEP);
                     let _e24 = cost_13.x();
-                    let first_13 = _e24.elementwise_eq(rt::Scalar(0u32));
-                    let _e27 = cell_13;
+                    let first_14 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let _e27 = cell_19;
                     let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_61.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_13;
+                    let _e34 = cell_19;
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_61.exit));
                     let _e41 = t_27;
                     let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
-                    let _e46 = cell_13;
+                    let _e46 = cell_19;
                     let _e49 = t_27;
-                    let at_135 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_135);
+                    let at_140 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_140);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_27;
                     next_2 = _e54;
                     let _e56 = t_27;
                     let _e57 = self.v_path_height(path_61, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
-                        let _e59 = cell_13;
+                        let _e59 = cell_19;
                         let texel_8 = (_e59 + _e52);
                         let _e61 = self.v_cone_slope(path_61, texel_8);
                         let _e62 = cost_13;
@@ -9942,12 +10327,12 @@ impl<'g> Resources<'g> {
                     }
                     let _e72 = next_2;
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_8)) {
-                        let _e74 = cell_13;
+                        let _e74 = cell_19;
                         let _e75 = t_27;
                         let _e76 = self.v_gap_to(path_61, _e2, _e74, _e30, _e75);
                         let _e77 = t_27;
                         let _e78 = cost_13;
-                        let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_13, _e78);
+                        let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_14, _e78);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e79;
                         }
@@ -9960,10 +10345,10 @@ impl<'g> Resources<'g> {
                         let _e91 = cost_13;
                         return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
-                    let _e95 = cell_13;
+                    let _e95 = cell_19;
                     let _e96 = next_2;
                     let _e97 = self.v_cell_after(_e2, _e95, _e35, forward_4, _e96);
-                    cell_13 = _e97;
+                    cell_19 = _e97;
                     let _e98 = next_2;
                     t_27 = _e98;
                 }
@@ -9975,44 +10360,44 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn node_extent(
         &self,
-        cell_14: impl rt::Into<rt::Scalar<i32>>,
+        cell_20: impl rt::Into<rt::Scalar<i32>>,
         image_10: impl rt::Into<rt::Vec2<i32>>,
         n_6: impl rt::Into<rt::Scalar<i32>>,
-        level_18: impl rt::Into<rt::Scalar<u32>>,
+        level_29: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_14), rt::into(image_10), rt::into(n_6), rt::into(level_18)))
+        rt::into(self.v_node_extent(rt::into(cell_20), rt::into(image_10), rt::into(n_6), rt::into(level_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
         &self,
-        cell_14: rt::Scalar<i32>,
+        cell_20: rt::Scalar<i32>,
         image_10: rt::Vec2<i32>,
         n_6: rt::Scalar<i32>,
-        level_18: rt::Scalar<u32>,
+        level_29: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_66: rt::Scalar<bool>;
+        let mut local_67: rt::Scalar<bool>;
 
-        let first_14 = ((image_10.x() >> level_18) << level_18);
-        let side_6 = (rt::Scalar(1i32) << level_18);
+        let first_15 = ((image_10.x() >> level_29) << level_29);
+        let side_6 = (rt::Scalar(1i32) << level_29);
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_4 = (cell_14 - (image_10.x() - first_14));
-            return <rt::Vec2<i32>>::from_scalars(low_4, (low_4 + side_6.min((n_6 - first_14))));
+            let low_4 = (cell_20 - (image_10.x() - first_15));
+            return <rt::Vec2<i32>>::from_scalars(low_4, (low_4 + side_6.min((n_6 - first_15))));
         }
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high_1 = ((cell_14 + (image_10.x() - first_14)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high_1 - side_6.min(((n_6 - rt::Scalar(1i32)) - first_14))), high_1);
+            let high_1 = ((cell_20 + (image_10.x() - first_15)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high_1 - side_6.min(((n_6 - rt::Scalar(1i32)) - first_15))), high_1);
         }
-        if rt::Scalar::into_branch_condition(level_18.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_29.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_66 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_67 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_66 = rt::Scalar(false);
+            local_67 = rt::Scalar(false);
         }
-        let _e43 = local_66;
+        let _e43 = local_67;
         if rt::Scalar::into_branch_condition(_e43) {
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_6, cell_14.elementwise_ge(n_6)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_14.elementwise_ge(n_6)));
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_6, cell_20.elementwise_ge(n_6)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_20.elementwise_ge(n_6)));
         }
-        return <rt::Vec2<i32>>::from_scalars(cell_14, (cell_14 + rt::Scalar(1i32)));
+        return <rt::Vec2<i32>>::from_scalars(cell_20, (cell_20 + rt::Scalar(1i32)));
     }
     pub(crate) fn leaves_extent(
         &self,
@@ -10041,26 +10426,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_pyramid(
         &self,
         path_62: Path,
-        params_62: impl rt::Into<rt::Vec4<f32>>,
+        params_70: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_62, rt::into(params_62)))
+        rt::into(self.v_search_pyramid(path_62, rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
         path_62: Path,
-        params_62: rt::Vec4<f32>,
+        params_70: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_19: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut cell_15: rt::Vec2<i32>;
+        let mut level_30: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cell_21: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_67: rt::Scalar<bool>;
         let mut local_68: rt::Scalar<bool>;
         let mut local_69: rt::Scalar<bool>;
         let mut local_70: rt::Scalar<bool>;
+        let mut local_71: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_62);
         let _e4 = self.v_height_texels(rt::Scalar(path_62.level));
@@ -10075,17 +10460,17 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_19;
+                    let _e28 = level_30;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).to_f32().elementwise_lt(long_5)) {
-                        let _e33 = level_19;
-                        level_19 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_30;
+                        level_30 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
         }
         let _e37 = self.v_cell_of(_e2.origin);
-        cell_15 = _e37.to_i32();
-        let limit_4 = params_62.x().to_u32();
+        cell_21 = _e37.to_i32();
+        let limit_4 = params_70.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_14.x();
@@ -10096,12 +10481,12 @@ impl<'g> Resources<'g> {
                 {
                     let _e53 = cost_14;
                     cost_14 = (_e53 + STEP);
-                    let _e57 = cell_15.x();
+                    let _e57 = cell_21.x();
                     let _e59 = self.v_image_of(_e57, _e4.x());
-                    let _e61 = cell_15.y();
+                    let _e61 = cell_21.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
                     let place_24 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
-                    let _e67 = level_19;
+                    let _e67 = level_30;
                     let above_level = (_e67 + rt::Scalar(1u32));
                     let over_2 = <rt::Vec2<i32>>::from_scalars((place_24.x() >> above_level), (place_24.y() >> above_level));
                     let _e76 = parent.x();
@@ -10109,32 +10494,32 @@ impl<'g> Resources<'g> {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_2.x()))) {
                             let _e89 = parent.y();
-                            local_68 = _e89.elementwise_ne(over_2.y());
+                            local_69 = _e89.elementwise_ne(over_2.y());
                         } else {
-                            local_68 = rt::Scalar(true);
+                            local_69 = rt::Scalar(true);
                         }
-                        let _e93 = local_68;
-                        local_67 = _e93;
+                        let _e93 = local_69;
+                        local_68 = _e93;
                     } else {
-                        local_67 = rt::Scalar(false);
+                        local_68 = rt::Scalar(false);
                     }
-                    let left_5 = local_67;
+                    let left_5 = local_68;
                     if rt::Scalar::into_branch_condition(left_5) {
-                        let _e98 = level_19;
+                        let _e98 = level_30;
                         let _e99 = top;
-                        local_69 = _e98.elementwise_lt(_e99);
+                        local_70 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_69 = rt::Scalar(false);
+                        local_70 = rt::Scalar(false);
                     }
-                    let _e102 = local_69;
+                    let _e102 = local_70;
                     if rt::Scalar::into_branch_condition(_e102) {
-                        level_19 = above_level;
+                        level_30 = above_level;
                     }
-                    let _e104 = cell_15.x();
-                    let _e106 = level_19;
+                    let _e104 = cell_21.x();
+                    let _e106 = level_30;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
-                    let _e109 = cell_15.y();
-                    let _e111 = level_19;
+                    let _e109 = cell_21.y();
+                    let _e111 = level_30;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
@@ -10142,14 +10527,14 @@ impl<'g> Resources<'g> {
                     let _e126 = t_28;
                     let span_10 = (end_9 - _e126).max(rt::Scalar(0f32));
                     let low_5 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
-                    let last_6 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
-                    let _e140 = level_19;
+                    let last_7 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
+                    let _e140 = level_30;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_14;
                         cost_14 = (_e143 + HEIGHTS_READ);
-                        let _e146 = cell_15;
-                        let _e148 = cell_15;
-                        let _e150 = self.v_grid_cell(_e148, rt::Scalar(path_62.level));
+                        let _e146 = cell_21;
+                        let _e148 = cell_21;
+                        let _e150 = self.v_object_cell_stage(_e148, rt::Scalar(path_62.level));
                         let _e151 = t_28;
                         let _e152 = self.v_gap_to(path_62, _e2, _e146.to_f32(), _e150, _e151);
                         let _e153 = t_28;
@@ -10163,10 +10548,10 @@ impl<'g> Resources<'g> {
                         let _e162 = cost_14;
                         let _e164 = self.v_map_read(path_62, rt::Scalar(1u32));
                         cost_14 = (_e162 + _e164);
-                        let _e167 = level_19;
-                        let _e170 = level_19;
+                        let _e167 = level_30;
+                        let _e170 = level_30;
                         let node = <rt::Vec2<i32>>::from_scalars((place_24.x() >> _e167), (place_24.y() >> _e170));
-                        let _e174 = level_19;
+                        let _e174 = level_30;
                         let _e180 = self.v_search_texel(path_62, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_62.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
                         let _e182 = t_28;
@@ -10180,11 +10565,11 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_4, span_10);
                             let _e215 = self.v_quadratic(gap_4, _e214);
-                            local_70 = _e215.elementwise_le(rt::Scalar(0f32));
+                            local_71 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_70 = rt::Scalar(true);
+                            local_71 = rt::Scalar(true);
                         }
-                        let _e219 = local_70;
+                        let _e219 = local_71;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
                                 let _e223 = t_28;
@@ -10193,9 +10578,9 @@ impl<'g> Resources<'g> {
                             }
                             let _e229 = t_28;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
-                            cell_15 = _e232.to_i32().clamp(low_5, last_6);
-                            let _e235 = level_19;
-                            level_19 = (_e235 - rt::Scalar(1u32));
+                            cell_21 = _e232.to_i32().clamp(low_5, last_7);
+                            let _e235 = level_30;
+                            level_30 = (_e235 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
@@ -10206,15 +10591,15 @@ impl<'g> Resources<'g> {
                         return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
                     let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_9)));
-                    cell_15 = _e254.to_i32().clamp(low_5, last_6);
+                    cell_21 = _e254.to_i32().clamp(low_5, last_7);
                     if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_9)) {
-                        cell_15.set_x((low_5.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                        cell_21.set_x((low_5.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_9)) {
-                        cell_15.set_y((low_5.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                        cell_21.set_y((low_5.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e280 = level_19;
-                    let _e285 = level_19;
+                    let _e280 = level_30;
+                    let _e285 = level_30;
                     parent = <rt::Vec2<i32>>::from_scalars((place_24.x() >> (_e280 + rt::Scalar(1u32))), (place_24.y() >> (_e285 + rt::Scalar(1u32))));
                     let _e290 = t_28;
                     t_28 = _e290.max(end_9);
@@ -10229,57 +10614,57 @@ impl<'g> Resources<'g> {
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
         n_7: impl rt::Into<rt::Scalar<i32>>,
-        level_20: impl rt::Into<rt::Scalar<u32>>,
+        level_31: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_7), rt::into(level_20)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_7), rt::into(level_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
         n_7: rt::Scalar<i32>,
-        level_20: rt::Scalar<u32>,
+        level_31: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_71: rt::Scalar<bool>;
+        let mut local_72: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_7);
-        let first_15 = ((_e3 >> level_20) << level_20);
-        let last_7 = (first_15 + (rt::Scalar(1i32) << level_20)).min(n_7);
+        let first_16 = ((_e3 >> level_31) << level_31);
+        let last_8 = (first_16 + (rt::Scalar(1i32) << level_31)).min(n_7);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_71 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_72 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_71 = rt::Scalar(true);
+            local_72 = rt::Scalar(true);
         }
-        let _e20 = local_71;
+        let _e20 = local_72;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_15), ((texel_2 - _e3) + last_7));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_16), ((texel_2 - _e3) + last_8));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
             let period_2 = (rt::Scalar(2i32) * n_7);
             let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
             if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_7)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_15), ((texel_2 - _e3) + last_7));
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_16), ((texel_2 - _e3) + last_8));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_7) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_15) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_8) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_16) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
     pub(crate) fn search_pyramid_texels(
         &self,
         path_63: Path,
-        params_63: impl rt::Into<rt::Vec4<f32>>,
+        params_71: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_63, rt::into(params_63)))
+        rt::into(self.v_search_pyramid_texels(path_63, rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
         path_63: Path,
-        params_63: rt::Vec4<f32>,
+        params_71: rt::Vec4<f32>,
     ) -> Found {
-        let mut level_21: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_32: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
         let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
@@ -10294,22 +10679,22 @@ impl<'g> Resources<'g> {
         let step_7 = (path_63.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_21;
+                let _e14 = level_32;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_21;
-                    level_21 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_32;
+                    level_32 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
         let _e24 = self.v_cell_of(origin_7);
         texel_3 = _e24.to_i32();
-        let limit_5 = params_63.x().to_u32();
-        let _e35 = level_21;
-        finest_1 = params_63.y().to_u32().min(_e35);
+        let limit_5 = params_71.x().to_u32();
+        let _e35 = level_32;
+        finest_1 = params_71.y().to_u32().min(_e35);
         if rt::Scalar::into_branch_condition(rt::Scalar(path_63.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
@@ -10329,28 +10714,28 @@ impl<'g> Resources<'g> {
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
                     let place_25 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
-                    let _e59 = level_21;
+                    let _e59 = level_32;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_15;
                         cost_15 = (_e62 + HEIGHT_READ);
                         let _e67 = rt::texture::Read::read_texel((&self.height_map), place_25, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
-                        let _e70 = level_21;
-                        let _e73 = level_21;
+                        let _e70 = level_32;
+                        let _e73 = level_32;
                         let node_1 = <rt::Vec2<i32>>::from_scalars((place_25.x() >> _e70), (place_25.y() >> _e73));
                         let _e76 = cost_15;
                         let _e78 = self.v_map_read(path_63, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
-                        let _e81 = level_21;
+                        let _e81 = level_32;
                         let _e85 = self.v_search_texel(path_63, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
-                    let _e90 = level_21;
+                    let _e90 = level_32;
                     let _e91 = self.v_texel_extent(_e88, _e3.x(), _e90);
                     let _e93 = texel_3.y();
-                    let _e95 = level_21;
+                    let _e95 = level_32;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
                     let _e99 = self.v_leaves_extent(origin_7.x(), step_7.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_7.y(), step_7.y(), _e96);
@@ -10370,24 +10755,24 @@ impl<'g> Resources<'g> {
                         sinks = _e127;
                     }
                     let low_6 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
-                    let last_8 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
+                    let last_9 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e141 = t_29;
                         let _e142 = sinks;
                         t_29 = (_e141 + _e142);
-                        let _e144 = level_21;
+                        let _e144 = level_32;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
                             let _e148 = t_29;
                             let _e149 = cost_15;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
-                        let _e154 = level_21;
-                        level_21 = (_e154 - rt::Scalar(1u32));
+                        let _e154 = level_32;
+                        level_32 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_29;
                         let _e160 = self.v_cell_of((origin_7 + (step_7 * _e157)));
-                        texel_3 = _e160.to_i32().clamp(low_6, last_8);
+                        texel_3 = _e160.to_i32().clamp(low_6, last_9);
                     } else {
                         if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_63.exit))) {
                             let _e166 = t_29;
@@ -10395,7 +10780,7 @@ impl<'g> Resources<'g> {
                             return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
                         let _e174 = self.v_cell_of((origin_7 + (step_7 * end_10)));
-                        texel_3 = _e174.to_i32().clamp(low_6, last_8);
+                        texel_3 = _e174.to_i32().clamp(low_6, last_9);
                         if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_10)) {
                             texel_3.set_x((low_6.x() - rt::Scalar(1i32)).select(_e91.y(), step_7.x().elementwise_gt(rt::Scalar(0f32))));
                         }
@@ -10414,55 +10799,55 @@ impl<'g> Resources<'g> {
     pub(crate) fn leaves_window(
         &self,
         grid_9: Grid,
-        cell_16: impl rt::Into<rt::Vec2<f32>>,
+        cell_22: impl rt::Into<rt::Vec2<f32>>,
         radius: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_leaves_window(grid_9, rt::into(cell_16), rt::into(radius)))
+        rt::into(self.v_leaves_window(grid_9, rt::into(cell_22), rt::into(radius)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_leaves_window(
         &self,
         grid_9: Grid,
-        cell_16: rt::Vec2<f32>,
+        cell_22: rt::Vec2<f32>,
         radius: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let wide_1 = <rt::Vec2<f32>>::from_scalars(radius, radius);
-        let _e5 = self.v_cell_leave(grid_9, (cell_16 - wide_1));
-        let _e7 = self.v_cell_leave(grid_9, (cell_16 + wide_1));
+        let _e5 = self.v_cell_leave(grid_9, (cell_22 - wide_1));
+        let _e7 = self.v_cell_leave(grid_9, (cell_22 + wide_1));
         let leave_8 = _e5.select(_e7, grid_9.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
         return leave_8.x().min(leave_8.y());
     }
     pub(crate) fn search_dilation_erosion(
         &self,
         path_64: Path,
-        params_64: impl rt::Into<rt::Vec4<f32>>,
+        params_72: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_64, rt::into(params_64)))
+        rt::into(self.v_search_dilation_erosion(path_64, rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
         path_64: Path,
-        params_64: rt::Vec4<f32>,
+        params_72: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_17: rt::Vec2<f32>;
+        let mut cell_23: rt::Vec2<f32>;
         let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_72: rt::Scalar<bool>;
         let mut local_73: rt::Scalar<bool>;
         let mut local_74: rt::Scalar<bool>;
         let mut local_75: rt::Scalar<bool>;
+        let mut local_76: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_64);
         let _e4 = self.v_height_texels(rt::Scalar(path_64.level));
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
-        cell_17 = _e11;
-        let limit_6 = params_64.x().to_u32();
+        cell_23 = _e11;
+        let limit_6 = params_72.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_16.x();
@@ -10473,24 +10858,24 @@ impl<'g> Resources<'g> {
                 {
                     let _e24 = cost_16;
                     cost_16 = (_e24 + STEP);
-                    let _e27 = cell_17;
+                    let _e27 = cell_23;
                     let _e28 = self.v_cell_leave(_e2, _e27);
                     let end_11 = _e28.x().min(_e28.y()).min(rt::Scalar(path_64.exit));
                     let _e34 = t_30;
                     let span_11 = (end_11 - _e34).max(rt::Scalar(0f32));
                     let _e38 = t_30;
                     next_3 = _e38;
-                    looks = params_64.y().elementwise_gt(rt::Scalar(0.5f32));
-                    let _e45 = cell_17.x();
+                    looks = params_72.y().elementwise_gt(rt::Scalar(0.5f32));
+                    let _e45 = cell_23.x();
                     let _e48 = self.v_image_of(_e45.to_i32(), _e4.x());
-                    let _e50 = cell_17.y();
+                    let _e50 = cell_23.y();
                     let _e53 = self.v_image_of(_e50.to_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_72 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_73 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_72 = rt::Scalar(true);
+                        local_73 = rt::Scalar(true);
                     }
-                    let _e64 = local_72;
+                    let _e64 = local_73;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
@@ -10498,8 +10883,8 @@ impl<'g> Resources<'g> {
                         let _e73 = cost_16;
                         let _e75 = self.v_map_read(path_64, rt::Scalar(1u32));
                         cost_16 = (_e73 + _e75);
-                        let _e77 = cell_17;
-                        let _e79 = self.v_leaves_window(_e2, _e77, params_64.z());
+                        let _e77 = cell_23;
+                        let _e79 = self.v_leaves_window(_e2, _e77, params_72.z());
                         let _e82 = t_30;
                         let reach = (_e79.min(rt::Scalar(path_64.exit)) - _e82).max(rt::Scalar(0f32));
                         let _e86 = t_30;
@@ -10526,18 +10911,18 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_73 = _e131.elementwise_lt(end_11);
-                        } else {
-                            local_73 = rt::Scalar(false);
-                        }
-                        let _e134 = local_73;
-                        if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_64, end_11);
-                            local_74 = _e137.elementwise_lt(_e72.x());
+                            local_74 = _e131.elementwise_lt(end_11);
                         } else {
                             local_74 = rt::Scalar(false);
                         }
-                        let _e141 = local_74;
+                        let _e134 = local_74;
+                        if rt::Scalar::into_branch_condition(_e134) {
+                            let _e137 = self.v_path_height(path_64, end_11);
+                            local_75 = _e137.elementwise_lt(_e72.x());
+                        } else {
+                            local_75 = rt::Scalar(false);
+                        }
+                        let _e141 = local_75;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
@@ -10548,19 +10933,19 @@ impl<'g> Resources<'g> {
                     let _e145 = next_3;
                     if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_11))) {
                         let _e150 = t_30;
-                        local_75 = (!end_11.elementwise_gt(_e150));
+                        local_76 = (!end_11.elementwise_gt(_e150));
                     } else {
-                        local_75 = rt::Scalar(true);
+                        local_76 = rt::Scalar(true);
                     }
-                    let _e154 = local_75;
+                    let _e154 = local_76;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
                             let _e156 = cost_16;
                             cost_16 = (_e156 + HEIGHTS_READ);
-                            let _e159 = cell_17;
+                            let _e159 = cell_23;
                             let _e162 = self.v_height_cell(_e159.to_i32(), rt::Scalar(path_64.level));
-                            let _e163 = cell_17;
+                            let _e163 = cell_23;
                             let _e164 = t_30;
                             let _e165 = self.v_gap_to(path_64, _e2, _e163, _e162, _e164);
                             let _e166 = t_30;
@@ -10580,10 +10965,10 @@ impl<'g> Resources<'g> {
                         let _e183 = cost_16;
                         return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
                     }
-                    let _e187 = cell_17;
+                    let _e187 = cell_23;
                     let _e188 = next_3;
                     let _e189 = self.v_cell_after(_e2, _e187, _e28, forward_5, _e188);
-                    cell_17 = _e189;
+                    cell_23 = _e189;
                     let _e190 = next_3;
                     t_30 = _e190;
                 }
@@ -10596,21 +10981,21 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_sphere(
         &self,
         path_65: Path,
-        params_65: impl rt::Into<rt::Vec4<f32>>,
+        params_73: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_65, rt::into(params_65)))
+        rt::into(self.v_search_sphere(path_65, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
         path_65: Path,
-        params_65: rt::Vec4<f32>,
+        params_73: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_18: rt::Vec2<f32>;
+        let mut cell_24: rt::Vec2<f32>;
         let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_76: rt::Scalar<bool>;
+        let mut local_77: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_65);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -10623,8 +11008,8 @@ impl<'g> Resources<'g> {
         let height_terms = (path_65.h.x().abs() + (rt::Scalar(path_65.exit) * (path_65.h.y().abs() + (rt::Scalar(path_65.exit) * path_65.h.z().abs()))));
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_11.x() + far_11.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
-        cell_18 = _e52;
-        let limit_7 = params_65.x().to_u32();
+        cell_24 = _e52;
+        let limit_7 = params_73.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_17.x();
@@ -10635,7 +11020,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e63 = cost_17;
                     cost_17 = (_e63 + STEP);
-                    let _e66 = cell_18;
+                    let _e66 = cell_24;
                     let _e67 = self.v_cell_leave(_e2, _e66);
                     let end_12 = _e67.x().min(_e67.y()).min(rt::Scalar(path_65.exit));
                     let _e73 = t_31;
@@ -10644,7 +11029,7 @@ impl<'g> Resources<'g> {
                     let _e78 = self.v_path_uv(path_65, _e77);
                     let _e79 = t_31;
                     let _e80 = self.v_path_height(path_65, _e79);
-                    let _e82 = self.v_distance_at(path_65, _e78, _e80, params_65.z());
+                    let _e82 = self.v_distance_at(path_65, _e78, _e80, params_73.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_17;
                     let _e86 = self.v_map_read(path_65, rt::Scalar(4u32));
@@ -10656,7 +11041,7 @@ impl<'g> Resources<'g> {
                         let _e95 = t_31;
                         next_4 = (_e95 + (free_1 / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_65.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_73.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_4;
                         let _e102 = t_31;
                         if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_65.exit))))) {
@@ -10668,16 +11053,16 @@ impl<'g> Resources<'g> {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_12))) {
                             let _e121 = t_31;
-                            local_76 = (!end_12.elementwise_gt(_e121));
+                            local_77 = (!end_12.elementwise_gt(_e121));
                         } else {
-                            local_76 = rt::Scalar(true);
+                            local_77 = rt::Scalar(true);
                         }
-                        let _e125 = local_76;
+                        let _e125 = local_77;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
-                            let _e129 = cell_18;
-                            let _e130 = cell_18;
+                            let _e129 = cell_24;
+                            let _e130 = cell_24;
                             let _e133 = self.v_height_cell(_e130.to_i32(), rt::Scalar(path_65.level));
                             let _e134 = t_31;
                             let _e135 = self.v_gap_to(path_65, _e2, _e129, _e133, _e134);
@@ -10698,10 +11083,10 @@ impl<'g> Resources<'g> {
                         let _e153 = cost_17;
                         return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
                     }
-                    let _e157 = cell_18;
+                    let _e157 = cell_24;
                     let _e158 = next_4;
                     let _e159 = self.v_cell_after(_e2, _e157, _e67, forward_6, _e158);
-                    cell_18 = _e159;
+                    cell_24 = _e159;
                     let _e160 = next_4;
                     t_31 = _e160;
                 }
@@ -10714,28 +11099,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone_moved(
         &self,
         path_66: Path,
-        params_66: impl rt::Into<rt::Vec4<f32>>,
+        params_74: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_66, rt::into(params_66)))
+        rt::into(self.v_search_cone_moved(path_66, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
         path_66: Path,
-        params_66: rt::Vec4<f32>,
+        params_74: rt::Vec4<f32>,
     ) -> Found {
         let mut t_32: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
-        let mut k_24: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_77: rt::Scalar<bool>;
+        let mut k_25: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_78: rt::Scalar<bool>;
 
         let aside_6 = path_66.duv.length();
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_24;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_66.x())) {
+                let _e14 = k_25;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_74.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -10749,11 +11134,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
                         let _e27 = t_32;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_77 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_78 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_77 = rt::Scalar(false);
+                            local_78 = rt::Scalar(false);
                         }
-                        let _e35 = local_77;
+                        let _e35 = local_78;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
@@ -10800,8 +11185,8 @@ impl<'g> Resources<'g> {
                         let _e130 = cost_18;
                         return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_66.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
-                    let _e134 = k_24;
-                    k_24 = (_e134 + rt::Scalar(1f32));
+                    let _e134 = k_25;
+                    k_25 = (_e134 + rt::Scalar(1f32));
                 }
             }
         }
@@ -10814,26 +11199,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_relaxed_cone(
         &self,
         path_67: Path,
-        params_67: impl rt::Into<rt::Vec4<f32>>,
+        params_75: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_67, rt::into(params_67)))
+        rt::into(self.v_search_relaxed_cone(path_67, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
         path_67: Path,
-        params_67: rt::Vec4<f32>,
+        params_75: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_19: rt::Vec2<f32>;
+        let mut cell_25: rt::Vec2<f32>;
         let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_78: rt::Scalar<bool>;
+        let mut local_79: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_79: rt::Scalar<bool>;
+        let mut local_80: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_67);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -10843,8 +11228,8 @@ impl<'g> Resources<'g> {
         let _e33 = self.v_height_size(rt::Scalar(path_67.level));
         let far_13 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_67.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
-        cell_19 = _e36;
-        let limit_8 = params_67.x().to_u32();
+        cell_25 = _e36;
+        let limit_8 = params_75.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_19.x();
@@ -10855,13 +11240,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e51 = cost_19;
                     cost_19 = (_e51 + STEP);
-                    let _e54 = cell_19;
+                    let _e54 = cell_25;
                     let _e55 = self.v_cell_leave(_e2, _e54);
                     let end_13 = _e55.x().min(_e55.y()).min(rt::Scalar(path_67.exit));
                     let _e61 = t_33;
                     let span_13 = (end_13 - _e61).max(rt::Scalar(0f32));
-                    let _e65 = cell_19;
-                    let _e66 = cell_19;
+                    let _e65 = cell_25;
+                    let _e66 = cell_25;
                     let _e69 = self.v_height_cell(_e66.to_i32(), rt::Scalar(path_67.level));
                     let _e70 = t_33;
                     let _e71 = self.v_gap_to(path_67, _e2, _e65, _e69, _e70);
@@ -10872,11 +11257,11 @@ impl<'g> Resources<'g> {
                         let _e79 = t_33;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_78 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_79 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_78 = rt::Scalar(false);
+                            local_79 = rt::Scalar(false);
                         }
-                        let _e87 = local_78;
+                        let _e87 = local_79;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
                             let _e89 = t_33;
@@ -10894,7 +11279,7 @@ impl<'g> Resources<'g> {
                     let _e100 = t_33;
                     start_1 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_67.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_75.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e107 = t_33;
                         let _e108 = t_33;
                         let _e111 = cost_19;
@@ -10916,8 +11301,8 @@ impl<'g> Resources<'g> {
                     near_6 = _e129;
                     let _e130 = gap;
                     near_gap_4 = _e130;
-                    let _e131 = cell_19;
-                    let _e133 = cell_19;
+                    let _e131 = cell_25;
+                    let _e133 = cell_25;
                     let _e136 = start_1;
                     let _e139 = self.v_nearest_corner(((_e2.origin - _e133) + (_e2.step * _e136)));
                     let _e141 = self.v_cone_slope(path_67, (_e131 + _e139));
@@ -10937,14 +11322,14 @@ impl<'g> Resources<'g> {
                             next_5 = (_e167 + (room_1.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_67.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_75.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
                         let _e178 = t_33;
-                        local_79 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_67.exit))));
+                        local_80 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_67.exit))));
                     } else {
-                        local_79 = rt::Scalar(false);
+                        local_80 = rt::Scalar(false);
                     }
-                    let _e186 = local_79;
+                    let _e186 = local_80;
                     if rt::Scalar::into_branch_condition(_e186) {
                         let _e188 = t_33;
                         let _e190 = gap;
@@ -10967,10 +11352,10 @@ impl<'g> Resources<'g> {
                         let _e212 = cost_19;
                         return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
                     }
-                    let _e216 = cell_19;
+                    let _e216 = cell_25;
                     let _e217 = next_5;
                     let _e218 = self.v_cell_after(_e2, _e216, _e55, forward_7, _e217);
-                    cell_19 = _e218;
+                    cell_25 = _e218;
                     let _e219 = next_5;
                     t_33 = _e219;
                 }
@@ -10983,29 +11368,29 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_relaxed_cone_resting(
         &self,
         path_68: Path,
-        params_68: impl rt::Into<rt::Vec4<f32>>,
+        params_76: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_68, rt::into(params_68)))
+        rt::into(self.v_search_relaxed_cone_resting(path_68, rt::into(params_76)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
         path_68: Path,
-        params_68: rt::Vec4<f32>,
+        params_76: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_20: rt::Vec2<f32>;
+        let mut cell_26: rt::Vec2<f32>;
         let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_80: rt::Scalar<bool>;
+        let mut local_81: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_68);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_20 = _e9;
-        let limit_9 = params_68.x().to_u32();
+        cell_26 = _e9;
+        let limit_9 = params_76.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_20.x();
@@ -11016,16 +11401,16 @@ impl<'g> Resources<'g> {
                 {
                     let _e24 = cost_20;
                     cost_20 = (_e24 + STEP);
-                    let _e27 = cell_20;
+                    let _e27 = cell_26;
                     let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_68.level));
                     let _e31 = cost_20;
                     cost_20 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_20;
+                    let _e34 = cell_26;
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_14 = _e35.x().min(_e35.y()).min(rt::Scalar(path_68.exit));
                     let _e41 = t_34;
                     let span_14 = (end_14 - _e41).max(rt::Scalar(0f32));
-                    let _e45 = cell_20;
+                    let _e45 = cell_26;
                     let _e46 = t_34;
                     let _e47 = self.v_gap_to(path_68, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
@@ -11033,11 +11418,11 @@ impl<'g> Resources<'g> {
                         let _e52 = t_34;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_80 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_81 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_80 = rt::Scalar(false);
+                            local_81 = rt::Scalar(false);
                         }
-                        let _e60 = local_80;
+                        let _e60 = local_81;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
                             let _e62 = t_34;
@@ -11068,13 +11453,13 @@ impl<'g> Resources<'g> {
                     }
                     near_7 = start_4;
                     near_gap_5 = rt::Scalar(_e78.far_gap);
-                    let _e95 = cell_20;
+                    let _e95 = cell_26;
                     let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_4)));
                     let _e101 = self.v_corner_height(_e30, _e100);
                     next_6 = start_4;
                     let _e103 = self.v_path_height(path_68, start_4);
                     if rt::Scalar::into_branch_condition(_e103.elementwise_gt(_e101)) {
-                        let _e105 = cell_20;
+                        let _e105 = cell_26;
                         let texel_9 = (_e105 + _e100);
                         let _e107 = self.v_cone_slope(path_68, texel_9);
                         let _e108 = cost_20;
@@ -11099,10 +11484,10 @@ impl<'g> Resources<'g> {
                         let _e132 = cost_20;
                         return <Found>::new(FOUND_MISS, start_4, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                     }
-                    let _e136 = cell_20;
+                    let _e136 = cell_26;
                     let _e137 = next_6;
                     let _e138 = self.v_cell_after(_e2, _e136, _e35, forward_8, _e137);
-                    cell_20 = _e138;
+                    cell_26 = _e138;
                     let _e139 = next_6;
                     t_34 = _e139;
                 }
@@ -11194,51 +11579,51 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_none(
         &self,
         pixel_76: PixelIn,
-        at_70: Entered,
-        params_69: impl rt::Into<rt::Vec4<f32>>,
+        at_72: Entered,
+        params_77: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_none(pixel_76, at_70, rt::into(params_69)))
+        rt::into(self.v_object_none(pixel_76, at_72, rt::into(params_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_none(
         &self,
         pixel_76: PixelIn,
-        at_70: Entered,
-        params_69: rt::Vec4<f32>,
+        at_72: Entered,
+        params_77: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut first_3: FirstHit;
-        let mut k_25: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_81: rt::Scalar<bool>;
+        let mut k_26: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_82: rt::Scalar<bool>;
 
         let _e5 = cost_21;
         let _e6 = self.v_miss(_e5);
         first_3 = <FirstHit>::new(_e6, rt::Scalar(0u32), rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e13 = k_25;
-                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_70.segments))) {
+                let _e13 = k_26;
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_72.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e16 = k_25;
-                    let _e17 = self.v_segment_of(pixel_76, at_70, _e16);
+                    let _e16 = k_26;
+                    let _e17 = self.v_segment_of(pixel_76, at_72, _e16);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e17.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e21 = self.v_trace(_e17);
-                        let _e22 = k_25;
-                        let _e23 = self.v_hit_on_segment(pixel_76, at_70, _e17, _e21, _e22);
+                        let _e22 = k_26;
+                        let _e23 = self.v_hit_on_segment(pixel_76, at_72, _e17, _e21, _e22);
                         let _e24 = cost_21;
                         cost_21 = (_e24 + _e23.hit.cost);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e23.hit.found).elementwise_eq(rt::Scalar(1u32))) {
                             let _e34 = rt::Scalar(first_3.hit.found);
                             if rt::Scalar::into_branch_condition((!_e34.elementwise_eq(rt::Scalar(0u32)))) {
                                 let _e42 = rt::Scalar(first_3.key);
-                                local_81 = rt::Scalar(_e23.key).elementwise_gt(_e42);
+                                local_82 = rt::Scalar(_e23.key).elementwise_gt(_e42);
                             } else {
-                                local_81 = rt::Scalar(true);
+                                local_82 = rt::Scalar(true);
                             }
-                            let _e45 = local_81;
+                            let _e45 = local_82;
                             if rt::Scalar::into_branch_condition(_e45) {
                                 first_3 = _e23;
                             }
@@ -11247,8 +11632,8 @@ impl<'g> Resources<'g> {
                             }
                         }
                     }
-                    let _e50 = k_25;
-                    k_25 = (_e50 + rt::Scalar(1u32));
+                    let _e50 = k_26;
+                    k_26 = (_e50 + rt::Scalar(1u32));
                 }
             }
         }
@@ -11257,52 +11642,52 @@ impl<'g> Resources<'g> {
         let _e56 = first_3;
         return _e56;
     }
-    pub(crate) fn first_in_all(&self, pixel_77: PixelIn, at_71: Entered) -> FirstHit {
-        rt::into(self.v_first_in_all(pixel_77, at_71))
+    pub(crate) fn first_in_all(&self, pixel_77: PixelIn, at_73: Entered) -> FirstHit {
+        rt::into(self.v_first_in_all(pixel_77, at_73))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_in_all(&self, pixel_77: PixelIn, at_71: Entered) -> FirstHit {
+    fn v_first_in_all(&self, pixel_77: PixelIn, at_73: Entered) -> FirstHit {
         let mut cost_22: rt::Vec3<u32> = NO_COST;
         let mut first_4: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut agreed: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut k_26: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_27: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut turns: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_82: rt::Scalar<bool>;
         let mut local_83: rt::Scalar<bool>;
         let mut local_84: rt::Scalar<bool>;
+        let mut local_85: rt::Scalar<bool>;
 
         let _e4 = cost_22;
         let _e5 = self.v_miss(_e4);
         first_4 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
-        let most_14 = (rt::Scalar(at_71.segments) * MOST_ROUNDS);
+        let most_14 = (rt::Scalar(at_73.segments) * MOST_ROUNDS);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = agreed;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_71.segments))) {
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_73.segments))) {
                     let _e26 = turns;
-                    local_82 = _e26.elementwise_lt(most_14);
+                    local_83 = _e26.elementwise_lt(most_14);
                 } else {
-                    local_82 = rt::Scalar(false);
+                    local_83 = rt::Scalar(false);
                 }
-                let _e29 = local_82;
+                let _e29 = local_83;
                 if rt::Scalar::into_branch_condition(_e29) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = k_26;
-                    let _e31 = self.v_segment_of(pixel_77, at_71, _e30);
+                    let _e30 = k_27;
+                    let _e31 = self.v_segment_of(pixel_77, at_73, _e30);
                     let _e32 = reached_1;
                     let passed_m = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
                     let ahead_1 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
                     let passed = (passed_m / ahead_1);
                     if rt::Scalar::into_branch_condition(ahead_1.elementwise_gt(rt::Scalar(0f32))) {
-                        local_83 = passed.elementwise_lt(rt::Scalar(_e31.exit));
+                        local_84 = passed.elementwise_lt(rt::Scalar(_e31.exit));
                     } else {
-                        local_83 = rt::Scalar(false);
+                        local_84 = rt::Scalar(false);
                     }
-                    let _e49 = local_83;
+                    let _e49 = local_84;
                     if rt::Scalar::into_branch_condition((!_e49)) {
                         let _e52 = cost_22;
                         let _e53 = self.v_miss(_e52);
@@ -11328,33 +11713,33 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition((!_e74.elementwise_eq(rt::Scalar(0u32)))) {
                         let _e80 = reached_1;
                         let _e81 = reached_1;
-                        local_84 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
+                        local_85 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
                     } else {
-                        local_84 = rt::Scalar(true);
+                        local_85 = rt::Scalar(true);
                     }
-                    let _e87 = local_84;
+                    let _e87 = local_85;
                     if rt::Scalar::into_branch_condition(_e87) {
                         reached_1 = at_m;
                         agreed = rt::Scalar(0u32);
                         let _e93 = cost_22;
-                        let _e95 = k_26;
-                        let _e96 = self.v_hit_on_segment(pixel_77, at_71, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_40, _e93), _e95);
+                        let _e95 = k_27;
+                        let _e96 = self.v_hit_on_segment(pixel_77, at_73, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_40, _e93), _e95);
                         first_4 = _e96;
                         let _e99 = first_4.hit.cost;
                         cost_22 = _e99;
                     }
                     let _e100 = agreed;
                     agreed = (_e100 + rt::Scalar(1u32));
-                    let _e103 = k_26;
-                    let _e107 = k_26;
-                    k_26 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_71.segments)));
+                    let _e103 = k_27;
+                    let _e107 = k_27;
+                    k_27 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_73.segments)));
                     let _e113 = turns;
                     turns = (_e113 + rt::Scalar(1u32));
                 }
             }
         }
         let _e120 = agreed;
-        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_71.segments)));
+        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_73.segments)));
         let _e126 = cost_22;
         first_4.hit.cost = _e126;
         let _e127 = first_4;
@@ -11363,39 +11748,39 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_depth(
         &self,
         pixel_78: PixelIn,
-        at_72: Entered,
-        params_70: impl rt::Into<rt::Vec4<f32>>,
+        at_74: Entered,
+        params_78: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_depth(pixel_78, at_72, rt::into(params_70)))
+        rt::into(self.v_object_depth(pixel_78, at_74, rt::into(params_78)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_depth(
         &self,
         pixel_78: PixelIn,
-        at_72: Entered,
-        params_70: rt::Vec4<f32>,
+        at_74: Entered,
+        params_78: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_78, at_72);
+        let _e3 = self.v_first_in_all(pixel_78, at_74);
         return _e3;
     }
     pub(crate) fn object_hull(
         &self,
         pixel_79: PixelIn,
-        at_73: Entered,
-        params_71: impl rt::Into<rt::Vec4<f32>>,
+        at_75: Entered,
+        params_79: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_hull(pixel_79, at_73, rt::into(params_71)))
+        rt::into(self.v_object_hull(pixel_79, at_75, rt::into(params_79)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_hull(
         &self,
         pixel_79: PixelIn,
-        at_73: Entered,
-        params_71: rt::Vec4<f32>,
+        at_75: Entered,
+        params_79: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_79, at_73);
+        let _e3 = self.v_first_in_all(pixel_79, at_75);
         return _e3;
     }
     pub(crate) fn look_into_frame(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
@@ -11405,9 +11790,9 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     fn v_look_into_frame(&self, uv_18: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_136 = ((uv_18 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_136);
-        let part_19 = (at_136 - _e8);
+        let at_141 = ((uv_18 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_141);
+        let part_19 = (at_141 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
         let x_6 = (rt::Scalar(1f32) - part_19.x());
         let y_4 = (rt::Scalar(1f32) - part_19.y());
@@ -11468,49 +11853,49 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_blend(
         &self,
         pixel_80: PixelIn,
-        at_74: Entered,
-        params_72: impl rt::Into<rt::Vec4<f32>>,
+        at_76: Entered,
+        params_80: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_blend(pixel_80, at_74, rt::into(params_72)))
+        rt::into(self.v_object_blend(pixel_80, at_76, rt::into(params_80)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_blend(
         &self,
         pixel_80: PixelIn,
-        at_74: Entered,
-        params_72: rt::Vec4<f32>,
+        at_76: Entered,
+        params_80: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_23: rt::Vec3<u32> = NO_COST;
         let mut cover_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut along_18: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut heaviest: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_27: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_28: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut first_5: FirstHit;
-        let mut local_85: rt::Scalar<bool>;
+        let mut local_86: rt::Scalar<bool>;
 
         let toward_6 = (-pixel_80.direction.normalize());
         let _e6 = self.v_frames_around(toward_6);
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = k_27;
+                let _e19 = k_28;
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(FRAMES)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e22 = k_27;
+                    let _e22 = k_28;
                     let _e23 = self.v_frame_number(_e6, _e22);
                     let _e24 = self.v_image_of_object(_e23);
-                    let _e25 = k_27;
+                    let _e25 = k_28;
                     let _e26 = self.v_frame_weight(_e6, _e25);
                     if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_6).elementwise_ge(rt::Scalar(0.05f32))) {
-                        let _e31 = k_27;
-                        let _e32 = self.v_segment_of(pixel_80, at_74, _e31);
-                        let _e35 = self.v_look_along(_e32, _e24, params_72.w().to_u32());
+                        let _e31 = k_28;
+                        let _e32 = self.v_segment_of(pixel_80, at_76, _e31);
+                        let _e35 = self.v_look_along(_e32, _e24, params_80.w().to_u32());
                         let seen_6 = (_e26 * _e35.x());
                         let _e38 = cost_23;
-                        cost_23 = (_e38 + (LOOK * (params_72.w().to_u32() + rt::Scalar(1u32))));
+                        cost_23 = (_e38 + (LOOK * (params_80.w().to_u32() + rt::Scalar(1u32))));
                         let _e46 = cover_1;
                         cover_1 = (_e46 + seen_6);
                         let _e48 = along_18;
@@ -11518,12 +11903,12 @@ impl<'g> Resources<'g> {
                         let _e60 = most_1;
                         if rt::Scalar::into_branch_condition(seen_6.elementwise_gt(_e60)) {
                             most_1 = seen_6;
-                            let _e62 = k_27;
+                            let _e62 = k_28;
                             heaviest = _e62;
                         }
                     }
-                    let _e63 = k_27;
-                    k_27 = (_e63 + rt::Scalar(1u32));
+                    let _e63 = k_28;
+                    k_28 = (_e63 + rt::Scalar(1u32));
                 }
             }
         }
@@ -11533,74 +11918,74 @@ impl<'g> Resources<'g> {
         let _e72 = cover_1;
         if rt::Scalar::into_branch_condition((!_e72.elementwise_lt(rt::Scalar(0.5f32)))) {
             let _e78 = along_18;
-            local_85 = _e78.elementwise_lt(rt::Scalar(0f32));
+            local_86 = _e78.elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_85 = rt::Scalar(true);
+            local_86 = rt::Scalar(true);
         }
-        let _e82 = local_85;
+        let _e82 = local_86;
         if rt::Scalar::into_branch_condition(_e82) {
             let _e83 = first_5;
             return _e83;
         }
         let _e84 = heaviest;
-        let _e85 = self.v_segment_of(pixel_80, at_74, _e84);
+        let _e85 = self.v_segment_of(pixel_80, at_76, _e84);
         let _e86 = along_18;
         let _e87 = cover_1;
         let t_41 = ((_e86 / _e87) - rt::Scalar(_e85.start));
         let _e93 = self.v_path_uv(_e85, t_41);
         let _e94 = self.v_path_height(_e85, t_41);
         let _e95 = cost_23;
-        let hit_59 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_41, _e95);
+        let hit_63 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_41, _e95);
         let _e97 = heaviest;
-        let _e98 = self.v_hit_on_segment(pixel_80, at_74, _e85, hit_59, _e97);
+        let _e98 = self.v_hit_on_segment(pixel_80, at_76, _e85, hit_63, _e97);
         return _e98;
     }
-    pub(crate) fn object_stage(&self, pixel_81: PixelIn, at_75: Entered) -> FirstHit {
-        rt::into(self.v_object_stage(pixel_81, at_75))
+    pub(crate) fn object_stage(&self, pixel_81: PixelIn, at_77: Entered) -> FirstHit {
+        rt::into(self.v_object_stage(pixel_81, at_77))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_stage(&self, pixel_81: PixelIn, at_75: Entered) -> FirstHit {
+    fn v_object_stage(&self, pixel_81: PixelIn, at_77: Entered) -> FirstHit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_object_none(pixel_81, at_75, _e11);
+                let _e12 = self.v_object_none(pixel_81, at_77, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_object_depth(pixel_81, at_75, _e17);
+                let _e18 = self.v_object_depth(pixel_81, at_77, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_object_hull(pixel_81, at_75, _e23);
+                let _e24 = self.v_object_hull(pixel_81, at_77, _e23);
                 return _e24;
             }
             _ => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_object_blend(pixel_81, at_75, _e29);
+                let _e30 = self.v_object_blend(pixel_81, at_77, _e29);
                 return _e30;
             }
         }
     }
-    pub(crate) fn first_hit(&self, pixel_82: PixelIn, at_76: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_82, at_76))
+    pub(crate) fn first_hit(&self, pixel_82: PixelIn, at_78: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_82, at_78))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_first_hit(&self, pixel_82: PixelIn, at_76: Entered) -> FirstHit {
-        let _e2 = self.v_object_stage(pixel_82, at_76);
+    fn v_first_hit(&self, pixel_82: PixelIn, at_78: Entered) -> FirstHit {
+        let _e2 = self.v_object_stage(pixel_82, at_78);
         return _e2;
     }
-    pub(crate) fn footprint_m(&self, at_77: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_77))
+    pub(crate) fn footprint_m(&self, at_79: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_79))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_footprint_m(&self, at_77: Entered) -> rt::Scalar<f32> {
+    fn v_footprint_m(&self, at_79: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_77.footprint) * at_77.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_79.footprint) * at_79.metric.x().sqrt()) / _e7.x());
     }
     pub(crate) fn near_uv(&self, uv_19: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_near_uv(rt::into(uv_19)))
@@ -11618,17 +12003,17 @@ impl<'g> Resources<'g> {
         }
         return uv_19;
     }
-    pub(crate) fn from_hit(&self, at_78: Entered, hit_21: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_78, hit_21, light_1))
+    pub(crate) fn from_hit(&self, at_80: Entered, hit_21: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_80, hit_21, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_from_hit(&self, at_78: Entered, hit_21: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_78, light_1.direction);
+    fn v_from_hit(&self, at_80: Entered, hit_21: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_80, light_1.direction);
         let _e6 = self.v_near_uv(hit_21.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_78.level));
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_80.level));
         let h_8 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_8, rt::Scalar(0f32), rt::Scalar(0f32), at_78.metric, RAY_SHADOW, rt::Scalar(at_78.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new(_e6, _e4.xy(), h_8, rt::Scalar(0f32), rt::Scalar(0f32), at_80.metric, RAY_SHADOW, rt::Scalar(at_80.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn way_out(&self, path_72: Path, light_2: Toward) -> f32 {
         rt::into(self.v_way_out(path_72, light_2))
@@ -11653,14 +12038,14 @@ impl<'g> Resources<'g> {
         let _e34 = way_6;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_79: Entered, hit_22: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_79, hit_22, light_3))
+    pub(crate) fn light_ray(&self, at_81: Entered, hit_22: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_81, hit_22, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_79: Entered, hit_22: Hit, light_3: Toward) -> LightRay {
-        let mut local_86: rt::Scalar<bool>;
+    fn v_light_ray(&self, at_81: Entered, hit_22: Hit, light_3: Toward) -> LightRay {
+        let mut local_87: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_79, hit_22, light_3);
+        let _e3 = self.v_from_hit(at_81, hit_22, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -11675,11 +12060,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.to_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_86 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
+            local_87 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_86 = rt::Scalar(true);
+            local_87 = rt::Scalar(true);
         }
-        let _e45 = local_86;
+        let _e45 = local_87;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -11762,13 +12147,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn free_way(&self, at_80: Entered, hit_23: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_80, hit_23, light_4))
+    pub(crate) fn free_way(&self, at_82: Entered, hit_23: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_82, hit_23, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_free_way(&self, at_80: Entered, hit_23: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_80, hit_23, light_4);
+    fn v_free_way(&self, at_82: Entered, hit_23: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_82, hit_23, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -11788,36 +12173,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn holds_filter(
         &self,
-        view_8: LightView,
+        view_10: LightView,
         place_15: impl rt::Into<rt::Vec3<f32>>,
         half: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_holds_filter(view_8, rt::into(place_15), rt::into(half)))
+        rt::into(self.v_holds_filter(view_10, rt::into(place_15), rt::into(half)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_holds_filter(
         &self,
-        view_8: LightView,
+        view_10: LightView,
         place_15: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_87: rt::Scalar<bool>;
         let mut local_88: rt::Scalar<bool>;
+        let mut local_89: rt::Scalar<bool>;
 
         let least_6 = (place_15.x().min(place_15.y()) - half);
         let most_15 = (place_15.x().max(place_15.y()) + half);
         if rt::Scalar::into_branch_condition(place_15.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_87 = least_6.elementwise_ge(rt::Scalar(0f32));
-        } else {
-            local_87 = rt::Scalar(false);
-        }
-        let _e19 = local_87;
-        if rt::Scalar::into_branch_condition(_e19) {
-            local_88 = most_15.elementwise_le(rt::Scalar(view_8.size).to_f32());
+            local_88 = least_6.elementwise_ge(rt::Scalar(0f32));
         } else {
             local_88 = rt::Scalar(false);
         }
-        let _e26 = local_88;
+        let _e19 = local_88;
+        if rt::Scalar::into_branch_condition(_e19) {
+            local_89 = most_15.elementwise_le(rt::Scalar(view_10.size).to_f32());
+        } else {
+            local_89 = rt::Scalar(false);
+        }
+        let _e26 = local_89;
         return _e26;
     }
     pub(crate) fn is_before(
@@ -11840,16 +12225,16 @@ impl<'g> Resources<'g> {
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_89: rt::Scalar<bool>;
+        let mut local_90: rt::Scalar<bool>;
 
         let low_8 = (plane.xyz().dot((position + (direction_5 * low_m))) + plane.w());
         let high_3 = (plane.xyz().dot((position + (direction_5 * high_m))) + plane.w());
         if rt::Scalar::into_branch_condition(low_8.elementwise_gt(rt::Scalar(0f32))) {
-            local_89 = high_3.elementwise_gt(rt::Scalar(0f32));
+            local_90 = high_3.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_89 = rt::Scalar(false);
+            local_90 = rt::Scalar(false);
         }
-        let _e24 = local_89;
+        let _e24 = local_90;
         return _e24;
     }
     pub(crate) fn is_left_out(
@@ -11873,37 +12258,37 @@ impl<'g> Resources<'g> {
         low_m_1: rt::Scalar<f32>,
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut k_28: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_90: rt::Scalar<bool>;
+        let mut k_29: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_91: rt::Scalar<bool>;
+        let mut local_92: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e8 = k_28;
+                let _e8 = k_29;
                 if rt::Scalar::into_branch_condition(_e8.elementwise_lt(rt::Scalar(5u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_28;
+                    let _e12 = k_29;
                     let plane_1 = grid_10.planes[rt::Scalar::into_array_index(_e12)];
-                    let _e14 = k_28;
-                    k_28 = (_e14 + rt::Scalar(1u32));
+                    let _e14 = k_29;
+                    k_29 = (_e14 + rt::Scalar(1u32));
                     let _e19 = self.v_is_before(plane_1, a_11.position, a_11.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
                         let _e24 = self.v_is_before(plane_1, b_11.position, b_11.direction, low_m_1, high_m_1);
-                        local_90 = _e24;
-                    } else {
-                        local_90 = rt::Scalar(false);
-                    }
-                    let _e26 = local_90;
-                    if rt::Scalar::into_branch_condition(_e26) {
-                        let _e31 = self.v_is_before(plane_1, c_8.position, c_8.direction, low_m_1, high_m_1);
-                        local_91 = _e31;
+                        local_91 = _e24;
                     } else {
                         local_91 = rt::Scalar(false);
                     }
-                    let _e33 = local_91;
+                    let _e26 = local_91;
+                    if rt::Scalar::into_branch_condition(_e26) {
+                        let _e31 = self.v_is_before(plane_1, c_8.position, c_8.direction, low_m_1, high_m_1);
+                        local_92 = _e31;
+                    } else {
+                        local_92 = rt::Scalar(false);
+                    }
+                    let _e33 = local_92;
                     if rt::Scalar::into_branch_condition(_e33) {
                         return rt::Scalar(true);
                     }
@@ -11914,111 +12299,111 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_place(
         &self,
-        view_9: LightView,
+        view_11: LightView,
         point_15: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_light_place(view_9, rt::into(point_15)))
+        rt::into(self.v_light_place(view_11, rt::into(point_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_place(
         &self,
-        view_9: LightView,
+        view_11: LightView,
         point_15: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_137 = <rt::Vec4<f32>>::new_31(point_15, rt::Scalar(1f32));
-        let depth_9 = view_9.depth.dot(at_137);
-        let over_3 = rt::Scalar(1f32).select(depth_9, rt::Scalar(view_9.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_9.column.dot(at_137), view_9.row.dot(at_137)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
+        let at_142 = <rt::Vec4<f32>>::new_31(point_15, rt::Scalar(1f32));
+        let depth_9 = view_11.depth.dot(at_142);
+        let over_3 = rt::Scalar(1f32).select(depth_9, rt::Scalar(view_11.from_point).elementwise_eq(rt::Scalar(1u32)));
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_11.column.dot(at_142), view_11.row.dot(at_142)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_81: Entered,
+        at_83: Entered,
         uv_20: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_81, rt::into(uv_20)))
+        rt::into(self.v_patch_normal(at_83, rt::into(uv_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
-        at_81: Entered,
+        at_83: Entered,
         uv_20: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_81.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_81.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_83.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_83.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_20, rt::Scalar(at_81.level));
+        let _e18 = self.v_height_and_slope(uv_20, rt::Scalar(at_83.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_81.tangent + (at_81.normal * (_e18.y() * _e24)));
+        let along_u_2 = (at_83.tangent + (at_83.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_81.bitangent + (at_81.normal * (_e18.z() * _e33)));
+        let along_v_2 = (at_83.bitangent + (at_83.normal * (_e18.z() * _e33)));
         let across_8 = along_v_2.cross(along_u_2).normalize();
-        return (across_8 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_8.dot(at_81.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_8 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_8.dot(at_83.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
-        view_10: LightView,
+        view_12: LightView,
         point_16: impl rt::Into<rt::Vec3<f32>>,
         normal_15: impl rt::Into<rt::Vec3<f32>>,
         texel_4: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_plane_depth(view_10, rt::into(point_16), rt::into(normal_15), rt::into(texel_4)))
+        rt::into(self.v_plane_depth(view_12, rt::into(point_16), rt::into(normal_15), rt::into(texel_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_depth(
         &self,
-        view_10: LightView,
+        view_12: LightView,
         point_16: rt::Vec3<f32>,
         normal_15: rt::Vec3<f32>,
         texel_4: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let corner_7 = ((view_10.corner.xyz() + (view_10.across.xyz() * texel_4.x())) + (view_10.along.xyz() * texel_4.y()));
-        if rt::Scalar::into_branch_condition(rt::Scalar(view_10.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_15.dot((point_16 - view_10.eye.xyz())) / normal_15.dot(corner_7));
+        let corner_7 = ((view_12.corner.xyz() + (view_12.across.xyz() * texel_4.x())) + (view_12.along.xyz() * texel_4.y()));
+        if rt::Scalar::into_branch_condition(rt::Scalar(view_12.from_point).elementwise_eq(rt::Scalar(1u32))) {
+            return (normal_15.dot((point_16 - view_12.eye.xyz())) / normal_15.dot(corner_7));
         }
-        return (normal_15.dot((point_16 - corner_7)) / normal_15.dot(view_10.depth.xyz()));
+        return (normal_15.dot((point_16 - corner_7)) / normal_15.dot(view_12.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
         place_16: impl rt::Into<rt::Vec2<i32>>,
-        view_11: impl rt::Into<rt::Scalar<i32>>,
+        view_13: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_light_texel(rt::into(place_16), rt::into(view_11)))
+        rt::into(self.v_light_texel(rt::into(place_16), rt::into(view_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_texel(
         &self,
         place_16: rt::Vec2<i32>,
-        view_11: rt::Scalar<i32>,
+        view_13: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_16, rt::Scalar::into_inner(view_11), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_16, rt::Scalar::into_inner(view_13), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4.x();
     }
     pub(crate) fn row_sees(
         &self,
-        at_82: InView,
+        at_84: InView,
         row_6: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_82, rt::into(row_6), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_84, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
-        at_82: InView,
+        at_84: InView,
         row_6: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_20 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_82.number))];
-        column = at_82.low.x().floor();
+        let view_25 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_84.number))];
+        column = at_84.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column;
@@ -12029,13 +12414,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column;
                     let _e24 = column;
-                    let wide_2 = (at_82.high.x().min((_e18 + rt::Scalar(1f32))) - at_82.low.x().max(_e24));
+                    let wide_2 = (at_84.high.x().min((_e18 + rt::Scalar(1f32))) - at_84.low.x().max(_e24));
                     let _e27 = column;
                     let place_26 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_20, at_82.point, at_82.normal, (place_26 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_10 = _e35.clamp(rt::Scalar(at_82.least_depth), rt::Scalar(at_82.most_depth));
-                    let key = (rt::Scalar(view_20.near) / (rt::Scalar(view_20.near) + depth_10.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_26.to_i32(), rt::Scalar(at_82.number).to_i32());
+                    let _e35 = self.v_plane_depth(view_25, at_84.point, at_84.normal, (place_26 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_10 = _e35.clamp(rt::Scalar(at_84.least_depth), rt::Scalar(at_84.most_depth));
+                    let key = (rt::Scalar(view_25.near) / (rt::Scalar(view_25.near) + depth_10.max(rt::Scalar(0f32))));
+                    let _e48 = self.v_light_texel(place_26.to_i32(), rt::Scalar(at_84.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -12051,19 +12436,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn seen_part(
         &self,
         number_11: impl rt::Into<rt::Scalar<u32>>,
-        at_83: Entered,
+        at_85: Entered,
         normal_16: impl rt::Into<rt::Vec3<f32>>,
         place_17: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_11), at_83, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_11), at_85, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
         number_11: rt::Scalar<u32>,
-        at_83: Entered,
+        at_85: Entered,
         normal_16: rt::Vec3<f32>,
         place_17: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
@@ -12072,20 +12457,20 @@ impl<'g> Resources<'g> {
         let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut row_7: rt::Scalar<f32>;
 
-        let view_21 = self.frame.light_views[rt::Scalar::into_array_index(number_11)];
-        let texel_m = (rt::Scalar(view_21.texel_m) * rt::Scalar(1f32).select(place_17.z(), rt::Scalar(view_21.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_83);
-        let point_28 = (at_83.point + (normal_16 * (bias * texel_m.max(_e19))));
+        let view_26 = self.frame.light_views[rt::Scalar::into_array_index(number_11)];
+        let texel_m = (rt::Scalar(view_26.texel_m) * rt::Scalar(1f32).select(place_17.z(), rt::Scalar(view_26.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let _e19 = self.v_footprint_m(at_85);
+        let point_28 = (at_85.point + (normal_16 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
         let low_9 = (place_17.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_4 = (low_9 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_9 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_21.size).to_f32(), rt::Scalar(view_21.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let last_10 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_26.size).to_f32(), rt::Scalar(view_26.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
         let in_view = <InView>::new(number_11, point_28, normal_16, low_9, high_4, (place_17.z() - reach_1), (place_17.z() + reach_1));
         row_7 = low_9.y().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e55 = row_7;
-                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_9.y())) {
+                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_10.y())) {
                 } else {
                     break 'naga_break;
                 }
@@ -12095,7 +12480,7 @@ impl<'g> Resources<'g> {
                     let tall = (high_4.y().min((_e59 + rt::Scalar(1f32))) - low_9.y().max(_e64));
                     let _e67 = seen;
                     let _e68 = row_7;
-                    let _e70 = self.v_row_sees(in_view, _e68, last_9.x());
+                    let _e70 = self.v_row_sees(in_view, _e68, last_10.x());
                     seen = (_e67 + (_e70 * tall));
                     let _e73 = row_7;
                     row_7 = (_e73 + rt::Scalar(1f32));
@@ -12107,58 +12492,58 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_84: Entered,
+        at_86: Entered,
         uv_21: impl rt::Into<rt::Vec2<f32>>,
         number_12: impl rt::Into<rt::Scalar<u32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_84, rt::into(uv_21), rt::into(number_12), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_86, rt::into(uv_21), rt::into(number_12), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
-        at_84: Entered,
+        at_86: Entered,
         uv_21: rt::Vec2<f32>,
         number_12: rt::Scalar<u32>,
         toward_1: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
         bias_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut k_29: rt::Scalar<u32>;
+        let mut k_30: rt::Scalar<u32>;
 
         let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_12)];
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_84, uv_21);
+        let _e14 = self.v_patch_normal(at_86, uv_21);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let width_6 = filter_texels.max(rt::Scalar(0.001f32));
-        k_29 = rt::Scalar(light_17.first_view);
+        k_30 = rt::Scalar(light_17.first_view);
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_29;
+                let _e24 = k_30;
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt((rt::Scalar(light_17.first_view) + rt::Scalar(light_17.views)))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = k_29;
+                    let _e31 = k_30;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_84.point);
-                    let _e38 = k_29;
+                    let _e35 = self.v_light_place(_e33, at_86.point);
+                    let _e38 = k_30;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_6));
                     if rt::Scalar::into_branch_condition(_e43) {
-                        let _e44 = k_29;
-                        let _e45 = self.v_seen_part(_e44, at_84, _e14, _e35, width_6, bias_1);
+                        let _e44 = k_30;
+                        let _e45 = self.v_seen_part(_e44, at_86, _e14, _e35, width_6, bias_1);
                         return _e45;
                     }
-                    let _e46 = k_29;
-                    k_29 = (_e46 + rt::Scalar(1u32));
+                    let _e46 = k_30;
+                    k_30 = (_e46 + rt::Scalar(1u32));
                 }
             }
         }
@@ -12214,54 +12599,54 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_85: Entered,
+        at_87: Entered,
         v_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_85, rt::into(v_1)))
+        rt::into(self.v_to_tangent_space(at_87, rt::into(v_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_to_tangent_space(
         &self,
-        at_85: Entered,
+        at_87: Entered,
         v_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_85.tangent.normalize();
-        let along_v_3 = at_85.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_85.normal.dot(v_1));
+        let along_u_3 = at_87.tangent.normalize();
+        let along_v_3 = at_87.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_87.normal.dot(v_1));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_86: Entered,
+        at_88: Entered,
         uv_22: impl rt::Into<rt::Vec2<f32>>,
-        level_22: impl rt::Into<rt::Scalar<u32>>,
+        level_33: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_86, rt::into(uv_22), rt::into(level_22)))
+        rt::into(self.v_normals_of_level(at_88, rt::into(uv_22), rt::into(level_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_86: Entered,
+        at_88: Entered,
         uv_22: rt::Vec2<f32>,
-        level_22: rt::Scalar<u32>,
+        level_33: rt::Scalar<u32>,
     ) -> Normals {
-        if rt::Scalar::into_branch_condition(level_22.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_86, uv_22);
-            let _e6 = self.v_to_tangent_space(at_86, _e5);
+        if rt::Scalar::into_branch_condition(level_33.elementwise_eq(rt::Scalar(0u32))) {
+            let _e5 = self.v_finest_normal(at_88, uv_22);
+            let _e6 = self.v_to_tangent_space(at_88, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_22, rt::Scalar(0i32), level_22);
-            let _e16 = self.v_normal_at(uv_22, rt::Scalar(1i32), level_22);
+            let _e14 = self.v_normal_at(uv_22, rt::Scalar(0i32), level_33);
+            let _e16 = self.v_normal_at(uv_22, rt::Scalar(1i32), level_33);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_7 = ((tile.x() * at_86.tangent.normalize().dot(at_86.tangent)) / at_86.tangent.dot(at_86.tangent));
-        let y_5 = ((tile.y() * at_86.bitangent.normalize().dot(at_86.bitangent)) / at_86.bitangent.dot(at_86.bitangent));
-        let _e44 = self.v_normal_at(uv_22, rt::Scalar(0i32), (level_22 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_22, rt::Scalar(1i32), (level_22 - rt::Scalar(1u32)));
+        let x_7 = ((tile.x() * at_88.tangent.normalize().dot(at_88.tangent)) / at_88.tangent.dot(at_88.tangent));
+        let y_5 = ((tile.y() * at_88.bitangent.normalize().dot(at_88.bitangent)) / at_88.bitangent.dot(at_88.bitangent));
+        let _e44 = self.v_normal_at(uv_22, rt::Scalar(0i32), (level_33 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_22, rt::Scalar(1i32), (level_33 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_7), (_e44.y() * y_5), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
         let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_7) * x_7), ((_e48.y() * x_7) * y_5), ((_e48.z() * y_5) * y_5)) * longer_1);
@@ -12277,36 +12662,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_87: Entered,
+        at_89: Entered,
         normals: Normals,
-        view_12: impl rt::Into<rt::Vec3<f32>>,
+        view_14: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_87, normals, rt::into(view_12)))
+        rt::into(self.v_seen_normals(at_89, normals, rt::into(view_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_87: Entered,
+        at_89: Entered,
         normals: Normals,
-        view_12: rt::Vec3<f32>,
+        view_14: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let first_16 = normals.first;
+        let first_17 = normals.first;
         let second_5 = normals.second;
-        let slope_12 = <rt::Vec2<f32>>::from_scalars(first_16.w(), second_5.w());
-        let upright_1 = first_16.z().max(rt::Scalar(0.05f32));
-        let x_8 = (first_16.x() / upright_1);
-        let y_6 = (first_16.y() / upright_1);
+        let slope_12 = <rt::Vec2<f32>>::from_scalars(first_17.w(), second_5.w());
+        let upright_1 = first_17.z().max(rt::Scalar(0.05f32));
+        let x_8 = (first_17.x() / upright_1);
+        let y_6 = (first_17.y() / upright_1);
         let a_28 = ((second_5.x() / upright_1) - (x_8 * x_8)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
         let b_28 = (((second_5.y() / upright_1) - (x_8 * y_6)) / a_28);
         let spread = ((second_5.z() / upright_1) - (y_6 * y_6)).max(rt::Scalar(0f32));
         let d_2 = (spread - (b_28 * b_28)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_16.x())) - (first_16.xyz() * slope_12.x()));
-        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_16.y())) - (first_16.xyz() * slope_12.y()));
+        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_17.x())) - (first_17.xyz() * slope_12.x()));
+        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_17.y())) - (first_17.xyz() * slope_12.y()));
         let most_16 = ((a_28 * a_28) + spread).sqrt().min(rt::Scalar(1f32));
         let along_38 = (with_x / rt::Vec3::splat_from_scalar(a_28.max((with_x.length() / most_16))));
         let rest_9 = (with_y - (along_38 * b_28));
         let across_9 = (rest_9 / rt::Vec3::splat_from_scalar(d_2.max((rest_9.length() / most_16))));
-        let _e77 = self.v_to_tangent_space(at_87, view_12);
+        let _e77 = self.v_to_tangent_space(at_89, view_14);
         let middle_15 = (_e77.z() - _e77.xy().dot(slope_12));
         let _e91 = self.v_facing_four(middle_15, (-((_e77.x() * a_28) + (_e77.y() * b_28))), (-(_e77.y() * d_2)));
         let one = middle_15.max(rt::Scalar(0f32));
@@ -12314,36 +12699,36 @@ impl<'g> Resources<'g> {
         let _e95 = self.v_mean_of_five(one, _e94);
         let all_1 = _e95.max(rt::Scalar(0.001f32));
         let aside_8 = ((along_38 * ((_e91.x() - _e91.y()) / all_1)) + (across_9 * ((_e91.z() - _e91.w()) / all_1)));
-        let _e113 = self.v_from_tangent_space(at_87, (first_16.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
+        let _e113 = self.v_from_tangent_space(at_89, (first_17.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_16.xyz(), along_38, across_9, slope_12, <rt::Vec2<f32>>::from_scalars(a_28, b_28), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_17.xyz(), along_38, across_9, slope_12, <rt::Vec2<f32>>::from_scalars(a_28, b_28), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_88: Entered) -> f32 {
-        rt::into(self.v_table_part(at_88))
+    pub(crate) fn table_part(&self, at_90: Entered) -> f32 {
+        rt::into(self.v_table_part(at_90))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_table_part(&self, at_88: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_90: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_88.fade) * ((rt::Scalar(at_88.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_90.fade) * ((rt::Scalar(at_90.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_89: Entered,
+        at_91: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_89, seen_1, table, rt::into(part_6)))
+        rt::into(self.v_with_table(at_91, seen_1, table, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_with_table(
         &self,
-        at_89: Entered,
+        at_91: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: rt::Scalar<f32>,
@@ -12352,7 +12737,7 @@ impl<'g> Resources<'g> {
 
         told = seen_1;
         let before_4 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_89, table.mean);
+        let _e9 = self.v_from_tangent_space(at_91, table.mean);
         let mean_4 = (before_4 + ((_e9 - before_4) * part_6));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
@@ -12384,9 +12769,9 @@ impl<'g> Resources<'g> {
         uv_23: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
-        level_23: impl rt::Into<rt::Scalar<u32>>,
+        level_34: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_23), rt::into(azimuth), rt::into(elevation), rt::into(level_23)))
+        rt::into(self.v_seen_texel(rt::into(uv_23), rt::into(azimuth), rt::into(elevation), rt::into(level_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12395,11 +12780,11 @@ impl<'g> Resources<'g> {
         uv_23: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
-        level_23: rt::Scalar<u32>,
+        level_34: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_23, layer_8, level_23);
-        let _e12 = self.v_detail_texel_between(uv_23, (layer_8 + rt::Scalar(1i32)), level_23);
+        let _e9 = self.v_detail_texel_between(uv_23, layer_8, level_34);
+        let _e12 = self.v_detail_texel_between(uv_23, (layer_8 + rt::Scalar(1i32)), level_34);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
@@ -12430,22 +12815,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_90: Entered,
+        at_92: Entered,
         uv_25: impl rt::Into<rt::Vec2<f32>>,
-        view_13: impl rt::Into<rt::Vec3<f32>>,
+        view_15: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_90, rt::into(uv_25), rt::into(view_13), levels_2))
+        rt::into(self.v_table_of(at_92, rt::into(uv_25), rt::into(view_15), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_90: Entered,
+        at_92: Entered,
         uv_25: rt::Vec2<f32>,
-        view_13: rt::Vec3<f32>,
+        view_15: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_90, view_13);
+        let _e4 = self.v_climb(at_92, view_15);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_7 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
@@ -12465,8 +12850,8 @@ impl<'g> Resources<'g> {
         let _e52 = self.v_seen_in_levels(uv_25, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_10);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_9 = ((tile_1.x() * at_90.tangent.normalize().dot(at_90.tangent)) / at_90.tangent.dot(at_90.tangent));
-        let y_7 = ((tile_1.y() * at_90.bitangent.normalize().dot(at_90.bitangent)) / at_90.bitangent.dot(at_90.bitangent));
+        let x_9 = ((tile_1.x() * at_92.tangent.normalize().dot(at_92.tangent)) / at_92.tangent.dot(at_92.tangent));
+        let y_7 = ((tile_1.y() * at_92.bitangent.normalize().dot(at_92.bitangent)) / at_92.bitangent.dot(at_92.bitangent));
         let mean_5 = _e56.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_9), (mean_5.y() * y_7), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
@@ -12475,51 +12860,51 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_91: Entered,
+        at_93: Entered,
         uv_26: impl rt::Into<rt::Vec2<f32>>,
-        view_14: impl rt::Into<rt::Vec3<f32>>,
+        view_16: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_91, rt::into(uv_26), rt::into(view_14)))
+        rt::into(self.v_mesostructure_normals(at_93, rt::into(uv_26), rt::into(view_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_91: Entered,
+        at_93: Entered,
         uv_26: rt::Vec2<f32>,
-        view_14: rt::Vec3<f32>,
+        view_16: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_92: rt::Scalar<bool>;
+        let mut local_93: rt::Scalar<bool>;
         let mut first_6: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
         let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_91.normal);
+            let _e9 = self.v_one_seen(at_93.normal);
             return _e9;
         }
-        let upright_3 = at_91.normal.dot(view_14);
+        let upright_3 = at_93.normal.dot(view_16);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_91.fade)));
+        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_93.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_6 = ((rt::Scalar(at_91.footprint) * _e22) * width_7);
+        let texels_6 = ((rt::Scalar(at_93.footprint) * _e22) * width_7);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_6, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_92 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
+            local_93 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_92 = rt::Scalar(false);
+            local_93 = rt::Scalar(false);
         }
-        let _e39 = local_92;
+        let _e39 = local_93;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_91, uv_26);
+            let _e40 = self.v_finest_normal(at_93, uv_26);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_91, uv_26, rt::Scalar(_e28.fine));
+        let _e43 = self.v_normals_of_level(at_93, uv_26, rt::Scalar(_e28.fine));
         first_6 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_91, uv_26, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e54 = self.v_normals_of_level(at_93, uv_26, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
             let _e55 = first_6;
             let _e57 = first_6;
             first_6 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
@@ -12529,15 +12914,15 @@ impl<'g> Resources<'g> {
         }
         let _e69 = first_6;
         let _e70 = second;
-        let _e72 = self.v_seen_normals(at_91, <Normals>::new(_e69, _e70), view_14);
-        let _e73 = self.v_table_part(at_91);
+        let _e72 = self.v_seen_normals(at_93, <Normals>::new(_e69, _e70), view_16);
+        let _e73 = self.v_table_part(at_93);
         if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
             let _e79 = rt::Scalar(self.surface_settings.height_levels);
-            let _e80 = self.v_levels_of(rt::Scalar(at_91.footprint), _e79);
+            let _e80 = self.v_levels_of(rt::Scalar(at_93.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_91, uv_26, view_14, _e80);
-                let _e83 = self.v_with_table(at_91, _e72, _e82, _e73);
+                let _e82 = self.v_table_of(at_93, uv_26, view_16, _e80);
+                let _e83 = self.v_with_table(at_93, _e72, _e82, _e73);
                 return _e83;
             }
         }
@@ -12545,63 +12930,63 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_92: Entered,
+        at_94: Entered,
         hit_24: Hit,
         light_5: Toward,
-        params_73: impl rt::Into<rt::Vec4<f32>>,
+        params_81: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_92, hit_24, light_5, rt::into(params_73)))
+        rt::into(self.v_shadow_ray(at_94, hit_24, light_5, rt::into(params_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_ray(
         &self,
-        at_92: Entered,
+        at_94: Entered,
         hit_24: Hit,
         light_5: Toward,
-        params_73: rt::Vec4<f32>,
+        params_81: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_92, hit_24, light_5);
+        let _e4 = self.v_free_way(at_94, hit_24, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_93: Entered,
+        at_95: Entered,
         hit_25: Hit,
         light_6: Toward,
-        params_74: impl rt::Into<rt::Vec4<f32>>,
+        params_82: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_93, hit_25, light_6, rt::into(params_74)))
+        rt::into(self.v_shadow_none(at_95, hit_25, light_6, rt::into(params_82)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_none(
         &self,
-        at_93: Entered,
+        at_95: Entered,
         hit_25: Hit,
         light_6: Toward,
-        params_74: rt::Vec4<f32>,
+        params_82: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_94: Entered,
+        at_96: Entered,
         hit_26: Hit,
         light_7: Toward,
-        params_75: impl rt::Into<rt::Vec4<f32>>,
+        params_83: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_94, hit_26, light_7, rt::into(params_75)))
+        rt::into(self.v_shadow_entry(at_96, hit_26, light_7, rt::into(params_83)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_94: Entered,
+        at_96: Entered,
         hit_26: Hit,
         light_7: Toward,
-        params_75: rt::Vec4<f32>,
+        params_83: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_94, hit_26, light_7);
+        let _e4 = self.v_from_hit(at_96, hit_26, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -12620,7 +13005,7 @@ impl<'g> Resources<'g> {
         }
         let _e52 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_4 = ((_e42.uv - _e4.uv).abs() * _e52);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_75.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_83.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -12669,8 +13054,8 @@ impl<'g> Resources<'g> {
     fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let x_10 = (turn_1 * rt::Scalar(6.2831855f32));
         let s_2 = (x_10 * x_10);
-        let last_10 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
-        return (x_10 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_10)))))));
+        let last_11 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
+        return (x_10 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_11)))))));
     }
     pub(crate) fn sine_of(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_2)))
@@ -12696,10 +13081,10 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: impl rt::Into<rt::Scalar<u32>>,
-        k_30: impl rt::Into<rt::Scalar<u32>>,
+        k_31: impl rt::Into<rt::Scalar<u32>>,
         count_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_30), rt::into(count_4)))
+        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_31), rt::into(count_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12707,14 +13092,14 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: rt::Scalar<u32>,
-        k_30: rt::Scalar<u32>,
+        k_31: rt::Scalar<u32>,
         count_4: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_1 + k_30) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_1 + k_31) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_30.to_f32() + _e9) / count_4.to_f32());
+        let ring = ((k_31.to_f32() + _e9) / count_4.to_f32());
         let _e16 = self.v_unit_of(seed_1);
-        let _e18 = self.v_turned_1(((k_30.to_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let _e18 = self.v_turned_1(((k_31.to_f32() * rt::Scalar(0.618034f32)) + _e16));
         let place_28 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_4 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
@@ -12725,41 +13110,41 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_95: Entered,
+        at_97: Entered,
         hit_28: Hit,
         light_9: Toward,
-        params_76: impl rt::Into<rt::Vec4<f32>>,
+        params_84: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_95, hit_28, light_9, rt::into(params_76)))
+        rt::into(self.v_shadow_soft(at_97, hit_28, light_9, rt::into(params_84)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_95: Entered,
+        at_97: Entered,
         hit_28: Hit,
         light_9: Toward,
-        params_76: rt::Vec4<f32>,
+        params_84: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_31: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_32: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_7 = params_76.x().to_u32();
+        let count_7 = params_84.x().to_u32();
         let _e6 = self.v_seed_of(hit_28);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_31;
+                let _e11 = k_32;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_7)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_31;
+                    let _e14 = k_32;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_7);
-                    let _e16 = self.v_free_way(at_95, hit_28, _e15);
+                    let _e16 = self.v_free_way(at_97, hit_28, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_31;
-                    k_31 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_32;
+                    k_32 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
@@ -12768,57 +13153,57 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_96: Entered,
+        at_98: Entered,
         hit_29: Hit,
         light_10: Toward,
-        params_77: impl rt::Into<rt::Vec4<f32>>,
+        params_85: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_96, hit_29, light_10, rt::into(params_77)))
+        rt::into(self.v_shadow_heuristic(at_98, hit_29, light_10, rt::into(params_85)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_96: Entered,
+        at_98: Entered,
         hit_29: Hit,
         light_10: Toward,
-        params_77: rt::Vec4<f32>,
+        params_85: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_32: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_33: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_96, hit_29, light_10);
+        let _e4 = self.v_from_hit(at_98, hit_29, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let _e11 = self.v_way_out(_e4, light_10);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_32;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_77.x())) {
+                let _e16 = k_33;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_85.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_32;
-                    let part_21 = (_e19 / params_77.x());
+                    let _e19 = k_33;
+                    let part_21 = (_e19 / params_85.x());
                     let _e22 = most_2;
                     let _e24 = self.v_path_gap(_e4, (part_21 * _e11));
                     most_2 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_21)));
-                    let _e31 = k_32;
-                    k_32 = (_e31 + rt::Scalar(1f32));
+                    let _e31 = k_33;
+                    k_33 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_2;
-        return (rt::Scalar(1f32) - (params_77.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_85.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
         place_18: impl rt::Into<rt::Vec2<i32>>,
         layer_6: impl rt::Into<rt::Scalar<i32>>,
-        level_24: impl rt::Into<rt::Scalar<i32>>,
+        level_35: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_18), rt::into(layer_6), rt::into(level_24)))
+        rt::into(self.v_shadow_texel(rt::into(place_18), rt::into(layer_6), rt::into(level_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12826,9 +13211,9 @@ impl<'g> Resources<'g> {
         &self,
         place_18: rt::Vec2<i32>,
         layer_6: rt::Scalar<i32>,
-        level_24: rt::Scalar<i32>,
+        level_35: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_18, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_24));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_18, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_35));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -12837,9 +13222,9 @@ impl<'g> Resources<'g> {
         &self,
         uv_27: impl rt::Into<rt::Vec2<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
-        level_25: impl rt::Into<rt::Scalar<u32>>,
+        level_36: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_27), rt::into(layer_7), rt::into(level_25)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_27), rt::into(layer_7), rt::into(level_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12847,11 +13232,11 @@ impl<'g> Resources<'g> {
         &self,
         uv_27: rt::Vec2<f32>,
         layer_7: rt::Scalar<i32>,
-        level_25: rt::Scalar<u32>,
+        level_36: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_25);
+        let _e3 = self.v_height_texels(level_36);
         let _e4 = self.v_texels_around(uv_27, _e3);
-        let k_45 = level_25.to_i32();
+        let k_45 = level_36.to_i32();
         let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_45);
         let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_45);
         let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_45);
@@ -12865,16 +13250,16 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_own_slope(&self, way_7: Path) -> rt::Scalar<f32> {
-        let mut level_26: Path;
+        let mut level_37: Path;
 
         let _e1 = self.v_grid_of(way_7);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_16 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_26 = way_7;
-        level_26.h = <rt::Vec3<f32>>::from_scalars(way_7.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_26.exit) = end_16;
-        let _e18 = level_26;
+        level_37 = way_7;
+        level_37.h = <rt::Vec3<f32>>::from_scalars(way_7.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        rt::Scalar(level_37.exit) = end_16;
+        let _e18 = level_37;
         let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_7.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_16))));
@@ -12891,42 +13276,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_97: Entered,
+        at_99: Entered,
         hit_30: Hit,
         light_11: Toward,
-        params_78: impl rt::Into<rt::Vec4<f32>>,
+        params_86: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_97, hit_30, light_11, rt::into(params_78)))
+        rt::into(self.v_shadow_horizon(at_99, hit_30, light_11, rt::into(params_86)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_97: Entered,
+        at_99: Entered,
         hit_30: Hit,
         light_11: Toward,
-        params_78: rt::Vec4<f32>,
+        params_86: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_97, light_11.direction);
+        let _e5 = self.v_climb(at_99, light_11.direction);
         let map_6 = self.surface_settings.maps[3usize];
         let along_40 = (_e5.xy() * map_6.tile_m);
         let _e13 = self.v_turn_of(along_40);
-        let azimuth_4 = (_e13 * params_78.x());
-        let first_17 = azimuth_4.floor();
-        let count_8 = params_78.x().to_i32();
-        let before_5 = (first_17.to_i32() % count_8);
-        let part_22 = (azimuth_4 - first_17);
-        let _e24 = self.v_shadow_texel_between(hit_30.uv, before_5, rt::Scalar(at_97.level));
+        let azimuth_4 = (_e13 * params_86.x());
+        let first_18 = azimuth_4.floor();
+        let count_8 = params_86.x().to_i32();
+        let before_5 = (first_18.to_i32() % count_8);
+        let part_22 = (azimuth_4 - first_18);
+        let _e24 = self.v_shadow_texel_between(hit_30.uv, before_5, rt::Scalar(at_99.level));
         let low_10 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_30.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_97.level));
+        let _e31 = self.v_shadow_texel_between(hit_30.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_99.level));
         let sine_1 = (low_10 + ((_e31.x() - low_10) * part_22));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
         let far_14 = (squared_4 * along_40.dot(along_40)).sqrt();
-        let _e48 = self.v_from_hit(at_97, hit_30, light_11);
+        let _e48 = self.v_from_hit(at_99, hit_30, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_9 = (_e49 * _e52);
         let horizon = far_14.max(near_9);
-        let up_6 = at_97.normal.dot(light_11.direction);
+        let up_6 = at_99.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
@@ -12940,45 +13325,45 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn open_part(
         &self,
-        at_98: Entered,
+        at_100: Entered,
         hit_31: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_98, hit_31, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_100, hit_31, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_open_part(
         &self,
-        at_98: Entered,
+        at_100: Entered,
         hit_31: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_31.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_98.level));
+        let _e9 = self.v_shadow_texel_between(hit_31.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_100.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_99: Entered,
+        at_101: Entered,
         hit_32: Hit,
         light_12: Toward,
-        params_79: impl rt::Into<rt::Vec4<f32>>,
+        params_87: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_99, hit_32, light_12, rt::into(params_79)))
+        rt::into(self.v_shadow_visibility(at_101, hit_32, light_12, rt::into(params_87)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_99: Entered,
+        at_101: Entered,
         hit_32: Hit,
         light_12: Toward,
-        params_79: rt::Vec4<f32>,
+        params_87: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_99, light_12.direction);
+        let _e5 = self.v_climb(at_101, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -12987,14 +13372,14 @@ impl<'g> Resources<'g> {
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_19 = (_e5.z() * _e21);
         let squared_5 = ((height_19 * height_19) / (along_41.dot(along_41) + (height_19 * height_19)));
-        let azimuths = params_79.x().to_i32();
-        let elevations_1 = params_79.y().to_i32();
+        let azimuths = params_87.x().to_i32();
+        let elevations_1 = params_87.y().to_i32();
         let _e32 = self.v_turn_of(along_41);
-        let azimuth_5 = (_e32 * params_79.x());
-        let elevation_4 = ((squared_5 * params_79.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_79.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_79.z().elementwise_lt(rt::Scalar(2f32))) {
+        let azimuth_5 = (_e32 * params_87.x());
+        let elevation_4 = ((squared_5 * params_87.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_87.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_87.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_29 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_99, hit_32, a_29, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_101, hit_32, a_29, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().to_i32() % azimuths);
@@ -13003,160 +13388,160 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_99, hit_32, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_99, hit_32, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_101, hit_32, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_101, hit_32, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_99, hit_32, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_101, hit_32, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_99, hit_32, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_101, hit_32, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_100: Entered,
+        at_102: Entered,
         hit_33: Hit,
         light_13: Toward,
-        params_80: impl rt::Into<rt::Vec4<f32>>,
+        params_88: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_100, hit_33, light_13, rt::into(params_80)))
+        rt::into(self.v_shadow_map(at_102, hit_33, light_13, rt::into(params_88)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_map(
         &self,
-        at_100: Entered,
+        at_102: Entered,
         hit_33: Hit,
         light_13: Toward,
-        params_80: rt::Vec4<f32>,
+        params_88: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_100, hit_33.uv, rt::Scalar(light_13.number), light_13.direction, params_80.z(), params_80.w());
+        let _e9 = self.v_light_seen(at_102, hit_33.uv, rt::Scalar(light_13.number), light_13.direction, params_88.z(), params_88.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_101: Entered,
+        at_103: Entered,
         hit_34: Hit,
         light_14: Toward,
-        params_81: impl rt::Into<rt::Vec4<f32>>,
+        params_89: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_101, hit_34, light_14, rt::into(params_81)))
+        rt::into(self.v_shadow_scene(at_103, hit_34, light_14, rt::into(params_89)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_scene(
         &self,
-        at_101: Entered,
+        at_103: Entered,
         hit_34: Hit,
         light_14: Toward,
-        params_81: rt::Vec4<f32>,
+        params_89: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_102: Entered, hit_35: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_102, hit_35, light_15))
+    pub(crate) fn shadow_stage(&self, at_104: Entered, hit_35: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_104, hit_35, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_102: Entered, hit_35: Hit, light_15: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_104: Entered, hit_35: Hit, light_15: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[8usize].params;
-                let _e13 = self.v_shadow_ray(at_102, hit_35, light_15, _e12);
+                let _e13 = self.v_shadow_ray(at_104, hit_35, light_15, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[8usize].params;
-                let _e19 = self.v_shadow_none(at_102, hit_35, light_15, _e18);
+                let _e19 = self.v_shadow_none(at_104, hit_35, light_15, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[8usize].params;
-                let _e25 = self.v_shadow_entry(at_102, hit_35, light_15, _e24);
+                let _e25 = self.v_shadow_entry(at_104, hit_35, light_15, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[8usize].params;
-                let _e31 = self.v_shadow_soft(at_102, hit_35, light_15, _e30);
+                let _e31 = self.v_shadow_soft(at_104, hit_35, light_15, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[8usize].params;
-                let _e37 = self.v_shadow_heuristic(at_102, hit_35, light_15, _e36);
+                let _e37 = self.v_shadow_heuristic(at_104, hit_35, light_15, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[8usize].params;
-                let _e43 = self.v_shadow_horizon(at_102, hit_35, light_15, _e42);
+                let _e43 = self.v_shadow_horizon(at_104, hit_35, light_15, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[8usize].params;
-                let _e49 = self.v_shadow_visibility(at_102, hit_35, light_15, _e48);
+                let _e49 = self.v_shadow_visibility(at_104, hit_35, light_15, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[8usize].params;
-                let _e55 = self.v_shadow_map(at_102, hit_35, light_15, _e54);
+                let _e55 = self.v_shadow_map(at_104, hit_35, light_15, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[8usize].params;
-                let _e61 = self.v_shadow_scene(at_102, hit_35, light_15, _e60);
+                let _e61 = self.v_shadow_scene(at_104, hit_35, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_83: PixelIn, at_103: Entered, hit_36: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_83, at_103, hit_36))
+    pub(crate) fn mirrored_light(&self, pixel_83: PixelIn, at_105: Entered, hit_36: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_83, at_105, hit_36))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_83: PixelIn, at_103: Entered, hit_36: Hit) -> rt::Scalar<f32> {
+    fn v_mirrored_light(&self, pixel_83: PixelIn, at_105: Entered, hit_36: Hit) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_36.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
         let down_2 = pixel_83.direction.normalize();
-        let up_7 = (down_2 - (at_103.normal * (rt::Scalar(2f32) * down_2.dot(at_103.normal))));
-        let _e24 = self.v_shadow_stage(at_103, hit_36, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
+        let up_7 = (down_2 - (at_105.normal * (rt::Scalar(2f32) * down_2.dot(at_105.normal))));
+        let _e24 = self.v_shadow_stage(at_105, hit_36, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
-    pub(crate) fn normal_of_frames(&self, at_104: Entered, frames_2: Frames) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_frames(at_104, frames_2))
+    pub(crate) fn normal_of_frames(&self, at_106: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_frames(at_106, frames_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_of_frames(&self, at_104: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+    fn v_normal_of_frames(&self, at_106: Entered, frames_2: Frames) -> rt::Vec3<f32> {
         let mut sum_3: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let mut k_33: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_34: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut seen_2: Entered;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e9 = k_33;
+                let _e9 = k_34;
                 if rt::Scalar::into_branch_condition(_e9.elementwise_lt(FRAMES)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e12 = k_33;
+                    let _e12 = k_34;
                     let _e13 = self.v_frame_number(frames_2, _e12);
                     let _e14 = self.v_image_of_object(_e13);
-                    seen_2 = at_104;
+                    seen_2 = at_106;
                     let _e17 = self.v_tangent_of_image(_e14);
                     seen_2.tangent = _e17;
                     let _e19 = self.v_bitangent_of_image(_e14);
                     seen_2.bitangent = _e19;
                     seen_2.normal = _e14.toward;
-                    let _e23 = self.v_place_in_image(_e14, at_104.point);
+                    let _e23 = self.v_place_in_image(_e14, at_106.point);
                     let uv_37 = _e23.xy();
                     let _e25 = sum_3;
                     let _e26 = seen_2;
                     let _e27 = self.v_finest_normal(_e26, uv_37);
-                    let _e28 = k_33;
+                    let _e28 = k_34;
                     let _e29 = self.v_frame_weight(frames_2, _e28);
                     sum_3 = (_e25 + (_e27 * _e29));
-                    let _e32 = k_33;
-                    k_33 = (_e32 + rt::Scalar(1u32));
+                    let _e32 = k_34;
+                    k_34 = (_e32 + rt::Scalar(1u32));
                 }
             }
         }
@@ -13167,7 +13552,7 @@ impl<'g> Resources<'g> {
             let _e40 = sum_3;
             return (_e40 / rt::Vec3::splat_from_scalar(square_4.sqrt()));
         }
-        return at_104.normal;
+        return at_106.normal;
     }
     pub(crate) fn normal_of_mask(&self, image_12: Image, hit_37: Hit) -> rt::Vec3<f32> {
         rt::into(self.v_normal_of_mask(image_12, hit_37))
@@ -13175,10 +13560,10 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_of_mask(&self, image_12: Image, hit_37: Hit) -> rt::Vec3<f32> {
         let _e4 = self.v_height_size(rt::Scalar(0u32));
-        let at_138 = ((hit_37.uv * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e10 = self.v_cell_of(at_138);
-        let _e13 = self.v_grid_cell(_e10.to_i32(), rt::Scalar(0u32));
-        let part_23 = (at_138 - _e10);
+        let at_143 = ((hit_37.uv * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e10 = self.v_cell_of(at_143);
+        let _e13 = self.v_object_cell_stage(_e10.to_i32(), rt::Scalar(0u32));
+        let part_23 = (at_143 - _e10);
         let rise_u_2 = (((_e13.y() - _e13.x()) * (rt::Scalar(1f32) - part_23.y())) + ((_e13.w() - _e13.z()) * part_23.y()));
         let rise_v_2 = (((_e13.z() - _e13.x()) * (rt::Scalar(1f32) - part_23.x())) + ((_e13.w() - _e13.y()) * part_23.x()));
         let place_29 = ((hit_37.uv - image_12.corner) / image_12.extent);
@@ -13191,147 +13576,136 @@ impl<'g> Resources<'g> {
         }
         return image_12.toward;
     }
-    pub(crate) fn object_color(
+    pub(crate) fn object_blend_color(
         &self,
-        at_105: Entered,
-        view_15: impl rt::Into<rt::Vec3<f32>>,
-        asked_1: impl rt::Into<rt::Scalar<bool>>,
+        at_107: Entered,
+        hit_38: Hit,
+        view_17: impl rt::Into<rt::Vec3<f32>>,
+        params_90: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color(at_105, rt::into(view_15), rt::into(asked_1)))
+        rt::into(self.v_object_blend_color(at_107, hit_38, rt::into(view_17), rt::into(params_90)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_color(
+    #[inline(always)]
+    fn v_object_blend_color(
         &self,
-        at_105: Entered,
-        view_15: rt::Vec3<f32>,
-        asked_1: rt::Scalar<bool>,
+        at_107: Entered,
+        hit_38: Hit,
+        view_17: rt::Vec3<f32>,
+        params_90: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let mut angle1_: rt::Scalar<f32> = rt::Scalar(4f32);
-        let mut angle2_: rt::Scalar<f32> = rt::Scalar(4f32);
-        let mut angle3_: rt::Scalar<f32> = rt::Scalar(4f32);
-        let mut angle4_: rt::Scalar<f32> = rt::Scalar(4f32);
-        let mut image1_: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut image2_: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut image3_: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut k_34: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut weight1_: rt::Scalar<f32>;
-        let mut weight2_: rt::Scalar<f32>;
-        let mut weight3_: rt::Scalar<f32>;
-
-        'naga_break: loop {
-            'naga_continue: {
-                let _e19 = k_34;
-                let _e22 = rt::Scalar(self.surface_settings.images);
-                if rt::Scalar::into_branch_condition(_e19.elementwise_lt(_e22)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e24 = k_34;
-                    let _e25 = self.v_image_of_object(_e24);
-                    let _e27 = self.v_angle_to_image(_e25, at_105.point, view_15, asked_1);
-                    let _e28 = angle1_;
-                    if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e28)) {
-                        let _e30 = angle3_;
-                        angle4_ = _e30;
-                        let _e31 = angle2_;
-                        angle3_ = _e31;
-                        let _e32 = image2_;
-                        image3_ = _e32;
-                        let _e33 = angle1_;
-                        angle2_ = _e33;
-                        let _e34 = image1_;
-                        image2_ = _e34;
-                        angle1_ = _e27;
-                        let _e35 = k_34;
-                        image1_ = _e35;
-                    } else {
-                        let _e36 = angle2_;
-                        if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e36)) {
-                            let _e38 = angle3_;
-                            angle4_ = _e38;
-                            let _e39 = angle2_;
-                            angle3_ = _e39;
-                            let _e40 = image2_;
-                            image3_ = _e40;
-                            angle2_ = _e27;
-                            let _e41 = k_34;
-                            image2_ = _e41;
-                        } else {
-                            let _e42 = angle3_;
-                            if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e42)) {
-                                let _e44 = angle3_;
-                                angle4_ = _e44;
-                                angle3_ = _e27;
-                                let _e45 = k_34;
-                                image3_ = _e45;
-                            } else {
-                                let _e46 = angle4_;
-                                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e46)) {
-                                    angle4_ = _e27;
-                                }
-                            }
-                        }
-                    }
-                    let _e48 = k_34;
-                    k_34 = (_e48 + rt::Scalar(1u32));
-                }
+        let _e5 = self.v_color_of_object(at_107, view_17, params_90.z());
+        return _e5;
+    }
+    pub(crate) fn object_none_color(
+        &self,
+        at_108: Entered,
+        hit_39: Hit,
+        view_18: impl rt::Into<rt::Vec3<f32>>,
+        params_91: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_object_none_color(at_108, hit_39, rt::into(view_18), rt::into(params_91)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_object_none_color(
+        &self,
+        at_108: Entered,
+        hit_39: Hit,
+        view_18: rt::Vec3<f32>,
+        params_91: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e6 = self.v_color_or_white(hit_39.uv, rt::Scalar(at_108.footprint));
+        return _e6;
+    }
+    pub(crate) fn object_depth_color(
+        &self,
+        at_109: Entered,
+        hit_40: Hit,
+        view_19: impl rt::Into<rt::Vec3<f32>>,
+        params_92: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_object_depth_color(at_109, hit_40, rt::into(view_19), rt::into(params_92)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_object_depth_color(
+        &self,
+        at_109: Entered,
+        hit_40: Hit,
+        view_19: rt::Vec3<f32>,
+        params_92: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e5 = self.v_color_of_object(at_109, view_19, params_92.z());
+        return _e5;
+    }
+    pub(crate) fn object_hull_color(
+        &self,
+        at_110: Entered,
+        hit_41: Hit,
+        view_20: impl rt::Into<rt::Vec3<f32>>,
+        params_93: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_object_hull_color(at_110, hit_41, rt::into(view_20), rt::into(params_93)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_object_hull_color(
+        &self,
+        at_110: Entered,
+        hit_41: Hit,
+        view_20: rt::Vec3<f32>,
+        params_93: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e5 = self.v_color_of_object(at_110, view_20, params_93.z());
+        return _e5;
+    }
+    pub(crate) fn object_color_stage(
+        &self,
+        at_111: Entered,
+        hit_42: Hit,
+        view_21: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_object_color_stage(at_111, hit_42, rt::into(view_21)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_object_color_stage(
+        &self,
+        at_111: Entered,
+        hit_42: Hit,
+        view_21: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e7 = rt::Scalar(self.surface_settings.choices[3usize].number);
+        match rt::Scalar::into_inner(_e7) {
+            0u32 => {
+                let _e12 = self.surface_settings.choices[3usize].params;
+                let _e13 = self.v_object_none_color(at_111, hit_42, view_21, _e12);
+                return _e13;
+            }
+            1u32 => {
+                let _e18 = self.surface_settings.choices[3usize].params;
+                let _e19 = self.v_object_depth_color(at_111, hit_42, view_21, _e18);
+                return _e19;
+            }
+            2u32 => {
+                let _e24 = self.surface_settings.choices[3usize].params;
+                let _e25 = self.v_object_hull_color(at_111, hit_42, view_21, _e24);
+                return _e25;
+            }
+            _ => {
+                let _e30 = self.surface_settings.choices[3usize].params;
+                let _e31 = self.v_object_blend_color(at_111, hit_42, view_21, _e30);
+                return _e31;
             }
         }
-        let _e51 = angle1_;
-        let less = rt::Scalar(0f32).select(rt::Scalar(2f32), _e51.elementwise_ge(rt::Scalar(2f32)));
-        let _e57 = angle4_;
-        let last_11 = (_e57 - less).min(rt::Scalar(0.5f32));
-        let _e61 = angle1_;
-        weight1_ = (rt::Scalar(1f32) - ((_e61 - less) / last_11)).max(rt::Scalar(0f32));
-        let _e69 = angle2_;
-        weight2_ = (rt::Scalar(1f32) - ((_e69 - less) / last_11)).max(rt::Scalar(0f32));
-        let _e77 = angle3_;
-        weight3_ = (rt::Scalar(1f32) - ((_e77 - less) / last_11)).max(rt::Scalar(0f32));
-        let _e85 = weight1_;
-        let _e86 = weight2_;
-        let _e88 = weight3_;
-        if rt::Scalar::into_branch_condition((!((_e85 + _e86) + _e88).elementwise_gt(rt::Scalar(0f32)))) {
-            weight1_ = rt::Scalar(1f32);
-            let _e94 = angle2_;
-            let _e95 = angle1_;
-            weight2_ = rt::Scalar(0f32).select(rt::Scalar(1f32), _e94.elementwise_eq(_e95));
-            let _e100 = angle3_;
-            let _e101 = angle1_;
-            weight3_ = rt::Scalar(0f32).select(rt::Scalar(1f32), _e100.elementwise_eq(_e101));
-        }
-        let _e106 = image1_;
-        let _e107 = self.v_image_of_object(_e106);
-        let _e109 = self.v_place_in_image(_e107, at_105.point);
-        let uv1_ = _e109.xy();
-        let _e111 = image2_;
-        let _e112 = self.v_image_of_object(_e111);
-        let _e114 = self.v_place_in_image(_e112, at_105.point);
-        let uv2_ = _e114.xy();
-        let _e116 = image3_;
-        let _e117 = self.v_image_of_object(_e116);
-        let _e119 = self.v_place_in_image(_e117, at_105.point);
-        let uv3_ = _e119.xy();
-        let _e122 = self.v_color_at(uv1_, rt::Scalar(0u32));
-        let _e124 = weight1_;
-        let first_18 = (_e122.xyz() * _e124);
-        let _e127 = self.v_color_at(uv2_, rt::Scalar(0u32));
-        let _e129 = weight2_;
-        let _e133 = self.v_color_at(uv3_, rt::Scalar(0u32));
-        let _e135 = weight3_;
-        let sum_9 = ((first_18 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
-        let _e138 = weight1_;
-        let _e139 = weight2_;
-        let _e141 = weight3_;
-        return (sum_9 * (rt::Scalar(1f32) / ((_e138 + _e139) + _e141)));
     }
     pub(crate) fn parts_between(
         &self,
         a_13: Voxel,
         b_13: Voxel,
-        level_27: impl rt::Into<rt::Scalar<u32>>,
+        level_38: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_between(a_13, b_13, rt::into(level_27)))
+        rt::into(self.v_parts_between(a_13, b_13, rt::into(level_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13339,12 +13713,12 @@ impl<'g> Resources<'g> {
         &self,
         a_13: Voxel,
         b_13: Voxel,
-        level_27: rt::Scalar<u32>,
+        level_38: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let apart_5 = (b_13.at - a_13.at).abs().to_u32();
         let farthest = apart_5.x().max(apart_5.y()).max(apart_5.z());
-        let parts_6 = (((farthest + (rt::Scalar(1u32) << level_27)) - rt::Scalar(1u32)) >> level_27);
-        return parts_6.clamp(rt::Scalar(1u32), DICE_PARTS).select(rt::Scalar(1u32), level_27.elementwise_eq(COARSEST));
+        let parts_6 = (((farthest + (rt::Scalar(1u32) << level_38)) - rt::Scalar(1u32)) >> level_38);
+        return parts_6.clamp(rt::Scalar(1u32), DICE_PARTS).select(rt::Scalar(1u32), level_38.elementwise_eq(COARSEST));
     }
     pub(crate) fn pixel_direction(&self, pixel_84: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_pixel_direction(rt::into(pixel_84)))
@@ -13396,27 +13770,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn placed_over(
         &self,
-        at_106: Entered,
+        at_112: Entered,
         uv_28: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_over(at_106, rt::into(uv_28)))
+        rt::into(self.v_placed_over(at_112, rt::into(uv_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_over(
         &self,
-        at_106: Entered,
+        at_112: Entered,
         uv_28: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_9 = (uv_28 - at_106.uv);
+        let aside_9 = (uv_28 - at_112.uv);
         let _e6 = rt::Scalar(self.surface_settings.bias_m);
         let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let _e11 = self.v_height_at(uv_28, rt::Scalar(at_106.level));
+        let _e11 = self.v_height_at(uv_28, rt::Scalar(at_112.level));
         let height_20 = (_e6 + (_e9 * _e11));
-        placed = at_106;
-        placed.point = (((at_106.point + (at_106.tangent * aside_9.x())) + (at_106.bitangent * aside_9.y())) + (at_106.normal * height_20));
+        placed = at_112;
+        placed.point = (((at_112.point + (at_112.tangent * aside_9.x())) + (at_112.bitangent * aside_9.y())) + (at_112.normal * height_20));
         placed.uv = uv_28;
         let _e29 = placed;
         return _e29;
@@ -13424,120 +13798,120 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_place(
         &self,
         pixel_86: PixelIn,
-        at_107: Entered,
+        at_113: Entered,
         path_74: Path,
-        hit_38: Hit,
-        params_82: impl rt::Into<rt::Vec4<f32>>,
+        hit_43: Hit,
+        params_94: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_86, at_107, path_74, hit_38, rt::into(params_82)))
+        rt::into(self.v_surface_plane_place(pixel_86, at_113, path_74, hit_43, rt::into(params_94)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_place(
         &self,
         pixel_86: PixelIn,
-        at_107: Entered,
+        at_113: Entered,
         path_74: Path,
-        hit_38: Hit,
-        params_82: rt::Vec4<f32>,
+        hit_43: Hit,
+        params_94: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_107, hit_38.uv);
+        let _e6 = self.v_placed_over(at_113, hit_43.uv);
         return _e6;
     }
     pub(crate) fn placed_at(
         &self,
         pixel_87: PixelIn,
-        at_108: Entered,
+        at_114: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_18: impl rt::Into<rt::Vec3<f32>>,
         uv_29: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_87, at_108, rt::into(weights_4), rt::into(point_18), rt::into(uv_29)))
+        rt::into(self.v_placed_at(pixel_87, at_114, rt::into(weights_4), rt::into(point_18), rt::into(uv_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_at(
         &self,
         pixel_87: PixelIn,
-        at_108: Entered,
+        at_114: Entered,
         weights_4: rt::Vec3<f32>,
         point_18: rt::Vec3<f32>,
         uv_29: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_87, weights_4, point_18, uv_29, at_108.facing);
+        let _e6 = self.v_frame_at(pixel_87, weights_4, point_18, uv_29, at_114.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_108.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_108.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_108.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_114.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_114.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_114.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
         pixel_88: PixelIn,
-        at_109: Entered,
+        at_115: Entered,
         path_75: Path,
-        hit_39: Hit,
-        params_83: impl rt::Into<rt::Vec4<f32>>,
+        hit_44: Hit,
+        params_95: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_88, at_109, path_75, hit_39, rt::into(params_83)))
+        rt::into(self.v_surface_prism_place(pixel_88, at_115, path_75, hit_44, rt::into(params_95)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_prism_place(
         &self,
         pixel_88: PixelIn,
-        at_109: Entered,
+        at_115: Entered,
         path_75: Path,
-        hit_39: Hit,
-        params_83: rt::Vec4<f32>,
+        hit_44: Hit,
+        params_95: rt::Vec4<f32>,
     ) -> Entered {
         let along_42 = pixel_88.direction.normalize();
         let _e7 = self.v_middle_of(pixel_88, along_42);
-        let _e8 = self.v_prism_of(pixel_88, along_42, _e7, params_83);
-        let s_4 = ((rt::Scalar(path_75.start) + rt::Scalar(hit_39.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_88, _e8, (along_42 * s_4), rt::Scalar(hit_39.height));
+        let _e8 = self.v_prism_of(pixel_88, along_42, _e7, params_95);
+        let s_4 = ((rt::Scalar(path_75.start) + rt::Scalar(hit_44.t)) - _e7);
+        let _e15 = self.v_point_of_way(pixel_88, _e8, (along_42 * s_4), rt::Scalar(hit_44.height));
         let weights_7 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_88, at_109, weights_7, (pixel_88.origin + (along_42 * (rt::Scalar(path_75.start) + rt::Scalar(hit_39.t)))), hit_39.uv);
+        let _e24 = self.v_placed_at(pixel_88, at_115, weights_7, (pixel_88.origin + (along_42 * (rt::Scalar(path_75.start) + rt::Scalar(hit_44.t)))), hit_44.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_110: Entered,
+        at_116: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_110, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_116, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_110: Entered,
+        at_116: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_93: rt::Scalar<bool>;
+        let mut local_94: rt::Scalar<bool>;
 
-        placed_2 = at_110;
-        let _e5 = self.v_quadric_slope(at_110.of_surface.xyz(), aside);
+        placed_2 = at_116;
+        let _e5 = self.v_quadric_slope(at_116.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_93 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_94 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_93 = rt::Scalar(false);
+            local_94 = rt::Scalar(false);
         }
-        let _e15 = local_93;
+        let _e15 = local_94;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_5 = at_110.metric;
+        let m_5 = at_116.metric;
         let area_6 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
         let along_t = (((_e5.x() * m_5.z()) - (_e5.y() * m_5.y())) / area_6);
         let along_b = (((_e5.y() * m_5.x()) - (_e5.x() * m_5.y())) / area_6);
-        placed_2.tangent = (at_110.tangent + (at_110.normal * _e5.x()));
-        placed_2.bitangent = (at_110.bitangent + (at_110.normal * _e5.y()));
-        placed_2.normal = ((at_110.normal - (at_110.tangent * along_t)) - (at_110.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_116.tangent + (at_116.normal * _e5.x()));
+        placed_2.bitangent = (at_116.bitangent + (at_116.normal * _e5.y()));
+        placed_2.normal = ((at_116.normal - (at_116.tangent * along_t)) - (at_116.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_3 = _e63.dot(_e65);
@@ -13554,87 +13928,87 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
         pixel_89: PixelIn,
-        at_111: Entered,
+        at_117: Entered,
         path_76: Path,
-        hit_40: Hit,
-        params_84: impl rt::Into<rt::Vec4<f32>>,
+        hit_45: Hit,
+        params_96: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_111, path_76, hit_40, rt::into(params_84)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_117, path_76, hit_45, rt::into(params_96)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_place(
         &self,
         pixel_89: PixelIn,
-        at_111: Entered,
+        at_117: Entered,
         path_76: Path,
-        hit_40: Hit,
-        params_84: rt::Vec4<f32>,
+        hit_45: Hit,
+        params_96: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_111, (hit_40.uv - at_111.uv));
+        let _e8 = self.v_quadric_frame(at_117, (hit_45.uv - at_117.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_76.start) + rt::Scalar(hit_40.t))));
-        placed_3.uv = hit_40.uv;
+        placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_76.start) + rt::Scalar(hit_45.t))));
+        placed_3.uv = hit_45.uv;
         let _e21 = placed_3;
         return _e21;
     }
     pub(crate) fn surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
-        at_112: Entered,
+        at_118: Entered,
         path_77: Path,
-        hit_41: Hit,
-        params_85: impl rt::Into<rt::Vec4<f32>>,
+        hit_46: Hit,
+        params_97: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_112, path_77, hit_41, rt::into(params_85)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_118, path_77, hit_46, rt::into(params_97)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
-        at_112: Entered,
+        at_118: Entered,
         path_77: Path,
-        hit_41: Hit,
-        params_85: rt::Vec4<f32>,
+        hit_46: Hit,
+        params_97: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_41.uv - at_112.uv);
+        let aside_10 = (hit_46.uv - at_118.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_41.uv, rt::Scalar(at_112.level));
+        let _e16 = self.v_height_at(hit_46.uv, rt::Scalar(at_118.level));
         let height_21 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_112.of_surface.xyz(), aside_10);
-        let lifted_2 = (((_e19 - at_112.of_surface.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_112, aside_10);
+        let _e27 = self.v_quadric_at(at_118.of_surface.xyz(), aside_10);
+        let lifted_2 = (((_e19 - at_118.of_surface.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_118, aside_10);
         placed_4 = _e29;
-        placed_4.point = (((at_112.point + (at_112.tangent * aside_10.x())) + (at_112.bitangent * aside_10.y())) + (at_112.normal * (height_21 + lifted_2)));
-        placed_4.uv = hit_41.uv;
+        placed_4.point = (((at_118.point + (at_118.tangent * aside_10.x())) + (at_118.bitangent * aside_10.y())) + (at_118.normal * (height_21 + lifted_2)));
+        placed_4.uv = hit_46.uv;
         let _e47 = placed_4;
         return _e47;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
-        at_113: Entered,
+        at_119: Entered,
         path_78: Path,
-        hit_42: Hit,
-        params_86: impl rt::Into<rt::Vec4<f32>>,
+        hit_47: Hit,
+        params_98: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_113, path_78, hit_42, rt::into(params_86)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_119, path_78, hit_47, rt::into(params_98)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
-        at_113: Entered,
+        at_119: Entered,
         path_78: Path,
-        hit_42: Hit,
-        params_86: rt::Vec4<f32>,
+        hit_47: Hit,
+        params_98: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
@@ -13642,7 +14016,7 @@ impl<'g> Resources<'g> {
 
         let along_43 = pixel_91.direction.normalize();
         let _e7 = self.v_middle_of(pixel_91, along_43);
-        let t_42 = ((rt::Scalar(path_78.start) + rt::Scalar(hit_42.t)) - _e7);
+        let t_42 = ((rt::Scalar(path_78.start) + rt::Scalar(hit_47.t)) - _e7);
         let _e13 = self.v_tetrahedron(pixel_91, along_43, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
@@ -13672,70 +14046,70 @@ impl<'g> Resources<'g> {
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_8 = (_e45 + (_e47 * t_42));
-        let point_29 = (pixel_91.origin + (along_43 * (rt::Scalar(path_78.start) + rt::Scalar(hit_42.t))));
-        let _e58 = self.v_placed_at(pixel_91, at_113, weights_8.xyz(), point_29, hit_42.uv);
+        let point_29 = (pixel_91.origin + (along_43 * (rt::Scalar(path_78.start) + rt::Scalar(hit_47.t))));
+        let _e58 = self.v_placed_at(pixel_91, at_119, weights_8.xyz(), point_29, hit_47.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
         pixel_92: PixelIn,
-        at_114: Entered,
+        at_120: Entered,
         path_79: Path,
-        hit_43: Hit,
-        params_87: impl rt::Into<rt::Vec4<f32>>,
+        hit_48: Hit,
+        params_99: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_92, at_114, path_79, hit_43, rt::into(params_87)))
+        rt::into(self.v_surface_facets_place(pixel_92, at_120, path_79, hit_48, rt::into(params_99)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_place(
         &self,
         pixel_92: PixelIn,
-        at_114: Entered,
+        at_120: Entered,
         path_79: Path,
-        hit_43: Hit,
-        params_87: rt::Vec4<f32>,
+        hit_48: Hit,
+        params_99: rt::Vec4<f32>,
     ) -> Entered {
-        return at_114;
+        return at_120;
     }
     pub(crate) fn surface_slices_place(
         &self,
         pixel_93: PixelIn,
-        at_115: Entered,
+        at_121: Entered,
         path_80: Path,
-        hit_44: Hit,
-        params_88: impl rt::Into<rt::Vec4<f32>>,
+        hit_49: Hit,
+        params_100: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_93, at_115, path_80, hit_44, rt::into(params_88)))
+        rt::into(self.v_surface_slices_place(pixel_93, at_121, path_80, hit_49, rt::into(params_100)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_place(
         &self,
         pixel_93: PixelIn,
-        at_115: Entered,
+        at_121: Entered,
         path_80: Path,
-        hit_44: Hit,
-        params_88: rt::Vec4<f32>,
+        hit_49: Hit,
+        params_100: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_115, hit_44.uv);
+        let _e6 = self.v_placed_over(at_121, hit_49.uv);
         return _e6;
     }
-    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_116: Entered, path_81: Path, hit_45: Hit) -> Entered {
-        rt::into(self.v_placed_in_image(pixel_94, at_116, path_81, hit_45))
+    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_122: Entered, path_81: Path, hit_50: Hit) -> Entered {
+        rt::into(self.v_placed_in_image(pixel_94, at_122, path_81, hit_50))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_placed_in_image(&self, pixel_94: PixelIn, at_116: Entered, path_81: Path, hit_45: Hit) -> Entered {
+    fn v_placed_in_image(&self, pixel_94: PixelIn, at_122: Entered, path_81: Path, hit_50: Hit) -> Entered {
         let mut placed_5: Entered;
 
         let _e6 = self.v_image_of_object(rt::Scalar(path_81.base).to_u32());
-        placed_5 = at_116;
-        placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_81.start) + rt::Scalar(hit_45.t))));
-        placed_5.uv = hit_45.uv;
+        placed_5 = at_122;
+        placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_81.start) + rt::Scalar(hit_50.t))));
+        placed_5.uv = hit_50.uv;
         let _e20 = placed_5.point;
         let _e21 = self.v_depth_in_image(_e6, _e20);
         let _e23 = placed_5.point;
-        let _e25 = self.v_stretch_in_image(_e6, _e23, rt::Scalar(hit_45.height));
+        let _e25 = self.v_stretch_in_image(_e6, _e23, rt::Scalar(hit_50.height));
         let _e27 = self.v_tangent_of_image(_e6);
         placed_5.tangent = ((_e27 * _e21) / rt::Vec3::splat_from_scalar(_e25));
         let _e32 = self.v_bitangent_of_image(_e6);
@@ -13751,7 +14125,7 @@ impl<'g> Resources<'g> {
         placed_5.facing = _e6.toward;
         let _e53 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e53.elementwise_eq(CELLS_MASK)) {
-            let _e57 = self.v_normal_of_mask(_e6, hit_45);
+            let _e57 = self.v_normal_of_mask(_e6, hit_50);
             placed_5.normal = _e57;
             let _e60 = placed_5.normal;
             placed_5.facing = _e60;
@@ -13762,58 +14136,58 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_place(
         &self,
         pixel_95: PixelIn,
-        at_117: Entered,
+        at_123: Entered,
         path_82: Path,
-        hit_46: Hit,
-        params_89: impl rt::Into<rt::Vec4<f32>>,
+        hit_51: Hit,
+        params_101: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_95, at_117, path_82, hit_46, rt::into(params_89)))
+        rt::into(self.v_surface_object_place(pixel_95, at_123, path_82, hit_51, rt::into(params_101)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_place(
         &self,
         pixel_95: PixelIn,
-        at_117: Entered,
+        at_123: Entered,
         path_82: Path,
-        hit_46: Hit,
-        params_89: rt::Vec4<f32>,
+        hit_51: Hit,
+        params_101: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_in_image(pixel_95, at_117, path_82, hit_46);
+        let _e5 = self.v_placed_in_image(pixel_95, at_123, path_82, hit_51);
         return _e5;
     }
     pub(crate) fn surface_frames_place(
         &self,
         pixel_96: PixelIn,
-        at_118: Entered,
+        at_124: Entered,
         path_83: Path,
-        hit_47: Hit,
-        params_90: impl rt::Into<rt::Vec4<f32>>,
+        hit_52: Hit,
+        params_102: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_place(pixel_96, at_118, path_83, hit_47, rt::into(params_90)))
+        rt::into(self.v_surface_frames_place(pixel_96, at_124, path_83, hit_52, rt::into(params_102)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_frames_place(
         &self,
         pixel_96: PixelIn,
-        at_118: Entered,
+        at_124: Entered,
         path_83: Path,
-        hit_47: Hit,
-        params_90: rt::Vec4<f32>,
+        hit_52: Hit,
+        params_102: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
-        let mut local_94: rt::Scalar<bool>;
+        let mut local_95: rt::Scalar<bool>;
 
-        let _e5 = self.v_placed_in_image(pixel_96, at_118, path_83, hit_47);
+        let _e5 = self.v_placed_in_image(pixel_96, at_124, path_83, hit_52);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
             let _e16 = rt::Scalar(self.surface_settings.cells);
-            local_94 = _e16.elementwise_ne(CELLS_MASK);
+            local_95 = _e16.elementwise_ne(CELLS_MASK);
         } else {
-            local_94 = rt::Scalar(false);
+            local_95 = rt::Scalar(false);
         }
-        let _e20 = local_94;
+        let _e20 = local_95;
         if rt::Scalar::into_branch_condition(_e20) {
             let _e22 = placed_6;
             let _e26 = self.v_frames_around((-pixel_96.direction.normalize()));
@@ -13826,102 +14200,102 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
-        at_119: Entered,
+        at_125: Entered,
         path_84: Path,
-        hit_48: Hit,
-        params_91: impl rt::Into<rt::Vec4<f32>>,
+        hit_53: Hit,
+        params_103: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_place(pixel_97, at_119, path_84, hit_48, rt::into(params_91)))
+        rt::into(self.v_surface_object_slices_place(pixel_97, at_125, path_84, hit_53, rt::into(params_103)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
-        at_119: Entered,
+        at_125: Entered,
         path_84: Path,
-        hit_48: Hit,
-        params_91: rt::Vec4<f32>,
+        hit_53: Hit,
+        params_103: rt::Vec4<f32>,
     ) -> Entered {
         let mut of_image: Path;
 
         of_image = path_84;
-        let _e8 = self.v_slice_at(at_119.point);
+        let _e8 = self.v_slice_at(at_125.point);
         rt::Scalar(of_image.base) = rt::Scalar(_e8.number).to_f32();
         let _e11 = of_image;
-        let _e12 = self.v_placed_in_image(pixel_97, at_119, _e11, hit_48);
+        let _e12 = self.v_placed_in_image(pixel_97, at_125, _e11, hit_53);
         return _e12;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_120: Entered, path_85: Path, hit_49: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_98, at_120, path_85, hit_49))
+    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_126: Entered, path_85: Path, hit_54: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_98, at_126, path_85, hit_54))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_98: PixelIn, at_120: Entered, path_85: Path, hit_49: Hit) -> Entered {
+    fn v_surface_place_stage(&self, pixel_98: PixelIn, at_126: Entered, path_85: Path, hit_54: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_98, at_120, path_85, hit_49, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_98, at_126, path_85, hit_54, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_98, at_120, path_85, hit_49, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_98, at_126, path_85, hit_54, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_120, path_85, hit_49, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_126, path_85, hit_54, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_120, path_85, hit_49, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_126, path_85, hit_54, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_120, path_85, hit_49, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_126, path_85, hit_54, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_98, at_120, path_85, hit_49, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_98, at_126, path_85, hit_54, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_98, at_120, path_85, hit_49, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_98, at_126, path_85, hit_54, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_98, at_120, path_85, hit_49, _e55);
+                let _e56 = self.v_surface_object_place(pixel_98, at_126, path_85, hit_54, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_place(pixel_98, at_120, path_85, hit_49, _e61);
+                let _e62 = self.v_surface_frames_place(pixel_98, at_126, path_85, hit_54, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_place(pixel_98, at_120, path_85, hit_49, _e67);
+                let _e68 = self.v_surface_object_slices_place(pixel_98, at_126, path_85, hit_54, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_121: Entered, path_86: Path, hit_50: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_99, at_121, path_86, hit_50))
+    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_127: Entered, path_86: Path, hit_55: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_99, at_127, path_86, hit_55))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_on_segment(&self, pixel_99: PixelIn, at_121: Entered, path_86: Path, hit_50: Hit) -> Entered {
+    fn v_place_on_segment(&self, pixel_99: PixelIn, at_127: Entered, path_86: Path, hit_55: Hit) -> Entered {
         let mut placed_7: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_99, at_121, path_86, hit_50);
+        let _e4 = self.v_surface_place_stage(pixel_99, at_127, path_86, hit_55);
         placed_7 = _e4;
-        let _e7 = self.v_depth_on_ray(pixel_99, path_86, hit_50);
+        let _e7 = self.v_depth_on_ray(pixel_99, path_86, hit_55);
         rt::Scalar(placed_7.depth) = _e7;
         let _e8 = placed_7;
         return _e8;
@@ -13929,23 +14303,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn place_hit(
         &self,
         pixel_100: PixelIn,
-        at_122: Entered,
+        at_128: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
-        hit_51: Hit,
+        hit_56: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_100, at_122, rt::into(segment), hit_51))
+        rt::into(self.v_place_hit(pixel_100, at_128, rt::into(segment), hit_56))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_place_hit(
         &self,
         pixel_100: PixelIn,
-        at_122: Entered,
+        at_128: Entered,
         segment: rt::Scalar<u32>,
-        hit_51: Hit,
+        hit_56: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_100, at_122, segment);
-        let _e5 = self.v_place_on_segment(pixel_100, at_122, _e4, hit_51);
+        let _e4 = self.v_segment_of(pixel_100, at_128, segment);
+        let _e5 = self.v_place_on_segment(pixel_100, at_128, _e4, hit_56);
         return _e5;
     }
     pub(crate) fn toward_light(
@@ -13974,27 +14348,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_light(
         &self,
-        at_123: Entered,
-        hit_52: Hit,
+        at_129: Entered,
+        hit_57: Hit,
         number_15: impl rt::Into<rt::Scalar<u32>>,
         k_35: impl rt::Into<rt::Scalar<u32>>,
         count_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_123, hit_52, rt::into(number_15), rt::into(k_35), rt::into(count_5)))
+        rt::into(self.v_point_of_light(at_129, hit_57, rt::into(number_15), rt::into(k_35), rt::into(count_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
-        at_123: Entered,
-        hit_52: Hit,
+        at_129: Entered,
+        hit_57: Hit,
         number_15: rt::Scalar<u32>,
         k_35: rt::Scalar<u32>,
         count_5: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_15, at_123.point);
+        let _e6 = self.v_toward_light(number_15, at_129.point);
         if rt::Scalar::into_branch_condition(count_5.elementwise_gt(rt::Scalar(0u32))) {
-            let _e9 = self.v_seed_of(hit_52);
+            let _e9 = self.v_seed_of(hit_57);
             let _e10 = self.v_point_of_disc(_e6, _e9, k_35, count_5);
             return _e10;
         }
@@ -14002,26 +14376,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_124: Entered,
-        hit_53: Hit,
+        at_130: Entered,
+        hit_58: Hit,
         number_16: impl rt::Into<rt::Scalar<u32>>,
         k_36: impl rt::Into<rt::Scalar<u32>>,
         count_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_124, hit_53, rt::into(number_16), rt::into(k_36), rt::into(count_6)))
+        rt::into(self.v_ray_to_light(at_130, hit_58, rt::into(number_16), rt::into(k_36), rt::into(count_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
-        at_124: Entered,
-        hit_53: Hit,
+        at_130: Entered,
+        hit_58: Hit,
         number_16: rt::Scalar<u32>,
         k_36: rt::Scalar<u32>,
         count_6: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_124, hit_53, number_16, k_36, count_6);
-        let _e6 = self.v_light_ray(at_124, hit_53, _e5);
+        let _e5 = self.v_point_of_light(at_130, hit_58, number_16, k_36, count_6);
+        let _e6 = self.v_light_ray(at_130, hit_58, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -14050,16 +14424,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_125: Entered,
+        at_131: Entered,
         seen_3: SeenNormals,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_125, seen_3, rt::into(toward_3)))
+        rt::into(self.v_seen_cosine(at_131, seen_3, rt::into(toward_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_125: Entered,
+        at_131: Entered,
         seen_3: SeenNormals,
         toward_3: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -14068,7 +14442,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_3.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_3.normal.dot(toward_3).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_125, toward_3);
+        let _e10 = self.v_to_tangent_space(at_131, toward_3);
         let middle_16 = seen_3.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_16, seen_3.along.dot(_e10), seen_3.across.dot(_e10));
         let one_1 = (rt::Scalar(seen_3.middle_seen) * middle_16.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -14143,12 +14517,12 @@ impl<'g> Resources<'g> {
         normal_18: impl rt::Into<rt::Vec3<f32>>,
         mean: impl rt::Into<rt::Scalar<f32>>,
         cosine_1: impl rt::Into<rt::Scalar<f32>>,
-        view_16: impl rt::Into<rt::Vec3<f32>>,
+        view_22: impl rt::Into<rt::Vec3<f32>>,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
         color_7: impl rt::Into<rt::Vec3<f32>>,
-        params_92: impl rt::Into<rt::Vec4<f32>>,
+        params_104: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_18), rt::into(mean), rt::into(cosine_1), rt::into(view_16), rt::into(toward_4), rt::into(color_7), rt::into(params_92)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_18), rt::into(mean), rt::into(cosine_1), rt::into(view_22), rt::into(toward_4), rt::into(color_7), rt::into(params_104)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
@@ -14156,10 +14530,10 @@ impl<'g> Resources<'g> {
         normal_18: rt::Vec3<f32>,
         mean: rt::Scalar<f32>,
         cosine_1: rt::Scalar<f32>,
-        view_16: rt::Vec3<f32>,
+        view_22: rt::Vec3<f32>,
         toward_4: rt::Vec3<f32>,
         color_7: rt::Vec3<f32>,
-        params_92: rt::Vec4<f32>,
+        params_104: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_2: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -14174,7 +14548,7 @@ impl<'g> Resources<'g> {
                 exponent_2 = wide_3.to_u32();
                 dimmed = ((wide_3 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_18.dot((toward_4 + view_16).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_18.dot((toward_4 + view_22).normalize()).max(rt::Scalar(0f32));
             let _e43 = self.surface_settings.specular;
             let _e45 = exponent_2;
             let _e46 = self.v_whole_power(lobe, _e45);
@@ -14189,11 +14563,11 @@ impl<'g> Resources<'g> {
         normal_19: impl rt::Into<rt::Vec3<f32>>,
         mean_1: impl rt::Into<rt::Scalar<f32>>,
         cosine_2: impl rt::Into<rt::Scalar<f32>>,
-        view_17: impl rt::Into<rt::Vec3<f32>>,
+        view_23: impl rt::Into<rt::Vec3<f32>>,
         toward_5: impl rt::Into<rt::Vec3<f32>>,
         color_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_19), rt::into(mean_1), rt::into(cosine_2), rt::into(view_17), rt::into(toward_5), rt::into(color_8)))
+        rt::into(self.v_shade_stage(rt::into(normal_19), rt::into(mean_1), rt::into(cosine_2), rt::into(view_23), rt::into(toward_5), rt::into(color_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14202,7 +14576,7 @@ impl<'g> Resources<'g> {
         normal_19: rt::Vec3<f32>,
         mean_1: rt::Scalar<f32>,
         cosine_2: rt::Scalar<f32>,
-        view_17: rt::Vec3<f32>,
+        view_23: rt::Vec3<f32>,
         toward_5: rt::Vec3<f32>,
         color_8: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
@@ -14210,29 +14584,29 @@ impl<'g> Resources<'g> {
         match rt::Scalar::into_inner(_e10) {
             _ => {
                 let _e15 = self.surface_settings.choices[7usize].params;
-                let _e16 = self.v_shade_blinn_phong(normal_19, mean_1, cosine_2, view_17, toward_5, color_8, _e15);
+                let _e16 = self.v_shade_blinn_phong(normal_19, mean_1, cosine_2, view_23, toward_5, color_8, _e15);
                 return _e16;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
-        at_126: Entered,
-        hit_54: Hit,
+        at_132: Entered,
+        hit_59: Hit,
         seen_4: SeenNormals,
-        view_18: impl rt::Into<rt::Vec3<f32>>,
+        view_24: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_126, hit_54, seen_4, rt::into(view_18), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_132, hit_59, seen_4, rt::into(view_24), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_126: Entered,
-        hit_54: Hit,
+        at_132: Entered,
+        hit_59: Hit,
         seen_4: SeenNormals,
-        view_18: rt::Vec3<f32>,
+        view_24: rt::Vec3<f32>,
         color_9: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
@@ -14242,7 +14616,7 @@ impl<'g> Resources<'g> {
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_126, hit_54, (seen_4.normal * rt::Scalar(seen_4.length)), view_18, diffuse);
+        let _e20 = self.v_ambient_stage(at_132, hit_59, (seen_4.normal * rt::Scalar(seen_4.length)), view_24, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
@@ -14254,9 +14628,9 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e29 = k_37;
-                    let _e31 = self.v_toward_light(_e29, at_126.point);
-                    let _e33 = self.v_seen_cosine(at_126, seen_4, _e31.direction);
-                    let _e37 = self.v_shade_stage(seen_4.normal, rt::Scalar(seen_4.length), _e33, view_18, _e31.direction, diffuse);
+                    let _e31 = self.v_toward_light(_e29, at_132.point);
+                    let _e33 = self.v_seen_cosine(at_132, seen_4, _e31.direction);
+                    let _e37 = self.v_shade_stage(seen_4.normal, rt::Scalar(seen_4.length), _e33, view_24, _e31.direction, diffuse);
                     let _e38 = light_16;
                     let _e41 = k_37;
                     let _e44 = self.frame.lights[rt::Scalar::into_array_index(_e41)].color;
@@ -14269,46 +14643,6 @@ impl<'g> Resources<'g> {
         }
         let _e57 = light_16;
         return _e57;
-    }
-    pub(crate) fn surface_color(
-        &self,
-        at_127: Entered,
-        hit_55: Hit,
-        view_19: impl rt::Into<rt::Vec3<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_surface_color(at_127, hit_55, rt::into(view_19)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_color(
-        &self,
-        at_127: Entered,
-        hit_55: Hit,
-        view_19: rt::Vec3<f32>,
-    ) -> rt::Vec3<f32> {
-        let mut local_95: rt::Scalar<bool>;
-
-        let _e5 = rt::Scalar(self.surface_settings.images);
-        if rt::Scalar::into_branch_condition((!_e5.elementwise_eq(rt::Scalar(0u32)))) {
-            let _e13 = rt::Scalar(self.surface_settings.has_color);
-            local_95 = _e13.elementwise_ne(rt::Scalar(1u32));
-        } else {
-            local_95 = rt::Scalar(true);
-        }
-        let _e17 = local_95;
-        if rt::Scalar::into_branch_condition(_e17) {
-            let _e20 = self.v_color_or_white(hit_55.uv, rt::Scalar(at_127.footprint));
-            return _e20;
-        }
-        let how = self.surface_settings.choices[3usize].params.z();
-        if rt::Scalar::into_branch_condition(how.elementwise_eq(rt::Scalar(2f32))) {
-            return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
-        }
-        if rt::Scalar::into_branch_condition(how.elementwise_eq(rt::Scalar(3f32))) {
-            let _e35 = self.v_color_of_frames(at_127, view_19);
-            return _e35;
-        }
-        let _e38 = self.v_object_color(at_127, view_19, how.elementwise_eq(rt::Scalar(1f32)));
-        return _e38;
     }
     pub(crate) fn z_of(&self, depth_8: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_z_of(rt::into(depth_8)))
@@ -14329,65 +14663,65 @@ impl<'g> Resources<'g> {
     pub(crate) fn shade_hit(
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
-        at_128: Entered,
-        hit_56: Hit,
+        at_133: Entered,
+        hit_60: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_128, hit_56, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_133, hit_60, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
-        at_128: Entered,
-        hit_56: Hit,
+        at_133: Entered,
+        hit_60: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_56.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_56.cost.x(), hit_56.cost.y(), hit_56.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_60.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_60.cost.x(), hit_60.cost.y(), hit_60.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_56.uv, rt::Scalar(at_128.level));
-        let view_22 = (origin_2 - at_128.point).normalize();
-        let _e49 = self.v_mesostructure_normals(at_128, hit_56.uv, view_22);
-        let _e50 = self.v_surface_color(at_128, hit_56, view_22);
-        let _e51 = self.v_reflected_light(at_128, hit_56, _e49, view_22, _e50, visible_1);
+        let _e44 = self.v_height_at(hit_60.uv, rt::Scalar(at_133.level));
+        let view_27 = (origin_2 - at_133.point).normalize();
+        let _e49 = self.v_mesostructure_normals(at_133, hit_60.uv, view_27);
+        let _e50 = self.v_object_color_stage(at_133, hit_60, view_27);
+        let _e51 = self.v_reflected_light(at_133, hit_60, _e49, view_27, _e50, visible_1);
         let _e56 = self.frame.forward;
-        let depth_11 = (at_128.point - origin_2).dot(_e56.xyz());
+        let depth_11 = (at_133.point - origin_2).dot(_e56.xyz());
         let _e61 = self.v_height_size(rt::Scalar(0u32));
-        let _e67 = self.v_cell_of(((hit_56.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e87 = self.v_z_of(rt::Scalar(at_128.depth));
+        let _e67 = self.v_cell_of(((hit_60.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e87 = self.v_z_of(rt::Scalar(at_133.depth));
         let _e90 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_56.exhausted), hit_56.uv, _e44, at_128.point, _e49.normal, depth_11, rt::Scalar(hit_56.t), _e67.to_i32(), hit_56.cost.x(), hit_56.cost.y(), hit_56.cost.z(), visible_1[0usize].x(), rt::Scalar(at_128.level), _e87, _e90);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_60.exhausted), hit_60.uv, _e44, at_133.point, _e49.normal, depth_11, rt::Scalar(hit_60.t), _e67.to_i32(), hit_60.cost.x(), hit_60.cost.y(), hit_60.cost.z(), visible_1[0usize].x(), rt::Scalar(at_133.level), _e87, _e90);
     }
     pub(crate) fn visible_light(
         &self,
-        at_129: Entered,
-        hit_57: Hit,
+        at_134: Entered,
+        hit_61: Hit,
         number_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_129, hit_57, rt::into(number_17)))
+        rt::into(self.v_visible_light(at_134, hit_61, rt::into(number_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_visible_light(
         &self,
-        at_129: Entered,
-        hit_57: Hit,
+        at_134: Entered,
+        hit_61: Hit,
         number_17: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_17, at_129.point);
-        let _e5 = self.v_shadow_stage(at_129, hit_57, _e4);
+        let _e4 = self.v_toward_light(number_17, at_134.point);
+        let _e5 = self.v_shadow_stage(at_134, hit_61, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_130: Entered, hit_58: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_130, hit_58))
+    pub(crate) fn visible_lights(&self, at_135: Entered, hit_62: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_135, hit_62))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_130: Entered, hit_58: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_135: Entered, hit_62: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut k_38: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_58.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_62.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
@@ -14402,7 +14736,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = k_38;
                     let _e17 = k_38;
-                    let _e18 = self.v_visible_light(at_130, hit_58, _e17);
+                    let _e18 = self.v_visible_light(at_135, hit_62, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e23 = k_38;
                     k_38 = (_e23 + rt::Scalar(1u32));
@@ -14450,10 +14784,10 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_131: impl rt::Into<rt::Scalar<u32>>,
+        at_136: impl rt::Into<rt::Scalar<u32>>,
         parts_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_131), rt::into(parts_2)))
+        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_136), rt::into(parts_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14462,11 +14796,11 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: rt::Vec2<f32>,
-        at_131: rt::Scalar<u32>,
+        at_136: rt::Scalar<u32>,
         parts_2: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_2 - at_131).to_f32() * shares.x());
-        let of_b = (at_131.to_f32() * shares.y());
+        let of_a = ((parts_2 - at_136).to_f32() * shares.x());
+        let of_b = (at_136.to_f32() * shares.y());
         let sum_10 = (of_a + of_b);
         let _e17 = self.v_weighted_site(a_16, b_16, b_16, <rt::Vec3<f32>>::from_scalars((of_a / sum_10), (of_b / sum_10), rt::Scalar(0f32)));
         return _e17;
@@ -14535,9 +14869,9 @@ impl<'g> Resources<'g> {
         let down_3 = (grid_11.middle.y() - ((grid_11.up.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e42));
         let far_15 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_139 = <rt::Vec3<f32>>::from_scalars(right_5, down_3, _e49).clamp((-far_15), far_15);
+        let at_144 = <rt::Vec3<f32>>::from_scalars(right_5, down_3, _e49).clamp((-far_15), far_15);
         let _e60 = share;
-        return <Voxel>::new((at_139 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
+        return <Voxel>::new((at_144 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
     }
 }
 

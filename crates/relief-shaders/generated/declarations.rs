@@ -71,6 +71,8 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/image", head: r#"// Dual cells beside the map, and the cells of the map over which the surface is the same.
 "# },
+    Module { path: "shared/image_cell", head: r#"// What images of an object are between their texels.
+"# },
     Module { path: "shared/interval", head: r#"// The interval that the bracketing refinements begin with.
 "# },
     Module { path: "shared/levels", head: r#"// Levels of detail of a map.
@@ -104,6 +106,10 @@ pub const MODULES: &[Module] = &[
     Module { path: "shared/numbered", head: r#"// The base triangles of a surface, by their number.
 "# },
     Module { path: "shared/object", head: r#"// Images of an object, and what colour it has.
+"# },
+    Module { path: "shared/object_color", head: r#"// The colour of an object's material.
+//
+// Kautz and Seidel 2001, section 4.2.
 "# },
     Module { path: "shared/object_path", head: r#"// Rays on their way through images of an object, each of which is a relief on a plane of its own.
 //
@@ -1125,13 +1131,6 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "constants",
-        name: "STAGE_OBJECT",
-        sampling: None,
-        uses: &[],
-        text: r#"const STAGE_OBJECT = 3u;"#,
-    },
-    Declaration {
-        module: "constants",
         name: "STAGES",
         sampling: None,
         uses: &[],
@@ -1461,24 +1460,12 @@ struct Grid {
     },
     Declaration {
         module: "shared/cell",
-        name: "cell_parts",
-        sampling: None,
-        uses: &["CELLS_NEAREST", "CELLS_STEP", "surface_settings"],
-        text: r#"// How many cells there are between two texels: 2 where each quarter of a dual cell may be as high as its own
-// texel.
-fn cell_parts() -> i32 {
-    let cells = surface_settings.cells;
-    return select(1, 2, cells == CELLS_STEP || cells == CELLS_NEAREST);
-}"#,
-    },
-    Declaration {
-        module: "shared/cell",
         name: "grid_of",
         sampling: None,
-        uses: &["Grid", "Path", "cell_parts", "height_size"],
+        uses: &["Grid", "Path", "height_size", "object_parts_stage"],
         text: r#"fn grid_of(path: Path) -> Grid {
     let size = height_size(path.level);
-    let parts = f32(cell_parts());
+    let parts = f32(object_parts_stage(path.level));
     return Grid((path.uv * size - vec2f(0.5, 0.5)) * parts, path.duv * size * parts);
 }"#,
     },
@@ -1539,65 +1526,12 @@ fn cell_after(grid: Grid, cell: vec2f, leave: vec2f, forward: vec2<bool>, t: f32
     },
     Declaration {
         module: "shared/cell",
-        name: "grid_cell",
-        sampling: None,
-        uses: &["CELLS_BILINEAR", "CELLS_HIGHEST", "CELLS_MASK", "CELLS_NEAREST", "EMPTY_HEIGHT", "height_cell", "surface_settings"],
-        text: r#"// The corners of a cell of the grid, as `height_cell` has those of dual cells: as images of objects have them
-// where heights jump. One read.
-fn grid_cell(cell: vec2i, level: u32) -> vec4f {
-    if (surface_settings.cells == CELLS_BILINEAR) {
-        return height_cell(cell, level);
-    }
-    if (surface_settings.cells == CELLS_HIGHEST) {
-        let h = height_cell(cell, level);
-        let most = max(max(h.x, h.y), max(h.z, h.w));
-        let least = min(min(h.x, h.y), min(h.z, h.w));
-        if (most - least > surface_settings.jump) {
-            return vec4f(most, most, most, most);
-        }
-        return h;
-    }
-    if (surface_settings.cells == CELLS_MASK) {
-        let h = height_cell(cell, level);
-        return vec4f(
-            select(0.0, 1.0, h.x > EMPTY_HEIGHT),
-            select(0.0, 1.0, h.y > EMPTY_HEIGHT),
-            select(0.0, 1.0, h.z > EMPTY_HEIGHT),
-            select(0.0, 1.0, h.w > EMPTY_HEIGHT),
-        );
-    }
-    // The quarters of a dual cell, each at one of its texels.
-    let dual = vec2i(cell.x >> 1u, cell.y >> 1u);
-    let h = height_cell(dual, level);
-    let most = max(max(h.x, h.y), max(h.z, h.w));
-    let least = min(min(h.x, h.y), min(h.z, h.w));
-    let right = cell.x - dual.x - dual.x == 1;
-    let lower = cell.y - dual.y - dual.y == 1;
-    if (surface_settings.cells == CELLS_NEAREST || most - least > surface_settings.jump) {
-        let nearest = select(select(h.x, h.y, right), select(h.z, h.w, right), lower);
-        return vec4f(nearest, nearest, nearest, nearest);
-    }
-    let top = 0.5 * (h.x + h.y);
-    let bottom = 0.5 * (h.z + h.w);
-    let left = 0.5 * (h.x + h.z);
-    let side = 0.5 * (h.y + h.w);
-    let middle = 0.5 * (top + bottom);
-    return vec4f(
-        select(select(h.x, top, right), select(left, middle, right), lower),
-        select(select(top, h.y, right), select(middle, side, right), lower),
-        select(select(left, middle, right), select(h.z, bottom, right), lower),
-        select(select(middle, side, right), select(bottom, h.w, right), lower),
-    );
-}"#,
-    },
-    Declaration {
-        module: "shared/cell",
         name: "cell_gap",
         sampling: None,
-        uses: &["Grid", "Path", "gap_to", "grid_cell"],
+        uses: &["Grid", "Path", "gap_to", "object_cell_stage"],
         text: r#"// The coefficients of the gap in a cell, from parameter t on. One read.
 fn cell_gap(path: Path, grid: Grid, cell: vec2f, t: f32) -> vec3f {
-    return gap_to(path, grid, cell, grid_cell(vec2i(cell), path.level), t);
+    return gap_to(path, grid, cell, object_cell_stage(vec2i(cell), path.level), t);
 }"#,
     },
     Declaration {
@@ -3367,6 +3301,77 @@ fn leaves_extent(origin: f32, step: f32, extent: vec2i) -> f32 {
 }"#,
     },
     Declaration {
+        module: "shared/image_cell",
+        name: "parts_of_images",
+        sampling: None,
+        uses: &["CELLS_NEAREST", "CELLS_STEP", "surface_settings"],
+        text: r#"// How many cells there are between two texels: 2 where each quarter of a dual cell may be as high as its own
+// texel.
+fn parts_of_images() -> i32 {
+    let cells = surface_settings.cells;
+    return select(1, 2, cells == CELLS_STEP || cells == CELLS_NEAREST);
+}"#,
+    },
+    Declaration {
+        module: "shared/image_cell",
+        name: "cell_of_images",
+        sampling: None,
+        uses: &["CELLS_BILINEAR", "CELLS_HIGHEST", "CELLS_NEAREST", "height_cell", "surface_settings"],
+        text: r#"// The corners of a cell, as `height_cell` has those of dual cells, where heights may jump. One read.
+fn cell_of_images(cell: vec2i, level: u32) -> vec4f {
+    if (surface_settings.cells == CELLS_BILINEAR) {
+        return height_cell(cell, level);
+    }
+    if (surface_settings.cells == CELLS_HIGHEST) {
+        let h = height_cell(cell, level);
+        let most = max(max(h.x, h.y), max(h.z, h.w));
+        let least = min(min(h.x, h.y), min(h.z, h.w));
+        if (most - least > surface_settings.jump) {
+            return vec4f(most, most, most, most);
+        }
+        return h;
+    }
+    // The quarters of a dual cell, each at one of its texels.
+    let dual = vec2i(cell.x >> 1u, cell.y >> 1u);
+    let h = height_cell(dual, level);
+    let most = max(max(h.x, h.y), max(h.z, h.w));
+    let least = min(min(h.x, h.y), min(h.z, h.w));
+    let right = cell.x - dual.x - dual.x == 1;
+    let lower = cell.y - dual.y - dual.y == 1;
+    if (surface_settings.cells == CELLS_NEAREST || most - least > surface_settings.jump) {
+        let nearest = select(select(h.x, h.y, right), select(h.z, h.w, right), lower);
+        return vec4f(nearest, nearest, nearest, nearest);
+    }
+    let top = 0.5 * (h.x + h.y);
+    let bottom = 0.5 * (h.z + h.w);
+    let left = 0.5 * (h.x + h.z);
+    let side = 0.5 * (h.y + h.w);
+    let middle = 0.5 * (top + bottom);
+    return vec4f(
+        select(select(h.x, top, right), select(left, middle, right), lower),
+        select(select(top, h.y, right), select(middle, side, right), lower),
+        select(select(left, middle, right), select(h.z, bottom, right), lower),
+        select(select(middle, side, right), select(bottom, h.w, right), lower),
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/image_cell",
+        name: "cell_of_mask",
+        sampling: None,
+        uses: &["EMPTY_HEIGHT", "height_cell"],
+        text: r#"// The same of the mask of what is seen.
+fn cell_of_mask(cell: vec2i, level: u32) -> vec4f {
+    let h = height_cell(cell, level);
+    return vec4f(
+        select(0.0, 1.0, h.x > EMPTY_HEIGHT),
+        select(0.0, 1.0, h.y > EMPTY_HEIGHT),
+        select(0.0, 1.0, h.z > EMPTY_HEIGHT),
+        select(0.0, 1.0, h.w > EMPTY_HEIGHT),
+    );
+}"#,
+    },
+    Declaration {
         module: "shared/interval",
         name: "has_interval",
         sampling: None,
@@ -4376,6 +4381,22 @@ fn first_in_all(pixel: PixelIn, at: Entered) -> FirstHit {
 }"#,
     },
     Declaration {
+        module: "shared/object_color",
+        name: "color_of_object",
+        sampling: None,
+        uses: &["Entered", "color_of_frames", "object_color", "surface_settings"],
+        text: r#"// Seen along `view`; of which images, the setting `object.color` says.
+fn color_of_object(at: Entered, view: vec3f, how: f32) -> vec3f {
+    if (surface_settings.has_color != 1u || how == 2.0) {
+        return vec3f(1.0, 1.0, 1.0);
+    }
+    if (how == 3.0) {
+        return color_of_frames(at, view);
+    }
+    return object_color(at, view, how == 1.0);
+}"#,
+    },
+    Declaration {
         module: "shared/object_path",
         name: "within_bounds",
         sampling: None,
@@ -4439,7 +4460,7 @@ struct OnImage {
         module: "shared/object_path",
         name: "on_image",
         sampling: None,
-        uses: &["CELLS_MASK", "EMPTY_HEIGHT", "Image", "OnImage", "beyond_image", "cell_of", "cell_parts", "depth_in_image", "grid_cell", "height_size", "is_inside", "surface_settings"],
+        uses: &["CELLS_MASK", "EMPTY_HEIGHT", "Image", "OnImage", "beyond_image", "cell_of", "depth_in_image", "height_size", "is_inside", "object_cell_stage", "object_parts_stage", "surface_settings"],
         text: r#"fn on_image(image: Image, point: vec3f) -> OnImage {
     let depth = depth_in_image(image, point);
     let u = (dot(image.u.xyz, point) + image.u.w) / depth;
@@ -4448,10 +4469,10 @@ struct OnImage {
     let beyond = beyond_image(image);
     let beside = max(abs(u - 0.5) - beyond.x, abs(v - 0.5) - beyond.y);
     let uv = image.corner + image.extent * vec2f(u, v);
-    let at = (uv * height_size(0u) - vec2f(0.5, 0.5)) * f32(cell_parts());
+    let at = (uv * height_size(0u) - vec2f(0.5, 0.5)) * f32(object_parts_stage(0u));
     let cell = cell_of(at);
     let part = at - cell;
-    let heights = grid_cell(vec2i(cell), 0u);
+    let heights = object_cell_stage(vec2i(cell), 0u);
     let top = heights.x + (heights.y - heights.x) * part.x;
     let bottom = heights.z + (heights.w - heights.z) * part.x;
     let map = top + (bottom - top) * part.y;
@@ -4529,13 +4550,13 @@ fn path_through_image(pixel: PixelIn, k: u32) -> Path {
         module: "shared/object_path",
         name: "normal_of_mask",
         sampling: None,
-        uses: &["Hit", "Image", "cell_of", "grid_cell", "height_size"],
+        uses: &["Hit", "Image", "cell_of", "height_size", "object_cell_stage"],
         text: r#"// The normal of a silhouette: beside the view, away from where the mask grows; along it where the ray begins
 // inside.
 fn normal_of_mask(image: Image, hit: Hit) -> vec3f {
     let at = hit.uv * height_size(0u) - vec2f(0.5, 0.5);
     let cell = cell_of(at);
-    let h = grid_cell(vec2i(cell), 0u);
+    let h = object_cell_stage(vec2i(cell), 0u);
     let part = at - cell;
     let rise_u = (h.y - h.x) * (1.0 - part.y) + (h.w - h.z) * part.y;
     let rise_v = (h.z - h.x) * (1.0 - part.x) + (h.w - h.y) * part.x;
@@ -4955,26 +4976,6 @@ fn place_on_segment(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Entere
     },
     Declaration {
         module: "shared/pixel",
-        name: "surface_color",
-        sampling: None,
-        uses: &["Entered", "Hit", "STAGE_OBJECT", "color_of_frames", "color_or_white", "object_color", "surface_settings"],
-        text: r#"// The colour of a hit's material, seen along `view`.
-fn surface_color(at: Entered, hit: Hit, view: vec3f) -> vec3f {
-    if (surface_settings.images == 0u || surface_settings.has_color != 1u) {
-        return color_or_white(hit.uv, at.footprint);
-    }
-    let how = surface_settings.choices[STAGE_OBJECT].params.z;
-    if (how == 2.0) {
-        return vec3f(1.0, 1.0, 1.0);
-    }
-    if (how == 3.0) {
-        return color_of_frames(at, view);
-    }
-    return object_color(at, view, how == 1.0);
-}"#,
-    },
-    Declaration {
-        module: "shared/pixel",
         name: "reflected_light",
         sampling: None,
         uses: &["Entered", "Hit", "MAX_LIGHTS", "SeenNormals", "ambient_stage", "frame", "seen_cosine", "shade_stage", "surface_settings", "toward_light"],
@@ -5077,7 +5078,7 @@ fn mirrored_light(pixel: PixelIn, at: Entered, hit: Hit) -> f32 {
         module: "shared/pixel",
         name: "shade_hit",
         sampling: None,
-        uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelOut", "cell_of", "frame", "height_at", "height_size", "mesostructure_normals", "reflected_light", "surface_color", "surface_settings", "z_of"],
+        uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelOut", "cell_of", "frame", "height_at", "height_size", "mesostructure_normals", "object_color_stage", "reflected_light", "surface_settings", "z_of"],
         text: r#"// What a pixel shows of a placed hit, at which these parts of the lights arrive. `origin` is where the ray
 // begins.
 fn shade_hit(origin: vec3f, at: Entered, hit: Hit, visible: array<vec4f, MAX_LIGHTS>) -> PixelOut {
@@ -5105,7 +5106,7 @@ fn shade_hit(origin: vec3f, at: Entered, hit: Hit, visible: array<vec4f, MAX_LIG
     let height = height_at(hit.uv, at.level);
     let view = normalize(origin - at.point);
     let seen = mesostructure_normals(at, hit.uv, view);
-    let color = reflected_light(at, hit, seen, view, surface_color(at, hit, view), visible);
+    let color = reflected_light(at, hit, seen, view, object_color_stage(at, hit, view), visible);
     let depth = dot(at.point - origin, frame.forward.xyz);
     let cell = cell_of(hit.uv * height_size(0u) - vec2f(0.5, 0.5));
     return PixelOut(
@@ -9106,6 +9107,33 @@ fn look_along(path: Path, image: Image, steps: u32) -> vec2f {
 }"#,
     },
     Declaration {
+        module: "object/blend",
+        name: "object_blend_parts",
+        sampling: None,
+        uses: &[],
+        text: r#"fn object_blend_parts(level: u32, params: vec4f) -> i32 {
+    return 1;
+}"#,
+    },
+    Declaration {
+        module: "object/blend",
+        name: "object_blend_cell",
+        sampling: None,
+        uses: &["height_cell"],
+        text: r#"fn object_blend_cell(cell: vec2i, level: u32, params: vec4f) -> vec4f {
+    return height_cell(cell, level);
+}"#,
+    },
+    Declaration {
+        module: "object/blend",
+        name: "object_blend_color",
+        sampling: None,
+        uses: &["Entered", "Hit", "color_of_object"],
+        text: r#"fn object_blend_color(at: Entered, hit: Hit, view: vec3f, params: vec4f) -> vec3f {
+    return color_of_object(at, view, params.z);
+}"#,
+    },
+    Declaration {
         module: "object/depth",
         name: "object_depth",
         sampling: None,
@@ -9115,12 +9143,66 @@ fn look_along(path: Path, image: Image, steps: u32) -> vec2f {
 }"#,
     },
     Declaration {
+        module: "object/depth",
+        name: "object_depth_parts",
+        sampling: None,
+        uses: &["parts_of_images"],
+        text: r#"fn object_depth_parts(level: u32, params: vec4f) -> i32 {
+    return parts_of_images();
+}"#,
+    },
+    Declaration {
+        module: "object/depth",
+        name: "object_depth_cell",
+        sampling: None,
+        uses: &["cell_of_images"],
+        text: r#"fn object_depth_cell(cell: vec2i, level: u32, params: vec4f) -> vec4f {
+    return cell_of_images(cell, level);
+}"#,
+    },
+    Declaration {
+        module: "object/depth",
+        name: "object_depth_color",
+        sampling: None,
+        uses: &["Entered", "Hit", "color_of_object"],
+        text: r#"fn object_depth_color(at: Entered, hit: Hit, view: vec3f, params: vec4f) -> vec3f {
+    return color_of_object(at, view, params.z);
+}"#,
+    },
+    Declaration {
         module: "object/hull",
         name: "object_hull",
         sampling: None,
         uses: &["Entered", "FirstHit", "PixelIn", "first_in_all"],
         text: r#"fn object_hull(pixel: PixelIn, at: Entered, params: vec4f) -> FirstHit {
     return first_in_all(pixel, at);
+}"#,
+    },
+    Declaration {
+        module: "object/hull",
+        name: "object_hull_parts",
+        sampling: None,
+        uses: &[],
+        text: r#"fn object_hull_parts(level: u32, params: vec4f) -> i32 {
+    return 1;
+}"#,
+    },
+    Declaration {
+        module: "object/hull",
+        name: "object_hull_cell",
+        sampling: None,
+        uses: &["cell_of_mask"],
+        text: r#"fn object_hull_cell(cell: vec2i, level: u32, params: vec4f) -> vec4f {
+    return cell_of_mask(cell, level);
+}"#,
+    },
+    Declaration {
+        module: "object/hull",
+        name: "object_hull_color",
+        sampling: None,
+        uses: &["Entered", "Hit", "color_of_object"],
+        text: r#"fn object_hull_color(at: Entered, hit: Hit, view: vec3f, params: vec4f) -> vec3f {
+    return color_of_object(at, view, params.z);
 }"#,
     },
     Declaration {
@@ -9150,6 +9232,33 @@ fn look_along(path: Path, image: Image, steps: u32) -> vec2f {
     }
     first.hit.cost = cost;
     return first;
+}"#,
+    },
+    Declaration {
+        module: "object/none",
+        name: "object_none_parts",
+        sampling: None,
+        uses: &[],
+        text: r#"fn object_none_parts(level: u32, params: vec4f) -> i32 {
+    return 1;
+}"#,
+    },
+    Declaration {
+        module: "object/none",
+        name: "object_none_cell",
+        sampling: None,
+        uses: &["height_cell"],
+        text: r#"fn object_none_cell(cell: vec2i, level: u32, params: vec4f) -> vec4f {
+    return height_cell(cell, level);
+}"#,
+    },
+    Declaration {
+        module: "object/none",
+        name: "object_none_color",
+        sampling: None,
+        uses: &["Entered", "Hit", "color_or_white"],
+        text: r#"fn object_none_color(at: Entered, hit: Hit, view: vec3f, params: vec4f) -> vec3f {
+    return color_or_white(hit.uv, at.footprint);
 }"#,
     },
     Declaration {
@@ -9607,7 +9716,7 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
         module: "search/pyramid",
         name: "search_pyramid",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_cell", "grid_of", "height_texels", "image_of", "least_at", "leaves_extent", "map_read", "node_extent", "path_height", "path_slope", "quadratic", "search_texel"],
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_of", "height_texels", "image_of", "least_at", "leaves_extent", "map_read", "node_extent", "object_cell_stage", "path_height", "path_slope", "quadratic", "search_texel"],
         text: r#"fn search_pyramid(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let n = height_texels(path.level);
@@ -9647,7 +9756,7 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
         let last = vec2i(columns.y - 1, rows.y - 1);
         if (level == 0u) {
             cost = cost + HEIGHTS_READ;
-            let c = gap_to(path, grid, vec2f(cell), grid_cell(cell, path.level), t);
+            let c = gap_to(path, grid, vec2f(cell), object_cell_stage(cell, path.level), t);
             let found = found_in_cell(c, t, span, t == 0.0, cost);
             if (found.status != FOUND_ABOVE) {
                 return found;

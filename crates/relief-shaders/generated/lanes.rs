@@ -315,7 +315,13 @@ lanes! { fn gap_to(r: &Resources<'_>, path_a0: &Path, grid_a1: &Grid, cell_a2: V
     let dz_40 = add(path_a0.h.y, mul(mul(splat(2.0f32), t_a4), path_a0.h.z));
     return Vec3 { x: sub(z_32, add(add(add(h_a3.x, mul(bx_7, at_22.x)), mul(by_10, at_22.y)), mul(mul(twist_17, at_22.x), at_22.y))), y: sub(dz_40, add(add(mul(bx_7, grid_a1.step.x), mul(by_10, grid_a1.step.y)), mul(twist_17, add(mul(at_22.x, grid_a1.step.y), mul(at_22.y, grid_a1.step.x))))), z: sub(path_a0.h.z, mul(mul(twist_17, grid_a1.step.x), grid_a1.step.y)) };
 } }
-lanes! { fn grid_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+lanes! { fn object_none_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32, params_a2: Vec4<f32>) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_3 = height_cell(r, ex, cell_a0, level_a1);
+    return e_3;
+} }
+lanes! { fn cell_of_images(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let mut both_v0: M = splat_m(false);
@@ -333,42 +339,82 @@ lanes! { fn grid_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: 
         let y2 = h_13;
         return Vec4 { x: sel(ex, y2.x, ret.x), y: sel(ex, y2.y, ret.y), z: sel(ex, y2.z, ret.z), w: sel(ex, y2.w, ret.w) };
     }
-    if (r.surface_settings.cells == 4u32) {
-        if none(ex) { return ret; }
-        let h_39 = height_cell(r, ex, cell_a0, level_a1);
-        let y3 = Vec4 { x: sel(gt(h_39.x, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), y: sel(gt(h_39.y, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), z: sel(gt(h_39.z, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), w: sel(gt(h_39.w, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)) };
-        return Vec4 { x: sel(ex, y3.x, ret.x), y: sel(ex, y3.y, ret.y), z: sel(ex, y3.z, ret.z), w: sel(ex, y3.w, ret.w) };
-    }
-    let dual_71 = Vec2 { x: shr_i(cell_a0.x, splat_u(1u32)), y: shr_i(cell_a0.y, splat_u(1u32)) };
+    let dual_40 = Vec2 { x: shr_i(cell_a0.x, splat_u(1u32)), y: shr_i(cell_a0.y, splat_u(1u32)) };
     if none(ex) { return ret; }
-    let h_72 = height_cell(r, ex, dual_71, level_a1);
-    let most_79 = max(max(h_72.x, h_72.y), max(h_72.z, h_72.w));
-    let least_86 = min(min(h_72.x, h_72.y), min(h_72.z, h_72.w));
-    let right_93 = eq_i(sub_i(sub_i(cell_a0.x, dual_71.x), dual_71.x), splat_i(1i32));
-    let lower_100 = eq_i(sub_i(sub_i(cell_a0.y, dual_71.y), dual_71.y), splat_i(1i32));
+    let h_41 = height_cell(r, ex, dual_40, level_a1);
+    let most_48 = max(max(h_41.x, h_41.y), max(h_41.z, h_41.w));
+    let least_55 = min(min(h_41.x, h_41.y), min(h_41.z, h_41.w));
+    let right_62 = eq_i(sub_i(sub_i(cell_a0.x, dual_40.x), dual_40.x), splat_i(1i32));
+    let lower_69 = eq_i(sub_i(sub_i(cell_a0.y, dual_40.y), dual_40.y), splat_i(1i32));
     if !(r.surface_settings.cells == 3u32) {
-        both_v0 = gt(sub(most_79, least_86), splat(r.surface_settings.jump));
+        both_v0 = gt(sub(most_48, least_55), splat(r.surface_settings.jump));
     } else {
         both_v0 = splat_m(true);
     }
-    let e_115 = both_v0;
-    let c4 = e_115;
-    let nearest_122 = sel(lower_100, sel(right_93, h_72.w, h_72.z), sel(right_93, h_72.y, h_72.x));
-    let y5 = Vec4 { x: nearest_122, y: nearest_122, z: nearest_122, w: nearest_122 };
-    ret = Vec4 { x: sel(and(ex, c4), y5.x, ret.x), y: sel(and(ex, c4), y5.y, ret.y), z: sel(and(ex, c4), y5.z, ret.z), w: sel(and(ex, c4), y5.w, ret.w) };
-    ex = and_not(ex, c4);
-    let top_128 = mul(splat(0.5f32), add(h_72.x, h_72.y));
-    let bottom_133 = mul(splat(0.5f32), add(h_72.z, h_72.w));
-    let left_138 = mul(splat(0.5f32), add(h_72.x, h_72.z));
-    let side_143 = mul(splat(0.5f32), add(h_72.y, h_72.w));
-    let middle_146 = mul(splat(0.5f32), add(top_128, bottom_133));
-    let y6 = Vec4 { x: sel(lower_100, sel(right_93, middle_146, left_138), sel(right_93, top_128, h_72.x)), y: sel(lower_100, sel(right_93, side_143, middle_146), sel(right_93, h_72.y, top_128)), z: sel(lower_100, sel(right_93, bottom_133, h_72.z), sel(right_93, middle_146, left_138)), w: sel(lower_100, sel(right_93, h_72.w, bottom_133), sel(right_93, side_143, middle_146)) };
-    return Vec4 { x: sel(ex, y6.x, ret.x), y: sel(ex, y6.y, ret.y), z: sel(ex, y6.z, ret.z), w: sel(ex, y6.w, ret.w) };
+    let e_84 = both_v0;
+    let c3 = e_84;
+    let nearest_91 = sel(lower_69, sel(right_62, h_41.w, h_41.z), sel(right_62, h_41.y, h_41.x));
+    let y4 = Vec4 { x: nearest_91, y: nearest_91, z: nearest_91, w: nearest_91 };
+    ret = Vec4 { x: sel(and(ex, c3), y4.x, ret.x), y: sel(and(ex, c3), y4.y, ret.y), z: sel(and(ex, c3), y4.z, ret.z), w: sel(and(ex, c3), y4.w, ret.w) };
+    ex = and_not(ex, c3);
+    let top_97 = mul(splat(0.5f32), add(h_41.x, h_41.y));
+    let bottom_102 = mul(splat(0.5f32), add(h_41.z, h_41.w));
+    let left_107 = mul(splat(0.5f32), add(h_41.x, h_41.z));
+    let side_112 = mul(splat(0.5f32), add(h_41.y, h_41.w));
+    let middle_115 = mul(splat(0.5f32), add(top_97, bottom_102));
+    let y5 = Vec4 { x: sel(lower_69, sel(right_62, middle_115, left_107), sel(right_62, top_97, h_41.x)), y: sel(lower_69, sel(right_62, side_112, middle_115), sel(right_62, h_41.y, top_97)), z: sel(lower_69, sel(right_62, bottom_102, h_41.z), sel(right_62, middle_115, left_107)), w: sel(lower_69, sel(right_62, h_41.w, bottom_102), sel(right_62, side_112, middle_115)) };
+    return Vec4 { x: sel(ex, y5.x, ret.x), y: sel(ex, y5.y, ret.y), z: sel(ex, y5.z, ret.z), w: sel(ex, y5.w, ret.w) };
+} }
+lanes! { fn object_depth_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32, params_a2: Vec4<f32>) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_3 = cell_of_images(r, ex, cell_a0, level_a1);
+    return e_3;
+} }
+lanes! { fn cell_of_mask(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let h_2 = height_cell(r, ex, cell_a0, level_a1);
+    return Vec4 { x: sel(gt(h_2.x, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), y: sel(gt(h_2.y, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), z: sel(gt(h_2.z, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), w: sel(gt(h_2.w, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)) };
+} }
+lanes! { fn object_hull_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32, params_a2: Vec4<f32>) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_3 = cell_of_mask(r, ex, cell_a0, level_a1);
+    return e_3;
+} }
+lanes! { fn object_blend_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32, params_a2: Vec4<f32>) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_3 = height_cell(r, ex, cell_a0, level_a1);
+    return e_3;
+} }
+lanes! { fn object_cell_stage(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    match r.surface_settings.choices[3].number {
+        0u32 => {
+            let e_12 = object_none_cell(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
+            return e_12;
+        }
+        1u32 => {
+            let e_18 = object_depth_cell(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
+            return e_18;
+        }
+        2u32 => {
+            let e_24 = object_hull_cell(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
+            return e_24;
+        }
+        _ => {
+            let e_30 = object_blend_cell(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
+            return e_30;
+        }
+    }
 } }
 lanes! { fn cell_gap(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: &Grid, cell_a2: Vec2<F>, t_a3: F) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let e_6 = grid_cell(r, ex, Vec2 { x: i_of_f(cell_a2.x), y: i_of_f(cell_a2.y) }, path_a0.level);
+    let e_6 = object_cell_stage(r, ex, Vec2 { x: i_of_f(cell_a2.x), y: i_of_f(cell_a2.y) }, path_a0.level);
     let e_7 = gap_to(r, path_a0, grid_a1, cell_a2, e_6, t_a3);
     return e_7;
 } }
@@ -400,9 +446,9 @@ lanes! { fn cell_next(r: &Resources<'_>, within: M, grid_a0: &Grid, cell_a1: Vec
 } }
 lanes! { fn grid_of(r: &Resources<'_>, path_a0: &Path) -> Grid {
     let size_2 = r.height_size(path_a0.level);
-    let e_3 = r.cell_parts();
-    let parts_4 = (e_3 as f32);
-    return Grid { origin: Vec2 { x: mul(sub(mul(path_a0.uv.x, splat(size_2.x)), splat(0.5f32)), splat(parts_4)), y: mul(sub(mul(path_a0.uv.y, splat(size_2.y)), splat(0.5f32)), splat(parts_4)) }, step: Vec2 { x: mul(mul(path_a0.duv.x, splat(size_2.x)), splat(parts_4)), y: mul(mul(path_a0.duv.y, splat(size_2.y)), splat(parts_4)) }, };
+    let e_4 = r.object_parts_stage(path_a0.level);
+    let parts_5 = (e_4 as f32);
+    return Grid { origin: Vec2 { x: mul(sub(mul(path_a0.uv.x, splat(size_2.x)), splat(0.5f32)), splat(parts_5)), y: mul(sub(mul(path_a0.uv.y, splat(size_2.y)), splat(0.5f32)), splat(parts_5)) }, step: Vec2 { x: mul(mul(path_a0.duv.x, splat(size_2.x)), splat(parts_5)), y: mul(mul(path_a0.duv.y, splat(size_2.y)), splat(parts_5)) }, };
 } }
 lanes! { fn slope_of(r: &Resources<'_>, within: M, value_a0: F) -> F {
     let mut ex = within;
@@ -1982,7 +2028,7 @@ stage! { fn search_pyramid(r: &Resources<'_>, within: M, path_a0: &Path, params_
                 cost_v5 = Vec3 { x: sel_u(m13, y14.x, cost_v5.x), y: sel_u(m13, y14.y, cost_v5.y), z: sel_u(m13, y14.z, cost_v5.z) };
                 let e_146 = cell_v2;
                 let e_148 = cell_v2;
-                let e_150 = grid_cell(r, ex, e_148, path_a0.level);
+                let e_150 = object_cell_stage(r, ex, e_148, path_a0.level);
                 let e_151 = t_v4;
                 let c_152 = gap_to(r, path_a0, &grid_2, Vec2 { x: f_of_i(e_146.x), y: f_of_i(e_146.y) }, e_150, e_151);
                 let e_153 = t_v4;

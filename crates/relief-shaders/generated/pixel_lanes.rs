@@ -1800,7 +1800,13 @@ lanes! { fn gap_to(r: &Resources<'_>, path_a0: &Path, grid_a1: &Grid, cell_a2: V
     let dz_40 = add(path_a0.h.y, mul(splat((2.0f32 * t_a4)), path_a0.h.z));
     return Vec3 { x: sub(z_32, add(add(add(h_a3.x, mul(bx_7, at_22.x)), mul(by_10, at_22.y)), mul(mul(twist_17, at_22.x), at_22.y))), y: sub(dz_40, add(add(mul(bx_7, grid_a1.step.x), mul(by_10, grid_a1.step.y)), mul(twist_17, add(mul(at_22.x, grid_a1.step.y), mul(at_22.y, grid_a1.step.x))))), z: sub(path_a0.h.z, mul(mul(twist_17, grid_a1.step.x), grid_a1.step.y)) };
 } }
-lanes! { fn grid_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+lanes! { fn object_none_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32, params_a2: Vec4<f32>) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_3 = height_cell_ls(r, ex, cell_a0, level_a1);
+    return e_3;
+} }
+lanes! { fn cell_of_images(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let mut both_v0: M = splat_m(false);
@@ -1818,37 +1824,77 @@ lanes! { fn grid_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: 
         let y2 = h_13;
         return Vec4 { x: sel(ex, y2.x, ret.x), y: sel(ex, y2.y, ret.y), z: sel(ex, y2.z, ret.z), w: sel(ex, y2.w, ret.w) };
     }
-    if (r.surface_settings.cells == 4u32) {
-        if none(ex) { return ret; }
-        let h_39 = height_cell_ls(r, ex, cell_a0, level_a1);
-        let y3 = Vec4 { x: sel(gt(h_39.x, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), y: sel(gt(h_39.y, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), z: sel(gt(h_39.z, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), w: sel(gt(h_39.w, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)) };
-        return Vec4 { x: sel(ex, y3.x, ret.x), y: sel(ex, y3.y, ret.y), z: sel(ex, y3.z, ret.z), w: sel(ex, y3.w, ret.w) };
-    }
-    let dual_71 = Vec2 { x: shr_i(cell_a0.x, splat_u(1u32)), y: shr_i(cell_a0.y, splat_u(1u32)) };
+    let dual_40 = Vec2 { x: shr_i(cell_a0.x, splat_u(1u32)), y: shr_i(cell_a0.y, splat_u(1u32)) };
     if none(ex) { return ret; }
-    let h_72 = height_cell_ls(r, ex, dual_71, level_a1);
-    let most_79 = max(max(h_72.x, h_72.y), max(h_72.z, h_72.w));
-    let least_86 = min(min(h_72.x, h_72.y), min(h_72.z, h_72.w));
-    let right_93 = eq_i(sub_i(sub_i(cell_a0.x, dual_71.x), dual_71.x), splat_i(1i32));
-    let lower_100 = eq_i(sub_i(sub_i(cell_a0.y, dual_71.y), dual_71.y), splat_i(1i32));
+    let h_41 = height_cell_ls(r, ex, dual_40, level_a1);
+    let most_48 = max(max(h_41.x, h_41.y), max(h_41.z, h_41.w));
+    let least_55 = min(min(h_41.x, h_41.y), min(h_41.z, h_41.w));
+    let right_62 = eq_i(sub_i(sub_i(cell_a0.x, dual_40.x), dual_40.x), splat_i(1i32));
+    let lower_69 = eq_i(sub_i(sub_i(cell_a0.y, dual_40.y), dual_40.y), splat_i(1i32));
     if !(r.surface_settings.cells == 3u32) {
-        both_v0 = gt(sub(most_79, least_86), splat(r.surface_settings.jump));
+        both_v0 = gt(sub(most_48, least_55), splat(r.surface_settings.jump));
     } else {
         both_v0 = splat_m(true);
     }
-    let e_115 = both_v0;
-    let c4 = e_115;
-    let nearest_122 = sel(lower_100, sel(right_93, h_72.w, h_72.z), sel(right_93, h_72.y, h_72.x));
-    let y5 = Vec4 { x: nearest_122, y: nearest_122, z: nearest_122, w: nearest_122 };
-    ret = Vec4 { x: sel(and(ex, c4), y5.x, ret.x), y: sel(and(ex, c4), y5.y, ret.y), z: sel(and(ex, c4), y5.z, ret.z), w: sel(and(ex, c4), y5.w, ret.w) };
-    ex = and_not(ex, c4);
-    let top_128 = mul(splat(0.5f32), add(h_72.x, h_72.y));
-    let bottom_133 = mul(splat(0.5f32), add(h_72.z, h_72.w));
-    let left_138 = mul(splat(0.5f32), add(h_72.x, h_72.z));
-    let side_143 = mul(splat(0.5f32), add(h_72.y, h_72.w));
-    let middle_146 = mul(splat(0.5f32), add(top_128, bottom_133));
-    let y6 = Vec4 { x: sel(lower_100, sel(right_93, middle_146, left_138), sel(right_93, top_128, h_72.x)), y: sel(lower_100, sel(right_93, side_143, middle_146), sel(right_93, h_72.y, top_128)), z: sel(lower_100, sel(right_93, bottom_133, h_72.z), sel(right_93, middle_146, left_138)), w: sel(lower_100, sel(right_93, h_72.w, bottom_133), sel(right_93, side_143, middle_146)) };
-    return Vec4 { x: sel(ex, y6.x, ret.x), y: sel(ex, y6.y, ret.y), z: sel(ex, y6.z, ret.z), w: sel(ex, y6.w, ret.w) };
+    let e_84 = both_v0;
+    let c3 = e_84;
+    let nearest_91 = sel(lower_69, sel(right_62, h_41.w, h_41.z), sel(right_62, h_41.y, h_41.x));
+    let y4 = Vec4 { x: nearest_91, y: nearest_91, z: nearest_91, w: nearest_91 };
+    ret = Vec4 { x: sel(and(ex, c3), y4.x, ret.x), y: sel(and(ex, c3), y4.y, ret.y), z: sel(and(ex, c3), y4.z, ret.z), w: sel(and(ex, c3), y4.w, ret.w) };
+    ex = and_not(ex, c3);
+    let top_97 = mul(splat(0.5f32), add(h_41.x, h_41.y));
+    let bottom_102 = mul(splat(0.5f32), add(h_41.z, h_41.w));
+    let left_107 = mul(splat(0.5f32), add(h_41.x, h_41.z));
+    let side_112 = mul(splat(0.5f32), add(h_41.y, h_41.w));
+    let middle_115 = mul(splat(0.5f32), add(top_97, bottom_102));
+    let y5 = Vec4 { x: sel(lower_69, sel(right_62, middle_115, left_107), sel(right_62, top_97, h_41.x)), y: sel(lower_69, sel(right_62, side_112, middle_115), sel(right_62, h_41.y, top_97)), z: sel(lower_69, sel(right_62, bottom_102, h_41.z), sel(right_62, middle_115, left_107)), w: sel(lower_69, sel(right_62, h_41.w, bottom_102), sel(right_62, side_112, middle_115)) };
+    return Vec4 { x: sel(ex, y5.x, ret.x), y: sel(ex, y5.y, ret.y), z: sel(ex, y5.z, ret.z), w: sel(ex, y5.w, ret.w) };
+} }
+lanes! { fn object_depth_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32, params_a2: Vec4<f32>) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_3 = cell_of_images(r, ex, cell_a0, level_a1);
+    return e_3;
+} }
+lanes! { fn cell_of_mask(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let h_2 = height_cell_ls(r, ex, cell_a0, level_a1);
+    return Vec4 { x: sel(gt(h_2.x, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), y: sel(gt(h_2.y, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), z: sel(gt(h_2.z, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), w: sel(gt(h_2.w, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)) };
+} }
+lanes! { fn object_hull_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32, params_a2: Vec4<f32>) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_3 = cell_of_mask(r, ex, cell_a0, level_a1);
+    return e_3;
+} }
+lanes! { fn object_blend_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32, params_a2: Vec4<f32>) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_3 = height_cell_ls(r, ex, cell_a0, level_a1);
+    return e_3;
+} }
+lanes! { fn object_cell_stage(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    match r.surface_settings.choices[3].number {
+        0u32 => {
+            let e_12 = object_none_cell(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
+            return e_12;
+        }
+        1u32 => {
+            let e_18 = object_depth_cell(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
+            return e_18;
+        }
+        2u32 => {
+            let e_24 = object_hull_cell(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
+            return e_24;
+        }
+        _ => {
+            let e_30 = object_blend_cell(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
+            return e_30;
+        }
+    }
 } }
 lanes! { fn cell_leave(r: &Resources<'_>, within: M, grid_a0: &Grid, cell_a1: Vec2<F>) -> Vec2<F> {
     let mut ex = within;
@@ -1908,11 +1954,44 @@ lanes! { fn path_from(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> Path {
     let e_33 = rest_v0;
     return e_33;
 } }
+lanes! { fn object_none_parts(r: &Resources<'_>, level_a0: U, params_a1: Vec4<f32>) -> I {
+    return splat_i(1i32);
+} }
+lanes! { fn object_depth_parts(r: &Resources<'_>, level_a0: U, params_a1: Vec4<f32>) -> I {
+    let e_2 = r.parts_of_images();
+    return splat_i(e_2);
+} }
+lanes! { fn object_hull_parts(r: &Resources<'_>, level_a0: U, params_a1: Vec4<f32>) -> I {
+    return splat_i(1i32);
+} }
+lanes! { fn object_blend_parts(r: &Resources<'_>, level_a0: U, params_a1: Vec4<f32>) -> I {
+    return splat_i(1i32);
+} }
+lanes! { fn object_parts_stage(r: &Resources<'_>, level_a0: U) -> I {
+    match r.surface_settings.choices[3].number {
+        0u32 => {
+            let e_11 = object_none_parts(r, level_a0, r.surface_settings.choices[3].params);
+            return e_11;
+        }
+        1u32 => {
+            let e_17 = object_depth_parts(r, level_a0, r.surface_settings.choices[3].params);
+            return e_17;
+        }
+        2u32 => {
+            let e_23 = object_hull_parts(r, level_a0, r.surface_settings.choices[3].params);
+            return e_23;
+        }
+        _ => {
+            let e_29 = object_blend_parts(r, level_a0, r.surface_settings.choices[3].params);
+            return e_29;
+        }
+    }
+} }
 lanes! { fn grid_of(r: &Resources<'_>, path_a0: &Path) -> Grid {
     let size_2 = height_size(r, path_a0.level);
-    let e_3 = r.cell_parts();
-    let parts_4 = (e_3 as f32);
-    return Grid { origin: Vec2 { x: mul(sub(mul(path_a0.uv.x, size_2.x), splat(0.5f32)), splat(parts_4)), y: mul(sub(mul(path_a0.uv.y, size_2.y), splat(0.5f32)), splat(parts_4)) }, step: Vec2 { x: mul(mul(path_a0.duv.x, size_2.x), splat(parts_4)), y: mul(mul(path_a0.duv.y, size_2.y), splat(parts_4)) }, };
+    let e_4 = object_parts_stage(r, path_a0.level);
+    let parts_5 = f_of_i(e_4);
+    return Grid { origin: Vec2 { x: mul(sub(mul(path_a0.uv.x, size_2.x), splat(0.5f32)), parts_5), y: mul(sub(mul(path_a0.uv.y, size_2.y), splat(0.5f32)), parts_5) }, step: Vec2 { x: mul(mul(path_a0.duv.x, size_2.x), parts_5), y: mul(mul(path_a0.duv.y, size_2.y), parts_5) }, };
 } }
 lanes! { fn color_at_ll(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: U) -> Vec4<F> {
     let mut ex = within;
@@ -2085,6 +2164,146 @@ stage! { fn color_of_frames(r: &Resources<'_>, within: M, at_a0: &Entered, view_
     }
     let e_30 = sum_v0;
     return e_30;
+} }
+stage! { fn object_color(r: &Resources<'_>, within: M, at_a0: &Entered, view_a1: Vec3<F>, asked_a2: bool) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut angle1_v0: F = splat(4.0f32);
+    let mut angle2_v1: F = splat(4.0f32);
+    let mut angle3_v2: F = splat(4.0f32);
+    let mut angle4_v3: F = splat(4.0f32);
+    let mut image1_v4: U = splat_u(0u32);
+    let mut image2_v5: U = splat_u(0u32);
+    let mut image3_v6: U = splat_u(0u32);
+    let mut k_v7: u32 = 0u32;
+    let mut weight1_v8: F = splat(0f32);
+    let mut weight2_v9: F = splat(0f32);
+    let mut weight3_v10: F = splat(0f32);
+    'l1: loop {
+        let e_19 = k_v7;
+        if (e_19 < r.surface_settings.images) {
+        } else {
+            break 'l1;
+        }
+        let e_24 = k_v7;
+        let e_25 = image_of_object_s(r, ex, e_24);
+        let angle_27 = angle_to_image(r, ex, &e_25, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z }, view_a1, asked_a2);
+        let e_28 = angle1_v0;
+        let (b2, c3) = (ex, lt(angle_27, e_28));
+        ex = and(b2, c3);
+        if any(ex) {
+            let e_30 = angle3_v2;
+            angle4_v3 = sel(ex, e_30, angle4_v3);
+            let e_31 = angle2_v1;
+            angle3_v2 = sel(ex, e_31, angle3_v2);
+            let e_32 = image2_v5;
+            image3_v6 = sel_u(ex, e_32, image3_v6);
+            let e_33 = angle1_v0;
+            angle2_v1 = sel(ex, e_33, angle2_v1);
+            let e_34 = image1_v4;
+            image2_v5 = sel_u(ex, e_34, image2_v5);
+            angle1_v0 = sel(ex, angle_27, angle1_v0);
+            let e_35 = k_v7;
+            image1_v4 = sel_u(ex, splat_u(e_35), image1_v4);
+        }
+        ex = and_not(b2, c3);
+        if any(ex) {
+            let e_36 = angle2_v1;
+            let (b4, c5) = (ex, lt(angle_27, e_36));
+            ex = and(b4, c5);
+            if any(ex) {
+                let e_38 = angle3_v2;
+                angle4_v3 = sel(ex, e_38, angle4_v3);
+                let e_39 = angle2_v1;
+                angle3_v2 = sel(ex, e_39, angle3_v2);
+                let e_40 = image2_v5;
+                image3_v6 = sel_u(ex, e_40, image3_v6);
+                angle2_v1 = sel(ex, angle_27, angle2_v1);
+                let e_41 = k_v7;
+                image2_v5 = sel_u(ex, splat_u(e_41), image2_v5);
+            }
+            ex = and_not(b4, c5);
+            if any(ex) {
+                let e_42 = angle3_v2;
+                let c6 = lt(angle_27, e_42);
+                let e_44 = angle3_v2;
+                angle4_v3 = sel(and(ex, c6), e_44, angle4_v3);
+                angle3_v2 = sel(and(ex, c6), angle_27, angle3_v2);
+                let e_45 = k_v7;
+                image3_v6 = sel_u(and(ex, c6), splat_u(e_45), image3_v6);
+                let e_46 = angle4_v3;
+                let c7 = lt(angle_27, e_46);
+                angle4_v3 = sel(and(ex, and(not(c6), c7)), angle_27, angle4_v3);
+            }
+            ex = b4;
+        }
+        ex = b2;
+        let e_48 = k_v7;
+        k_v7 = e_48.wrapping_add(1u32);
+    }
+    let e_51 = angle1_v0;
+    let less_56 = sel(ge(e_51, splat(2.0f32)), splat(2.0f32), splat(0.0f32));
+    let e_57 = angle4_v3;
+    let last_60 = min_with(sub(e_57, less_56), splat(0.5f32));
+    let e_61 = angle1_v0;
+    weight1_v8 = max_with(sub(splat(1.0f32), div(sub(e_61, less_56), last_60)), splat(0.0f32));
+    let e_69 = angle2_v1;
+    weight2_v9 = max_with(sub(splat(1.0f32), div(sub(e_69, less_56), last_60)), splat(0.0f32));
+    let e_77 = angle3_v2;
+    weight3_v10 = max_with(sub(splat(1.0f32), div(sub(e_77, less_56), last_60)), splat(0.0f32));
+    let e_85 = weight1_v8;
+    let e_86 = weight2_v9;
+    let e_88 = weight3_v10;
+    let c8 = not(gt(add(add(e_85, e_86), e_88), splat(0.0f32)));
+    weight1_v8 = sel(c8, splat(1.0f32), weight1_v8);
+    let e_94 = angle2_v1;
+    let e_95 = angle1_v0;
+    weight2_v9 = sel(c8, sel(eq(e_94, e_95), splat(1.0f32), splat(0.0f32)), weight2_v9);
+    let e_100 = angle3_v2;
+    let e_101 = angle1_v0;
+    weight3_v10 = sel(c8, sel(eq(e_100, e_101), splat(1.0f32), splat(0.0f32)), weight3_v10);
+    let e_106 = image1_v4;
+    let e_107 = image_of_object_l(r, ex, e_106);
+    let e_109 = place_in_image(r, &e_107, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
+    let e_111 = image2_v5;
+    let e_112 = image_of_object_l(r, ex, e_111);
+    let e_114 = place_in_image(r, &e_112, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
+    let e_116 = image3_v6;
+    let e_117 = image_of_object_l(r, ex, e_116);
+    let e_119 = place_in_image(r, &e_117, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
+    let e_122 = color_at_ls(r, ex, Vec2 { x: e_109.x, y: e_109.y }, 0u32);
+    let e_124 = weight1_v8;
+    let first_125 = Vec3 { x: mul(e_122.x, e_124), y: mul(e_122.y, e_124), z: mul(e_122.z, e_124) };
+    let e_127 = color_at_ls(r, ex, Vec2 { x: e_114.x, y: e_114.y }, 0u32);
+    let e_129 = weight2_v9;
+    let e_133 = color_at_ls(r, ex, Vec2 { x: e_119.x, y: e_119.y }, 0u32);
+    let e_135 = weight3_v10;
+    let sum_137 = Vec3 { x: add(add(first_125.x, mul(e_127.x, e_129)), mul(e_133.x, e_135)), y: add(add(first_125.y, mul(e_127.y, e_129)), mul(e_133.y, e_135)), z: add(add(first_125.z, mul(e_127.z, e_129)), mul(e_133.z, e_135)) };
+    let e_138 = weight1_v8;
+    let e_139 = weight2_v9;
+    let e_141 = weight3_v10;
+    let e_144 = div(splat(1.0f32), add(add(e_138, e_139), e_141));
+    return Vec3 { x: mul(sum_137.x, e_144), y: mul(sum_137.y, e_144), z: mul(sum_137.z, e_144) };
+} }
+lanes! { fn color_of_object(r: &Resources<'_>, within: M, at_a0: &Entered, view_a1: Vec3<F>, how_a2: f32) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut both_v0: bool = false;
+    if !(r.surface_settings.has_color != 1u32) {
+        both_v0 = (how_a2 == 2.0f32);
+    } else {
+        both_v0 = true;
+    }
+    let e_14 = both_v0;
+    if e_14 {
+        return Vec3 { x: splat(1.0f32), y: splat(1.0f32), z: splat(1.0f32) };
+    }
+    if (how_a2 == 3.0f32) {
+        let e_21 = color_of_frames(r, ex, at_a0, view_a1);
+        return e_21;
+    }
+    let e_24 = object_color(r, ex, at_a0, view_a1, (how_a2 == 1.0f32));
+    return e_24;
 } }
 lanes! { fn color_or_white(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, footprint_a1: F) -> Vec3<F> {
     let mut ex = within;
@@ -3183,22 +3402,22 @@ lanes! { fn on_image(r: &Resources<'_>, within: M, image_a0: &Image, point_a1: V
     let beside_35 = max(sub(abs(sub(u_9, splat(0.5f32))), beyond_24.x), sub(abs(sub(v_16, splat(0.5f32))), beyond_24.y));
     let uv_40 = Vec2 { x: add(image_a0.corner.x, mul(image_a0.extent.x, u_9)), y: add(image_a0.corner.y, mul(image_a0.extent.y, v_16)) };
     let e_42 = height_size(r, splat_u(0u32));
-    let e_48 = r.cell_parts();
-    let e_49 = (e_48 as f32);
-    let at_50 = Vec2 { x: mul(sub(mul(uv_40.x, e_42.x), splat(0.5f32)), splat(e_49)), y: mul(sub(mul(uv_40.y, e_42.y), splat(0.5f32)), splat(e_49)) };
-    let cell_51 = cell_of(r, at_50);
-    let part_52 = Vec2 { x: sub(at_50.x, cell_51.x), y: sub(at_50.y, cell_51.y) };
-    let heights_55 = grid_cell(r, ex, Vec2 { x: i_of_small(cell_51.x), y: i_of_small(cell_51.y) }, 0u32);
-    let top_62 = add(heights_55.x, mul(sub(heights_55.y, heights_55.x), part_52.x));
-    let bottom_69 = add(heights_55.z, mul(sub(heights_55.w, heights_55.z), part_52.x));
-    let map_73 = add(top_62, mul(sub(bottom_69, top_62), part_52.y));
+    let e_49 = object_parts_stage(r, splat_u(0u32));
+    let e_50 = f_of_i(e_49);
+    let at_51 = Vec2 { x: mul(sub(mul(uv_40.x, e_42.x), splat(0.5f32)), e_50), y: mul(sub(mul(uv_40.y, e_42.y), splat(0.5f32)), e_50) };
+    let cell_52 = cell_of(r, at_51);
+    let part_53 = Vec2 { x: sub(at_51.x, cell_52.x), y: sub(at_51.y, cell_52.y) };
+    let heights_56 = object_cell_stage(r, ex, Vec2 { x: i_of_small(cell_52.x), y: i_of_small(cell_52.y) }, 0u32);
+    let top_63 = add(heights_56.x, mul(sub(heights_56.y, heights_56.x), part_53.x));
+    let bottom_70 = add(heights_56.z, mul(sub(heights_56.w, heights_56.z), part_53.x));
+    let map_74 = add(top_63, mul(sub(bottom_70, top_63), part_53.y));
     both_v0 = and(gt(depth_2, splat(0.0f32)), le(beside_35, splat(0.5f32)));
-    let e_81 = both_v0;
-    both_v1 = and(e_81, gt(h_23, splat(1e-5f32)));
-    let e_87 = both_v1;
-    both_v2 = and(e_87, le(h_23, splat(1.0f32)));
-    let is_inside_93 = both_v2;
-    return OnImage { uv: uv_40, height: sel(splat_m((r.surface_settings.cells == 4u32)), splat(0.5f32), h_23), map: map_73, is_inside: is_inside_93, };
+    let e_82 = both_v0;
+    both_v1 = and(e_82, gt(h_23, splat(1e-5f32)));
+    let e_88 = both_v1;
+    both_v2 = and(e_88, le(h_23, splat(1.0f32)));
+    let is_inside_94 = both_v2;
+    return OnImage { uv: uv_40, height: sel(splat_m((r.surface_settings.cells == 4u32)), splat(0.5f32), h_23), map: map_74, is_inside: is_inside_94, };
 } }
 lanes! { fn is_in_image(r: &Resources<'_>, within: M, at_a0: &OnImage) -> M {
     let mut ex = within;
@@ -4248,7 +4467,7 @@ lanes! { fn normal_of_mask(r: &Resources<'_>, within: M, image_a0: &Image, hit_a
     let e_4 = height_size(r, splat_u(0u32));
     let at_9 = Vec2 { x: sub(mul(hit_a1.uv.x, e_4.x), splat(0.5f32)), y: sub(mul(hit_a1.uv.y, e_4.y), splat(0.5f32)) };
     let cell_10 = cell_of(r, at_9);
-    let h_13 = grid_cell(r, ex, Vec2 { x: i_of_small(cell_10.x), y: i_of_small(cell_10.y) }, 0u32);
+    let h_13 = object_cell_stage(r, ex, Vec2 { x: i_of_small(cell_10.x), y: i_of_small(cell_10.y) }, 0u32);
     let part_14 = Vec2 { x: sub(at_9.x, cell_10.x), y: sub(at_9.y, cell_10.y) };
     let rise_u_27 = add(mul(sub(h_13.y, h_13.x), sub(splat(1.0f32), part_14.y)), mul(sub(h_13.w, h_13.z), part_14.y));
     let rise_v_40 = add(mul(sub(h_13.z, h_13.x), sub(splat(1.0f32), part_14.x)), mul(sub(h_13.w, h_13.y), part_14.x));
@@ -4268,125 +4487,51 @@ lanes! { fn normal_of_mask(r: &Resources<'_>, within: M, image_a0: &Image, hit_a
     let y4 = Vec3 { x: image_a0.toward.x, y: image_a0.toward.y, z: image_a0.toward.z };
     return Vec3 { x: sel(ex, y4.x, ret.x), y: sel(ex, y4.y, ret.y), z: sel(ex, y4.z, ret.z) };
 } }
-stage! { fn object_color(r: &Resources<'_>, within: M, at_a0: &Entered, view_a1: Vec3<F>, asked_a2: bool) -> Vec3<F> {
+lanes! { fn object_blend_color(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>, params_a3: Vec4<f32>) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let mut angle1_v0: F = splat(4.0f32);
-    let mut angle2_v1: F = splat(4.0f32);
-    let mut angle3_v2: F = splat(4.0f32);
-    let mut angle4_v3: F = splat(4.0f32);
-    let mut image1_v4: U = splat_u(0u32);
-    let mut image2_v5: U = splat_u(0u32);
-    let mut image3_v6: U = splat_u(0u32);
-    let mut k_v7: u32 = 0u32;
-    let mut weight1_v8: F = splat(0f32);
-    let mut weight2_v9: F = splat(0f32);
-    let mut weight3_v10: F = splat(0f32);
-    'l1: loop {
-        let e_19 = k_v7;
-        if (e_19 < r.surface_settings.images) {
-        } else {
-            break 'l1;
+    let e_5 = color_of_object(r, ex, at_a0, view_a2, params_a3.z);
+    return e_5;
+} }
+lanes! { fn object_none_color(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>, params_a3: Vec4<f32>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let e_6 = color_or_white(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.footprint);
+    return e_6;
+} }
+lanes! { fn object_depth_color(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>, params_a3: Vec4<f32>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let e_5 = color_of_object(r, ex, at_a0, view_a2, params_a3.z);
+    return e_5;
+} }
+lanes! { fn object_hull_color(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>, params_a3: Vec4<f32>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let e_5 = color_of_object(r, ex, at_a0, view_a2, params_a3.z);
+    return e_5;
+} }
+lanes! { fn object_color_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    match r.surface_settings.choices[3].number {
+        0u32 => {
+            let e_13 = object_none_color(r, ex, at_a0, hit_a1, view_a2, r.surface_settings.choices[3].params);
+            return e_13;
         }
-        let e_24 = k_v7;
-        let e_25 = image_of_object_s(r, ex, e_24);
-        let angle_27 = angle_to_image(r, ex, &e_25, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z }, view_a1, asked_a2);
-        let e_28 = angle1_v0;
-        let (b2, c3) = (ex, lt(angle_27, e_28));
-        ex = and(b2, c3);
-        if any(ex) {
-            let e_30 = angle3_v2;
-            angle4_v3 = sel(ex, e_30, angle4_v3);
-            let e_31 = angle2_v1;
-            angle3_v2 = sel(ex, e_31, angle3_v2);
-            let e_32 = image2_v5;
-            image3_v6 = sel_u(ex, e_32, image3_v6);
-            let e_33 = angle1_v0;
-            angle2_v1 = sel(ex, e_33, angle2_v1);
-            let e_34 = image1_v4;
-            image2_v5 = sel_u(ex, e_34, image2_v5);
-            angle1_v0 = sel(ex, angle_27, angle1_v0);
-            let e_35 = k_v7;
-            image1_v4 = sel_u(ex, splat_u(e_35), image1_v4);
+        1u32 => {
+            let e_19 = object_depth_color(r, ex, at_a0, hit_a1, view_a2, r.surface_settings.choices[3].params);
+            return e_19;
         }
-        ex = and_not(b2, c3);
-        if any(ex) {
-            let e_36 = angle2_v1;
-            let (b4, c5) = (ex, lt(angle_27, e_36));
-            ex = and(b4, c5);
-            if any(ex) {
-                let e_38 = angle3_v2;
-                angle4_v3 = sel(ex, e_38, angle4_v3);
-                let e_39 = angle2_v1;
-                angle3_v2 = sel(ex, e_39, angle3_v2);
-                let e_40 = image2_v5;
-                image3_v6 = sel_u(ex, e_40, image3_v6);
-                angle2_v1 = sel(ex, angle_27, angle2_v1);
-                let e_41 = k_v7;
-                image2_v5 = sel_u(ex, splat_u(e_41), image2_v5);
-            }
-            ex = and_not(b4, c5);
-            if any(ex) {
-                let e_42 = angle3_v2;
-                let c6 = lt(angle_27, e_42);
-                let e_44 = angle3_v2;
-                angle4_v3 = sel(and(ex, c6), e_44, angle4_v3);
-                angle3_v2 = sel(and(ex, c6), angle_27, angle3_v2);
-                let e_45 = k_v7;
-                image3_v6 = sel_u(and(ex, c6), splat_u(e_45), image3_v6);
-                let e_46 = angle4_v3;
-                let c7 = lt(angle_27, e_46);
-                angle4_v3 = sel(and(ex, and(not(c6), c7)), angle_27, angle4_v3);
-            }
-            ex = b4;
+        2u32 => {
+            let e_25 = object_hull_color(r, ex, at_a0, hit_a1, view_a2, r.surface_settings.choices[3].params);
+            return e_25;
         }
-        ex = b2;
-        let e_48 = k_v7;
-        k_v7 = e_48.wrapping_add(1u32);
+        _ => {
+            let e_31 = object_blend_color(r, ex, at_a0, hit_a1, view_a2, r.surface_settings.choices[3].params);
+            return e_31;
+        }
     }
-    let e_51 = angle1_v0;
-    let less_56 = sel(ge(e_51, splat(2.0f32)), splat(2.0f32), splat(0.0f32));
-    let e_57 = angle4_v3;
-    let last_60 = min_with(sub(e_57, less_56), splat(0.5f32));
-    let e_61 = angle1_v0;
-    weight1_v8 = max_with(sub(splat(1.0f32), div(sub(e_61, less_56), last_60)), splat(0.0f32));
-    let e_69 = angle2_v1;
-    weight2_v9 = max_with(sub(splat(1.0f32), div(sub(e_69, less_56), last_60)), splat(0.0f32));
-    let e_77 = angle3_v2;
-    weight3_v10 = max_with(sub(splat(1.0f32), div(sub(e_77, less_56), last_60)), splat(0.0f32));
-    let e_85 = weight1_v8;
-    let e_86 = weight2_v9;
-    let e_88 = weight3_v10;
-    let c8 = not(gt(add(add(e_85, e_86), e_88), splat(0.0f32)));
-    weight1_v8 = sel(c8, splat(1.0f32), weight1_v8);
-    let e_94 = angle2_v1;
-    let e_95 = angle1_v0;
-    weight2_v9 = sel(c8, sel(eq(e_94, e_95), splat(1.0f32), splat(0.0f32)), weight2_v9);
-    let e_100 = angle3_v2;
-    let e_101 = angle1_v0;
-    weight3_v10 = sel(c8, sel(eq(e_100, e_101), splat(1.0f32), splat(0.0f32)), weight3_v10);
-    let e_106 = image1_v4;
-    let e_107 = image_of_object_l(r, ex, e_106);
-    let e_109 = place_in_image(r, &e_107, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
-    let e_111 = image2_v5;
-    let e_112 = image_of_object_l(r, ex, e_111);
-    let e_114 = place_in_image(r, &e_112, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
-    let e_116 = image3_v6;
-    let e_117 = image_of_object_l(r, ex, e_116);
-    let e_119 = place_in_image(r, &e_117, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
-    let e_122 = color_at_ls(r, ex, Vec2 { x: e_109.x, y: e_109.y }, 0u32);
-    let e_124 = weight1_v8;
-    let first_125 = Vec3 { x: mul(e_122.x, e_124), y: mul(e_122.y, e_124), z: mul(e_122.z, e_124) };
-    let e_127 = color_at_ls(r, ex, Vec2 { x: e_114.x, y: e_114.y }, 0u32);
-    let e_129 = weight2_v9;
-    let e_133 = color_at_ls(r, ex, Vec2 { x: e_119.x, y: e_119.y }, 0u32);
-    let e_135 = weight3_v10;
-    let sum_137 = Vec3 { x: add(add(first_125.x, mul(e_127.x, e_129)), mul(e_133.x, e_135)), y: add(add(first_125.y, mul(e_127.y, e_129)), mul(e_133.y, e_135)), z: add(add(first_125.z, mul(e_127.z, e_129)), mul(e_133.z, e_135)) };
-    let e_138 = weight1_v8;
-    let e_139 = weight2_v9;
-    let e_141 = weight3_v10;
-    let e_144 = div(splat(1.0f32), add(add(e_138, e_139), e_141));
-    return Vec3 { x: mul(sum_137.x, e_144), y: mul(sum_137.y, e_144), z: mul(sum_137.z, e_144) };
 } }
 stage! { pub(super) fn pixel_direction(r: &Resources<'_>, pixel_a0: Vec2<F>) -> Vec3<F> {
     return Vec3 { x: add(add(splat(r.frame.corner.x), mul(splat(r.frame.right.x), pixel_a0.x)), mul(splat(r.frame.down.x), pixel_a0.y)), y: add(add(splat(r.frame.corner.y), mul(splat(r.frame.right.y), pixel_a0.x)), mul(splat(r.frame.down.y), pixel_a0.y)), z: add(add(splat(r.frame.corner.z), mul(splat(r.frame.right.z), pixel_a0.x)), mul(splat(r.frame.down.z), pixel_a0.y)) };
@@ -4842,30 +4987,6 @@ stage! { fn reflected_light(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a
     let e_57 = light_v0;
     return e_57;
 } }
-lanes! { fn surface_color(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>) -> Vec3<F> {
-    let mut ex = within;
-    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let mut both_v0: bool = false;
-    if !(r.surface_settings.images == 0u32) {
-        both_v0 = (r.surface_settings.has_color != 1u32);
-    } else {
-        both_v0 = true;
-    }
-    let e_17 = both_v0;
-    if e_17 {
-        let e_20 = color_or_white(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.footprint);
-        return e_20;
-    }
-    if (r.surface_settings.choices[3].params.z == 2.0f32) {
-        return Vec3 { x: splat(1.0f32), y: splat(1.0f32), z: splat(1.0f32) };
-    }
-    if (r.surface_settings.choices[3].params.z == 3.0f32) {
-        let e_35 = color_of_frames(r, ex, at_a0, view_a2);
-        return e_35;
-    }
-    let e_38 = object_color(r, ex, at_a0, view_a2, (r.surface_settings.choices[3].params.z == 1.0f32));
-    return e_38;
-} }
 lanes! { fn z_of(r: &Resources<'_>, depth_a0: F) -> F {
     if (r.frame.clip.y == 0.0f32) {
         return min_with(max_with(add(splat(r.frame.clip.x), mul(splat(r.frame.clip.z), depth_a0)), splat(0.0f32)), splat(1.0f32));
@@ -4888,7 +5009,7 @@ stage! { pub(super) fn shade_hit(r: &Resources<'_>, within: M, origin_a0: Vec3<F
     let length3 = sqrt(add(add(mul(e_46.x, e_46.x), mul(e_46.y, e_46.y)), mul(e_46.z, e_46.z)));
     let view_47 = Vec3 { x: div(e_46.x, length3), y: div(e_46.y, length3), z: div(e_46.z, length3) };
     let seen_49 = mesostructure_normals(r, ex, at_a1, Vec2 { x: hit_a2.uv.x, y: hit_a2.uv.y }, view_47);
-    let e_50 = surface_color(r, ex, at_a1, hit_a2, view_47);
+    let e_50 = object_color_stage(r, ex, at_a1, hit_a2, view_47);
     let color_51 = reflected_light(r, ex, at_a1, hit_a2, &seen_49, view_47, e_50, visible_a3);
     let depth_58 = add(add(add(mul(sub(at_a1.point.x, origin_a0.x), splat(r.frame.forward.x)), mul(sub(at_a1.point.y, origin_a0.y), splat(r.frame.forward.y))), mul(sub(at_a1.point.z, origin_a0.z), splat(r.frame.forward.z))), splat(0.0f32));
     let e_61 = height_size(r, splat_u(0u32));

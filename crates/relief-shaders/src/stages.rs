@@ -111,7 +111,16 @@ pub const STAGES: [Stage; 11] = [
         plural: "objects",
         entries: object::ENTRIES,
         chosen_as: Some("solid"),
-        calls: &[only(&[("pixel", "PixelIn"), ("at", "Entered")], "FirstHit")],
+        calls: &[
+            only(&[("pixel", "PixelIn"), ("at", "Entered")], "FirstHit"),
+            Call { name: "parts", inputs: &[("level", "u32")], returns: "i32" },
+            Call { name: "cell", inputs: &[("cell", "vec2i"), ("level", "u32")], returns: "vec4f" },
+            Call {
+                name: "color",
+                inputs: &[("at", "Entered"), ("hit", "Hit"), ("view", "vec3f")],
+                returns: "vec3f",
+            },
+        ],
         slot: None,
         rays: &[],
     },

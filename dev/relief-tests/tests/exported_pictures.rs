@@ -83,30 +83,24 @@ const CASES: [(&str, &str, &str, &str, Wrap); 4] = [
     ("relief", "prism", "none", "constant", Wrap::Repeat),
 ];
 
-/// An object of images of which every other one is seen from an eye, as a program's own shader is to draw it.
-fn object(method: &str) -> (Selection, Job) {
+#[test]
+fn an_export_of_an_object_gives_the_bits_of_the_renderer() {
+    let Some(device) = device() else { return };
+    // Every other image is seen from an eye.
     let (views, maps) = eyes_on_spheres(&CUBE, 2.5, 64);
     let object = ImageObject::new(views, &maps, JumpCells::Highest, 4.0).expect("an object");
-    let selection = object_pictures::selection(method, &[]);
+    let selection = object_pictures::selection("depth-object", &[]);
     let scene = object_pictures::scene(&object, selection, EYES[0], BackendChoice::Gpu);
-    (selection, Job::of_scene(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a job"))
-}
-
-#[test]
-fn exports_of_objects_give_the_bits_of_the_renderer() {
-    let Some(device) = device() else { return };
-    for method in ["depth-object", "visual-hull"] {
-        let (selection, job) = object(method);
-        let (export, own) = (exported(&selection, None), rendered(&device, &job));
-        let Difference { bits, covered, .. } = compare(&own, &draw(&device, &export, &job, Language::Wgsl));
-        println!("{method}: {bits} of {covered} pixels differ");
-        assert!(covered > 2500 && bits == 0, "{method}: {bits} of {covered}");
-        // Another number of images is noticed.
-        let mut fewer = job.clone();
-        fewer.surfaces[0].settings.images -= 2;
-        let drawn = draw(&device, &export, &fewer, Language::Wgsl);
-        assert!(compare(&own, &drawn).bits > 0, "{method}");
-    }
+    let job = Job::of_scene(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a job");
+    let (export, own) = (exported(&selection, None), rendered(&device, &job));
+    let Difference { bits, covered, .. } = compare(&own, &draw(&device, &export, &job, Language::Wgsl));
+    println!("{bits} of {covered} pixels differ");
+    assert!(covered > 2500 && bits == 0, "{bits} of {covered}");
+    // Another number of images is noticed.
+    let mut fewer = job.clone();
+    fewer.surfaces[0].settings.images -= 2;
+    let drawn = draw(&device, &export, &fewer, Language::Wgsl);
+    assert!(compare(&own, &drawn).bits > 0);
 }
 
 #[test]

@@ -7,7 +7,7 @@ use relief_core::encoding::seen_normal;
 use relief_core::object::{EMPTY_HEIGHT, JumpCells, LEAST_COVER, LEAST_FACING};
 use relief_core::{FoundState, RayUse, SliceAxis, Wrap};
 use relief_shaders::object::MASK_CELLS;
-use relief_shaders::{LightRayState, MAX_LIGHT_VIEWS, MAX_LIGHTS, MapSlot, OBJECT, STAGES, surface, wgsl};
+use relief_shaders::{LightRayState, MAX_LIGHT_VIEWS, MAX_LIGHTS, MapSlot, STAGES, surface, wgsl};
 
 /// The module's source.
 pub fn module() -> String {
@@ -51,7 +51,6 @@ pub fn module() -> String {
         constant(&format!("CELLS_{}", cells.name().to_uppercase()), cells as u32);
     }
     constant("CELLS_MASK", MASK_CELLS);
-    constant("STAGE_OBJECT", OBJECT as u32);
     constant("STAGES", STAGES.len() as u32);
     let _ = writeln!(text, "const EMPTY_HEIGHT = {:?};", EMPTY_HEIGHT as f32);
     let _ = writeln!(text, "const LEAST_FRAME_FACING = {:?};", LEAST_FACING as f32);
