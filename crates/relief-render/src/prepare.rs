@@ -41,8 +41,8 @@ pub struct Preparer {
 }
 
 impl Job {
-    /// All that shaders bind to show a scene, for programs that draw it by shaders of their own, such as exported
-    /// ones. The baked maps that its methods read are those of the provider.
+    /// All that shaders bind to show a scene, for programs that draw it by shaders of their own, such as
+    /// exported ones. The baked maps that its methods read are those of the provider.
     ///
     /// # Errors
     ///

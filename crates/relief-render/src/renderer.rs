@@ -90,8 +90,8 @@ pub enum RenderError {
     },
     /// The images of an object are to be counted in a stencil buffer, which the CPU backend does not have.
     #[error(
-        "surface {}: the CPU backend has no stencil buffer; set 'geometry.pass' to 'product', or choose a GPU",
-        surface + 1
+        "surface {}: the CPU backend has no stencil buffer; set 'geometry.pass' to 'product', or choose a \
+         GPU", surface + 1
     )]
     StencilOnCpu {
         /// The surface's number in the scene.

@@ -535,9 +535,9 @@ impl Grid {
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
 /// An image: what a point's texture coordinates and its height in it are, each times its depth, and that
-/// depth, by products with (x, y, z, 1), the depth being 1 by parallel rays; where it lies among the others (its
-/// first corner and its extent, in texture coordinates of all); the unit direction against which it looks;
-/// and whether it looks from an eye, where that is, and at which depth it begins to see.
+/// depth, by products with (x, y, z, 1), the depth being 1 by parallel rays; where it lies among the others
+/// (its first corner and its extent, in texture coordinates of all); the unit direction against which it
+/// looks; and whether it looks from an eye, where that is, and at which depth it begins to see.
 pub struct Image {
     pub u: rt::Vec4<f32>,
     pub v: rt::Vec4<f32>,
@@ -7632,7 +7632,8 @@ impl<'g> Resources<'g> {
         let start_2 = (_e5 * pixel_52.direction.length());
         let _e11 = self.v_height_at(at_46.uv, rt::Scalar(at_46.level));
         let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Path>::new(at_46.uv, duv_8, <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(1f32), rt::Scalar(0f32), at_46.metric, RAY_VIEW, rt::Scalar(at_46.level), start_2, rt::Scalar(1f32), rt::Scalar(0f32));
+        let h_5 = <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Path>::new(at_46.uv, duv_8, h_5, rt::Scalar(1f32), rt::Scalar(0f32), at_46.metric, RAY_VIEW, rt::Scalar(at_46.level), start_2, rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn slice_inside(
         &self,
@@ -7994,10 +7995,10 @@ impl<'g> Resources<'g> {
         let bend_6 = (deepens / _e33);
         let u_1 = ((_e4.u.xyz().dot(origin_6) + _e4.u.w()) / _e33);
         let v_3 = ((_e4.v.xyz().dot(origin_6) + _e4.v.w()) / _e33);
-        let h_5 = ((_e4.height.xyz().dot(origin_6) + _e4.height.w()) / _e33);
+        let h_6 = ((_e4.height.xyz().dot(origin_6) + _e4.height.w()) / _e33);
         let du_1 = ((_e4.u.xyz().dot(along_36) - (u_1 * deepens)) / _e33);
         let dv_1 = ((_e4.v.xyz().dot(along_36) - (v_3 * deepens)) / _e33);
-        let dh_1 = ((_e4.height.xyz().dot(along_36) - (h_5 * deepens)) / _e33);
+        let dh_1 = ((_e4.height.xyz().dot(along_36) - (h_6 * deepens)) / _e33);
         let _e74 = self.v_beyond_image(_e4);
         let _e85 = interval_6;
         let _e86 = self.v_within_bounds(u_1, du_1, (rt::Scalar(0f32) - _e74.x()), (rt::Scalar(1f32) + _e74.x()), _e85);
@@ -8006,12 +8007,12 @@ impl<'g> Resources<'g> {
         let _e94 = self.v_within_bounds(v_3, dv_1, (rt::Scalar(0f32) - _e74.y()), (rt::Scalar(1f32) + _e74.y()), _e93);
         interval_6 = _e94;
         let _e97 = interval_6;
-        let _e98 = self.v_within_bounds(h_5, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e97);
+        let _e98 = self.v_within_bounds(h_6, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e97);
         interval_6 = _e98;
         let start_3 = interval_6.x();
         let nearer = (rt::Scalar(1f32) - (bend_6 * start_3));
         let change_5 = (nearer * nearer);
-        height_5 = <rt::Vec3<f32>>::from_scalars((h_5 + (dh_1 * start_3)), (dh_1 * change_5), rt::Scalar(0f32));
+        height_5 = <rt::Vec3<f32>>::from_scalars((h_6 + (dh_1 * start_3)), (dh_1 * change_5), rt::Scalar(0f32));
         let _e113 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e113.elementwise_eq(CELLS_MASK)) {
             height_5 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
@@ -8086,7 +8087,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_depth_in_image(image_9, point_11);
         let u_2 = ((image_9.u.xyz().dot(point_11) + image_9.u.w()) / _e2);
         let v_4 = ((image_9.v.xyz().dot(point_11) + image_9.v.w()) / _e2);
-        let h_6 = ((image_9.height.xyz().dot(point_11) + image_9.height.w()) / _e2);
+        let h_7 = ((image_9.height.xyz().dot(point_11) + image_9.height.w()) / _e2);
         let _e24 = self.v_beyond_image(image_9);
         let beside_5 = ((u_2 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_4 - rt::Scalar(0.5f32)).abs() - _e24.y()));
         let uv_36 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_2, v_4)));
@@ -8106,19 +8107,19 @@ impl<'g> Resources<'g> {
         }
         let _e82 = local_50;
         if rt::Scalar::into_branch_condition(_e82) {
-            local_51 = h_6.elementwise_gt(rt::Scalar(0.00001f32));
+            local_51 = h_7.elementwise_gt(rt::Scalar(0.00001f32));
         } else {
             local_51 = rt::Scalar(false);
         }
         let _e88 = local_51;
         if rt::Scalar::into_branch_condition(_e88) {
-            local_52 = h_6.elementwise_le(rt::Scalar(1f32));
+            local_52 = h_7.elementwise_le(rt::Scalar(1f32));
         } else {
             local_52 = rt::Scalar(false);
         }
         let is_inside_1 = local_52;
         let _e97 = rt::Scalar(self.surface_settings.cells);
-        return <OnImage>::new(uv_36, h_6.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_1);
+        return <OnImage>::new(uv_36, h_7.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_1);
     }
     pub(crate) fn is_in_image(&self, at_54: OnImage) -> bool {
         rt::into(self.v_is_in_image(at_54))
@@ -8322,17 +8323,17 @@ impl<'g> Resources<'g> {
         let height_17 = (middle_8 + ((path_23.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start;
         let _e33 = self.v_path_slope(path_23, _e32);
-        let h_7 = <rt::Vec3<f32>>::from_scalars(height_17, (_e33 / kept), (path_23.h.z() / kept));
+        let h_8 = <rt::Vec3<f32>>::from_scalars(height_17, (_e33 / kept), (path_23.h.z() / kept));
         let _e40 = start;
         let rest_4 = (rt::Scalar(path_23.exit) - _e40);
-        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_7.x().max(rt::Scalar(0f32)), h_7.y(), h_7.z()), rest_4);
+        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_8.x().max(rt::Scalar(0f32)), h_8.y(), h_8.z()), rest_4);
         let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_4);
         let _e53 = start;
         let base_5 = (rt::Scalar(path_23.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e58 = start;
         let _e59 = self.v_path_uv(path_23, _e58);
         let _e65 = start;
-        return <Path>::new(_e59, path_23.duv, h_7, exit_1, base_5, path_23.metric, rt::Scalar(path_23.ray), rt::Scalar(path_23.level), (rt::Scalar(path_23.start) + _e65), rt::Scalar(path_23.share), rt::Scalar(path_23.bend));
+        return <Path>::new(_e59, path_23.duv, h_8, exit_1, base_5, path_23.metric, rt::Scalar(path_23.ray), rt::Scalar(path_23.level), (rt::Scalar(path_23.start) + _e65), rt::Scalar(path_23.share), rt::Scalar(path_23.bend));
     }
     pub(crate) fn segment_of(
         &self,
@@ -12012,8 +12013,8 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_climb(at_80, light_1.direction);
         let _e6 = self.v_near_uv(hit_21.uv);
         let _e8 = self.v_height_at(_e6, rt::Scalar(at_80.level));
-        let h_8 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_8, rt::Scalar(0f32), rt::Scalar(0f32), at_80.metric, RAY_SHADOW, rt::Scalar(at_80.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        let h_9 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
+        return <Path>::new(_e6, _e4.xy(), h_9, rt::Scalar(0f32), rt::Scalar(0f32), at_80.metric, RAY_SHADOW, rt::Scalar(at_80.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn way_out(&self, path_72: Path, light_2: Toward) -> f32 {
         rt::into(self.v_way_out(path_72, light_2))
@@ -12074,8 +12075,8 @@ impl<'g> Resources<'g> {
         let _e51 = self.v_path_uv(_e3, end_15);
         let gap_7 = (end_15 * (_e31.y() + (_e31.z() * end_15)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
-        let h_9 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_87 = <Path>::new(_e51, _e3.duv, h_9, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32), rt::Scalar(0f32));
+        let h_10 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
+        let path_87 = <Path>::new(_e51, _e3.duv, h_10, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32), rt::Scalar(0f32));
         return <LightRay>::new(LIGHT_RAY_OPEN, path_87);
     }
     pub(crate) fn shadow_search_stage(&self, path_73: Path) -> Found {

@@ -4093,9 +4093,9 @@ fn numbered_pixel(triangle: u32, side: f32, point: vec2f) -> PixelIn {
         sampling: None,
         uses: &[],
         text: r#"// An image: what a point's texture coordinates and its height in it are, each times its depth, and that
-// depth, by products with (x, y, z, 1), the depth being 1 by parallel rays; where it lies among the others (its
-// first corner and its extent, in texture coordinates of all); the unit direction against which it looks;
-// and whether it looks from an eye, where that is, and at which depth it begins to see.
+// depth, by products with (x, y, z, 1), the depth being 1 by parallel rays; where it lies among the others
+// (its first corner and its extent, in texture coordinates of all); the unit direction against which it
+// looks; and whether it looks from an eye, where that is, and at which depth it begins to see.
 struct Image {
     u: vec4f,
     v: vec4f,
@@ -7442,7 +7442,8 @@ fn surface_facets_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) ->
     let start = triangle_distance(pixel, plane_normal(pixel)) * length(pixel.direction);
     let height = height_at(at.uv, at.level);
     let duv = vec2f(0.0, 0.0);
-    return Path(at.uv, duv, vec3f(height, 0.0, 0.0), 1.0, 0.0, at.metric, RAY_VIEW, at.level, start, 1.0, 0.0);
+    let h = vec3f(height, 0.0, 0.0);
+    return Path(at.uv, duv, h, 1.0, 0.0, at.metric, RAY_VIEW, at.level, start, 1.0, 0.0);
 }"#,
     },
     Declaration {

@@ -3112,7 +3112,8 @@ lanes! { fn surface_facets_segment(r: &Resources<'_>, within: M, pixel_a0: &Pixe
     let start_8 = mul(e_5, sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z))));
     let height_11 = height_at_ll(r, ex, Vec2 { x: at_a1.uv.x, y: at_a1.uv.y }, at_a1.level);
     let duv_14 = Vec2 { x: 0.0f32, y: 0.0f32 };
-    return Path { uv: Vec2 { x: at_a1.uv.x, y: at_a1.uv.y }, duv: Vec2 { x: splat(duv_14.x), y: splat(duv_14.y) }, h: Vec3 { x: height_11, y: splat(0.0f32), z: splat(0.0f32) }, exit: splat(1.0f32), base: splat(0.0f32), metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: start_8, share: splat(1.0f32), bend: splat(0.0f32), };
+    let h_17 = Vec3 { x: height_11, y: splat(0.0f32), z: splat(0.0f32) };
+    return Path { uv: Vec2 { x: at_a1.uv.x, y: at_a1.uv.y }, duv: Vec2 { x: splat(duv_14.x), y: splat(duv_14.y) }, h: h_17, exit: splat(1.0f32), base: splat(0.0f32), metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: start_8, share: splat(1.0f32), bend: splat(0.0f32), };
 } }
 lanes! { fn slice_inside(r: &Resources<'_>, map_a0: F, slice_a1: F, spacing_a2: F, params_a3: Vec4<f32>) -> M {
     return gt(map_a0, slice_a1);

@@ -1,6 +1,7 @@
 //! A variant chosen for every stage, with its settings.
 
 mod error;
+mod numbers;
 mod object;
 
 use relief_core::HeightMap;
@@ -10,13 +11,17 @@ use relief_core::registry::{
 };
 
 pub use self::error::SelectionError;
+use self::numbers::{
+    CELLS, ENVIRONMENT, FACETS, LIGHT_MAP, NO_REFINEMENT, NO_SEARCH, NO_SHADOW, PATCH, RAY, SCENE, SECANT,
+    SLICED, SOFT,
+};
 use crate::Method;
 use crate::geometry::{self, Geometry};
 use crate::object::Solid;
 use crate::slice::Slices;
 use crate::stages::{
     AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Stage,
-    entry_place, stage, stage_of_setting,
+    stage, stage_of_setting,
 };
 use crate::surface::{PATHS, Paths, Shown};
 
@@ -522,64 +527,6 @@ impl Selection {
         numbers == [CELLS, PATCH] && !self.uses(OBJECT)
     }
 }
-
-/// The number of the search `cells`.
-const CELLS: usize = entry_place(STAGES[SEARCH].entries, "cells");
-
-/// The number of the surface `facets`.
-const FACETS: usize = entry_place(STAGES[SURFACE].entries, "facets");
-
-/// The number of the surface `slices`.
-const SLICED: usize = entry_place(STAGES[SURFACE].entries, "slices");
-
-/// Texels of a side of what lights see where an object is shown: about as fine as its images. More take long
-/// on CPUs, since each texel is a ray through all images.
-const OBJECT_SHADOW_SIZE: f32 = 512.0;
-
-/// The number of the surface `object`.
-const IMAGES: usize = entry_place(STAGES[SURFACE].entries, "object");
-
-/// The number of the surface `object-slices`.
-const SLICED_IMAGES: usize = entry_place(STAGES[SURFACE].entries, "object-slices");
-
-/// The number of the surface `frames`.
-const FRAMES: usize = entry_place(STAGES[SURFACE].entries, "frames");
-
-/// The number of the search `pyramid`.
-const PYRAMID: usize = entry_place(STAGES[SEARCH].entries, "pyramid");
-
-/// The number of the object `depth`.
-const OF_DEPTH: usize = entry_place(STAGES[OBJECT].entries, "depth");
-
-/// The number of the search `none`.
-const NO_SEARCH: usize = entry_place(STAGES[SEARCH].entries, "none");
-
-/// The number of the refinement `none`.
-const NO_REFINEMENT: usize = entry_place(STAGES[REFINE].entries, "none");
-
-/// The number of the refinement `secant`.
-const SECANT: usize = entry_place(STAGES[REFINE].entries, "secant");
-
-/// The number of the shadow `none`.
-const NO_SHADOW: usize = entry_place(STAGES[SHADOW].entries, "none");
-
-/// The number of the ambient light of the surroundings.
-const ENVIRONMENT: usize = entry_place(STAGES[AMBIENT].entries, "environment");
-
-/// The number of the shadow `soft`.
-const SOFT: usize = entry_place(STAGES[SHADOW].entries, "soft");
-
-/// The number of the shadow `ray`.
-const RAY: usize = entry_place(STAGES[SHADOW].entries, "ray");
-
-/// The number of the shadow `map`.
-const LIGHT_MAP: usize = entry_place(STAGES[SHADOW].entries, "map");
-
-/// The number of the shadow `scene`.
-const SCENE: usize = entry_place(STAGES[SHADOW].entries, "scene");
-
-/// The number of the refinement `patch`.
-const PATCH: usize = entry_place(STAGES[REFINE].entries, "patch");
 
 /// A number from 0 to that one.
 const fn whole_to(max: f32) -> Param {

@@ -49,7 +49,8 @@ pub fn map_of_spheres(view: &View) -> HeightMap {
     map.expect("a map")
 }
 
-/// Views of so many texels a side by parallel rays, that look at the spheres from these directions, and what they see.
+/// Views of so many texels a side by parallel rays, that look at the spheres from these directions, and what
+/// they see.
 pub fn views_of_spheres(directions: &[DVec3], side: u32) -> (Vec<View>, Vec<HeightMap>) {
     let view = |from: &DVec3| {
         let view = View::orthographic(DVec3::ZERO, RADIUS, *from, None, [side, side]).expect("a view");
@@ -59,7 +60,8 @@ pub fn views_of_spheres(directions: &[DVec3], side: u32) -> (Vec<View>, Vec<Heig
     directions.iter().map(view).unzip()
 }
 
-/// The same from eyes that are so many metres away, in which the spheres fit, every other one by parallel rays.
+/// The same from eyes that are so many metres away, in which the spheres fit, every other one by parallel
+/// rays.
 pub fn eyes_on_spheres(directions: &[DVec3], away_m: f64, side: u32) -> (Vec<View>, Vec<HeightMap>) {
     let fov = 2.0 * (RADIUS / away_m).asin().to_degrees();
     let view = |(place, from): (usize, &DVec3)| {

@@ -51,10 +51,11 @@ const AFTER_HELP: &str = "Examples:\n  \
     relief slices wall.toml -o wall.glb\n  \
     relief slices fur.toml --count 48 -o fur.glb\n\n\
     The file has the scene's mesh once for each shell, ever farther out along its normals, with one picture: \
-    the surface's color, and the heights in its opacity, and one of the relief's normals. The alphaCutoff of a shell's material is its height, \
-    so that every viewer draws what is high enough, and needs no shader: the oldest way to show displacement. \
-    From the side one sees between shells: more of them stand closer, and cost as much more. `relief render \
-    --method slices-surface --set slices.count=N` shows the same, and `relief mesh` makes displaced triangles.";
+    the surface's color, the heights in its opacity; and one of the relief's normals. The alphaCutoff of a \
+    shell's material is its height, so that every viewer draws what is high enough, and needs no shader: the \
+    oldest way to show displacement. From the side one sees between shells: more of them stand closer, and \
+    cost as much more. `relief render --method slices-surface --set slices.count=N` shows the same, and \
+    `relief mesh` makes displaced triangles.";
 
 /// Bytes of a texel: of both pictures, and as PNG at most.
 const BYTES_PER_TEXEL: u64 = 16;
@@ -159,8 +160,8 @@ impl Arguments {
             }
             writeln!(
                 out,
-                "{path}: {} shells of {triangles} triangles in all, {} m apart, under a picture of {columns}x{rows}, \
-                 in {seconds:.2} s",
+                "{path}: {} shells of {triangles} triangles in all, {} m apart, under a picture of \
+                 {columns}x{rows}, in {seconds:.2} s",
                 self.count,
                 values::six_digits(apart_m)
             )?;

@@ -100,8 +100,8 @@ pub enum GpuError {
     /// The images of an object are to be counted in a stencil buffer, and this GPU has none beside 32 bits of
     /// depth, or the device was opened without the feature `DEPTH32FLOAT_STENCIL8`.
     #[error(
-        "surface {}: this GPU has no stencil buffer beside 32 bits of depth; set 'geometry.pass' to 'product'",
-        surface + 1
+        "surface {}: this GPU has no stencil buffer beside 32 bits of depth; set 'geometry.pass' to \
+         'product'", surface + 1
     )]
     NoStencil {
         /// The surface's number in the scene.

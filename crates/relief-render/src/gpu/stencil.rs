@@ -1,4 +1,5 @@
-//! Images of an object, counted in a stencil buffer: slice by slice, from front to back, a pass for each image.
+//! Images of an object, counted in a stencil buffer: slice by slice, from front to back, a pass for each
+//! image.
 //!
 //! Kautz and Seidel 2001, section 4.1.
 

@@ -126,8 +126,9 @@ impl Scene {
         Look { background: self.background.to_array(), exposure: self.exposure, tone: self.tone }
     }
 
-    /// What computes the picture. Where that is not said it is the CPU if a surface's shadows are rays through
-    /// the whole scene, and a GPU, of any kind, if the images of an object are counted in a stencil buffer.
+    /// What computes the picture. Where that is not said it is the CPU if a surface's shadows are rays
+    /// through the whole scene, and a GPU, of any kind, if the images of an object are counted in a stencil
+    /// buffer.
     pub fn backend(&self) -> BackendChoice {
         let any = |of: fn(&Selection) -> bool| self.surfaces.iter().any(|surface| of(surface.selection()));
         if self.backend != BackendChoice::Auto {

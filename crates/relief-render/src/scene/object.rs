@@ -66,11 +66,11 @@ impl SceneObject {
     }
 
     /// How its images look at it, as the shaders read it: a row for each, of what makes of a point `u`, `v`
-    /// and a height, where it lies among the others, the direction against which it looks, with 1 behind it if
-    /// it does so from an eye, what makes of a point its depth, and the
-    /// eye, with the depth at which it begins to see. After these a row
-    /// of the grid that they make: its axes, with the frames of a side behind the first and 1 behind the
-    /// second where only the upper half is mapped; zeros where they make none.
+    /// and a height, where it lies among the others, the direction against which it looks, with 1 behind it
+    /// if it does so from an eye, what makes of a point its depth, and the eye, with the depth at which it
+    /// begins to see. After these a row of the grid that they make: its axes, with the frames of a side
+    /// behind the first and 1 behind the second where only the upper half is mapped; zeros where they make
+    /// none.
     pub fn images(&self) -> &Arc<BakedMap> {
         &self.images
     }

@@ -10,13 +10,14 @@ pub const ENTRY: Entry = Entry {
     maps: &[],
     params: &[Param::of_names(
         "pass",
-        "product: all images are asked at each point of a slice; stencil: a pass for each of them, counted in \
-         a GPU's stencil buffer, slice by slice from front to back",
+        "product: all images are asked at each point of a slice; stencil: a pass for each of them, counted \
+         in a GPU's stencil buffer, slice by slice from front to back",
         &["product", "stencil"],
     )],
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "A slice is drawn where all images see something as high as it is. Between two slices there is \
-        nothing, so that a ray sees the object as far behind it as slices are apart, and past what is thinner.",
+        nothing, so that a ray sees the object as far behind it as slices are apart, and past what is \
+        thinner.",
 };

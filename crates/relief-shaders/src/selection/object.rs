@@ -1,10 +1,10 @@
 //! What goes with objects of images.
 
-use super::{
-    CELLS, Choice, FRAMES, IMAGES, LIGHT_MAP, NO_REFINEMENT, NO_SEARCH, NO_SHADOW, OBJECT,
-    OBJECT_SHADOW_SIZE, OF_DEPTH, PATCH, PYRAMID, REFINE, SEARCH, SHADOW, SLICED_IMAGES, STAGES, SURFACE,
-    Selection, Shown,
+use super::numbers::{
+    CELLS, FRAMES, IMAGES, LIGHT_MAP, NO_REFINEMENT, NO_SEARCH, NO_SHADOW, OBJECT_SHADOW_SIZE, OF_DEPTH,
+    PATCH, PYRAMID, SLICED_IMAGES,
 };
+use super::{Choice, OBJECT, REFINE, SEARCH, SHADOW, STAGES, SURFACE, Selection, Shown};
 use crate::geometry::Geometry;
 use crate::object::{ObjectCells, Solid};
 

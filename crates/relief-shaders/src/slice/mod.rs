@@ -36,8 +36,8 @@ const PARAMS: &[Param] = &[
     },
     Param::of_names(
         "direction",
-        "a: along the base; b, c: upright, at equal u or v; of an object at equal x, y, z; auto: of these what \
-         faces the eye most, triangle by triangle; screen: at equal depths",
+        "a: along the base; b, c: upright, at equal u or v; of an object at equal x, y, z; auto: of these \
+         what faces the eye most, triangle by triangle; screen: at equal depths",
         &["auto", "a", "b", "c", "screen"],
     ),
     Param::of_names(

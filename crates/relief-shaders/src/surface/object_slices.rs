@@ -37,8 +37,8 @@ pub const PATHS: Paths = Paths {
         Refused {
             stage: "refine",
             names: Names::AllBut(&["none"]),
-            reason: "between two slices any of the images may end the object: choose 'none', which 'slices.refine' \
-                at 0 does",
+            reason: "between two slices any of the images may end the object: choose 'none', which \
+                'slices.refine' at 0 does",
         },
         Refused {
             stage: "shadow",

@@ -162,8 +162,8 @@ impl Shells<'_> {
         u32::try_from(bytes).map_err(|_| {
             let (count, MeshCounts { triangles, .. }) = (self.count, self.counts());
             WriteProblem::NotStorable(format!(
-                "{count} shells of {triangles} triangles in all take {bytes} bytes as GLB, which ends at 4 GiB: \
-                 choose fewer, or a coarser mesh"
+                "{count} shells of {triangles} triangles in all take {bytes} bytes as GLB, which ends at \
+                 4 GiB: choose fewer, or a coarser mesh"
             ))
         })
     }
@@ -214,7 +214,8 @@ impl Shells<'_> {
             let test = cutoff.map(|cutoff| format!(r#","alphaMode":"MASK","alphaCutoff":{cutoff:e}"#));
             materials.push(
                 format!(r#"{{"pbrMetallicRoughness":{{"baseColorFactor":[{red:e},{green:e},{blue:e},1],"#)
-                    + r#""baseColorTexture":{"index":0},"metallicFactor":0},"normalTexture":{"index":1},"doubleSided":true"#
+                    + r#""baseColorTexture":{"index":0},"metallicFactor":0},"#
+                    + r#""normalTexture":{"index":1},"doubleSided":true"#
                     + &test.unwrap_or_default()
                     + "}",
             );
@@ -339,15 +340,16 @@ fn view([first, bytes]: Place, target: Option<u32>) -> String {
 /// Writes shells over a mesh as a GLB: one mesh with a primitive and a material for each shell, which share
 /// normals, texture coordinates, triangles and the picture. Heights are the picture's opacity, in 8 bits, and
 /// the material's `alphaCutoff` is the shell's height; the shell at height 0 is opaque but for holes. Normals
-/// are those of the mesh, and a normal map has the relief's. `tell` is told the part done, and says whether to go on.
+/// are those of the mesh, and a normal map has the relief's. `tell` is told the part done, and says whether
+/// to go on.
 ///
-/// The same input gives the same bytes. Besides the picture a shell is held at once.
+/// The same input gives the same bytes. Besides the pictures a shell is held at once.
 ///
 /// # Errors
 ///
-/// When there is no shell, or more than [`MAX_SHELLS`], when the file would be longer than the 4 GiB at which a GLB ends, when a shell lies
-/// farther out than 32-bit numbers hold, when it cannot be written, or when it was not to go on. Nothing is
-/// left behind then.
+/// When there is no shell, or more than [`MAX_SHELLS`], when the file would be longer than the 4 GiB at which
+/// a GLB ends, when a shell lies farther out than 32-bit numbers hold, when it cannot be written, or when it
+/// was not to go on. Nothing is left behind then.
 pub fn write_shells(
     path: &Path,
     shells: &Shells,
