@@ -234,9 +234,10 @@ fn surface_settings(
     };
     // Derived normals begin with the second level.
     let derived = u32::from(surface.normal_map().is_none() && normals.is_some());
-    let (images, cells, jump) = images(surface);
+    let ([images, solids], cells, jump) = images(surface);
     SurfaceSettings {
         images,
+        solids,
         cells,
         jump,
         diffuse: four(material.diffuse()).into(),
@@ -260,16 +261,20 @@ fn surface_settings(
     }
 }
 
-/// How many images there are of what a surface shows, what their cells are, and by how much heights differ
-/// where they jump.
-fn images(surface: &Surface) -> (u32, u32, f32) {
+/// How many images there are of what a surface shows, how many of these say what is solid, what their cells
+/// are, and by how much heights differ where they jump.
+fn images(surface: &Surface) -> ([u32; 2], u32, f32) {
     match (surface.object(), surface.selection().object_cells()) {
         (Some(shown), Some(ObjectCells { cells, jump_texels, solid, .. })) => {
             let object = shown.object();
-            let cells = if solid == Solid::Hull { MASK_CELLS } else { cells as u32 };
-            (object.views().len() as u32, cells, object.jump_of(jump_texels.into()) as f32)
+            let images = object.views().len();
+            let (solids, cells) = match solid {
+                Solid::Hull => (shown.silhouettes(), MASK_CELLS),
+                _ => (images, cells as u32),
+            };
+            ([images, solids].map(|count| count as u32), cells, object.jump_of(jump_texels.into()) as f32)
         }
-        _ => (0, JumpCells::Bilinear as u32, 0.0),
+        _ => ([0; 2], JumpCells::Bilinear as u32, 0.0),
     }
 }
 

@@ -1039,8 +1039,9 @@ pub struct SurfaceSettings {
     /// Texels of a face's side in the finest level of the surroundings, and their levels, at least 1 each.
     pub environment_side: u32,
     pub environment_levels: u32,
-    /// Images of an object; 0 of a relief.
+    /// Images of an object, and how many of these, the first ones, say what is solid; 0 of a relief.
     pub images: u32,
+    pub solids: u32,
     /// One of CELLS_*, and the difference of heights beyond which a cell of an image jumps.
     pub cells: u32,
     pub jump: f32,
@@ -1078,10 +1079,11 @@ impl SurfaceSettings {
         environment_side: impl rt::Into<u32>,
         environment_levels: impl rt::Into<u32>,
         images: impl rt::Into<u32>,
+        solids: impl rt::Into<u32>,
         cells: impl rt::Into<u32>,
         jump: impl rt::Into<f32>,
     ) -> Self {
-        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_holes: rt::into(has_holes), has_creases: rt::into(has_creases), has_vertex_normals: rt::into(has_vertex_normals), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), number: rt::into(number), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels), images: rt::into(images), cells: rt::into(cells), jump: rt::into(jump) }
+        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_holes: rt::into(has_holes), has_creases: rt::into(has_creases), has_vertex_normals: rt::into(has_vertex_normals), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), number: rt::into(number), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels), images: rt::into(images), solids: rt::into(solids), cells: rt::into(cells), jump: rt::into(jump) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -6734,7 +6736,7 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_passed_by();
         at_32 = _e2;
-        let _e7 = rt::Scalar(self.surface_settings.images);
+        let _e7 = rt::Scalar(self.surface_settings.solids);
         rt::Scalar(at_32.segments) = _e7;
         at_32.point = pixel_41.origin;
         let _e10 = at_32;
@@ -8175,7 +8177,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e15 = number_10;
-                let _e18 = rt::Scalar(self.surface_settings.images);
+                let _e18 = rt::Scalar(self.surface_settings.solids);
                 if rt::Scalar::into_branch_condition(_e15.elementwise_lt(_e18)) {
                     let _e23 = rt::Scalar(slice_5.passes);
                     local_54 = _e23;
@@ -8769,8 +8771,8 @@ impl<'g> Resources<'g> {
         let mut counted_1: Hit;
 
         counted_1 = hit_17;
-        let _e10 = rt::Scalar(self.surface_settings.images);
-        let _e15 = rt::Scalar(self.surface_settings.images);
+        let _e10 = rt::Scalar(self.surface_settings.solids);
+        let _e15 = rt::Scalar(self.surface_settings.solids);
         counted_1.cost = (hit_17.cost + <rt::Vec3<u32>>::from_scalars(_e10, rt::Scalar(0u32), (rt::Scalar(16u32) * _e15)));
         let _e19 = counted_1;
         return _e19;

@@ -6143,8 +6143,9 @@ struct SurfaceSettings {
     // Texels of a face's side in the finest level of the surroundings, and their levels, at least 1 each.
     environment_side: u32,
     environment_levels: u32,
-    // Images of an object; 0 of a relief.
+    // Images of an object, and how many of these, the first ones, say what is solid; 0 of a relief.
     images: u32,
+    solids: u32,
     // One of CELLS_*, and the difference of heights beyond which a cell of an image jumps.
     cells: u32,
     jump: f32,
@@ -7515,7 +7516,7 @@ fn surface_facets_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) ->
         uses: &["Entered", "PixelIn", "passed_by", "surface_settings"],
         text: r#"fn surface_object_enter(pixel: PixelIn, params: vec4f) -> Entered {
     var at = passed_by();
-    at.segments = surface_settings.images;
+    at.segments = surface_settings.solids;
     at.point = pixel.origin;
     return at;
 }"#,
@@ -7636,7 +7637,7 @@ fn with_image(slice: OnSlice, number: u32, point: vec3f) -> OnSlice {
 fn slice_at(point: vec3f) -> OnSlice {
     var slice = OnSlice(true, 0u, OnImage(vec2f(0.0, 0.0), 0.0, 0.0, false), HIGHEST);
     var number = 0u;
-    while (number < surface_settings.images && slice.passes) {
+    while (number < surface_settings.solids && slice.passes) {
         slice = with_image(slice, number, point);
         number = number + 1u;
     }
@@ -7676,7 +7677,7 @@ fn slice_at(point: vec3f) -> OnSlice {
         text: r#"// Where a slice is drawn, all images have been read.
 fn surface_object_slices_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
     var counted = hit;
-    counted.cost = hit.cost + vec3u(surface_settings.images, 0u, 16u * surface_settings.images);
+    counted.cost = hit.cost + vec3u(surface_settings.solids, 0u, 16u * surface_settings.solids);
     return counted;
 }"#,
     },

@@ -287,8 +287,9 @@ impl Shared for SurfaceSettings {
         self.environment_side.write(&mut bytes[1016..]);
         self.environment_levels.write(&mut bytes[1020..]);
         self.images.write(&mut bytes[1024..]);
-        self.cells.write(&mut bytes[1028..]);
-        self.jump.write(&mut bytes[1032..]);
+        self.solids.write(&mut bytes[1028..]);
+        self.cells.write(&mut bytes[1032..]);
+        self.jump.write(&mut bytes[1036..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -324,8 +325,9 @@ impl Shared for SurfaceSettings {
             environment_side: Shared::read(&bytes[1016..]),
             environment_levels: Shared::read(&bytes[1020..]),
             images: Shared::read(&bytes[1024..]),
-            cells: Shared::read(&bytes[1028..]),
-            jump: Shared::read(&bytes[1032..]),
+            solids: Shared::read(&bytes[1028..]),
+            cells: Shared::read(&bytes[1032..]),
+            jump: Shared::read(&bytes[1036..]),
         }
     }
 }

@@ -2666,7 +2666,7 @@ lanes! { fn surface_object_enter(r: &Resources<'_>, pixel_a0: &PixelIn, params_a
     let mut at_v0: Entered = zero_entered();
     let e_2 = passed_by(r);
     at_v0 = e_2;
-    at_v0.segments = splat_u(r.surface_settings.images);
+    at_v0.segments = splat_u(r.surface_settings.solids);
     at_v0.point = Vec3 { x: pixel_a0.origin.x, y: pixel_a0.origin.y, z: pixel_a0.origin.z };
     let e_10 = at_v0;
     return e_10;
@@ -3464,7 +3464,7 @@ stage! { fn slice_at(r: &Resources<'_>, within: M, point_a0: Vec3<F>) -> OnSlice
     'l1: loop {
         let e_15 = number_v1;
         let e_23 = slice_v0.passes;
-        both_v2 = and(lt_u(e_15, splat_u(r.surface_settings.images)), e_23);
+        both_v2 = and(lt_u(e_15, splat_u(r.surface_settings.solids)), e_23);
         let e_25 = both_v2;
         let c3 = e_25;
         ex = and(ex, c3);
@@ -3663,7 +3663,7 @@ lanes! { fn surface_frames_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: 
 lanes! { fn surface_object_slices_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
     let mut counted_v0: Hit = zero_hit();
     counted_v0 = *hit_a3;
-    counted_v0.cost = Vec3 { x: add_u(hit_a3.cost.x, splat_u(r.surface_settings.images)), y: add_u(hit_a3.cost.y, splat_u(0u32)), z: add_u(hit_a3.cost.z, splat_u(16u32.wrapping_mul(r.surface_settings.images))) };
+    counted_v0.cost = Vec3 { x: add_u(hit_a3.cost.x, splat_u(r.surface_settings.solids)), y: add_u(hit_a3.cost.y, splat_u(0u32)), z: add_u(hit_a3.cost.z, splat_u(16u32.wrapping_mul(r.surface_settings.solids))) };
     let e_19 = counted_v0;
     return e_19;
 } }

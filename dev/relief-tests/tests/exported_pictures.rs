@@ -98,7 +98,7 @@ fn an_export_of_an_object_gives_the_bits_of_the_renderer() {
     assert!(covered > 2500 && bits == 0, "{bits} of {covered}");
     // Another number of images is noticed.
     let mut fewer = job.clone();
-    fewer.surfaces[0].settings.images -= 2;
+    fewer.surfaces[0].settings.solids -= 2;
     let drawn = draw(&device, &export, &fewer, Language::Wgsl);
     assert!(compare(&own, &drawn).bits > 0);
 }

@@ -95,7 +95,7 @@ impl StencilPrograms {
 impl Counted {
     /// What of a surface is counted by these programs.
     pub fn of(surface: &JobSurface, programs: StencilPrograms) -> Self {
-        Self { programs, ends: surface.triangles.slices().to_vec(), images: surface.settings.images }
+        Self { programs, ends: surface.triangles.slices().to_vec(), images: surface.settings.solids }
     }
 
     /// Draws all slices.

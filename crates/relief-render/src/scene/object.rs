@@ -65,6 +65,12 @@ impl SceneObject {
         &self.object
     }
 
+    /// How many images say all of its visual hull: those of the first rows. Of opposite silhouettes that are
+    /// mirror images one is enough; of a grid of frames, whose rows are in its order, all are asked.
+    pub(crate) fn silhouettes(&self) -> usize {
+        if self.object.grid().is_some() { self.object.views().len() } else { self.object.silhouettes().len() }
+    }
+
     /// How its images look at it, as the shaders read it: a row for each, of what makes of a point `u`, `v`
     /// and a height, where it lies among the others, the direction against which it looks, with 1 behind it
     /// if it does so from an eye, what makes of a point its depth, and the eye, with the depth at which it
@@ -132,11 +138,21 @@ fn box_around([low, high]: [DVec3; 2]) -> Option<Mesh> {
     is_solid.then(|| Mesh::new(vertices, unit.triangles().to_vec()).ok()).flatten()
 }
 
+/// The images in the order of their rows: those of the silhouettes that a visual hull needs come first, but in a
+/// grid, of which the frames are known by their numbers.
+fn in_order(object: &ImageObject) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..object.views().len()).collect();
+    if object.grid().is_none() {
+        order.sort_by_key(|number| !object.silhouettes().contains(number));
+    }
+    order
+}
+
 /// How the images look at the object, a row for each, and the grid that they make.
 fn images_of(object: &ImageObject) -> Option<BakedMap> {
     let all = object.layout().size().map(f64::from);
-    let places = object.layout().places();
-    let values = object.views().iter().zip(places).flat_map(|(view, place)| {
+    let values = in_order(object).into_iter().flat_map(|number| {
+        let (view, place) = (&object.views()[number], object.layout().places()[number]);
         let [u, v, height, depth] = view.rows().map(|row| row.to_array());
         let [x, y] = [0, 1].map(|axis| f64::from(place[axis]) / all[axis]);
         let [width, tall] = [0, 1].map(|axis| f64::from(view.size()[axis]) / all[axis]);

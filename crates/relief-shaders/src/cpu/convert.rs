@@ -199,6 +199,7 @@ impl SurfaceSettings {
             environment_side,
             environment_levels,
             images: 0,
+            solids: 0,
             cells: JumpCells::Bilinear as u32,
             jump: 0.0,
         }
