@@ -138,8 +138,8 @@ fn box_around([low, high]: [DVec3; 2]) -> Option<Mesh> {
     is_solid.then(|| Mesh::new(vertices, unit.triangles().to_vec()).ok()).flatten()
 }
 
-/// The images in the order of their rows: those of the silhouettes that a visual hull needs come first, but in a
-/// grid, of which the frames are known by their numbers.
+/// The images in the order of their rows: those of the silhouettes that a visual hull needs come first, but
+/// in a grid, of which the frames are known by their numbers.
 fn in_order(object: &ImageObject) -> Vec<usize> {
     let mut order: Vec<usize> = (0..object.views().len()).collect();
     if object.grid().is_none() {
