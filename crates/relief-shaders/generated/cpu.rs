@@ -5505,7 +5505,7 @@ impl<'g> Resources<'g> {
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_30 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
+        let uv_32 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
         let tangent_1 = (((pixel_19.a.tangent * wa) + (pixel_19.b.tangent * wb_1)) + (pixel_19.c.tangent * wc_1));
         let bitangent = (((pixel_19.a.bitangent * wa) + (pixel_19.b.bitangent * wb_1)) + (pixel_19.c.bitangent * wc_1));
         let normal_22 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
@@ -5523,7 +5523,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_28;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_23, uv_30, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_23, uv_32, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -5633,11 +5633,11 @@ impl<'g> Resources<'g> {
         let mut at_26: Entered;
 
         let third_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_31 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
+        let uv_33 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_24, along_7);
         let point_24 = (pixel_24.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_7);
-        let _e21 = self.v_frame_at(pixel_24, third_1, point_24, uv_31, _e20);
+        let _e21 = self.v_frame_at(pixel_24, third_1, point_24, uv_33, _e20);
         at_26 = _e21;
         rt::Scalar(at_26.segments) = rt::Scalar(0u32);
         let _e25 = at_26;
@@ -6080,8 +6080,8 @@ impl<'g> Resources<'g> {
     fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let uv_32 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_32, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_32, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_34 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_34, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_34, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
@@ -6652,7 +6652,7 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_triangle_distance(pixel_39, _e2);
         let point_25 = (pixel_39.origin + (pixel_39.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_39, _e2, point_25);
-        let uv_33 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
+        let uv_35 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
         let tangent_3 = (((pixel_39.a.tangent * _e8.x()) + (pixel_39.b.tangent * _e8.y())) + (pixel_39.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_39.a.bitangent * _e8.x()) + (pixel_39.b.bitangent * _e8.y())) + (pixel_39.c.bitangent * _e8.z()));
         let sum_9 = ((((pixel_39.a.normal * _e8.x()) + (pixel_39.b.normal * _e8.y())) + (pixel_39.c.normal * _e8.z())) * rt::Scalar(pixel_39.side));
@@ -6660,14 +6660,14 @@ impl<'g> Resources<'g> {
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            let _e77 = self.v_is_on_map(uv_33);
+            let _e77 = self.v_is_on_map(uv_35);
             local_37 = _e77;
         } else {
             local_37 = rt::Scalar(false);
         }
         let _e79 = local_37;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_25, uv_33, tangent_3, bitangent_2, sum_9.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_25, uv_35, tangent_3, bitangent_2, sum_9.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
@@ -6689,7 +6689,7 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
         let point_26 = (pixel_40.origin + (pixel_40.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_40, _e2, point_26);
-        let uv_34 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
+        let uv_36 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_4 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
         let raw_ = (((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z()));
@@ -6709,14 +6709,14 @@ impl<'g> Resources<'g> {
         }
         let _e105 = local_38;
         if rt::Scalar::into_branch_condition(_e105) {
-            let _e108 = self.v_is_on_map(uv_34);
+            let _e108 = self.v_is_on_map(uv_36);
             local_39 = _e108;
         } else {
             local_39 = rt::Scalar(false);
         }
         let _e110 = local_39;
         let _e116 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_26 - (raw_ * height_m)), uv_34, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_26 - (raw_ * height_m)), uv_36, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
@@ -6787,8 +6787,9 @@ impl<'g> Resources<'g> {
         rt::Scalar(at_34.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
         let _e15 = self.v_triangle_distance(pixel_43, _e2);
         at_34.point = (pixel_43.origin + (pixel_43.direction * _e15));
-        let _e18 = at_34;
-        return _e18;
+        at_34.normal = (_e2.normalize() * rt::Scalar(1f32).select(rt::Scalar(-1f32), _e2.dot(pixel_43.direction).elementwise_gt(rt::Scalar(0f32))));
+        let _e28 = at_34;
+        return _e28;
     }
     pub(crate) fn surface_enter_stage(&self, pixel_44: PixelIn) -> Entered {
         rt::into(self.v_surface_enter_stage(pixel_44))
@@ -7570,7 +7571,7 @@ impl<'g> Resources<'g> {
         let _e34 = self.v_ordered(pixel_51, rt::Scalar(2u32));
         let w_4 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_35 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
+        let uv_37 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
         let _e61 = self.v_shell_slack(pixel_51, _e6);
         let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
@@ -7585,10 +7586,10 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_35.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_37.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_35.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_37.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -7599,7 +7600,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_22 = <Path>::new((uv_35 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_45.metric, RAY_VIEW, rt::Scalar(at_45.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
+        path_22 = <Path>::new((uv_37 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_45.metric, RAY_VIEW, rt::Scalar(at_45.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
         let _e159 = rt::Scalar(path_22.exit);
         if rt::Scalar::into_branch_condition(_e159.elementwise_gt(rt::Scalar(0f32))) {
             let _e162 = path_22;
@@ -8092,10 +8093,10 @@ impl<'g> Resources<'g> {
         let h_7 = ((image_9.height.xyz().dot(point_11) + image_9.height.w()) / _e2);
         let _e24 = self.v_beyond_image(image_9);
         let beside_5 = ((u_2 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_4 - rt::Scalar(0.5f32)).abs() - _e24.y()));
-        let uv_36 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_2, v_4)));
+        let uv_38 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_2, v_4)));
         let _e42 = self.v_height_size(rt::Scalar(0u32));
         let _e49 = self.v_object_parts_stage(rt::Scalar(0u32));
-        let at_138 = (((uv_36 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
+        let at_138 = (((uv_38 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
         let _e52 = self.v_cell_of(at_138);
         let part_18 = (at_138 - _e52);
         let _e56 = self.v_object_cell_stage(_e52.to_i32(), rt::Scalar(0u32));
@@ -8121,7 +8122,7 @@ impl<'g> Resources<'g> {
         }
         let is_inside_1 = local_52;
         let _e97 = rt::Scalar(self.surface_settings.cells);
-        return <OnImage>::new(uv_36, h_7.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_1);
+        return <OnImage>::new(uv_38, h_7.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_1);
     }
     pub(crate) fn is_in_image(&self, at_54: OnImage) -> bool {
         rt::into(self.v_is_in_image(at_54))
@@ -11938,9 +11939,9 @@ impl<'g> Resources<'g> {
         let _e93 = self.v_path_uv(_e85, t_41);
         let _e94 = self.v_path_height(_e85, t_41);
         let _e95 = cost_23;
-        let hit_63 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_41, _e95);
+        let hit_62 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_41, _e95);
         let _e97 = heaviest;
-        let _e98 = self.v_hit_on_segment(pixel_80, at_76, _e85, hit_63, _e97);
+        let _e98 = self.v_hit_on_segment(pixel_80, at_76, _e85, hit_62, _e97);
         return _e98;
     }
     pub(crate) fn object_stage(&self, pixel_81: PixelIn, at_77: Entered) -> FirstHit {
@@ -13536,10 +13537,10 @@ impl<'g> Resources<'g> {
                     seen_2.bitangent = _e19;
                     seen_2.normal = _e14.toward;
                     let _e23 = self.v_place_in_image(_e14, at_106.point);
-                    let uv_37 = _e23.xy();
+                    let uv_39 = _e23.xy();
                     let _e25 = sum_3;
                     let _e26 = seen_2;
-                    let _e27 = self.v_finest_normal(_e26, uv_37);
+                    let _e27 = self.v_finest_normal(_e26, uv_39);
                     let _e28 = k_34;
                     let _e29 = self.v_frame_weight(frames_2, _e28);
                     sum_3 = (_e25 + (_e27 * _e29));
@@ -13557,43 +13558,61 @@ impl<'g> Resources<'g> {
         }
         return at_106.normal;
     }
-    pub(crate) fn normal_of_mask(&self, image_12: Image, hit_37: Hit) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_mask(image_12, hit_37))
+    pub(crate) fn rise_of_mask(&self, uv_28: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_rise_of_mask(rt::into(uv_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_of_mask(&self, image_12: Image, hit_37: Hit) -> rt::Vec3<f32> {
-        let _e4 = self.v_height_size(rt::Scalar(0u32));
-        let at_143 = ((hit_37.uv * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e10 = self.v_cell_of(at_143);
-        let _e13 = self.v_object_cell_stage(_e10.to_i32(), rt::Scalar(0u32));
-        let part_23 = (at_143 - _e10);
-        let rise_u_2 = (((_e13.y() - _e13.x()) * (rt::Scalar(1f32) - part_23.y())) + ((_e13.w() - _e13.z()) * part_23.y()));
-        let rise_v_2 = (((_e13.z() - _e13.x()) * (rt::Scalar(1f32) - part_23.x())) + ((_e13.w() - _e13.y()) * part_23.x()));
-        let place_29 = ((hit_37.uv - image_12.corner) / image_12.extent);
+    #[inline(always)]
+    fn v_rise_of_mask(&self, uv_28: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        let _e2 = self.v_height_size(rt::Scalar(0u32));
+        let at_143 = ((uv_28 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_143);
+        let _e11 = self.v_object_cell_stage(_e8.to_i32(), rt::Scalar(0u32));
+        let part_23 = (at_143 - _e8);
+        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_23.y())) + ((_e11.w() - _e11.z()) * part_23.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_23.x())) + ((_e11.w() - _e11.y()) * part_23.x())));
+    }
+    pub(crate) fn normal_of_mask(
+        &self,
+        image_12: Image,
+        uv_29: impl rt::Into<rt::Vec2<f32>>,
+        within: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_mask(image_12, rt::into(uv_29), rt::into(within)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_normal_of_mask(
+        &self,
+        image_12: Image,
+        uv_29: rt::Vec2<f32>,
+        within: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e3 = self.v_rise_of_mask(uv_29);
+        let place_29 = ((uv_29 - image_12.corner) / image_12.extent);
         let along_u_4 = (image_12.u.xyz() - (image_12.depth.xyz() * place_29.x())).normalize();
         let along_v_4 = (image_12.v.xyz() - (image_12.depth.xyz() * place_29.y())).normalize();
-        let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (along_u_4 * rise_u_2)) - (along_v_4 * rise_v_2));
+        let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (along_u_4 * _e3.x())) - (along_v_4 * _e3.y()));
         let square_5 = outward.dot(outward);
         if rt::Scalar::into_branch_condition(square_5.elementwise_gt(rt::Scalar(0f32))) {
             return (outward / rt::Vec3::splat_from_scalar(square_5.sqrt()));
         }
-        return image_12.toward;
+        return within;
     }
     pub(crate) fn object_blend_color(
         &self,
         at_107: Entered,
-        hit_38: Hit,
+        hit_37: Hit,
         view_17: impl rt::Into<rt::Vec3<f32>>,
         params_90: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_blend_color(at_107, hit_38, rt::into(view_17), rt::into(params_90)))
+        rt::into(self.v_object_blend_color(at_107, hit_37, rt::into(view_17), rt::into(params_90)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_blend_color(
         &self,
         at_107: Entered,
-        hit_38: Hit,
+        hit_37: Hit,
         view_17: rt::Vec3<f32>,
         params_90: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
@@ -13603,39 +13622,39 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_none_color(
         &self,
         at_108: Entered,
-        hit_39: Hit,
+        hit_38: Hit,
         view_18: impl rt::Into<rt::Vec3<f32>>,
         params_91: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_none_color(at_108, hit_39, rt::into(view_18), rt::into(params_91)))
+        rt::into(self.v_object_none_color(at_108, hit_38, rt::into(view_18), rt::into(params_91)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_none_color(
         &self,
         at_108: Entered,
-        hit_39: Hit,
+        hit_38: Hit,
         view_18: rt::Vec3<f32>,
         params_91: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e6 = self.v_color_or_white(hit_39.uv, rt::Scalar(at_108.footprint));
+        let _e6 = self.v_color_or_white(hit_38.uv, rt::Scalar(at_108.footprint));
         return _e6;
     }
     pub(crate) fn object_depth_color(
         &self,
         at_109: Entered,
-        hit_40: Hit,
+        hit_39: Hit,
         view_19: impl rt::Into<rt::Vec3<f32>>,
         params_92: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_depth_color(at_109, hit_40, rt::into(view_19), rt::into(params_92)))
+        rt::into(self.v_object_depth_color(at_109, hit_39, rt::into(view_19), rt::into(params_92)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_depth_color(
         &self,
         at_109: Entered,
-        hit_40: Hit,
+        hit_39: Hit,
         view_19: rt::Vec3<f32>,
         params_92: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
@@ -13645,18 +13664,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_hull_color(
         &self,
         at_110: Entered,
-        hit_41: Hit,
+        hit_40: Hit,
         view_20: impl rt::Into<rt::Vec3<f32>>,
         params_93: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_hull_color(at_110, hit_41, rt::into(view_20), rt::into(params_93)))
+        rt::into(self.v_object_hull_color(at_110, hit_40, rt::into(view_20), rt::into(params_93)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_hull_color(
         &self,
         at_110: Entered,
-        hit_41: Hit,
+        hit_40: Hit,
         view_20: rt::Vec3<f32>,
         params_93: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
@@ -13666,38 +13685,38 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_color_stage(
         &self,
         at_111: Entered,
-        hit_42: Hit,
+        hit_41: Hit,
         view_21: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color_stage(at_111, hit_42, rt::into(view_21)))
+        rt::into(self.v_object_color_stage(at_111, hit_41, rt::into(view_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_color_stage(
         &self,
         at_111: Entered,
-        hit_42: Hit,
+        hit_41: Hit,
         view_21: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[3usize].params;
-                let _e13 = self.v_object_none_color(at_111, hit_42, view_21, _e12);
+                let _e13 = self.v_object_none_color(at_111, hit_41, view_21, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[3usize].params;
-                let _e19 = self.v_object_depth_color(at_111, hit_42, view_21, _e18);
+                let _e19 = self.v_object_depth_color(at_111, hit_41, view_21, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[3usize].params;
-                let _e25 = self.v_object_hull_color(at_111, hit_42, view_21, _e24);
+                let _e25 = self.v_object_hull_color(at_111, hit_41, view_21, _e24);
                 return _e25;
             }
             _ => {
                 let _e30 = self.surface_settings.choices[3usize].params;
-                let _e31 = self.v_object_blend_color(at_111, hit_42, view_21, _e30);
+                let _e31 = self.v_object_blend_color(at_111, hit_41, view_21, _e30);
                 return _e31;
             }
         }
@@ -13774,27 +13793,27 @@ impl<'g> Resources<'g> {
     pub(crate) fn placed_over(
         &self,
         at_112: Entered,
-        uv_28: impl rt::Into<rt::Vec2<f32>>,
+        uv_30: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_over(at_112, rt::into(uv_28)))
+        rt::into(self.v_placed_over(at_112, rt::into(uv_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_over(
         &self,
         at_112: Entered,
-        uv_28: rt::Vec2<f32>,
+        uv_30: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_9 = (uv_28 - at_112.uv);
+        let aside_9 = (uv_30 - at_112.uv);
         let _e6 = rt::Scalar(self.surface_settings.bias_m);
         let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let _e11 = self.v_height_at(uv_28, rt::Scalar(at_112.level));
+        let _e11 = self.v_height_at(uv_30, rt::Scalar(at_112.level));
         let height_20 = (_e6 + (_e9 * _e11));
         placed = at_112;
         placed.point = (((at_112.point + (at_112.tangent * aside_9.x())) + (at_112.bitangent * aside_9.y())) + (at_112.normal * height_20));
-        placed.uv = uv_28;
+        placed.uv = uv_30;
         let _e29 = placed;
         return _e29;
     }
@@ -13803,10 +13822,10 @@ impl<'g> Resources<'g> {
         pixel_86: PixelIn,
         at_113: Entered,
         path_74: Path,
-        hit_43: Hit,
+        hit_42: Hit,
         params_94: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_86, at_113, path_74, hit_43, rt::into(params_94)))
+        rt::into(self.v_surface_plane_place(pixel_86, at_113, path_74, hit_42, rt::into(params_94)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13815,10 +13834,10 @@ impl<'g> Resources<'g> {
         pixel_86: PixelIn,
         at_113: Entered,
         path_74: Path,
-        hit_43: Hit,
+        hit_42: Hit,
         params_94: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_113, hit_43.uv);
+        let _e6 = self.v_placed_over(at_113, hit_42.uv);
         return _e6;
     }
     pub(crate) fn placed_at(
@@ -13827,9 +13846,9 @@ impl<'g> Resources<'g> {
         at_114: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_18: impl rt::Into<rt::Vec3<f32>>,
-        uv_29: impl rt::Into<rt::Vec2<f32>>,
+        uv_31: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_87, at_114, rt::into(weights_4), rt::into(point_18), rt::into(uv_29)))
+        rt::into(self.v_placed_at(pixel_87, at_114, rt::into(weights_4), rt::into(point_18), rt::into(uv_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13839,11 +13858,11 @@ impl<'g> Resources<'g> {
         at_114: Entered,
         weights_4: rt::Vec3<f32>,
         point_18: rt::Vec3<f32>,
-        uv_29: rt::Vec2<f32>,
+        uv_31: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_87, weights_4, point_18, uv_29, at_114.facing);
+        let _e6 = self.v_frame_at(pixel_87, weights_4, point_18, uv_31, at_114.facing);
         placed_1 = _e6;
         rt::Scalar(placed_1.level) = rt::Scalar(at_114.level);
         rt::Scalar(placed_1.footprint) = rt::Scalar(at_114.footprint);
@@ -13856,10 +13875,10 @@ impl<'g> Resources<'g> {
         pixel_88: PixelIn,
         at_115: Entered,
         path_75: Path,
-        hit_44: Hit,
+        hit_43: Hit,
         params_95: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_88, at_115, path_75, hit_44, rt::into(params_95)))
+        rt::into(self.v_surface_prism_place(pixel_88, at_115, path_75, hit_43, rt::into(params_95)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13868,16 +13887,16 @@ impl<'g> Resources<'g> {
         pixel_88: PixelIn,
         at_115: Entered,
         path_75: Path,
-        hit_44: Hit,
+        hit_43: Hit,
         params_95: rt::Vec4<f32>,
     ) -> Entered {
         let along_42 = pixel_88.direction.normalize();
         let _e7 = self.v_middle_of(pixel_88, along_42);
         let _e8 = self.v_prism_of(pixel_88, along_42, _e7, params_95);
-        let s_4 = ((rt::Scalar(path_75.start) + rt::Scalar(hit_44.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_88, _e8, (along_42 * s_4), rt::Scalar(hit_44.height));
+        let s_4 = ((rt::Scalar(path_75.start) + rt::Scalar(hit_43.t)) - _e7);
+        let _e15 = self.v_point_of_way(pixel_88, _e8, (along_42 * s_4), rt::Scalar(hit_43.height));
         let weights_7 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_88, at_115, weights_7, (pixel_88.origin + (along_42 * (rt::Scalar(path_75.start) + rt::Scalar(hit_44.t)))), hit_44.uv);
+        let _e24 = self.v_placed_at(pixel_88, at_115, weights_7, (pixel_88.origin + (along_42 * (rt::Scalar(path_75.start) + rt::Scalar(hit_43.t)))), hit_43.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
@@ -13933,10 +13952,10 @@ impl<'g> Resources<'g> {
         pixel_89: PixelIn,
         at_117: Entered,
         path_76: Path,
-        hit_45: Hit,
+        hit_44: Hit,
         params_96: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_117, path_76, hit_45, rt::into(params_96)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_117, path_76, hit_44, rt::into(params_96)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13945,15 +13964,15 @@ impl<'g> Resources<'g> {
         pixel_89: PixelIn,
         at_117: Entered,
         path_76: Path,
-        hit_45: Hit,
+        hit_44: Hit,
         params_96: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_117, (hit_45.uv - at_117.uv));
+        let _e8 = self.v_quadric_frame(at_117, (hit_44.uv - at_117.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_76.start) + rt::Scalar(hit_45.t))));
-        placed_3.uv = hit_45.uv;
+        placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_76.start) + rt::Scalar(hit_44.t))));
+        placed_3.uv = hit_44.uv;
         let _e21 = placed_3;
         return _e21;
     }
@@ -13962,10 +13981,10 @@ impl<'g> Resources<'g> {
         pixel_90: PixelIn,
         at_118: Entered,
         path_77: Path,
-        hit_46: Hit,
+        hit_45: Hit,
         params_97: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_118, path_77, hit_46, rt::into(params_97)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_118, path_77, hit_45, rt::into(params_97)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
@@ -13973,15 +13992,15 @@ impl<'g> Resources<'g> {
         pixel_90: PixelIn,
         at_118: Entered,
         path_77: Path,
-        hit_46: Hit,
+        hit_45: Hit,
         params_97: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_46.uv - at_118.uv);
+        let aside_10 = (hit_45.uv - at_118.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_46.uv, rt::Scalar(at_118.level));
+        let _e16 = self.v_height_at(hit_45.uv, rt::Scalar(at_118.level));
         let height_21 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
@@ -13990,7 +14009,7 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_quadric_frame(at_118, aside_10);
         placed_4 = _e29;
         placed_4.point = (((at_118.point + (at_118.tangent * aside_10.x())) + (at_118.bitangent * aside_10.y())) + (at_118.normal * (height_21 + lifted_2)));
-        placed_4.uv = hit_46.uv;
+        placed_4.uv = hit_45.uv;
         let _e47 = placed_4;
         return _e47;
     }
@@ -13999,10 +14018,10 @@ impl<'g> Resources<'g> {
         pixel_91: PixelIn,
         at_119: Entered,
         path_78: Path,
-        hit_47: Hit,
+        hit_46: Hit,
         params_98: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_119, path_78, hit_47, rt::into(params_98)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_119, path_78, hit_46, rt::into(params_98)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
@@ -14010,7 +14029,7 @@ impl<'g> Resources<'g> {
         pixel_91: PixelIn,
         at_119: Entered,
         path_78: Path,
-        hit_47: Hit,
+        hit_46: Hit,
         params_98: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
@@ -14019,7 +14038,7 @@ impl<'g> Resources<'g> {
 
         let along_43 = pixel_91.direction.normalize();
         let _e7 = self.v_middle_of(pixel_91, along_43);
-        let t_42 = ((rt::Scalar(path_78.start) + rt::Scalar(hit_47.t)) - _e7);
+        let t_42 = ((rt::Scalar(path_78.start) + rt::Scalar(hit_46.t)) - _e7);
         let _e13 = self.v_tetrahedron(pixel_91, along_43, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
@@ -14049,8 +14068,8 @@ impl<'g> Resources<'g> {
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_8 = (_e45 + (_e47 * t_42));
-        let point_29 = (pixel_91.origin + (along_43 * (rt::Scalar(path_78.start) + rt::Scalar(hit_47.t))));
-        let _e58 = self.v_placed_at(pixel_91, at_119, weights_8.xyz(), point_29, hit_47.uv);
+        let point_29 = (pixel_91.origin + (along_43 * (rt::Scalar(path_78.start) + rt::Scalar(hit_46.t))));
+        let _e58 = self.v_placed_at(pixel_91, at_119, weights_8.xyz(), point_29, hit_46.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
@@ -14058,10 +14077,10 @@ impl<'g> Resources<'g> {
         pixel_92: PixelIn,
         at_120: Entered,
         path_79: Path,
-        hit_48: Hit,
+        hit_47: Hit,
         params_99: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_92, at_120, path_79, hit_48, rt::into(params_99)))
+        rt::into(self.v_surface_facets_place(pixel_92, at_120, path_79, hit_47, rt::into(params_99)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14070,7 +14089,7 @@ impl<'g> Resources<'g> {
         pixel_92: PixelIn,
         at_120: Entered,
         path_79: Path,
-        hit_48: Hit,
+        hit_47: Hit,
         params_99: rt::Vec4<f32>,
     ) -> Entered {
         return at_120;
@@ -14080,10 +14099,10 @@ impl<'g> Resources<'g> {
         pixel_93: PixelIn,
         at_121: Entered,
         path_80: Path,
-        hit_49: Hit,
+        hit_48: Hit,
         params_100: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_93, at_121, path_80, hit_49, rt::into(params_100)))
+        rt::into(self.v_surface_slices_place(pixel_93, at_121, path_80, hit_48, rt::into(params_100)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14092,27 +14111,27 @@ impl<'g> Resources<'g> {
         pixel_93: PixelIn,
         at_121: Entered,
         path_80: Path,
-        hit_49: Hit,
+        hit_48: Hit,
         params_100: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_121, hit_49.uv);
+        let _e6 = self.v_placed_over(at_121, hit_48.uv);
         return _e6;
     }
-    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_122: Entered, path_81: Path, hit_50: Hit) -> Entered {
-        rt::into(self.v_placed_in_image(pixel_94, at_122, path_81, hit_50))
+    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_122: Entered, path_81: Path, hit_49: Hit) -> Entered {
+        rt::into(self.v_placed_in_image(pixel_94, at_122, path_81, hit_49))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_placed_in_image(&self, pixel_94: PixelIn, at_122: Entered, path_81: Path, hit_50: Hit) -> Entered {
+    fn v_placed_in_image(&self, pixel_94: PixelIn, at_122: Entered, path_81: Path, hit_49: Hit) -> Entered {
         let mut placed_5: Entered;
 
         let _e6 = self.v_image_of_object(rt::Scalar(path_81.base).to_u32());
         placed_5 = at_122;
-        placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_81.start) + rt::Scalar(hit_50.t))));
-        placed_5.uv = hit_50.uv;
+        placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_81.start) + rt::Scalar(hit_49.t))));
+        placed_5.uv = hit_49.uv;
         let _e20 = placed_5.point;
         let _e21 = self.v_depth_in_image(_e6, _e20);
         let _e23 = placed_5.point;
-        let _e25 = self.v_stretch_in_image(_e6, _e23, rt::Scalar(hit_50.height));
+        let _e25 = self.v_stretch_in_image(_e6, _e23, rt::Scalar(hit_49.height));
         let _e27 = self.v_tangent_of_image(_e6);
         placed_5.tangent = ((_e27 * _e21) / rt::Vec3::splat_from_scalar(_e25));
         let _e32 = self.v_bitangent_of_image(_e6);
@@ -14128,23 +14147,23 @@ impl<'g> Resources<'g> {
         placed_5.facing = _e6.toward;
         let _e53 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e53.elementwise_eq(CELLS_MASK)) {
-            let _e57 = self.v_normal_of_mask(_e6, hit_50);
-            placed_5.normal = _e57;
-            let _e60 = placed_5.normal;
-            placed_5.facing = _e60;
+            let _e59 = self.v_normal_of_mask(_e6, hit_49.uv, _e6.toward);
+            placed_5.normal = _e59;
+            let _e62 = placed_5.normal;
+            placed_5.facing = _e62;
         }
-        let _e61 = placed_5;
-        return _e61;
+        let _e63 = placed_5;
+        return _e63;
     }
     pub(crate) fn surface_object_place(
         &self,
         pixel_95: PixelIn,
         at_123: Entered,
         path_82: Path,
-        hit_51: Hit,
+        hit_50: Hit,
         params_101: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_95, at_123, path_82, hit_51, rt::into(params_101)))
+        rt::into(self.v_surface_object_place(pixel_95, at_123, path_82, hit_50, rt::into(params_101)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14153,10 +14172,10 @@ impl<'g> Resources<'g> {
         pixel_95: PixelIn,
         at_123: Entered,
         path_82: Path,
-        hit_51: Hit,
+        hit_50: Hit,
         params_101: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_in_image(pixel_95, at_123, path_82, hit_51);
+        let _e5 = self.v_placed_in_image(pixel_95, at_123, path_82, hit_50);
         return _e5;
     }
     pub(crate) fn surface_frames_place(
@@ -14164,10 +14183,10 @@ impl<'g> Resources<'g> {
         pixel_96: PixelIn,
         at_124: Entered,
         path_83: Path,
-        hit_52: Hit,
+        hit_51: Hit,
         params_102: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_place(pixel_96, at_124, path_83, hit_52, rt::into(params_102)))
+        rt::into(self.v_surface_frames_place(pixel_96, at_124, path_83, hit_51, rt::into(params_102)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_frames_place(
@@ -14175,13 +14194,13 @@ impl<'g> Resources<'g> {
         pixel_96: PixelIn,
         at_124: Entered,
         path_83: Path,
-        hit_52: Hit,
+        hit_51: Hit,
         params_102: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
         let mut local_95: rt::Scalar<bool>;
 
-        let _e5 = self.v_placed_in_image(pixel_96, at_124, path_83, hit_52);
+        let _e5 = self.v_placed_in_image(pixel_96, at_124, path_83, hit_51);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
@@ -14205,102 +14224,113 @@ impl<'g> Resources<'g> {
         pixel_97: PixelIn,
         at_125: Entered,
         path_84: Path,
-        hit_53: Hit,
+        hit_52: Hit,
         params_103: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_place(pixel_97, at_125, path_84, hit_53, rt::into(params_103)))
+        rt::into(self.v_surface_object_slices_place(pixel_97, at_125, path_84, hit_52, rt::into(params_103)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
     fn v_surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
         at_125: Entered,
         path_84: Path,
-        hit_53: Hit,
+        hit_52: Hit,
         params_103: rt::Vec4<f32>,
     ) -> Entered {
         let mut of_image: Path;
+        let mut placed_7: Entered;
 
+        let _e6 = self.v_slice_at(at_125.point);
+        let number_19 = rt::Scalar(_e6.number);
         of_image = path_84;
-        let _e8 = self.v_slice_at(at_125.point);
-        rt::Scalar(of_image.base) = rt::Scalar(_e8.number).to_f32();
+        rt::Scalar(of_image.base) = number_19.to_f32();
         let _e11 = of_image;
-        let _e12 = self.v_placed_in_image(pixel_97, at_125, _e11, hit_53);
-        return _e12;
+        let _e12 = self.v_placed_in_image(pixel_97, at_125, _e11, hit_52);
+        placed_7 = _e12;
+        let _e16 = rt::Scalar(self.surface_settings.cells);
+        if rt::Scalar::into_branch_condition(_e16.elementwise_eq(CELLS_MASK)) {
+            let _e20 = self.v_image_of_object(number_19);
+            let _e23 = self.v_normal_of_mask(_e20, hit_52.uv, at_125.normal);
+            placed_7.normal = _e23;
+            let _e26 = placed_7.normal;
+            placed_7.facing = _e26;
+        }
+        let _e27 = placed_7;
+        return _e27;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_126: Entered, path_85: Path, hit_54: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_98, at_126, path_85, hit_54))
+    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_126: Entered, path_85: Path, hit_53: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_98, at_126, path_85, hit_53))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_98: PixelIn, at_126: Entered, path_85: Path, hit_54: Hit) -> Entered {
+    fn v_surface_place_stage(&self, pixel_98: PixelIn, at_126: Entered, path_85: Path, hit_53: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_98, at_126, path_85, hit_54, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_98, at_126, path_85, hit_53, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_98, at_126, path_85, hit_54, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_98, at_126, path_85, hit_53, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_126, path_85, hit_54, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_126, path_85, hit_53, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_126, path_85, hit_54, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_126, path_85, hit_53, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_126, path_85, hit_54, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_126, path_85, hit_53, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_98, at_126, path_85, hit_54, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_98, at_126, path_85, hit_53, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_98, at_126, path_85, hit_54, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_98, at_126, path_85, hit_53, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_98, at_126, path_85, hit_54, _e55);
+                let _e56 = self.v_surface_object_place(pixel_98, at_126, path_85, hit_53, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_place(pixel_98, at_126, path_85, hit_54, _e61);
+                let _e62 = self.v_surface_frames_place(pixel_98, at_126, path_85, hit_53, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_place(pixel_98, at_126, path_85, hit_54, _e67);
+                let _e68 = self.v_surface_object_slices_place(pixel_98, at_126, path_85, hit_53, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_127: Entered, path_86: Path, hit_55: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_99, at_127, path_86, hit_55))
+    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_127: Entered, path_86: Path, hit_54: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_99, at_127, path_86, hit_54))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_on_segment(&self, pixel_99: PixelIn, at_127: Entered, path_86: Path, hit_55: Hit) -> Entered {
-        let mut placed_7: Entered;
+    fn v_place_on_segment(&self, pixel_99: PixelIn, at_127: Entered, path_86: Path, hit_54: Hit) -> Entered {
+        let mut placed_8: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_99, at_127, path_86, hit_55);
-        placed_7 = _e4;
-        let _e7 = self.v_depth_on_ray(pixel_99, path_86, hit_55);
-        rt::Scalar(placed_7.depth) = _e7;
-        let _e8 = placed_7;
+        let _e4 = self.v_surface_place_stage(pixel_99, at_127, path_86, hit_54);
+        placed_8 = _e4;
+        let _e7 = self.v_depth_on_ray(pixel_99, path_86, hit_54);
+        rt::Scalar(placed_8.depth) = _e7;
+        let _e8 = placed_8;
         return _e8;
     }
     pub(crate) fn place_hit(
@@ -14308,9 +14338,9 @@ impl<'g> Resources<'g> {
         pixel_100: PixelIn,
         at_128: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
-        hit_56: Hit,
+        hit_55: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_100, at_128, rt::into(segment), hit_56))
+        rt::into(self.v_place_hit(pixel_100, at_128, rt::into(segment), hit_55))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14319,10 +14349,10 @@ impl<'g> Resources<'g> {
         pixel_100: PixelIn,
         at_128: Entered,
         segment: rt::Scalar<u32>,
-        hit_56: Hit,
+        hit_55: Hit,
     ) -> Entered {
         let _e4 = self.v_segment_of(pixel_100, at_128, segment);
-        let _e5 = self.v_place_on_segment(pixel_100, at_128, _e4, hit_56);
+        let _e5 = self.v_place_on_segment(pixel_100, at_128, _e4, hit_55);
         return _e5;
     }
     pub(crate) fn toward_light(
@@ -14352,26 +14382,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn point_of_light(
         &self,
         at_129: Entered,
-        hit_57: Hit,
+        hit_56: Hit,
         number_15: impl rt::Into<rt::Scalar<u32>>,
         k_35: impl rt::Into<rt::Scalar<u32>>,
         count_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_129, hit_57, rt::into(number_15), rt::into(k_35), rt::into(count_5)))
+        rt::into(self.v_point_of_light(at_129, hit_56, rt::into(number_15), rt::into(k_35), rt::into(count_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
         at_129: Entered,
-        hit_57: Hit,
+        hit_56: Hit,
         number_15: rt::Scalar<u32>,
         k_35: rt::Scalar<u32>,
         count_5: rt::Scalar<u32>,
     ) -> Toward {
         let _e6 = self.v_toward_light(number_15, at_129.point);
         if rt::Scalar::into_branch_condition(count_5.elementwise_gt(rt::Scalar(0u32))) {
-            let _e9 = self.v_seed_of(hit_57);
+            let _e9 = self.v_seed_of(hit_56);
             let _e10 = self.v_point_of_disc(_e6, _e9, k_35, count_5);
             return _e10;
         }
@@ -14380,25 +14410,25 @@ impl<'g> Resources<'g> {
     pub(crate) fn ray_to_light(
         &self,
         at_130: Entered,
-        hit_58: Hit,
+        hit_57: Hit,
         number_16: impl rt::Into<rt::Scalar<u32>>,
         k_36: impl rt::Into<rt::Scalar<u32>>,
         count_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_130, hit_58, rt::into(number_16), rt::into(k_36), rt::into(count_6)))
+        rt::into(self.v_ray_to_light(at_130, hit_57, rt::into(number_16), rt::into(k_36), rt::into(count_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
         at_130: Entered,
-        hit_58: Hit,
+        hit_57: Hit,
         number_16: rt::Scalar<u32>,
         k_36: rt::Scalar<u32>,
         count_6: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_130, hit_58, number_16, k_36, count_6);
-        let _e6 = self.v_light_ray(at_130, hit_58, _e5);
+        let _e5 = self.v_point_of_light(at_130, hit_57, number_16, k_36, count_6);
+        let _e6 = self.v_light_ray(at_130, hit_57, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -14595,19 +14625,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn reflected_light(
         &self,
         at_132: Entered,
-        hit_59: Hit,
+        hit_58: Hit,
         seen_4: SeenNormals,
         view_24: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_132, hit_59, seen_4, rt::into(view_24), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_132, hit_58, seen_4, rt::into(view_24), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
         at_132: Entered,
-        hit_59: Hit,
+        hit_58: Hit,
         seen_4: SeenNormals,
         view_24: rt::Vec3<f32>,
         color_9: rt::Vec3<f32>,
@@ -14619,7 +14649,7 @@ impl<'g> Resources<'g> {
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_132, hit_59, (seen_4.normal * rt::Scalar(seen_4.length)), view_24, diffuse);
+        let _e20 = self.v_ambient_stage(at_132, hit_58, (seen_4.normal * rt::Scalar(seen_4.length)), view_24, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
@@ -14667,64 +14697,64 @@ impl<'g> Resources<'g> {
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
         at_133: Entered,
-        hit_60: Hit,
+        hit_59: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_133, hit_60, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_133, hit_59, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
         at_133: Entered,
-        hit_60: Hit,
+        hit_59: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_60.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_60.cost.x(), hit_60.cost.y(), hit_60.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_59.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_59.cost.x(), hit_59.cost.y(), hit_59.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_60.uv, rt::Scalar(at_133.level));
+        let _e44 = self.v_height_at(hit_59.uv, rt::Scalar(at_133.level));
         let view_27 = (origin_2 - at_133.point).normalize();
-        let _e49 = self.v_mesostructure_normals(at_133, hit_60.uv, view_27);
-        let _e50 = self.v_object_color_stage(at_133, hit_60, view_27);
-        let _e51 = self.v_reflected_light(at_133, hit_60, _e49, view_27, _e50, visible_1);
+        let _e49 = self.v_mesostructure_normals(at_133, hit_59.uv, view_27);
+        let _e50 = self.v_object_color_stage(at_133, hit_59, view_27);
+        let _e51 = self.v_reflected_light(at_133, hit_59, _e49, view_27, _e50, visible_1);
         let _e56 = self.frame.forward;
         let depth_11 = (at_133.point - origin_2).dot(_e56.xyz());
         let _e61 = self.v_height_size(rt::Scalar(0u32));
-        let _e67 = self.v_cell_of(((hit_60.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e67 = self.v_cell_of(((hit_59.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
         let _e87 = self.v_z_of(rt::Scalar(at_133.depth));
         let _e90 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_60.exhausted), hit_60.uv, _e44, at_133.point, _e49.normal, depth_11, rt::Scalar(hit_60.t), _e67.to_i32(), hit_60.cost.x(), hit_60.cost.y(), hit_60.cost.z(), visible_1[0usize].x(), rt::Scalar(at_133.level), _e87, _e90);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_59.exhausted), hit_59.uv, _e44, at_133.point, _e49.normal, depth_11, rt::Scalar(hit_59.t), _e67.to_i32(), hit_59.cost.x(), hit_59.cost.y(), hit_59.cost.z(), visible_1[0usize].x(), rt::Scalar(at_133.level), _e87, _e90);
     }
     pub(crate) fn visible_light(
         &self,
         at_134: Entered,
-        hit_61: Hit,
+        hit_60: Hit,
         number_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_134, hit_61, rt::into(number_17)))
+        rt::into(self.v_visible_light(at_134, hit_60, rt::into(number_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_visible_light(
         &self,
         at_134: Entered,
-        hit_61: Hit,
+        hit_60: Hit,
         number_17: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
         let _e4 = self.v_toward_light(number_17, at_134.point);
-        let _e5 = self.v_shadow_stage(at_134, hit_61, _e4);
+        let _e5 = self.v_shadow_stage(at_134, hit_60, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_135: Entered, hit_62: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_135, hit_62))
+    pub(crate) fn visible_lights(&self, at_135: Entered, hit_61: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_135, hit_61))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_135: Entered, hit_62: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_135: Entered, hit_61: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut k_38: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_62.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_61.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
@@ -14739,7 +14769,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = k_38;
                     let _e17 = k_38;
-                    let _e18 = self.v_visible_light(at_135, hit_62, _e17);
+                    let _e18 = self.v_visible_light(at_135, hit_61, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e23 = k_38;
                     k_38 = (_e23 + rt::Scalar(1u32));

@@ -4548,27 +4548,39 @@ fn path_through_image(pixel: PixelIn, k: u32) -> Path {
     },
     Declaration {
         module: "shared/object_path",
-        name: "normal_of_mask",
+        name: "rise_of_mask",
         sampling: None,
-        uses: &["Hit", "Image", "cell_of", "height_size", "object_cell_stage"],
-        text: r#"// The normal of a silhouette: beside the view, away from where the mask grows; along it where the ray begins
-// inside.
-fn normal_of_mask(image: Image, hit: Hit) -> vec3f {
-    let at = hit.uv * height_size(0u) - vec2f(0.5, 0.5);
+        uses: &["cell_of", "height_size", "object_cell_stage"],
+        text: r#"// How a mask rises from texel to texel at texture coordinates, along u and v.
+fn rise_of_mask(uv: vec2f) -> vec2f {
+    let at = uv * height_size(0u) - vec2f(0.5, 0.5);
     let cell = cell_of(at);
     let h = object_cell_stage(vec2i(cell), 0u);
     let part = at - cell;
-    let rise_u = (h.y - h.x) * (1.0 - part.y) + (h.w - h.z) * part.y;
-    let rise_v = (h.z - h.x) * (1.0 - part.x) + (h.w - h.y) * part.x;
-    let place = (hit.uv - image.corner) / image.extent;
+    return vec2f(
+        (h.y - h.x) * (1.0 - part.y) + (h.w - h.z) * part.y,
+        (h.z - h.x) * (1.0 - part.x) + (h.w - h.y) * part.x,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/object_path",
+        name: "normal_of_mask",
+        sampling: None,
+        uses: &["Image", "rise_of_mask"],
+        text: r#"// The normal of a silhouette: beside the view, away from where the mask grows; that other one within it,
+// where the mask is level.
+fn normal_of_mask(image: Image, uv: vec2f, within: vec3f) -> vec3f {
+    let rise = rise_of_mask(uv);
+    let place = (uv - image.corner) / image.extent;
     let along_u = normalize(image.u.xyz - image.depth.xyz * place.x);
     let along_v = normalize(image.v.xyz - image.depth.xyz * place.y);
-    let outward = vec3f(0.0, 0.0, 0.0) - along_u * rise_u - along_v * rise_v;
+    let outward = vec3f(0.0, 0.0, 0.0) - along_u * rise.x - along_v * rise.y;
     let square = dot(outward, outward);
     if (square > 0.0) {
         return outward / sqrt(square);
     }
-    return image.toward;
+    return within;
 }"#,
     },
     Declaration {
@@ -4607,7 +4619,7 @@ fn placed_in_image(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Entered
     placed.facing = image.toward;
     if (surface_settings.cells == CELLS_MASK) {
         // Silhouettes run along the view.
-        placed.normal = normal_of_mask(image, hit);
+        placed.normal = normal_of_mask(image, hit.uv, image.toward);
         placed.facing = placed.normal;
     }
     return placed;
@@ -7574,6 +7586,7 @@ const HIGHEST = 2.0;"#,
     var at = passed_by();
     at.segments = select(0u, 1u, dot(n, n) > 0.0);
     at.point = pixel.origin + pixel.direction * triangle_distance(pixel, n);
+    at.normal = normalize(n) * select(1.0, -1.0, dot(n, pixel.direction) > 0.0);
     return at;
 }"#,
     },
@@ -7685,11 +7698,18 @@ fn surface_object_slices_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hi
         module: "surface/object_slices",
         name: "surface_object_slices_place",
         sampling: None,
-        uses: &["Entered", "Hit", "Path", "PixelIn", "placed_in_image", "slice_at"],
+        uses: &["CELLS_MASK", "Entered", "Hit", "Path", "PixelIn", "image_of_object", "normal_of_mask", "placed_in_image", "slice_at", "surface_settings"],
         text: r#"fn surface_object_slices_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
+    let number = slice_at(at.point).number;
     var of_image = path;
-    of_image.base = f32(slice_at(at.point).number);
-    return placed_in_image(pixel, at, of_image, hit);
+    of_image.base = f32(number);
+    var placed = placed_in_image(pixel, at, of_image, hit);
+    if (surface_settings.cells == CELLS_MASK) {
+        // A slice within all silhouettes is a section of the hull.
+        placed.normal = normal_of_mask(image_of_object(number), hit.uv, at.normal);
+        placed.facing = placed.normal;
+    }
+    return placed;
 }"#,
     },
     Declaration {

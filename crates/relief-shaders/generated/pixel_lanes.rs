@@ -2690,8 +2690,12 @@ lanes! { fn surface_object_slices_enter(r: &Resources<'_>, within: M, pixel_a0: 
     at_v0.segments = sel_u(gt(add(add(add(mul(n_2.x, n_2.x), mul(n_2.y, n_2.y)), mul(n_2.z, n_2.z)), splat(0.0f32)), splat(0.0f32)), splat_u(1u32), splat_u(0u32));
     let e_15 = triangle_distance(r, ex, pixel_a0, n_2);
     at_v0.point = Vec3 { x: add(pixel_a0.origin.x, mul(pixel_a0.direction.x, e_15)), y: add(pixel_a0.origin.y, mul(pixel_a0.direction.y, e_15)), z: add(pixel_a0.origin.z, mul(pixel_a0.direction.z, e_15)) };
-    let e_18 = at_v0;
-    return e_18;
+    let length1 = sqrt(add(add(mul(n_2.x, n_2.x), mul(n_2.y, n_2.y)), mul(n_2.z, n_2.z)));
+    let e_19 = Vec3 { x: div(n_2.x, length1), y: div(n_2.y, length1), z: div(n_2.z, length1) };
+    let e_26 = sel(gt(add(add(add(mul(n_2.x, pixel_a0.direction.x), mul(n_2.y, pixel_a0.direction.y)), mul(n_2.z, pixel_a0.direction.z)), splat(0.0f32)), splat(0.0f32)), splat((-1.0f32)), splat(1.0f32));
+    at_v0.normal = Vec3 { x: mul(e_19.x, e_26), y: mul(e_19.y, e_26), z: mul(e_19.z, e_26) };
+    let e_28 = at_v0;
+    return e_28;
 } }
 lanes! { fn surface_enter_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn) -> Entered {
     let mut ex = within;
@@ -4462,30 +4466,34 @@ stage! { fn normal_of_frames(r: &Resources<'_>, within: M, at_a0: &Entered, fram
     let y3 = Vec3 { x: at_a0.normal.x, y: at_a0.normal.y, z: at_a0.normal.z };
     return Vec3 { x: sel(ex, y3.x, ret.x), y: sel(ex, y3.y, ret.y), z: sel(ex, y3.z, ret.z) };
 } }
-lanes! { fn normal_of_mask(r: &Resources<'_>, within: M, image_a0: &Image, hit_a1: &Hit) -> Vec3<F> {
+lanes! { fn rise_of_mask(r: &Resources<'_>, within: M, uv_a0: Vec2<F>) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let e_2 = height_size(r, splat_u(0u32));
+    let at_7 = Vec2 { x: sub(mul(uv_a0.x, e_2.x), splat(0.5f32)), y: sub(mul(uv_a0.y, e_2.y), splat(0.5f32)) };
+    let cell_8 = cell_of(r, at_7);
+    let h_11 = object_cell_stage(r, ex, Vec2 { x: i_of_small(cell_8.x), y: i_of_small(cell_8.y) }, 0u32);
+    let part_12 = Vec2 { x: sub(at_7.x, cell_8.x), y: sub(at_7.y, cell_8.y) };
+    return Vec2 { x: add(mul(sub(h_11.y, h_11.x), sub(splat(1.0f32), part_12.y)), mul(sub(h_11.w, h_11.z), part_12.y)), y: add(mul(sub(h_11.z, h_11.x), sub(splat(1.0f32), part_12.x)), mul(sub(h_11.w, h_11.y), part_12.x)) };
+} }
+lanes! { fn normal_of_mask(r: &Resources<'_>, within: M, image_a0: &Image, uv_a1: Vec2<F>, within_a2: Vec3<F>) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let e_4 = height_size(r, splat_u(0u32));
-    let at_9 = Vec2 { x: sub(mul(hit_a1.uv.x, e_4.x), splat(0.5f32)), y: sub(mul(hit_a1.uv.y, e_4.y), splat(0.5f32)) };
-    let cell_10 = cell_of(r, at_9);
-    let h_13 = object_cell_stage(r, ex, Vec2 { x: i_of_small(cell_10.x), y: i_of_small(cell_10.y) }, 0u32);
-    let part_14 = Vec2 { x: sub(at_9.x, cell_10.x), y: sub(at_9.y, cell_10.y) };
-    let rise_u_27 = add(mul(sub(h_13.y, h_13.x), sub(splat(1.0f32), part_14.y)), mul(sub(h_13.w, h_13.z), part_14.y));
-    let rise_v_40 = add(mul(sub(h_13.z, h_13.x), sub(splat(1.0f32), part_14.x)), mul(sub(h_13.w, h_13.y), part_14.x));
-    let place_45 = Vec2 { x: div(sub(hit_a1.uv.x, image_a0.corner.x), image_a0.extent.x), y: div(sub(hit_a1.uv.y, image_a0.corner.y), image_a0.extent.y) };
-    let e_52 = Vec3 { x: sub(image_a0.u.x, mul(image_a0.depth.x, place_45.x)), y: sub(image_a0.u.y, mul(image_a0.depth.y, place_45.x)), z: sub(image_a0.u.z, mul(image_a0.depth.z, place_45.x)) };
-    let length1 = sqrt(add(add(mul(e_52.x, e_52.x), mul(e_52.y, e_52.y)), mul(e_52.z, e_52.z)));
-    let along_u_53 = Vec3 { x: div(e_52.x, length1), y: div(e_52.y, length1), z: div(e_52.z, length1) };
-    let e_60 = Vec3 { x: sub(image_a0.v.x, mul(image_a0.depth.x, place_45.y)), y: sub(image_a0.v.y, mul(image_a0.depth.y, place_45.y)), z: sub(image_a0.v.z, mul(image_a0.depth.z, place_45.y)) };
-    let length2 = sqrt(add(add(mul(e_60.x, e_60.x), mul(e_60.y, e_60.y)), mul(e_60.z, e_60.z)));
-    let along_v_61 = Vec3 { x: div(e_60.x, length2), y: div(e_60.y, length2), z: div(e_60.z, length2) };
-    let outward_69 = Vec3 { x: sub(sub(splat(0.0f32), mul(along_u_53.x, rise_u_27)), mul(along_v_61.x, rise_v_40)), y: sub(sub(splat(0.0f32), mul(along_u_53.y, rise_u_27)), mul(along_v_61.y, rise_v_40)), z: sub(sub(splat(0.0f32), mul(along_u_53.z, rise_u_27)), mul(along_v_61.z, rise_v_40)) };
-    let square_70 = add(add(add(mul(outward_69.x, outward_69.x), mul(outward_69.y, outward_69.y)), mul(outward_69.z, outward_69.z)), splat(0.0f32));
-    let c3 = gt(square_70, splat(0.0f32));
-    let e_73 = sqrt(square_70);
-    ret = Vec3 { x: div(outward_69.x, e_73), y: div(outward_69.y, e_73), z: div(outward_69.z, e_73) };
+    let rise_3 = rise_of_mask(r, ex, uv_a1);
+    let place_7 = Vec2 { x: div(sub(uv_a1.x, image_a0.corner.x), image_a0.extent.x), y: div(sub(uv_a1.y, image_a0.corner.y), image_a0.extent.y) };
+    let e_14 = Vec3 { x: sub(image_a0.u.x, mul(image_a0.depth.x, place_7.x)), y: sub(image_a0.u.y, mul(image_a0.depth.y, place_7.x)), z: sub(image_a0.u.z, mul(image_a0.depth.z, place_7.x)) };
+    let length1 = sqrt(add(add(mul(e_14.x, e_14.x), mul(e_14.y, e_14.y)), mul(e_14.z, e_14.z)));
+    let along_u_15 = Vec3 { x: div(e_14.x, length1), y: div(e_14.y, length1), z: div(e_14.z, length1) };
+    let e_22 = Vec3 { x: sub(image_a0.v.x, mul(image_a0.depth.x, place_7.y)), y: sub(image_a0.v.y, mul(image_a0.depth.y, place_7.y)), z: sub(image_a0.v.z, mul(image_a0.depth.z, place_7.y)) };
+    let length2 = sqrt(add(add(mul(e_22.x, e_22.x), mul(e_22.y, e_22.y)), mul(e_22.z, e_22.z)));
+    let along_v_23 = Vec3 { x: div(e_22.x, length2), y: div(e_22.y, length2), z: div(e_22.z, length2) };
+    let outward_33 = Vec3 { x: sub(sub(splat(0.0f32), mul(along_u_15.x, rise_3.x)), mul(along_v_23.x, rise_3.y)), y: sub(sub(splat(0.0f32), mul(along_u_15.y, rise_3.x)), mul(along_v_23.y, rise_3.y)), z: sub(sub(splat(0.0f32), mul(along_u_15.z, rise_3.x)), mul(along_v_23.z, rise_3.y)) };
+    let square_34 = add(add(add(mul(outward_33.x, outward_33.x), mul(outward_33.y, outward_33.y)), mul(outward_33.z, outward_33.z)), splat(0.0f32));
+    let c3 = gt(square_34, splat(0.0f32));
+    let e_37 = sqrt(square_34);
+    ret = Vec3 { x: div(outward_33.x, e_37), y: div(outward_33.y, e_37), z: div(outward_33.z, e_37) };
     ex = and_not(ex, c3);
-    let y4 = Vec3 { x: image_a0.toward.x, y: image_a0.toward.y, z: image_a0.toward.z };
+    let y4 = within_a2;
     return Vec3 { x: sel(ex, y4.x, ret.x), y: sel(ex, y4.y, ret.y), z: sel(ex, y4.z, ret.z) };
 } }
 lanes! { fn object_blend_color(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, view_a2: Vec3<F>, params_a3: Vec4<f32>) -> Vec3<F> {
@@ -4702,13 +4710,13 @@ lanes! { fn placed_in_image(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at
     placed_v0.metric = Vec4 { x: path_a2.metric.x, y: path_a2.metric.y, z: path_a2.metric.z, w: path_a2.metric.w };
     placed_v0.facing = Vec3 { x: image_6.toward.x, y: image_6.toward.y, z: image_6.toward.z };
     if (r.surface_settings.cells == 4u32) {
-        let e_57 = normal_of_mask(r, ex, &image_6, hit_a3);
-        placed_v0.normal = e_57;
-        let e_60 = placed_v0.normal;
-        placed_v0.facing = e_60;
+        let e_59 = normal_of_mask(r, ex, &image_6, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y }, Vec3 { x: image_6.toward.x, y: image_6.toward.y, z: image_6.toward.z });
+        placed_v0.normal = e_59;
+        let e_62 = placed_v0.normal;
+        placed_v0.facing = e_62;
     }
-    let e_61 = placed_v0;
-    return e_61;
+    let e_63 = placed_v0;
+    return e_63;
 } }
 lanes! { fn surface_object_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
     let mut ex = within;
@@ -4744,12 +4752,22 @@ lanes! { fn surface_object_slices_place(r: &Resources<'_>, within: M, pixel_a0: 
     let mut ex = within;
     let mut ret: Entered = zero_entered();
     let mut of_image_v0: Path = zero_path();
+    let mut placed_v1: Entered = zero_entered();
+    let e_6 = slice_at(r, ex, Vec3 { x: at_a1.point.x, y: at_a1.point.y, z: at_a1.point.z });
     of_image_v0 = *path_a2;
-    let e_8 = slice_at(r, ex, Vec3 { x: at_a1.point.x, y: at_a1.point.y, z: at_a1.point.z });
-    of_image_v0.base = f_of_u(e_8.number);
+    of_image_v0.base = f_of_u(e_6.number);
     let e_11 = of_image_v0;
     let e_12 = placed_in_image(r, ex, pixel_a0, at_a1, &e_11, hit_a3);
-    return e_12;
+    placed_v1 = e_12;
+    if (r.surface_settings.cells == 4u32) {
+        let e_20 = image_of_object_l(r, ex, e_6.number);
+        let e_23 = normal_of_mask(r, ex, &e_20, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y }, Vec3 { x: at_a1.normal.x, y: at_a1.normal.y, z: at_a1.normal.z });
+        placed_v1.normal = e_23;
+        let e_26 = placed_v1.normal;
+        placed_v1.facing = e_26;
+    }
+    let e_27 = placed_v1;
+    return e_27;
 } }
 lanes! { fn surface_place_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit) -> Entered {
     let mut ex = within;
