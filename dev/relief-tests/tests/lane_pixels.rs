@@ -175,7 +175,8 @@ fn points() -> [Row<f32>; 2] {
 #[test]
 fn pixels_have_the_bits_of_one_by_one() {
     // Objects of images are asked for one ray at a time.
-    let of_meshes = PATHS.iter().enumerate().filter(|(_, paths)| paths.shown != Shown::Object);
+    let of_images = [Shown::Object, Shown::ObjectSlices];
+    let of_meshes = PATHS.iter().enumerate().filter(|(_, paths)| !of_images.contains(&paths.shown));
     let of_meshes: Vec<usize> = of_meshes.map(|(place, _)| place).collect();
     let surfaces = of_meshes.len();
     let details = STAGES[DETAIL].entries.len();
