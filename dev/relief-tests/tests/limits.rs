@@ -9,7 +9,7 @@ use relief_render::mesh::torus;
 use relief_render::scene::{Scene, Surface};
 use relief_render::wgpu::{DeviceDescriptor, Features, Instance, Limits, RequestAdapterOptions};
 use relief_shaders::wgsl::Sampling;
-use relief_shaders::{METHODS, SLICES, Selection, ambient, detail, shadow, surface};
+use relief_shaders::{METHODS, OBJECT, SLICES, Selection, ambient, detail, shadow, surface};
 use relief_tests::adapter::has_adapter;
 use relief_tests::maps;
 use relief_tests::spheres::grid_of_spheres;
@@ -38,7 +38,8 @@ fn selections() -> Vec<Selection> {
             selection.set("shadow.size", 64.0).expect("a setting of this shadow");
         }
         if selection.uses(SLICES) {
-            selection.set("slices.count", 4.0).expect("a setting of slices");
+            let count = if selection.uses(OBJECT) { 24.0 } else { 4.0 };
+            selection.set("slices.count", count).expect("a setting of slices");
         }
         selection
     };

@@ -210,8 +210,8 @@ impl ImageObject {
         self.jump
     }
 
-    /// A box that the object and its visual hull lie in, along the axes: its least and its greatest
-    /// coordinates. None where an image sees nothing.
+    /// A box that the object lies in, along the axes: its least and its greatest coordinates. None where an
+    /// image sees nothing.
     pub fn bounds(&self) -> Option<[DVec3; 2]> {
         let all = [DVec3::NEG_INFINITY, DVec3::INFINITY];
         (0..self.views.len()).try_fold(all, |[low, high], number| {
@@ -224,24 +224,26 @@ impl ImageObject {
         })
     }
 
-    /// The corners of the part of an image's space in which its silhouette is, which knows no height.
+    /// The corners of the part of an image's space that may be solid: up to its highest texel, but of an image
+    /// from an eye, whose silhouette is wider the farther away it is and knows no height, all of it.
     fn corners_of(&self, number: usize) -> Option<[DVec3; 8]> {
         let (view, place) = (&self.views[number], self.layout.places()[number]);
         let [columns, rows] = view.size();
-        let (mut low, mut high, mut is_seen) = ([u32::MAX; 2], [0; 2], false);
+        let (mut low, mut high, mut top) = ([u32::MAX; 2], [0; 2], 0.0_f32);
         for y in 0..rows {
             for x in 0..columns {
                 let texel = self.heights.texel(i64::from(place[0] + x), i64::from(place[1] + y));
                 if f64::from(texel) > EMPTY_HEIGHT {
                     low = [low[0].min(x), low[1].min(y)];
                     high = [high[0].max(x), high[1].max(y)];
-                    is_seen = true;
+                    top = top.max(texel);
                 }
             }
         }
-        if !is_seen {
+        if top == 0.0 {
             return None;
         }
+        let top = if view.eye().is_some() { 1.0 } else { f64::from(top) };
         // Cells reach from a texel's centre to those of the texels beside it.
         let [left, up] = low.map(|at| f64::from(at) - 0.5);
         let [right, down] = high.map(|at| f64::from(at) + 1.5);
@@ -250,7 +252,7 @@ impl ImageObject {
             view.point(DVec3::new(
                 [left, right][x] / f64::from(columns),
                 [up, down][y] / f64::from(rows),
-                [EMPTY_HEIGHT, 1.0][z],
+                [EMPTY_HEIGHT, top][z],
             ))
         }))
     }
