@@ -50,6 +50,7 @@ impl Triangles {
     }
 
     /// The ends of slices among the triangles, where they are known.
+    #[cfg(feature = "gpu")]
     pub(crate) fn slices(&self) -> &[u32] {
         &self.slices
     }
