@@ -135,6 +135,13 @@ const SEGMENTS_REFUSE: &[Refused] = &[
     NO_ENTRY_OF_LIGHT,
 ];
 
+/// What surfaces of slices refuse.
+const SLICES_ARE_SEARCHED: Refused = Refused {
+    stage: "search",
+    names: Names::AllBut(&["none"]),
+    reason: "slices are what is searched: choose 'none'",
+};
+
 /// What surfaces of an object's images refuse.
 const OF_IMAGES_REFUSE: &[Refused] = &[
     Refused {

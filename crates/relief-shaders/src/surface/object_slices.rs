@@ -29,11 +29,7 @@ pub const PATHS: Paths = Paths {
             names: Names::These(&["band"]),
             reason: "what is near the surfaces of all images are only edges: choose 'inside' or 'at-least'",
         },
-        Refused {
-            stage: "search",
-            names: Names::AllBut(&["none"]),
-            reason: "slices are what is searched: choose 'none'",
-        },
+        super::SLICES_ARE_SEARCHED,
         Refused {
             stage: "refine",
             names: Names::AllBut(&["none"]),

@@ -24,11 +24,7 @@ pub const PATHS: Paths = Paths {
     proposal: Proposal::Polygons,
     shown: Shown::Slices,
     refused: &[
-        Refused {
-            stage: "search",
-            names: Names::AllBut(&["none"]),
-            reason: "slices are what is searched: choose 'none'",
-        },
+        super::SLICES_ARE_SEARCHED,
         Refused {
             stage: "refine",
             names: Names::AllBut(&["none", "secant"]),
