@@ -17,5 +17,5 @@ pub use file::{Description, Measured, ObjectFile, ObjectFileError, ObjectFilePro
 pub use file::{OBJECT_FILE, ObjectWriter, WriteObjectError};
 pub use file::{ViewEntry, parse_description, read_description, read_object, read_views};
 pub use relief_core::object::DEFAULT_JUMP_TEXELS;
-pub use verify::{MAX_PICTURES, Verification};
+pub use verify::{MAX_PICTURES, Verification, even_directions};
 pub use view_spec::{ViewKind, ViewSpec};

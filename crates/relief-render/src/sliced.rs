@@ -23,7 +23,8 @@ use crate::triangles::Triangles;
 pub const FEWER: &str = "a smaller 'slices.count'";
 
 /// The slices of a scene.
-pub fn settings(Slices { count, direction, with_eye }: Slices, scene: &Scene) -> SliceSettings {
+pub fn settings(slices: Slices, scene: &Scene) -> SliceSettings {
+    let Slices { count, direction, with_eye, by_border } = slices;
     let camera = *scene.camera();
     let anchor = if with_eye { SliceAnchor::Eye } else { SliceAnchor::Object };
     let direction = match direction {
@@ -31,6 +32,7 @@ pub fn settings(Slices { count, direction, with_eye }: Slices, scene: &Scene) ->
         SliceDirection::A => Slicing::Surface,
         SliceDirection::B => Slicing::AcrossU,
         SliceDirection::C => Slicing::AcrossV,
+        SliceDirection::Screen if by_border => Slicing::Quads(camera, anchor),
         SliceDirection::Screen => Slicing::Screen(camera, anchor),
     };
     SliceSettings { count, direction }

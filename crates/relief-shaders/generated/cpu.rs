@@ -6684,6 +6684,7 @@ impl<'g> Resources<'g> {
     ) -> Entered {
         let mut local_38: rt::Scalar<bool>;
         let mut local_39: rt::Scalar<bool>;
+        let mut local_40: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_40);
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
@@ -6702,21 +6703,27 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.scale_m);
         let height_m = (_e87 + (_e90 * slice_6.x()));
         let normal_25 = raw_.normalize();
-        if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            local_38 = area_4.elementwise_gt(rt::Scalar(0f32));
+        let _e95 = self.v_is_on_map(uv_36);
+        if rt::Scalar::into_branch_condition(_e95) {
+            local_38 = ((slice_6.x() - rt::Scalar(0.5f32)).abs() - rt::Scalar(0.5f32)).elementwise_le(rt::Scalar(0.000001f32));
         } else {
             local_38 = rt::Scalar(false);
         }
-        let _e105 = local_38;
-        if rt::Scalar::into_branch_condition(_e105) {
-            let _e108 = self.v_is_on_map(uv_36);
-            local_39 = _e108;
+        let is_within = local_38;
+        if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
+            local_39 = area_4.elementwise_gt(rt::Scalar(0f32));
         } else {
             local_39 = rt::Scalar(false);
         }
-        let _e110 = local_39;
-        let _e116 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e110), (point_26 - (raw_ * height_m)), uv_36, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e116), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let _e118 = local_39;
+        if rt::Scalar::into_branch_condition(_e118) {
+            local_40 = is_within;
+        } else {
+            local_40 = rt::Scalar(false);
+        }
+        let _e122 = local_40;
+        let _e128 = rt::Scalar(self.surface_settings.scale_m);
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_26 - (raw_ * height_m)), uv_36, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
@@ -6900,7 +6907,7 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut cost_1: rt::Vec3<u32>;
-        let mut local_40: rt::Scalar<bool>;
+        let mut local_41: rt::Scalar<bool>;
 
         near_1 = above_1;
         far_1 = below_1;
@@ -6925,11 +6932,11 @@ impl<'g> Resources<'g> {
                     let _e33 = near_1;
                     if rt::Scalar::into_branch_condition(middle_12.elementwise_gt(_e33)) {
                         let _e37 = far_1;
-                        local_40 = middle_12.elementwise_lt(_e37);
+                        local_41 = middle_12.elementwise_lt(_e37);
                     } else {
-                        local_40 = rt::Scalar(false);
+                        local_41 = rt::Scalar(false);
                     }
-                    let _e40 = local_40;
+                    let _e40 = local_41;
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
@@ -7246,7 +7253,7 @@ impl<'g> Resources<'g> {
         let mut a_10: WayPoint;
         let mut b_10: WayPoint;
         let mut path_19: Path;
-        let mut local_41: rt::Scalar<bool>;
+        let mut local_42: rt::Scalar<bool>;
 
         let along_30 = pixel_47.direction.normalize();
         let _e6 = self.v_middle_of(pixel_47, along_30);
@@ -7287,11 +7294,11 @@ impl<'g> Resources<'g> {
         let _e67 = rt::Scalar(a_10.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
             let _e76 = rt::Scalar(b_10.beside);
-            local_41 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
+            local_42 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
         } else {
-            local_41 = rt::Scalar(true);
+            local_42 = rt::Scalar(true);
         }
-        let _e82 = local_41;
+        let _e82 = local_42;
         if rt::Scalar::into_branch_condition(_e82) {
             rt::Scalar(path_19.exit) = rt::Scalar(0f32);
         }
@@ -7355,7 +7362,7 @@ impl<'g> Resources<'g> {
     ) -> Path {
         let mut begin_1: rt::Scalar<f32>;
         let mut end_1: rt::Scalar<f32>;
-        let mut local_42: rt::Scalar<bool>;
+        let mut local_43: rt::Scalar<bool>;
         let mut path_20: Path;
         let mut inside_2: rt::Vec2<f32>;
 
@@ -7381,11 +7388,11 @@ impl<'g> Resources<'g> {
         end_1 = (at_43.of_surface.w() - (_e57 / _e10));
         if rt::Scalar::into_branch_condition((k_8 + rt::Scalar(1u32)).elementwise_eq(params_34.z().to_u32())) {
             let _e68 = end_1;
-            local_42 = _e68.elementwise_lt(rt::Scalar(0.5f32));
+            local_43 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
-            local_42 = rt::Scalar(false);
+            local_43 = rt::Scalar(false);
         }
-        let _e72 = local_42;
+        let _e72 = local_43;
         if rt::Scalar::into_branch_condition(_e72) {
             let _e73 = end_1;
             end_1 = _e73.min(rt::Scalar(-0.000001f32));
@@ -7441,13 +7448,13 @@ impl<'g> Resources<'g> {
         k_9: rt::Scalar<u32>,
         params_35: rt::Vec4<f32>,
     ) -> Path {
-        let mut local_43: rt::Scalar<bool>;
         let mut local_44: rt::Scalar<bool>;
+        let mut local_45: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_5: rt::Scalar<f32>;
         let mut interval_4: rt::Vec2<f32>;
         let mut path_21: Path;
-        let mut local_45: rt::Scalar<bool>;
+        let mut local_46: rt::Scalar<bool>;
 
         let along_33 = pixel_50.direction.length();
         let direction_7 = (pixel_50.direction / rt::Vec3::splat_from_scalar(along_33));
@@ -7466,16 +7473,16 @@ impl<'g> Resources<'g> {
         let _e35 = self.v_bent_descent(((height_15 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
             if rt::Scalar::into_branch_condition((!height_15.elementwise_lt(rt::Scalar(1f32)))) {
-                local_44 = _e35.elementwise_ge(rt::Scalar(0f32));
+                local_45 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
-                local_44 = rt::Scalar(true);
+                local_45 = rt::Scalar(true);
             }
-            let _e48 = local_44;
-            local_43 = _e48;
+            let _e48 = local_45;
+            local_44 = _e48;
         } else {
-            local_43 = rt::Scalar(false);
+            local_44 = rt::Scalar(false);
         }
-        let comes_down = local_43;
+        let comes_down = local_44;
         enter_1 = _e35.max(eye_4);
         let _e53 = enter_1;
         let _e54 = enter_1;
@@ -7519,11 +7526,11 @@ impl<'g> Resources<'g> {
         path_21 = <Path>::new((at_44.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_44.metric, RAY_VIEW, rt::Scalar(at_44.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e148 = rt::Scalar(path_21.exit);
-            local_45 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
+            local_46 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_45 = rt::Scalar(true);
+            local_46 = rt::Scalar(true);
         }
-        let _e153 = local_45;
+        let _e153 = local_46;
         if rt::Scalar::into_branch_condition(_e153) {
             rt::Scalar(path_21.exit) = rt::Scalar(0f32);
         }
@@ -7778,7 +7785,7 @@ impl<'g> Resources<'g> {
         along_16: rt::Scalar<f32>,
         far_2: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut local_46: rt::Scalar<bool>;
+        let mut local_47: rt::Scalar<bool>;
 
         let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_53.direction.dot(at_48.normal).elementwise_lt(rt::Scalar(0f32))) * at_48.of_surface.y());
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
@@ -7790,11 +7797,11 @@ impl<'g> Resources<'g> {
         let t_37 = (n_10.dot((a_24 - pixel_53.origin)) / n_10.dot(pixel_53.direction));
         let lead = (far_2 - (t_37 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
-            local_46 = t_37.abs().elementwise_le(rt::Scalar(1000000000f32));
+            local_47 = t_37.abs().elementwise_le(rt::Scalar(1000000000f32));
         } else {
-            local_46 = rt::Scalar(false);
+            local_47 = rt::Scalar(false);
         }
-        let _e57 = local_46;
+        let _e57 = local_47;
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
@@ -7818,16 +7825,16 @@ impl<'g> Resources<'g> {
         climbs: rt::Vec3<f32>,
         pace: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut local_47: rt::Scalar<bool>;
+        let mut local_48: rt::Scalar<bool>;
 
         let up_3 = (at_49.of_surface.x().select((rt::Scalar(1f32) - at_49.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
         let lead_1 = (at_49.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_3, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
         if rt::Scalar::into_branch_condition(lead_1.elementwise_gt(rt::Scalar(0f32))) {
-            local_47 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
+            local_48 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
         } else {
-            local_47 = rt::Scalar(false);
+            local_48 = rt::Scalar(false);
         }
-        let _e33 = local_47;
+        let _e33 = local_48;
         if rt::Scalar::into_branch_condition((!_e33)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
@@ -7918,15 +7925,15 @@ impl<'g> Resources<'g> {
         high: rt::Scalar<f32>,
         interval_5: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_48: rt::Scalar<bool>;
+        let mut local_49: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx_1.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x_1.elementwise_lt(low))) {
-                local_48 = x_1.elementwise_gt(high);
+                local_49 = x_1.elementwise_gt(high);
             } else {
-                local_48 = rt::Scalar(true);
+                local_49 = rt::Scalar(true);
             }
-            let _e13 = local_48;
+            let _e13 = local_49;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(0f32));
             }
@@ -7971,7 +7978,7 @@ impl<'g> Resources<'g> {
         k_13: rt::Scalar<u32>,
     ) -> Path {
         let mut begin_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_49: rt::Scalar<bool>;
+        let mut local_50: rt::Scalar<bool>;
         let mut interval_6: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let mut height_5: rt::Vec3<f32>;
 
@@ -7983,11 +7990,11 @@ impl<'g> Resources<'g> {
             let nearest_2 = (rt::Scalar(0.01f32) * rt::Scalar(_e4.nearest));
             begin_2 = rt::Scalar(0f32).select(rt::Scalar(300000000000000000000000000000000000000f32), _e9.elementwise_lt(nearest_2));
             if rt::Scalar::into_branch_condition(_e9.elementwise_lt(nearest_2)) {
-                local_49 = deepens.elementwise_gt(rt::Scalar(0f32));
+                local_50 = deepens.elementwise_gt(rt::Scalar(0f32));
             } else {
-                local_49 = rt::Scalar(false);
+                local_50 = rt::Scalar(false);
             }
-            let _e26 = local_49;
+            let _e26 = local_50;
             if rt::Scalar::into_branch_condition(_e26) {
                 begin_2 = ((nearest_2 - _e9) / deepens);
             }
@@ -8083,9 +8090,9 @@ impl<'g> Resources<'g> {
         image_9: Image,
         point_11: rt::Vec3<f32>,
     ) -> OnImage {
-        let mut local_50: rt::Scalar<bool>;
         let mut local_51: rt::Scalar<bool>;
         let mut local_52: rt::Scalar<bool>;
+        let mut local_53: rt::Scalar<bool>;
 
         let _e2 = self.v_depth_in_image(image_9, point_11);
         let u_2 = ((image_9.u.xyz().dot(point_11) + image_9.u.w()) / _e2);
@@ -8104,23 +8111,23 @@ impl<'g> Resources<'g> {
         let bottom_4 = (_e56.z() + ((_e56.w() - _e56.z()) * part_18.x()));
         let map_5 = (top_7 + ((bottom_4 - top_7) * part_18.y()));
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(0f32))) {
-            local_50 = beside_5.elementwise_le(rt::Scalar(0.5f32));
-        } else {
-            local_50 = rt::Scalar(false);
-        }
-        let _e82 = local_50;
-        if rt::Scalar::into_branch_condition(_e82) {
-            local_51 = h_7.elementwise_gt(rt::Scalar(0.00001f32));
+            local_51 = beside_5.elementwise_le(rt::Scalar(0.5f32));
         } else {
             local_51 = rt::Scalar(false);
         }
-        let _e88 = local_51;
-        if rt::Scalar::into_branch_condition(_e88) {
-            local_52 = h_7.elementwise_le(rt::Scalar(1f32));
+        let _e82 = local_51;
+        if rt::Scalar::into_branch_condition(_e82) {
+            local_52 = h_7.elementwise_gt(rt::Scalar(0.00001f32));
         } else {
             local_52 = rt::Scalar(false);
         }
-        let is_inside_1 = local_52;
+        let _e88 = local_52;
+        if rt::Scalar::into_branch_condition(_e88) {
+            local_53 = h_7.elementwise_le(rt::Scalar(1f32));
+        } else {
+            local_53 = rt::Scalar(false);
+        }
+        let is_inside_1 = local_53;
         let _e97 = rt::Scalar(self.surface_settings.cells);
         return <OnImage>::new(uv_38, h_7.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_1);
     }
@@ -8130,15 +8137,15 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_is_in_image(&self, at_54: OnImage) -> rt::Scalar<bool> {
-        let mut local_53: rt::Scalar<bool>;
+        let mut local_54: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(at_54.is_inside)) {
             let _e7 = self.v_slices_stage(rt::Scalar(at_54.map), rt::Scalar(at_54.height), rt::Scalar(0f32));
-            local_53 = _e7;
+            local_54 = _e7;
         } else {
-            local_53 = rt::Scalar(false);
+            local_54 = rt::Scalar(false);
         }
-        let _e9 = local_53;
+        let _e9 = local_54;
         return _e9;
     }
     pub(crate) fn with_image(
@@ -8173,7 +8180,7 @@ impl<'g> Resources<'g> {
     fn v_slice_at(&self, point_13: rt::Vec3<f32>) -> OnSlice {
         let mut slice_5: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
         let mut number_10: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_54: rt::Scalar<bool>;
+        let mut local_55: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
@@ -8181,11 +8188,11 @@ impl<'g> Resources<'g> {
                 let _e18 = rt::Scalar(self.surface_settings.solids);
                 if rt::Scalar::into_branch_condition(_e15.elementwise_lt(_e18)) {
                     let _e23 = rt::Scalar(slice_5.passes);
-                    local_54 = _e23;
+                    local_55 = _e23;
                 } else {
-                    local_54 = rt::Scalar(false);
+                    local_55 = rt::Scalar(false);
                 }
-                let _e25 = local_54;
+                let _e25 = local_55;
                 if rt::Scalar::into_branch_condition(_e25) {
                 } else {
                     break 'naga_break;
@@ -8942,15 +8949,15 @@ impl<'g> Resources<'g> {
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_55: rt::Scalar<bool>;
+        let mut local_56: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(t_17.elementwise_gt(rt::Scalar(path_40.exit))) {
             let _e9 = self.v_path_height(path_40, rt::Scalar(path_40.exit));
-            local_55 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+            local_56 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_55 = rt::Scalar(false);
+            local_56 = rt::Scalar(false);
         }
-        let _e13 = local_55;
+        let _e13 = local_56;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
@@ -8965,17 +8972,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_41: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_56: rt::Scalar<bool>;
+        let mut local_57: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_41.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_56 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_57 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_56 = rt::Scalar(true);
+            local_57 = rt::Scalar(true);
         }
-        let _e16 = local_56;
+        let _e16 = local_57;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -9210,28 +9217,28 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_7: Found) -> rt::Scalar<bool> {
-        let mut local_57: rt::Scalar<bool>;
         let mut local_58: rt::Scalar<bool>;
         let mut local_59: rt::Scalar<bool>;
+        let mut local_60: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.far).elementwise_gt(rt::Scalar(found_7.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                local_58 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
-            } else {
-                local_58 = rt::Scalar(true);
-            }
-            let _e16 = local_58;
-            if rt::Scalar::into_branch_condition((!_e16)) {
-                local_59 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+                local_59 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
                 local_59 = rt::Scalar(true);
             }
-            let _e24 = local_59;
-            local_57 = _e24;
+            let _e16 = local_59;
+            if rt::Scalar::into_branch_condition((!_e16)) {
+                local_60 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+            } else {
+                local_60 = rt::Scalar(true);
+            }
+            let _e24 = local_60;
+            local_58 = _e24;
         } else {
-            local_57 = rt::Scalar(false);
+            local_58 = rt::Scalar(false);
         }
-        let _e26 = local_57;
+        let _e26 = local_58;
         return _e26;
     }
     pub(crate) fn refine_binary(
@@ -9252,7 +9259,7 @@ impl<'g> Resources<'g> {
         let mut near_2: rt::Scalar<f32>;
         let mut far_4: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_60: rt::Scalar<bool>;
+        let mut local_61: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_21: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -9267,11 +9274,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_8.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_4;
             let _e19 = self.v_path_height(path_48, _e18);
-            local_60 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_61 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_60 = rt::Scalar(true);
+            local_61 = rt::Scalar(true);
         }
-        let _e23 = local_60;
+        let _e23 = local_61;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -9519,7 +9526,7 @@ impl<'g> Resources<'g> {
         let mut t_22: rt::Scalar<f32>;
         let mut cell_14: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_61: rt::Scalar<bool>;
+        let mut local_62: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_11.cost);
@@ -9576,11 +9583,11 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(found_11.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_11.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_61 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
+                            local_62 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_61 = rt::Scalar(true);
+                            local_62 = rt::Scalar(true);
                         }
-                        let _e89 = local_61;
+                        let _e89 = local_62;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
                             let _e93 = self.v_hit_on_path(path_51, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
@@ -9822,15 +9829,15 @@ impl<'g> Resources<'g> {
         first_2: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_62: rt::Scalar<bool>;
+        let mut local_63: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_7.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_2) {
-                local_62 = c_7.x().elementwise_lt(rt::Scalar(0f32));
+                local_63 = c_7.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_62 = rt::Scalar(false);
+                local_63 = rt::Scalar(false);
             }
-            let _e14 = local_62;
+            let _e14 = local_63;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_7.x(), c_7.x(), cost_10);
             }
@@ -9922,14 +9929,14 @@ impl<'g> Resources<'g> {
         cell_16: rt::Scalar<i32>,
         n_5: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_63: rt::Scalar<bool>;
+        let mut local_64: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_16.elementwise_ge(rt::Scalar(0i32))) {
-            local_63 = cell_16.elementwise_lt(n_5);
+            local_64 = cell_16.elementwise_lt(n_5);
         } else {
-            local_63 = rt::Scalar(false);
+            local_64 = rt::Scalar(false);
         }
-        let _e8 = local_63;
+        let _e8 = local_64;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_16, rt::Scalar(0i32));
         }
@@ -9966,17 +9973,17 @@ impl<'g> Resources<'g> {
         cell_17: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_64: rt::Scalar<bool>;
+        let mut local_65: rt::Scalar<bool>;
 
         let _e4 = self.v_height_texels(rt::Scalar(path_57.level));
         let _e7 = self.v_image_of(cell_17.x(), _e4.x());
         let _e10 = self.v_image_of(cell_17.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_64 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_65 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_64 = rt::Scalar(true);
+            local_65 = rt::Scalar(true);
         }
-        let _e21 = local_64;
+        let _e21 = local_65;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
@@ -10058,7 +10065,7 @@ impl<'g> Resources<'g> {
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_3: rt::Scalar<f32>;
-        let mut local_65: rt::Scalar<bool>;
+        let mut local_66: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_59);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -10101,11 +10108,11 @@ impl<'g> Resources<'g> {
                     let _e82 = self.v_least_at(above_8, span_8);
                     let _e83 = self.v_quadratic(above_8, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_65 = above_8.x().elementwise_gt(of_heights);
+                        local_66 = above_8.x().elementwise_gt(of_heights);
                     } else {
-                        local_65 = rt::Scalar(false);
+                        local_66 = rt::Scalar(false);
                     }
-                    let _e90 = local_65;
+                    let _e90 = local_66;
                     if rt::Scalar::into_branch_condition(_e90) {
                         if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_59.exit))) {
                             let _e93 = cell_18;
@@ -10205,7 +10212,7 @@ impl<'g> Resources<'g> {
         t_26: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_66: rt::Scalar<bool>;
+        let mut local_67: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         let rest_7 = (rt::Scalar(path_60.exit) - t_26);
@@ -10230,11 +10237,11 @@ impl<'g> Resources<'g> {
         let aside_5 = (((grid_8.origin - offset_6) + (grid_8.step * t_26)) / _e85);
         let c_17 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
         if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
-            local_66 = c_17.elementwise_ge(rt::Scalar(0f32));
+            local_67 = c_17.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_66 = rt::Scalar(true);
+            local_67 = rt::Scalar(true);
         }
-        let _e102 = local_66;
+        let _e102 = local_67;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
@@ -10379,7 +10386,7 @@ impl<'g> Resources<'g> {
         n_6: rt::Scalar<i32>,
         level_29: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_67: rt::Scalar<bool>;
+        let mut local_68: rt::Scalar<bool>;
 
         let first_15 = ((image_10.x() >> level_29) << level_29);
         let side_6 = (rt::Scalar(1i32) << level_29);
@@ -10393,11 +10400,11 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(level_29.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_67 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_68 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_67 = rt::Scalar(false);
+            local_68 = rt::Scalar(false);
         }
-        let _e43 = local_67;
+        let _e43 = local_68;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_6, cell_20.elementwise_ge(n_6)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_20.elementwise_ge(n_6)));
         }
@@ -10446,10 +10453,10 @@ impl<'g> Resources<'g> {
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_68: rt::Scalar<bool>;
         let mut local_69: rt::Scalar<bool>;
         let mut local_70: rt::Scalar<bool>;
         let mut local_71: rt::Scalar<bool>;
+        let mut local_72: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_62);
         let _e4 = self.v_height_texels(rt::Scalar(path_62.level));
@@ -10498,24 +10505,24 @@ impl<'g> Resources<'g> {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_2.x()))) {
                             let _e89 = parent.y();
-                            local_69 = _e89.elementwise_ne(over_2.y());
+                            local_70 = _e89.elementwise_ne(over_2.y());
                         } else {
-                            local_69 = rt::Scalar(true);
+                            local_70 = rt::Scalar(true);
                         }
-                        let _e93 = local_69;
-                        local_68 = _e93;
+                        let _e93 = local_70;
+                        local_69 = _e93;
                     } else {
-                        local_68 = rt::Scalar(false);
+                        local_69 = rt::Scalar(false);
                     }
-                    let left_5 = local_68;
+                    let left_5 = local_69;
                     if rt::Scalar::into_branch_condition(left_5) {
                         let _e98 = level_30;
                         let _e99 = top;
-                        local_70 = _e98.elementwise_lt(_e99);
+                        local_71 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_70 = rt::Scalar(false);
+                        local_71 = rt::Scalar(false);
                     }
-                    let _e102 = local_70;
+                    let _e102 = local_71;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_30 = above_level;
                     }
@@ -10569,11 +10576,11 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_4, span_10);
                             let _e215 = self.v_quadratic(gap_4, _e214);
-                            local_71 = _e215.elementwise_le(rt::Scalar(0f32));
+                            local_72 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_71 = rt::Scalar(true);
+                            local_72 = rt::Scalar(true);
                         }
-                        let _e219 = local_71;
+                        let _e219 = local_72;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
                                 let _e223 = t_28;
@@ -10629,18 +10636,18 @@ impl<'g> Resources<'g> {
         n_7: rt::Scalar<i32>,
         level_31: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_72: rt::Scalar<bool>;
+        let mut local_73: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_7);
         let first_16 = ((_e3 >> level_31) << level_31);
         let last_8 = (first_16 + (rt::Scalar(1i32) << level_31)).min(n_7);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_72 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_73 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_72 = rt::Scalar(true);
+            local_73 = rt::Scalar(true);
         }
-        let _e20 = local_72;
+        let _e20 = local_73;
         if rt::Scalar::into_branch_condition(_e20) {
             return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_16), ((texel_2 - _e3) + last_8));
         }
@@ -10841,10 +10848,10 @@ impl<'g> Resources<'g> {
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_73: rt::Scalar<bool>;
         let mut local_74: rt::Scalar<bool>;
         let mut local_75: rt::Scalar<bool>;
         let mut local_76: rt::Scalar<bool>;
+        let mut local_77: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_64);
         let _e4 = self.v_height_texels(rt::Scalar(path_64.level));
@@ -10875,11 +10882,11 @@ impl<'g> Resources<'g> {
                     let _e50 = cell_23.y();
                     let _e53 = self.v_image_of(_e50.to_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_73 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_74 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_73 = rt::Scalar(true);
+                        local_74 = rt::Scalar(true);
                     }
-                    let _e64 = local_73;
+                    let _e64 = local_74;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
@@ -10915,18 +10922,18 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_74 = _e131.elementwise_lt(end_11);
-                        } else {
-                            local_74 = rt::Scalar(false);
-                        }
-                        let _e134 = local_74;
-                        if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_64, end_11);
-                            local_75 = _e137.elementwise_lt(_e72.x());
+                            local_75 = _e131.elementwise_lt(end_11);
                         } else {
                             local_75 = rt::Scalar(false);
                         }
-                        let _e141 = local_75;
+                        let _e134 = local_75;
+                        if rt::Scalar::into_branch_condition(_e134) {
+                            let _e137 = self.v_path_height(path_64, end_11);
+                            local_76 = _e137.elementwise_lt(_e72.x());
+                        } else {
+                            local_76 = rt::Scalar(false);
+                        }
+                        let _e141 = local_76;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
@@ -10937,11 +10944,11 @@ impl<'g> Resources<'g> {
                     let _e145 = next_3;
                     if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_11))) {
                         let _e150 = t_30;
-                        local_76 = (!end_11.elementwise_gt(_e150));
+                        local_77 = (!end_11.elementwise_gt(_e150));
                     } else {
-                        local_76 = rt::Scalar(true);
+                        local_77 = rt::Scalar(true);
                     }
-                    let _e154 = local_76;
+                    let _e154 = local_77;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
@@ -10999,7 +11006,7 @@ impl<'g> Resources<'g> {
         let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_77: rt::Scalar<bool>;
+        let mut local_78: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_65);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -11057,11 +11064,11 @@ impl<'g> Resources<'g> {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_12))) {
                             let _e121 = t_31;
-                            local_77 = (!end_12.elementwise_gt(_e121));
+                            local_78 = (!end_12.elementwise_gt(_e121));
                         } else {
-                            local_77 = rt::Scalar(true);
+                            local_78 = rt::Scalar(true);
                         }
-                        let _e125 = local_77;
+                        let _e125 = local_78;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
@@ -11118,7 +11125,7 @@ impl<'g> Resources<'g> {
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
         let mut k_25: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_78: rt::Scalar<bool>;
+        let mut local_79: rt::Scalar<bool>;
 
         let aside_6 = path_66.duv.length();
         'naga_break: loop {
@@ -11138,11 +11145,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
                         let _e27 = t_32;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_78 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_79 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_78 = rt::Scalar(false);
+                            local_79 = rt::Scalar(false);
                         }
-                        let _e35 = local_78;
+                        let _e35 = local_79;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
@@ -11218,11 +11225,11 @@ impl<'g> Resources<'g> {
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_79: rt::Scalar<bool>;
+        let mut local_80: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_80: rt::Scalar<bool>;
+        let mut local_81: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_67);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -11261,11 +11268,11 @@ impl<'g> Resources<'g> {
                         let _e79 = t_33;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_79 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_80 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_79 = rt::Scalar(false);
+                            local_80 = rt::Scalar(false);
                         }
-                        let _e87 = local_79;
+                        let _e87 = local_80;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
                             let _e89 = t_33;
@@ -11329,11 +11336,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(params_75.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
                         let _e178 = t_33;
-                        local_80 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_67.exit))));
+                        local_81 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_67.exit))));
                     } else {
-                        local_80 = rt::Scalar(false);
+                        local_81 = rt::Scalar(false);
                     }
-                    let _e186 = local_80;
+                    let _e186 = local_81;
                     if rt::Scalar::into_branch_condition(_e186) {
                         let _e188 = t_33;
                         let _e190 = gap;
@@ -11387,7 +11394,7 @@ impl<'g> Resources<'g> {
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_81: rt::Scalar<bool>;
+        let mut local_82: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_68);
@@ -11422,11 +11429,11 @@ impl<'g> Resources<'g> {
                         let _e52 = t_34;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_81 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_82 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_81 = rt::Scalar(false);
+                            local_82 = rt::Scalar(false);
                         }
-                        let _e60 = local_81;
+                        let _e60 = local_82;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
                             let _e62 = t_34;
@@ -11598,7 +11605,7 @@ impl<'g> Resources<'g> {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut first_3: FirstHit;
         let mut k_26: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_82: rt::Scalar<bool>;
+        let mut local_83: rt::Scalar<bool>;
 
         let _e5 = cost_21;
         let _e6 = self.v_miss(_e5);
@@ -11623,11 +11630,11 @@ impl<'g> Resources<'g> {
                             let _e34 = rt::Scalar(first_3.hit.found);
                             if rt::Scalar::into_branch_condition((!_e34.elementwise_eq(rt::Scalar(0u32)))) {
                                 let _e42 = rt::Scalar(first_3.key);
-                                local_82 = rt::Scalar(_e23.key).elementwise_gt(_e42);
+                                local_83 = rt::Scalar(_e23.key).elementwise_gt(_e42);
                             } else {
-                                local_82 = rt::Scalar(true);
+                                local_83 = rt::Scalar(true);
                             }
-                            let _e45 = local_82;
+                            let _e45 = local_83;
                             if rt::Scalar::into_branch_condition(_e45) {
                                 first_3 = _e23;
                             }
@@ -11657,9 +11664,9 @@ impl<'g> Resources<'g> {
         let mut agreed: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut k_27: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut turns: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_83: rt::Scalar<bool>;
         let mut local_84: rt::Scalar<bool>;
         let mut local_85: rt::Scalar<bool>;
+        let mut local_86: rt::Scalar<bool>;
 
         let _e4 = cost_22;
         let _e5 = self.v_miss(_e4);
@@ -11670,11 +11677,11 @@ impl<'g> Resources<'g> {
                 let _e21 = agreed;
                 if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_73.segments))) {
                     let _e26 = turns;
-                    local_83 = _e26.elementwise_lt(most_14);
+                    local_84 = _e26.elementwise_lt(most_14);
                 } else {
-                    local_83 = rt::Scalar(false);
+                    local_84 = rt::Scalar(false);
                 }
-                let _e29 = local_83;
+                let _e29 = local_84;
                 if rt::Scalar::into_branch_condition(_e29) {
                 } else {
                     break 'naga_break;
@@ -11687,11 +11694,11 @@ impl<'g> Resources<'g> {
                     let ahead_1 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
                     let passed = (passed_m / ahead_1);
                     if rt::Scalar::into_branch_condition(ahead_1.elementwise_gt(rt::Scalar(0f32))) {
-                        local_84 = passed.elementwise_lt(rt::Scalar(_e31.exit));
+                        local_85 = passed.elementwise_lt(rt::Scalar(_e31.exit));
                     } else {
-                        local_84 = rt::Scalar(false);
+                        local_85 = rt::Scalar(false);
                     }
-                    let _e49 = local_84;
+                    let _e49 = local_85;
                     if rt::Scalar::into_branch_condition((!_e49)) {
                         let _e52 = cost_22;
                         let _e53 = self.v_miss(_e52);
@@ -11717,11 +11724,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition((!_e74.elementwise_eq(rt::Scalar(0u32)))) {
                         let _e80 = reached_1;
                         let _e81 = reached_1;
-                        local_85 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
+                        local_86 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
                     } else {
-                        local_85 = rt::Scalar(true);
+                        local_86 = rt::Scalar(true);
                     }
-                    let _e87 = local_85;
+                    let _e87 = local_86;
                     if rt::Scalar::into_branch_condition(_e87) {
                         reached_1 = at_m;
                         agreed = rt::Scalar(0u32);
@@ -11876,7 +11883,7 @@ impl<'g> Resources<'g> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_28: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut first_5: FirstHit;
-        let mut local_86: rt::Scalar<bool>;
+        let mut local_87: rt::Scalar<bool>;
 
         let toward_6 = (-pixel_80.direction.normalize());
         let _e6 = self.v_frames_around(toward_6);
@@ -11922,11 +11929,11 @@ impl<'g> Resources<'g> {
         let _e72 = cover_1;
         if rt::Scalar::into_branch_condition((!_e72.elementwise_lt(rt::Scalar(0.5f32)))) {
             let _e78 = along_18;
-            local_86 = _e78.elementwise_lt(rt::Scalar(0f32));
+            local_87 = _e78.elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_86 = rt::Scalar(true);
+            local_87 = rt::Scalar(true);
         }
-        let _e82 = local_86;
+        let _e82 = local_87;
         if rt::Scalar::into_branch_condition(_e82) {
             let _e83 = first_5;
             return _e83;
@@ -12047,7 +12054,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_ray(&self, at_81: Entered, hit_22: Hit, light_3: Toward) -> LightRay {
-        let mut local_87: rt::Scalar<bool>;
+        let mut local_88: rt::Scalar<bool>;
 
         let _e3 = self.v_from_hit(at_81, hit_22, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
@@ -12064,11 +12071,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.to_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_87 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
+            local_88 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_87 = rt::Scalar(true);
+            local_88 = rt::Scalar(true);
         }
-        let _e45 = local_87;
+        let _e45 = local_88;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -12190,23 +12197,23 @@ impl<'g> Resources<'g> {
         place_15: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_88: rt::Scalar<bool>;
         let mut local_89: rt::Scalar<bool>;
+        let mut local_90: rt::Scalar<bool>;
 
         let least_6 = (place_15.x().min(place_15.y()) - half);
         let most_15 = (place_15.x().max(place_15.y()) + half);
         if rt::Scalar::into_branch_condition(place_15.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_88 = least_6.elementwise_ge(rt::Scalar(0f32));
-        } else {
-            local_88 = rt::Scalar(false);
-        }
-        let _e19 = local_88;
-        if rt::Scalar::into_branch_condition(_e19) {
-            local_89 = most_15.elementwise_le(rt::Scalar(view_10.size).to_f32());
+            local_89 = least_6.elementwise_ge(rt::Scalar(0f32));
         } else {
             local_89 = rt::Scalar(false);
         }
-        let _e26 = local_89;
+        let _e19 = local_89;
+        if rt::Scalar::into_branch_condition(_e19) {
+            local_90 = most_15.elementwise_le(rt::Scalar(view_10.size).to_f32());
+        } else {
+            local_90 = rt::Scalar(false);
+        }
+        let _e26 = local_90;
         return _e26;
     }
     pub(crate) fn is_before(
@@ -12229,16 +12236,16 @@ impl<'g> Resources<'g> {
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_90: rt::Scalar<bool>;
+        let mut local_91: rt::Scalar<bool>;
 
         let low_8 = (plane.xyz().dot((position + (direction_5 * low_m))) + plane.w());
         let high_3 = (plane.xyz().dot((position + (direction_5 * high_m))) + plane.w());
         if rt::Scalar::into_branch_condition(low_8.elementwise_gt(rt::Scalar(0f32))) {
-            local_90 = high_3.elementwise_gt(rt::Scalar(0f32));
+            local_91 = high_3.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_90 = rt::Scalar(false);
+            local_91 = rt::Scalar(false);
         }
-        let _e24 = local_90;
+        let _e24 = local_91;
         return _e24;
     }
     pub(crate) fn is_left_out(
@@ -12263,8 +12270,8 @@ impl<'g> Resources<'g> {
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let mut k_29: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_91: rt::Scalar<bool>;
         let mut local_92: rt::Scalar<bool>;
+        let mut local_93: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
@@ -12281,18 +12288,18 @@ impl<'g> Resources<'g> {
                     let _e19 = self.v_is_before(plane_1, a_11.position, a_11.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
                         let _e24 = self.v_is_before(plane_1, b_11.position, b_11.direction, low_m_1, high_m_1);
-                        local_91 = _e24;
-                    } else {
-                        local_91 = rt::Scalar(false);
-                    }
-                    let _e26 = local_91;
-                    if rt::Scalar::into_branch_condition(_e26) {
-                        let _e31 = self.v_is_before(plane_1, c_8.position, c_8.direction, low_m_1, high_m_1);
-                        local_92 = _e31;
+                        local_92 = _e24;
                     } else {
                         local_92 = rt::Scalar(false);
                     }
-                    let _e33 = local_92;
+                    let _e26 = local_92;
+                    if rt::Scalar::into_branch_condition(_e26) {
+                        let _e31 = self.v_is_before(plane_1, c_8.position, c_8.direction, low_m_1, high_m_1);
+                        local_93 = _e31;
+                    } else {
+                        local_93 = rt::Scalar(false);
+                    }
+                    let _e33 = local_93;
                     if rt::Scalar::into_branch_condition(_e33) {
                         return rt::Scalar(true);
                     }
@@ -12877,7 +12884,7 @@ impl<'g> Resources<'g> {
         uv_26: rt::Vec2<f32>,
         view_16: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_93: rt::Scalar<bool>;
+        let mut local_94: rt::Scalar<bool>;
         let mut first_6: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
@@ -12894,11 +12901,11 @@ impl<'g> Resources<'g> {
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_6, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_93 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
+            local_94 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_93 = rt::Scalar(false);
+            local_94 = rt::Scalar(false);
         }
-        let _e39 = local_93;
+        let _e39 = local_94;
         if rt::Scalar::into_branch_condition(_e39) {
             let _e40 = self.v_finest_normal(at_93, uv_26);
             let _e41 = self.v_one_seen(_e40);
@@ -13913,16 +13920,16 @@ impl<'g> Resources<'g> {
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_94: rt::Scalar<bool>;
+        let mut local_95: rt::Scalar<bool>;
 
         placed_2 = at_116;
         let _e5 = self.v_quadric_slope(at_116.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_94 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_95 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_94 = rt::Scalar(false);
+            local_95 = rt::Scalar(false);
         }
-        let _e15 = local_94;
+        let _e15 = local_95;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
@@ -14198,18 +14205,18 @@ impl<'g> Resources<'g> {
         params_102: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
-        let mut local_95: rt::Scalar<bool>;
+        let mut local_96: rt::Scalar<bool>;
 
         let _e5 = self.v_placed_in_image(pixel_96, at_124, path_83, hit_51);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
             let _e16 = rt::Scalar(self.surface_settings.cells);
-            local_95 = _e16.elementwise_ne(CELLS_MASK);
+            local_96 = _e16.elementwise_ne(CELLS_MASK);
         } else {
-            local_95 = rt::Scalar(false);
+            local_96 = rt::Scalar(false);
         }
-        let _e20 = local_95;
+        let _e20 = local_96;
         if rt::Scalar::into_branch_condition(_e20) {
             let _e22 = placed_6;
             let _e26 = self.v_frames_around((-pixel_96.direction.normalize()));

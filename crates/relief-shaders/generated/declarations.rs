@@ -8576,6 +8576,14 @@ fn surface_quadric_vertical_place(
     },
     Declaration {
         module: "surface/slices",
+        name: "BESIDE_HEIGHTS",
+        sampling: None,
+        uses: &[],
+        text: r#"// How far below height 0 or above height 1 rounding may lay what is drawn.
+const BESIDE_HEIGHTS = 0.000001;"#,
+    },
+    Declaration {
+        module: "surface/slices",
         name: "SHORTEST",
         sampling: None,
         uses: &[],
@@ -8595,7 +8603,7 @@ const FARTHEST_M = 1.0e9;"#,
         module: "surface/slices",
         name: "surface_slices_enter",
         sampling: None,
-        uses: &["Entered", "PixelIn", "is_on_map", "plane_normal", "surface_settings", "triangle_distance", "triangle_weights"],
+        uses: &["BESIDE_HEIGHTS", "Entered", "PixelIn", "is_on_map", "plane_normal", "surface_settings", "triangle_distance", "triangle_weights"],
         text: r#"fn surface_slices_enter(pixel: PixelIn, params: vec4f) -> Entered {
     let n = plane_normal(pixel);
     let point = pixel.origin + pixel.direction * triangle_distance(pixel, n);
@@ -8611,8 +8619,10 @@ const FARTHEST_M = 1.0e9;"#,
     let area = tt * bb - tb * tb;
     let height_m = surface_settings.bias_m + surface_settings.scale_m * slice.x;
     let normal = normalize(raw);
+    // A slice that is larger than what the relief fills is clipped by the map's edge and by its heights.
+    let is_within = is_on_map(uv) && abs(slice.x - 0.5) - 0.5 <= BESIDE_HEIGHTS;
     return Entered(
-        select(0u, 1u, dot(n, n) > 0.0 && area > 0.0 && is_on_map(uv)),
+        select(0u, 1u, dot(n, n) > 0.0 && area > 0.0 && is_within),
         point - raw * height_m,
         uv,
         tangent,

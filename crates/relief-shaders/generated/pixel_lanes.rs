@@ -2630,6 +2630,7 @@ lanes! { fn surface_slices_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelI
     let mut ret: Entered = zero_entered();
     let mut both_v0: M = splat_m(false);
     let mut both_v1: M = splat_m(false);
+    let mut both_v2: M = splat_m(false);
     let n_2 = plane_normal(r, pixel_a0);
     let e_5 = triangle_distance(r, ex, pixel_a0, n_2);
     let point_7 = Vec3 { x: add(pixel_a0.origin.x, mul(pixel_a0.direction.x, e_5)), y: add(pixel_a0.origin.y, mul(pixel_a0.direction.y, e_5)), z: add(pixel_a0.origin.z, mul(pixel_a0.direction.z, e_5)) };
@@ -2646,21 +2647,14 @@ lanes! { fn surface_slices_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelI
     let height_m_93 = add(splat(r.surface_settings.bias_m), mul(splat(r.surface_settings.scale_m), slice_78.x));
     let length1 = sqrt(add(add(mul(raw_64.x, raw_64.x), mul(raw_64.y, raw_64.y)), mul(raw_64.z, raw_64.z)));
     let normal_94 = Vec3 { x: div(raw_64.x, length1), y: div(raw_64.y, length1), z: div(raw_64.z, length1) };
-    both_v0 = and(gt(add(add(add(mul(n_2.x, n_2.x), mul(n_2.y, n_2.y)), mul(n_2.z, n_2.z)), splat(0.0f32)), splat(0.0f32)), gt(area_84, splat(0.0f32)));
-    let e_105 = both_v0;
-    let (b2, c3) = (ex, e_105);
-    ex = and(b2, c3);
-    if any(ex) {
-        let e_108 = is_on_map(r, uv_22);
-        both_v1 = sel_m(ex, e_108, both_v1);
-    }
-    ex = and_not(b2, c3);
-    if any(ex) {
-        both_v1 = sel_m(ex, splat_m(false), both_v1);
-    }
-    ex = b2;
-    let e_110 = both_v1;
-    return Entered { segments: sel_u(e_110, splat_u(1u32), splat_u(0u32)), point: Vec3 { x: sub(point_7.x, mul(raw_64.x, height_m_93)), y: sub(point_7.y, mul(raw_64.y, height_m_93)), z: sub(point_7.z, mul(raw_64.z, height_m_93)) }, uv: uv_22, tangent: tangent_36, bitangent: bitangent_50, normal: normal_94, metric: Vec4 { x: tt_79, y: tb_80, z: bb_81, w: splat(r.surface_settings.scale_m) }, level: splat_u(0u32), facing: normal_94, span: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, of_surface: Vec4 { x: slice_78.x, y: slice_78.y, z: slice_78.z, w: splat(0.0f32) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
+    let e_95 = is_on_map(r, uv_22);
+    both_v0 = and(e_95, le(sub(abs(sub(slice_78.x, splat(0.5f32))), splat(0.5f32)), splat(1e-6f32)));
+    let is_within_107 = both_v0;
+    both_v1 = and(gt(add(add(add(mul(n_2.x, n_2.x), mul(n_2.y, n_2.y)), mul(n_2.z, n_2.z)), splat(0.0f32)), splat(0.0f32)), gt(area_84, splat(0.0f32)));
+    let e_118 = both_v1;
+    both_v2 = and(e_118, is_within_107);
+    let e_122 = both_v2;
+    return Entered { segments: sel_u(e_122, splat_u(1u32), splat_u(0u32)), point: Vec3 { x: sub(point_7.x, mul(raw_64.x, height_m_93)), y: sub(point_7.y, mul(raw_64.y, height_m_93)), z: sub(point_7.z, mul(raw_64.z, height_m_93)) }, uv: uv_22, tangent: tangent_36, bitangent: bitangent_50, normal: normal_94, metric: Vec4 { x: tt_79, y: tb_80, z: bb_81, w: splat(r.surface_settings.scale_m) }, level: splat_u(0u32), facing: normal_94, span: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, of_surface: Vec4 { x: slice_78.x, y: slice_78.y, z: slice_78.z, w: splat(0.0f32) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
 } }
 lanes! { fn surface_object_enter(r: &Resources<'_>, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
     let mut at_v0: Entered = zero_entered();

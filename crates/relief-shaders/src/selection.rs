@@ -18,7 +18,7 @@ use self::numbers::{
 use crate::Method;
 use crate::geometry::{self, Geometry};
 use crate::object::Solid;
-use crate::slice::Slices;
+use crate::slice::{SliceDirection, Slices};
 use crate::stages::{
     AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Stage,
     stage, stage_of_setting,
@@ -159,9 +159,9 @@ impl Selection {
             geometry::VERTEX => Some(Geometry::Texels(params[0] as u32)),
             geometry::REMESH => Some(Geometry::Pixels(params[0])),
             geometry::TESSELLATE => Some(Geometry::Tessellated(params[0])),
-            geometry::SLICES => Some(Geometry::Slices(Slices::of(self.choices[SLICES].params))),
+            geometry::SLICES => Some(Geometry::Slices(Slices::of(self.choices[SLICES].params, params[0]))),
             geometry::OBJECT_SLICES => {
-                Some(Geometry::ObjectSlices(Slices::of(self.choices[SLICES].params), params[0] != 0.0))
+                Some(Geometry::ObjectSlices(Slices::of(self.choices[SLICES].params, 0.0), params[0] != 0.0))
             }
             _ => None,
         }
@@ -362,6 +362,12 @@ impl Selection {
         let of_geometry = self.shown_by_geometry();
         if *shown != of_geometry && (*shown, of_geometry) != (Shown::Triangles, Shown::Relief) {
             return error(GEOMETRY, of_geometry.needs().to_owned());
+        }
+        if let Some(Geometry::Slices(slices)) = self.geometry()
+            && slices.by_border
+            && slices.direction != SliceDirection::Screen
+        {
+            return error(GEOMETRY, "a border clips slices at equal depths alone".to_owned());
         }
         match (self.is_of_images(), self.choices[OBJECT].number != 0) {
             (true, false) => return error(OBJECT, "choose what the object is of its images".to_owned()),

@@ -2,27 +2,31 @@
 //! blend them.
 
 use clap::Args;
-use glam::{DVec3, Vec2, Vec3};
+use glam::DVec3;
 use rayon::prelude::*;
 use relief_core::Watch;
-use relief_core::mesh::{Mesh, Vertex};
+use relief_core::mesh::Mesh;
 use relief_core::object::{DEFAULT_JUMP_TEXELS, ImageObject, JumpCells, ObjectFrames, View};
 use relief_core::raycast::{Ray, RayCaster, Sides};
-use relief_core::rng::Rng;
-use relief_object::{Arrangement, CaptureSettings, Capturer, Cover};
+use relief_object::{Arrangement, CaptureSettings, Capturer, Cover, even_directions};
 
-use crate::surfaces::bases::spot;
+use crate::surfaces::bases::{spot, tree};
 use crate::table::table;
+
+mod turning;
 
 /// What `impostors` is given.
 #[derive(Args)]
 pub struct Arguments {
-    /// Pictures that are compared, from random directions that are the same each time
+    /// Pictures that are compared, from directions that are the same each time
     #[arg(long, default_value_t = 32)]
     views: u32,
     /// Pixels of a side of each, which is as wide as the ball
     #[arg(long, default_value_t = 128)]
     size: u32,
+    /// In place of the table, how much pictures change when the eye goes a degree around
+    #[arg(long)]
+    turning: bool,
 }
 
 /// Grids of frames, and texels of a side of each, that fit 512 x 512 texels.
@@ -54,6 +58,9 @@ impl Made<'_> {
 
 /// Prints the table.
 pub fn run(arguments: &Arguments) -> Result<(), String> {
+    if arguments.turning {
+        return turning::run();
+    }
     let mut rows =
         table(&["mesh", "images", "made of them", "cover", "texels", "IoU", "worst IoU", "apart %"]);
     let meshes = spot()?.map(|mesh| ("spot", mesh)).into_iter().chain([("tree", tree()?)]);
@@ -123,8 +130,7 @@ impl Arguments {
     /// both are in percent of the ball's diameter.
     fn beside(&self, caster: &RayCaster, object: &ImageObject, made: Made) -> Result<[f64; 3], String> {
         let (centre, radius) = object.views()[0].ball();
-        let mut rng = Rng::new(2001);
-        let directions: Vec<DVec3> = (0..self.views).map(|_| rng.direction()).collect();
+        let directions = even_directions(self.views);
         let of_view = |from: &DVec3| {
             let view = View::orthographic(centre, radius, *from, None, [self.size; 2]);
             let view = view.map_err(|error| error.to_string())?;
@@ -148,43 +154,4 @@ impl Arguments {
         let worst = views.iter().map(|view| view[0] / view[1]).fold(1.0, f64::min);
         Ok([sum(0) / sum(1), worst, 100.0 * sum(2) / sum(0) / (2.0 * radius)])
     }
-}
-
-/// Cards of the tree's crown.
-const CARDS: usize = 2000;
-
-/// A tree of square leaf cards around a crown, turned at random, on a stem of eight sides.
-fn tree() -> Result<Mesh, String> {
-    let mut rng = Rng::new(1);
-    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
-    let mut quad = |corner: DVec3, right: DVec3, up: DVec3| {
-        let first = vertices.len() as u32;
-        let normal = right.cross(up).normalize_or(DVec3::Y).as_vec3();
-        for (u, v) in [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)] {
-            vertices.push(Vertex {
-                position: (corner + right * u + up * v).as_vec3(),
-                normal,
-                tangent: right.as_vec3(),
-                bitangent: -up.as_vec3(),
-                uv: Vec2::new(u as f32, 1.0 - v as f32),
-            });
-        }
-        triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
-    };
-    for _ in 0..CARDS {
-        // More leaves stand outside than within.
-        let place = rng.direction() * rng.unit().powf(0.25) * DVec3::new(0.6, 0.55, 0.6);
-        let (facing, beside) = (rng.direction(), rng.direction());
-        let right = facing.cross(beside).normalize_or(DVec3::X) * rng.between(0.05, 0.09);
-        let up = facing.cross(right);
-        quad(place + DVec3::Y * 0.45 - 0.5 * (right + up), right, up);
-    }
-    for side in 0..8 {
-        let [a, b] = [side, side + 1].map(|at| {
-            let (sin, cos) = (std::f64::consts::TAU * f64::from(at) / 8.0).sin_cos();
-            DVec3::new(0.06 * sin, -0.6, 0.06 * cos)
-        });
-        quad(a, b - a, Vec3::Y.as_dvec3());
-    }
-    Mesh::new(vertices, triangles).map_err(|error| error.to_string())
 }

@@ -87,6 +87,21 @@ impl PlaneView<'_> {
     ///
     /// When they cannot be made.
     pub fn fragments(&self, truth: &[PixelOut], settings: SliceSettings) -> f64 {
+        let middle = (0..self.size * self.size).zip(truth).filter(|(_, pixel)| is_in_middle(pixel));
+        self.crossed(middle.map(|(number, _)| number), settings)
+    }
+
+    /// The same of all pixels, whether they show the plane or not.
+    ///
+    /// # Panics
+    ///
+    /// When they cannot be made.
+    pub fn fragments_of_all(&self, settings: SliceSettings) -> f64 {
+        self.crossed(0..self.size * self.size, settings)
+    }
+
+    /// How many slices the rays of some pixels cross, on the mean.
+    fn crossed(&self, pixels: impl Iterator<Item = u32>, settings: SliceSettings) -> f64 {
         let base = square(1).expect("a mesh");
         let mut corners = Vec::new();
         let slicer = Slicer::new(&base, self.map, settings).expect("slices");
@@ -96,8 +111,7 @@ impl PlaneView<'_> {
         };
         slicer.each(&Watch::NOBODY, take).expect("slices");
         let (caster, camera) = (RayCaster::of_corners(corners.into_iter()), self.camera());
-        let middle = (0..self.size * self.size).zip(truth).filter(|(_, pixel)| is_in_middle(pixel));
-        let crossed = middle.map(|(number, _)| {
+        let crossed = pixels.map(|number| {
             let ray = camera.ray(number % self.size, number / self.size, self.size, self.size);
             caster.hits(&ray, Sides::Both).count()
         });

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use relief_core::{HeightMap, Wrap};
 use relief_render::scene::BackendChoice::{Cpu, Gpu};
+use relief_shaders::Selection;
 use relief_shaders::wgsl::Sampling;
 use relief_tests::adapter::has_adapter;
 use relief_tests::claims::picture_verdicts;
@@ -137,6 +138,33 @@ fn upright_slices_close_what_slices_along_the_base_leave_open() {
     });
     println!("off by six texels: {surface:.4} along the base, {orthogonal:.4} upright");
     assert!(orthogonal < 0.5 * surface, "{orthogonal} upright, {surface} along the base");
+}
+
+#[test]
+fn a_border_clips_what_sides_cut_off() {
+    let map = Arc::new((*map("cobbles", 0.15)).clone().with_wrap(Wrap::Clamp));
+    for degrees in [20.0, 70.0] {
+        let view = view(&map, degrees);
+        for (test, refine) in [("inside", 0.0), ("at-least", 2.0), ("band", 0.0)] {
+            let test = Selection::value_of("slices.test", test).expect("a test");
+            let set = [("slices.count", 24.0), ("slices.test", test), ("slices.refine", refine)];
+            let [volume, border] = [0.0, 1.0].map(|clip| [&set[..], &[("geometry.clip", clip)]].concat());
+            let cut_off = view.pixels("slices-screen", &volume, Cpu);
+            let clipped = view.pixels("slices-screen", &border, Cpu);
+            // All of the plane, with its edges.
+            let same = cut_off.iter().zip(&clipped).filter(|(a, b)| match (a.hit, b.hit) {
+                (1, 1) => (a.depth - b.depth).abs() < 1e-4,
+                (a, b) => a == b,
+            });
+            let same = same.count() as f64 / clipped.len() as f64;
+            println!("{degrees} {test} {refine}: {same}");
+            assert!(same >= 0.999, "{degrees} {test} {refine}: {same}");
+            if has_adapter() {
+                let on_gpu = view.pixels("slices-screen", &border, Gpu);
+                assert!(view.share_within(&clipped, &on_gpu, 0.01) >= 0.999, "{degrees} {test} {refine}");
+            }
+        }
+    }
 }
 
 #[test]

@@ -14,7 +14,9 @@ mod lattice;
 mod logo;
 mod noise;
 mod picture;
+mod piebald;
 mod spikes;
+mod tree;
 
 /// Every file that is generated.
 ///
@@ -35,13 +37,19 @@ pub fn files(root: &Path) -> Result<Vec<Generated>, String> {
         ("data/spikes.png", spikes::map().heights()),
         ("data/logo.png", logo::map().heights()),
         ("data/noise.png", noise::map().heights()),
+        ("data/piebald.png", piebald::colours().colours()),
+        ("data/tree_color.png", tree::colours().colours()),
         ("data/jacksboro_color.png", jacksboro::colours(&elevation).colours()),
     ];
     let maps = maps.into_iter().map(|(path, image)| {
         let bytes = picture::encoded(&root.join(path), &image).map_err(|error| format!("{path}: {error}"))?;
         Ok(Generated { path: path.into(), bytes })
     });
-    let meshes = [("data/column.obj", lathe::column()), ("data/pot.obj", lathe::pot())];
+    let meshes = [
+        ("data/column.obj", lathe::column()),
+        ("data/pot.obj", lathe::pot()),
+        ("data/tree.obj", tree::mesh()),
+    ];
     let meshes = meshes.map(|(path, text)| Ok(Generated { path: path.into(), bytes: text.into_bytes() }));
     maps.chain(meshes).collect()
 }

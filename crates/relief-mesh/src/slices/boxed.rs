@@ -62,6 +62,7 @@ impl BoxSlicer {
             SliceDirection::AcrossU => 1,
             SliceDirection::AcrossV => 2,
             SliceDirection::Facing(camera) => facing_axis(bounds, &camera),
+            SliceDirection::Quads(..) => return Err(SliceError::NoBorder),
             SliceDirection::Screen(camera, anchor) => {
                 return Ok(Self::facing(bounds, spacing_m, &camera, anchor));
             }

@@ -9,6 +9,12 @@ pub enum SliceError {
          far they are apart"
     )]
     Together,
+    /// No border of a texture clips them.
+    #[error(
+        "no border of a texture clips its slices: they need the wrap 'clamp' and flat polygons, at most 256, \
+         each of which shows the whole map once"
+    )]
+    NoBorder,
     /// A corner lies too far away.
     #[error(
         "a corner of a slice lies beyond what 32-bit numbers hold: choose a smaller displacement or mesh"

@@ -7,6 +7,7 @@
 mod boxed;
 mod error;
 mod orthogonal;
+mod quads;
 mod screen;
 mod settings;
 mod surface;
@@ -19,6 +20,7 @@ use relief_core::{HeightMap, SliceAxis};
 
 pub use self::boxed::{BoxSlice, BoxSlicer};
 pub use self::error::SliceError;
+use self::quads::FlatPolygon;
 pub use self::settings::{SliceAnchor, SliceDirection, SliceSettings};
 use crate::Watch;
 
@@ -76,6 +78,8 @@ pub struct Slicer<'a> {
     step_uv: [f64; 2],
     /// How far slices of constant depth are apart, in metres.
     spacing_m: f64,
+    /// What is clipped by a texture's border.
+    polygons: Vec<FlatPolygon>,
     vertices: u64,
     triangles: u64,
 }
@@ -86,7 +90,7 @@ impl<'a> Slicer<'a> {
     /// # Errors
     ///
     /// When slices would lie in one place: there is no displacement, or no texture to say how far they are
-    /// apart.
+    /// apart; or when no border of a texture clips what is to be clipped by it.
     pub fn new(base: &'a Mesh, map: &HeightMap, settings: SliceSettings) -> Result<Self, SliceError> {
         let SliceSettings { count, direction } = settings;
         let (scale_m, size) = (map.scale_m(), [map.width(), map.height()].map(f64::from));
@@ -107,8 +111,22 @@ impl<'a> Slicer<'a> {
         }
         let bias_m = map.bias_m();
         let (vertices, triangles) = (0, 0);
-        let slicer =
-            Self { base, direction, scale_m, bias_m, layers, step_uv, spacing_m, vertices, triangles };
+        let polygons = match direction {
+            SliceDirection::Quads(..) => FlatPolygon::all_of(base, map)?,
+            _ => Vec::new(),
+        };
+        let slicer = Self {
+            base,
+            direction,
+            scale_m,
+            bias_m,
+            layers,
+            step_uv,
+            spacing_m,
+            polygons,
+            vertices,
+            triangles,
+        };
         let (vertices, triangles) = slicer.counted();
         Ok(Self { vertices, triangles, ..slicer })
     }
@@ -134,6 +152,7 @@ impl<'a> Slicer<'a> {
                 SliceDirection::AcrossU => (self.lines(number, 0), [4, 2]),
                 SliceDirection::AcrossV => (self.lines(number, 1), [4, 2]),
                 SliceDirection::Screen(camera, anchor) => (self.planes(number, &camera, anchor), [12, 6]),
+                SliceDirection::Quads(camera, anchor) => (self.quads(number, &camera, anchor), [4, 2]),
                 _ => (self.layers, [3, 1]),
             };
             let add = |sum: u64, each: u64| sum.saturating_add(slices.saturating_mul(each));
@@ -149,31 +168,34 @@ impl<'a> Slicer<'a> {
     /// When it was cancelled, or a corner lies farther away than `f32` can tell.
     pub fn each(&self, watch: &Watch, mut take: impl FnMut(&SliceBlock)) -> Result<(), SliceError> {
         let is_whole = self.direction == SliceDirection::Surface;
-        let count = if is_whole { self.layers } else { self.base.triangles().len() as u64 };
+        let count = if is_whole { self.layers } else { u64::from(self.numbers().end) };
         for number in 0..count {
             if watch.cancel.load(Ordering::Relaxed) {
                 return Err(SliceError::Cancelled);
             }
-            let block =
-                if is_whole { self.of_surface(number + 1)? } else { self.of_triangle(number as u32)? };
+            let block = if is_whole { self.of_surface(number + 1)? } else { self.of_part(number as u32)? };
             take(&block);
             (watch.tell)((number + 1) as f32 / count as f32);
         }
         Ok(())
     }
 
-    /// The numbers of the base's triangles.
+    /// The numbers of the parts of the base over which slices are made one by one: its triangles, or flat
+    /// polygons.
     fn numbers(&self) -> std::ops::Range<u32> {
-        0..self.base.triangles().len() as u32
+        let is_flat = matches!(self.direction, SliceDirection::Quads(..));
+        let count = if is_flat { self.polygons.len() } else { self.base.triangles().len() };
+        0..count as u32
     }
 
-    /// The slices over a triangle of the base.
-    fn of_triangle(&self, number: u32) -> Result<SliceBlock, SliceError> {
+    /// The slices over a part of the base.
+    fn of_part(&self, number: u32) -> Result<SliceBlock, SliceError> {
         let mut block = SliceBlock::default();
         match self.direction_at(number) {
             SliceDirection::AcrossU => self.across(number, 0, &mut block)?,
             SliceDirection::AcrossV => self.across(number, 1, &mut block)?,
             SliceDirection::Screen(camera, anchor) => self.facing(number, &camera, anchor, &mut block)?,
+            SliceDirection::Quads(camera, anchor) => self.bordered(number, &camera, anchor, &mut block)?,
             _ => self.along(number, &mut block)?,
         }
         Ok(block)

@@ -34,24 +34,23 @@ impl Slicer<'_> {
     }
 
     /// The depth of the plane of number 0.
-    fn first_depth(&self, camera: &Camera, anchor: SliceAnchor) -> f64 {
+    pub(super) fn first_depth(camera: &Camera, anchor: SliceAnchor) -> f64 {
         match anchor {
             SliceAnchor::Eye => 0.0,
             SliceAnchor::Object => camera.forward().dot(-camera.eye()),
         }
     }
 
-    /// The numbers of the first and the last plane that meets some of those corners before the eye.
-    fn plane_numbers(&self, corners: &[Corner], start: f64) -> [f64; 2] {
-        let depths = corners.iter().map(|corner| corner.depth);
-        let [low, high] = [f64::min, f64::max].map(|of| depths.clone().reduce(of).unwrap_or(0.0));
+    /// The numbers of the first and the last plane between some depths, before the eye.
+    pub(super) fn plane_numbers<const N: usize>(&self, depths: [f64; N], start: f64) -> [f64; 2] {
+        let [low, high] = [f64::min, f64::max].map(|of| depths.into_iter().reduce(of).unwrap_or(0.0));
         [low.max(0.0), high].map(|depth| (depth - start) / self.spacing_m).map(f64::floor)
     }
 
     /// How many planes there are over a triangle at most.
     pub(super) fn planes(&self, number: u32, camera: &Camera, anchor: SliceAnchor) -> u64 {
-        let start = self.first_depth(camera, anchor);
-        let [before, last] = self.plane_numbers(&self.prism(number, camera), start);
+        let depths = self.prism(number, camera).map(|corner| corner.depth);
+        let [before, last] = self.plane_numbers(depths, Self::first_depth(camera, anchor));
         (last - before).max(0.0) as u64
     }
 
@@ -63,12 +62,12 @@ impl Slicer<'_> {
         anchor: SliceAnchor,
         block: &mut SliceBlock,
     ) -> Result<(), SliceError> {
-        let start = self.first_depth(camera, anchor);
+        let start = Self::first_depth(camera, anchor);
         let prism = self.prism(number, camera);
         // Sides are cut from the lower end on the floor to the other end above it, in the order of positions.
         for tetrahedron in [[0, 1, 2, 5], [0, 1, 4, 5], [0, 3, 4, 5]] {
             let corners = tetrahedron.map(|place: usize| prism[place]);
-            let [before, last] = self.plane_numbers(&corners, start);
+            let [before, last] = self.plane_numbers(corners.map(|corner| corner.depth), start);
             for plane in 1..=(last - before).max(0.0) as u64 {
                 let depth = start + (before + plane as f64) * self.spacing_m;
                 self.cut(&corners, depth, block)?;

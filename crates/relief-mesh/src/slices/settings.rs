@@ -25,6 +25,9 @@ pub enum SliceDirection {
     Facing(Camera),
     /// At equal depths from a camera (section 3.3).
     Screen(Camera, SliceAnchor),
+    /// The same as quads of one size over flat polygons, each of which shows the whole map once: they are
+    /// clipped by whatever draws them, where the texture or the displacement ends.
+    Quads(Camera, SliceAnchor),
 }
 
 /// With what slices of equal depth move.

@@ -3,7 +3,7 @@ use std::sync::atomic::AtomicBool;
 
 use relief_core::Wrap;
 use relief_core::camera::Camera;
-use relief_core::mesh::{square, torus};
+use relief_core::mesh::{cube, square, torus};
 
 use super::*;
 
@@ -111,6 +111,48 @@ fn slices_of_the_screen_lie_at_equal_depths_in_the_space_over_their_triangle() {
         }
         assert!((volume / expected - 1.0).abs() < flat, "{volume} of {expected}");
     }
+}
+
+#[test]
+fn quads_lie_at_equal_depths_around_what_a_border_clips() {
+    let (map, camera) = (map(0.3, -0.1).with_wrap(Wrap::Clamp), camera());
+    for (base, polygons) in [(square(1), 1), (square(3), 1), (cube(1), 6)] {
+        let base = base.expect("a mesh");
+        let slicer = slicer(&base, &map, 9, SliceDirection::Quads(camera, SliceAnchor::Eye));
+        let blocks = blocks(&slicer);
+        assert_eq!(blocks.len(), polygons);
+        for block in &blocks {
+            assert_eq!(block.vertices.len() as u64 * blocks.len() as u64 % 4, 0);
+            let sides = |quad: &[SliceVertex]| {
+                [1, 3].map(|at: usize| quad[0].vertex.position.distance(quad[at].vertex.position))
+            };
+            let size = sides(&block.vertices[..4]);
+            for quad in block.vertices.chunks(4) {
+                assert!(sides(quad).iter().zip(size).all(|(a, b)| (a - b).abs() < 1e-5 * b), "of one size");
+                for corner in quad {
+                    let place = corner.vertex.position.as_dvec3();
+                    let plane = camera.forward().dot(place - camera.eye()) / (0.3 / 9.0);
+                    assert!((plane - plane.round()).abs() < 1e-4, "{plane}");
+                    // The texture coordinates are those of the point of the plane under it.
+                    let (at, of) = (below(corner, &map), &base.vertices()[base.triangles()[0][0] as usize]);
+                    if polygons == 1 {
+                        let uv = corner.vertex.uv - of.uv;
+                        let there = of.position + of.tangent * uv.x + of.bitangent * uv.y;
+                        assert!(at.distance(there.as_dvec3()) < 1e-5, "{at} {there}");
+                    }
+                }
+            }
+        }
+    }
+    let refused = |base: Result<Mesh, _>, wrap| {
+        let (base, map): (Mesh, HeightMap) = (Result::expect(base, "a mesh"), map.clone().with_wrap(wrap));
+        let direction = SliceDirection::Quads(camera, SliceAnchor::Eye);
+        Slicer::new(&base, &map, SliceSettings { count: 3, direction }).map(|_| ())
+    };
+    assert_eq!(refused(torus(12, 8), Wrap::Clamp), Err(SliceError::NoBorder));
+    assert_eq!(refused(square(1), Wrap::Repeat), Err(SliceError::NoBorder));
+    let tiled = square(1).map(|mesh| mesh.tiled([2.0, 1.0].into()).expect("a mesh"));
+    assert_eq!(refused(tiled, Wrap::Clamp), Err(SliceError::NoBorder));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Registry entry of the geometry `slices`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// Polygons through the space that the relief fills.
 pub const ENTRY: Entry = Entry {
@@ -8,7 +8,12 @@ pub const ENTRY: Entry = Entry {
     summary: "slices: polygons through the space above the base that the relief fills",
     publication: Publication { paper: crate::DEPTH_OBJECTS, section: "3" },
     maps: &[],
-    params: &[],
+    params: &[Param::of_names(
+        "clip",
+        "where slices at equal depths end: at the sides of the space that the relief fills; or all are quads \
+         of one size over flat polygons, which the texture's border clips",
+        &["volume", "border"],
+    )],
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],

@@ -95,7 +95,9 @@ fn displaced_triangles_are_shown_by_one_surface_and_searched_by_nothing() {
 fn slices_have_a_surface_of_their_own_and_settings_that_are_told_by_names() {
     let mut slices = Selection::method("slices-surface").expect("a method");
     assert_eq!((slices.check(), slices.uses(SLICES)), (Ok(()), true));
-    let expected = |count, direction, with_eye| Some(Geometry::Slices(Slices { count, direction, with_eye }));
+    let expected = |count, direction, with_eye| {
+        Some(Geometry::Slices(Slices { count, direction, with_eye, by_border: false }))
+    };
     assert_eq!(slices.geometry(), expected(64, SliceDirection::A, true));
     assert_eq!(slices.choices[SLICES].entry.name, "at-least");
     for (key, name) in [("slices.test", "band"), ("slices.direction", "screen"), ("slices.anchor", "object")]
@@ -111,6 +113,12 @@ fn slices_have_a_surface_of_their_own_and_settings_that_are_told_by_names() {
     assert_eq!((slices.refine().name, slices.choices[REFINE].params[0]), ("secant", 3.0));
     slices.set("slices.refine", 0.0).expect("a setting");
     assert_eq!((slices.refine().name, slices.check()), ("none", Ok(())));
+    slices.set("geometry.clip", 1.0).expect("a setting");
+    assert_eq!(slices.check(), Ok(()));
+    assert!(matches!(slices.geometry(), Some(Geometry::Slices(Slices { by_border: true, .. }))));
+    slices.set("slices.direction", 0.0).expect("a setting");
+    assert!(matches!(slices.check(), Err(SelectionError::Surface { .. })), "upright slices have no border");
+    slices.set("geometry.clip", 0.0).expect("a setting");
     for (stage, name) in [("surface", "plane"), ("search", "linear"), ("detail", "fade"), ("shadow", "entry")]
     {
         let mut selection = slices;

@@ -71,11 +71,13 @@ pub struct Slices {
     pub direction: SliceDirection,
     /// Whether those at equal depths move with the eye; else with the world's origin.
     pub with_eye: bool,
+    /// Whether the border of the texture clips those at equal depths; else they end at the relief's sides.
+    pub by_border: bool,
 }
 
 impl Slices {
-    /// Those of the settings, in the order of these.
-    pub(crate) fn of([count, _, direction, anchor]: [f32; 4]) -> Self {
+    /// Those of the settings, in the order of these, and of the geometry's clipping.
+    pub(crate) fn of([count, _, direction, anchor]: [f32; 4], clip: f32) -> Self {
         let direction = match direction as u32 {
             0 => SliceDirection::Auto,
             1 => SliceDirection::A,
@@ -83,7 +85,7 @@ impl Slices {
             3 => SliceDirection::C,
             _ => SliceDirection::Screen,
         };
-        Self { count: count as u32, direction, with_eye: anchor == 0.0 }
+        Self { count: count as u32, direction, with_eye: anchor == 0.0, by_border: clip != 0.0 }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The meshes that surfaces are measured on.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use glam::Vec2;
 use relief_core::HeightMap;
@@ -92,17 +92,34 @@ fn sheared(mesh: &Mesh) -> Result<Mesh, MeshError> {
 /// The mesh of the file, as large as the others.
 /// The mesh spot; none, which is said, where the folder of real data is missing.
 pub fn spot() -> Result<Option<Mesh>, String> {
-    match data_dir().map(|folder| folder.join(SPOT)).filter(|path| path.is_file()) {
-        Some(path) => from_file(&path).map(Some),
-        None => {
-            println!("spot is left out: RELIEF_DATA names no folder that has {SPOT}\n");
-            Ok(None)
-        }
+    spot_file().map(|path| from_file(&path)).transpose()
+}
+
+/// Its file.
+pub fn spot_file() -> Option<PathBuf> {
+    let file = data_dir().map(|folder| folder.join(SPOT)).filter(|path| path.is_file());
+    if file.is_none() {
+        println!("spot is left out: RELIEF_DATA names no folder that has {SPOT}\n");
     }
+    file
+}
+
+/// The tree of leaf cards.
+pub fn tree() -> Result<Mesh, String> {
+    read(&data("tree.obj"))
+}
+
+/// A file of the project's own data.
+pub fn data(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data").join(name)
+}
+
+fn read(path: &Path) -> Result<Mesh, String> {
+    Ok(read_mesh(path, &MeshOptions::default()).map_err(|error| format!("{}: {error}", path.display()))?.mesh)
 }
 
 fn from_file(path: &Path) -> Result<Mesh, String> {
-    let mesh = read_mesh(path, &MeshOptions::default()).map_err(|error| error.to_string())?.mesh;
+    let mesh = read(path)?;
     let farthest = mesh.vertices().iter().map(|vertex| vertex.position.length()).fold(0.0, f32::max);
     let placement = Placement { size: 0.5 / f64::from(farthest), ..Placement::default() };
     let placed = mesh.placed(&placement).and_then(|mesh| mesh.tiled(TILES));

@@ -6,7 +6,7 @@ use glam::DVec3;
 use relief_core::object::{ImageObject, JumpCells, View};
 use relief_core::raycast::Ray;
 use relief_core::{HeightMap, Wrap};
-use relief_mesh::{BoxSlicer, SliceDirection, Watch};
+use relief_mesh::{BoxSlicer, SliceAnchor, SliceDirection, SliceSettings, Watch};
 use relief_render::camera::{Camera, Projection};
 use relief_render::scene::BackendChoice;
 use relief_shaders::cpu::PixelOut;
@@ -122,6 +122,15 @@ pub const CLAIMS: &[PictureClaim] = &[
         figures: || ["slices-screen", "slices-orthogonal"].map(|of| median(of, 60.0) * fragments(of, 60.0)),
     },
     PictureClaim {
+        section: "3.3",
+        text: "slices of one size that a texture's border clips take up a lot of fill rate",
+        of: ["slices-screen at 60°", "clipped by a border"],
+        measure: "fragments of the picture",
+        factor: 0.8,
+        holds: true,
+        figures: cut_off_and_clipped,
+    },
+    PictureClaim {
         section: "3.4",
         text: "they flicker when the eye moves, others hardly do",
         of: ["slices-orthogonal at 60°", "slices-screen at 60°"],
@@ -207,6 +216,15 @@ fn jumps(method: &str, degrees: f64) -> f64 {
         let nearer = PlaneView { away_m: view.away_m * (1.0 - DOLLY), ..*view };
         let [before, after] = [view, &nearer].map(|view| (exact(view), drawn(view, method)));
         view.jumps([&before.0, &before.1], [&after.0, &after.1], view.along_m(method, 1.0 / 16.0))
+    })
+}
+
+/// Fragments of slices at equal depths that end where the relief does, and of those that a border clips.
+fn cut_off_and_clipped() -> [f64; 2] {
+    let map = Arc::new((*cobbles()).clone().with_wrap(Wrap::Clamp));
+    let view = PlaneView { map: &map, degrees: 60.0, away_m: 2.0, size: SIZE };
+    [SliceDirection::Screen, SliceDirection::Quads].map(|of| {
+        view.fragments_of_all(SliceSettings { count: 16, direction: of(view.camera(), SliceAnchor::Eye) })
     })
 }
 

@@ -76,8 +76,8 @@ fn smooth(points: &[[f64; 2]], pieces: usize) -> Vec<[f64; 2]> {
     line
 }
 
-/// Cosines and sines of the directions around the axis. Angles are halved by square roots alone.
-fn directions() -> Vec<[f64; 2]> {
+/// Cosines and sines of directions all around an axis. Angles are halved by square roots alone.
+pub fn directions() -> Vec<[f64; 2]> {
     let mut quarter = vec![[1.0, 0.0], [0.0, 1.0]];
     while 4 * (quarter.len() - 1) < AROUND {
         let between = |pair: &[[f64; 2]]| {
