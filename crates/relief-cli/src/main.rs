@@ -11,6 +11,7 @@ use streams::{Files, Streams};
 mod advice;
 mod commands;
 mod failure;
+mod frames;
 mod interrupt;
 mod lanes;
 mod pattern;

@@ -5,6 +5,7 @@ use relief_core::Watch;
 use relief_core::mesh::Builtin;
 use relief_core::object::JumpCells;
 use relief_io::{MeshOptions, read_mesh};
+use relief_object::even_directions;
 use relief_object::{Arrangement, CaptureError, CaptureSettings, Capturer, Cover, Measured, Verification};
 
 fn measured(capturer: &Capturer, cover: Cover, cells: JumpCells) -> Measured {
@@ -50,6 +51,24 @@ fn what_images_show_of_convex_shapes_is_all_of_them() {
             assert!(measured.worst_iou <= measured.iou);
         }
     }
+}
+
+#[test]
+fn what_a_few_pictures_state_many_others_bear_out() {
+    let mesh = Builtin::Torus.build([1.0; 2]).expect("a mesh");
+    let settings = CaptureSettings { size: 209, ..Default::default() };
+    let capturer = Capturer::new(&mesh, None, settings).expect("views");
+    let captured = capturer.capture(Cover::Centre, &Watch::NOBODY).expect("images");
+    let [stated, found] = [(32, 128), (1000, 64)].map(|(views, size)| {
+        let verification = Verification { views, size, ..Verification::default() };
+        capturer.verify(&captured, &verification, &Watch::NOBODY).expect("pictures").expect("some")
+    });
+    let silhouettes = (1.0 - stated.iou) / (1.0 - found.iou);
+    let depths = stated.depth_error_percent.zip(found.depth_error_percent).map(|(a, b)| a / b);
+    println!("of silhouettes {silhouettes:.3}, of depths {depths:.3?}");
+    assert!((0.8..1.25).contains(&silhouettes), "{silhouettes}: {stated:?} {found:?}");
+    assert!(depths.is_some_and(|ratio| (0.8..1.25).contains(&ratio)), "{depths:?}: {stated:?} {found:?}");
+    assert_eq!(even_directions(40)[..32], even_directions(32), "some of the same");
 }
 
 #[test]

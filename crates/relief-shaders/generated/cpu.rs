@@ -1749,14 +1749,14 @@ impl<'g> Resources<'g> {
 
         let nowhere = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
         let _e6 = self.v_traced_scale_m();
-        let height_10 = at_2.of_surface.w();
-        let over = ((height_10 - rt::Scalar(1f32)) * _e6);
+        let height_13 = at_2.of_surface.w();
+        let over = ((height_13 - rt::Scalar(1f32)) * _e6);
         let _e12 = self.v_down_across(ray_7, over);
         let _e13 = self.v_down_along(ray_7, over);
         let _e15 = self.v_jumps_below(ray_7, over);
         let begin_3 = _e12.min(_e13).min(_e15);
         if rt::Scalar::into_branch_condition((!(!begin_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))))) {
-            if rt::Scalar::into_branch_condition(height_10.elementwise_ge(rt::Scalar(1f32))) {
+            if rt::Scalar::into_branch_condition(height_13.elementwise_ge(rt::Scalar(1f32))) {
                 local_3 = begin_3.elementwise_lt(rt::Scalar(0f32));
             } else {
                 local_3 = rt::Scalar(false);
@@ -1771,7 +1771,7 @@ impl<'g> Resources<'g> {
             return nowhere;
         }
         let enter_2 = begin_3.max(eye);
-        let floor = (height_10 * _e6);
+        let floor = (height_13 * _e6);
         let _e35 = self.v_down_across(ray_7, floor);
         let _e36 = self.v_down_along(ray_7, floor);
         let _e37 = self.v_jumps_below(ray_7, floor);
@@ -1889,14 +1889,14 @@ impl<'g> Resources<'g> {
         uv: rt::Vec2<f32>,
         n_2: rt::Vec2<i32>,
     ) -> Around {
-        let point_19 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_19);
+        let point_21 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_21);
         let i_1 = _e8.to_i32();
         let _e12 = self.v_wrap_index(i_1.x(), n_2.x());
         let _e17 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_2.x());
         let _e21 = self.v_wrap_index(i_1.y(), n_2.y());
         let _e26 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_2.y());
-        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_19 - _e8));
+        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_21 - _e8));
     }
     pub(crate) fn level_texels(
         &self,
@@ -2004,11 +2004,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_3);
         let _e3 = self.v_texels_around(uv_1, _e2);
-        let k_39 = level_3.to_i32();
-        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_39);
-        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_39);
-        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_39);
-        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_39);
+        let k_41 = level_3.to_i32();
+        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_41);
+        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_41);
+        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_41);
+        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_41);
         let _e34 = self.v_bilinear(_e11, _e18, _e25, _e32, _e3.part);
         return _e34;
     }
@@ -2216,16 +2216,16 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_face_place(direction_2);
         let _e5 = rt::Scalar(self.surface_settings.environment_side);
         let last_2 = ((_e5 >> level_6).to_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
-        let point_20 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
+        let point_22 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
         let most_3 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
-        let corner_3 = point_20.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_3, most_3));
+        let corner_3 = point_22.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_3, most_3));
         let texel_5 = corner_3.to_i32();
-        let k_40 = level_6.to_i32();
-        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_40);
-        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_40);
-        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_40);
-        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_40);
-        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_20 - corner_3));
+        let k_42 = level_6.to_i32();
+        let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_42);
+        let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_42);
+        let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_42);
+        let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_42);
+        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_22 - corner_3));
         return _e55.xyz();
     }
     pub(crate) fn environment_in_lobe(
@@ -2541,15 +2541,15 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_41 = level_8.to_i32();
+        let k_43 = level_8.to_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_41));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_41));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_41));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_41));
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_43));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_43));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_43));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_43));
         return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_at(
@@ -2567,9 +2567,9 @@ impl<'g> Resources<'g> {
         level_9: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
         let _e2 = self.v_height_size(level_9);
-        let point_21 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_21);
-        let f = (point_21 - _e8);
+        let point_23 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_23);
+        let f = (point_23 - _e8);
         let _e11 = self.v_height_cell(_e8.to_i32(), level_9);
         let top_2 = (_e11.x() + ((_e11.y() - _e11.x()) * f.x()));
         let bottom_1 = (_e11.z() + ((_e11.w() - _e11.z()) * f.x()));
@@ -2680,14 +2680,14 @@ impl<'g> Resources<'g> {
         let limited = parts_3.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
         let w_3 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
         let normal_20 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
-        let place_19 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_20 * offset));
-        let t_35 = place_19.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let place_23 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_20 * offset));
+        let t_35 = place_23.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let second_1 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
         let third = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
         let volume = (second_1.cross(third).dot(normal_20) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
-        let height_11 = (((offset - low_1) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        return <WayPoint>::new(<ShellPoint>::new(w_3, height_11), t_35, (place_19 - (along * t_35)).length(), volume);
+        let height_14 = (((offset - low_1) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        return <WayPoint>::new(<ShellPoint>::new(w_3, height_14), t_35, (place_23 - (along * t_35)).length(), volume);
     }
     pub(crate) fn before_turn(
         &self,
@@ -2919,8 +2919,8 @@ impl<'g> Resources<'g> {
         let apart = (_e19 * _e21).abs();
         let bend_3 = (rt::Scalar(2f32) * ((rt::Scalar(a_1.height) + rt::Scalar(b_1.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
         let slope_5 = ((rt::Scalar(b_1.height) - rt::Scalar(a_1.height)) - bend_3);
-        let height_12 = (rt::Scalar(a_1.height) + (part_1 * (slope_5 + (part_1 * bend_3))));
-        return apart.x().max(apart.y()).max(((rt::Scalar(at_10.height) - height_12).abs() / rt::Scalar(0.0625f32)));
+        let height_15 = (rt::Scalar(a_1.height) + (part_1 * (slope_5 + (part_1 * bend_3))));
+        return apart.x().max(apart.y()).max(((rt::Scalar(at_10.height) - height_15).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn beside_way(
         &self,
@@ -2948,8 +2948,8 @@ impl<'g> Resources<'g> {
         let _e31 = self.v_height_size(rt::Scalar(0u32));
         let apart_1 = (_e29 * _e31).abs();
         let slope_6 = ((rt::Scalar(b_2.point.height) - rt::Scalar(a_2.point.height)) - bend_1);
-        let height_13 = (rt::Scalar(a_2.point.height) + (part_8 * (slope_6 + (part_8 * bend_1))));
-        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_11.point.height) - height_13).abs() / rt::Scalar(0.0625f32)));
+        let height_16 = (rt::Scalar(a_2.point.height) + (part_8 * (slope_6 + (part_8 * bend_1))));
+        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_11.point.height) - height_16).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn between(&self, a_3: ShellPoint, b_3: ShellPoint) -> ShellPoint {
         rt::into(self.v_between(a_3, b_3))
@@ -2976,6 +2976,48 @@ impl<'g> Resources<'g> {
     fn v_bitangent_of_image(&self, image_7: Image) -> rt::Vec3<f32> {
         let along_20 = (image_7.v.xyz() - (rt::Scalar(0.5f32) * image_7.depth.xyz()));
         return (along_20 / rt::Vec3::splat_from_scalar((along_20.dot(along_20) * image_7.extent.y())));
+    }
+    pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
+        rt::into(self.v_mixed(rt::into(seed)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_mixed(&self, seed: rt::Scalar<u32>) -> rt::Scalar<u32> {
+        let mut x: rt::Scalar<u32>;
+
+        x = (seed ^ (seed >> rt::Scalar(16u32)));
+        let _e5 = x;
+        x = (_e5 * rt::Scalar(2146121005u32));
+        let _e8 = x;
+        let _e9 = x;
+        x = (_e8 ^ (_e9 >> rt::Scalar(15u32)));
+        let _e13 = x;
+        x = (_e13 * rt::Scalar(2221713035u32));
+        let _e16 = x;
+        let _e17 = x;
+        return (_e16 ^ (_e17 >> rt::Scalar(16u32)));
+    }
+    pub(crate) fn bits_of_point(
+        &self,
+        point_6: impl rt::Into<rt::Vec2<f32>>,
+        count_1: impl rt::Into<rt::Scalar<f32>>,
+        seed_1: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_bits_of_point(rt::into(point_6), rt::into(count_1), rt::into(seed_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_bits_of_point(
+        &self,
+        point_6: rt::Vec2<f32>,
+        count_1: rt::Scalar<f32>,
+        seed_1: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        let within_1 = (point_6 - ((point_6 / rt::Vec2::splat_from_scalar(count_1)).floor() * count_1));
+        let _e12 = self.v_mixed(seed_1);
+        let _e14 = self.v_mixed((within_1.y().to_u32() + _e12));
+        let _e16 = self.v_mixed((within_1.x().to_u32() + _e14));
+        return _e16;
     }
     pub(crate) fn both_roots(&self, c_2: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_both_roots(rt::into(c_2)))
@@ -3098,10 +3140,10 @@ impl<'g> Resources<'g> {
         let bx = (h_1.y() - h_1.x());
         let by_1 = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_137 = ((grid_1.origin - cell_2) + (grid_1.step * t_10));
+        let at_138 = ((grid_1.origin - cell_2) + (grid_1.step * t_10));
         let z_1 = (path_6.h.x() + (t_10 * (path_6.h.y() + (t_10 * path_6.h.z()))));
         let dz = (path_6.h.y() + ((rt::Scalar(2f32) * t_10) * path_6.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_137.x())) + (by_1 * at_137.y())) + ((twist * at_137.x()) * at_137.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_137.x() * grid_1.step.y()) + (at_137.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_138.x())) + (by_1 * at_138.y())) + ((twist * at_138.x()) * at_138.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_138.x() * grid_1.step.y()) + (at_138.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn object_none_cell(
         &self,
@@ -3996,11 +4038,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_22);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_42 = level_22.to_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_42));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_42));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_42));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_42));
+        let k_44 = level_22.to_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_44));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_44));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_44));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_44));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -4018,7 +4060,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frames_around(&self, toward: rt::Vec3<f32>) -> Frames {
-        let mut x: rt::Scalar<f32>;
+        let mut x_1: rt::Scalar<f32>;
         let mut z: rt::Scalar<f32>;
 
         let _e3 = rt::Scalar(self.surface_settings.images);
@@ -4032,30 +4074,30 @@ impl<'g> Resources<'g> {
         let y_1 = up_2.select(up_2.max(rt::Scalar(0f32)), is_hemi);
         let right_1 = _e7.xyz().dot(toward);
         let front = _e13.xyz().dot(toward);
-        let sum_4 = ((right_1.abs() + y_1.abs()) + front.abs()).max(rt::Scalar(0.000001f32));
-        x = (right_1 / sum_4);
-        z = (front / sum_4);
+        let sum_6 = ((right_1.abs() + y_1.abs()) + front.abs()).max(rt::Scalar(0.000001f32));
+        x_1 = (right_1 / sum_6);
+        z = (front / sum_6);
         if rt::Scalar::into_branch_condition(y_1.elementwise_lt(rt::Scalar(0f32))) {
             let _e44 = z;
-            let _e48 = x;
+            let _e48 = x_1;
             let folded_x = ((rt::Scalar(1f32) - _e44.abs()) * rt::Scalar(-1f32).select(rt::Scalar(1f32), _e48.elementwise_ge(rt::Scalar(0f32))));
-            let _e55 = x;
+            let _e55 = x_1;
             let _e59 = z;
             let folded_z = ((rt::Scalar(1f32) - _e55.abs()) * rt::Scalar(-1f32).select(rt::Scalar(1f32), _e59.elementwise_ge(rt::Scalar(0f32))));
-            x = folded_x;
+            x_1 = folded_x;
             z = folded_z;
         }
-        let _e66 = x;
-        let _e69 = x;
+        let _e66 = x_1;
+        let _e69 = x_1;
         let _e70 = z;
         let across_3 = ((_e66 + rt::Scalar(1f32)).select(((_e69 + _e70) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_3));
         let _e78 = z;
         let _e81 = z;
-        let _e82 = x;
+        let _e82 = x_1;
         let along_21 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_3));
-        let place_20 = <rt::Vec2<f32>>::from_scalars(across_3, along_21).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_3, last_3));
-        let cell_27 = place_20.floor().min(<rt::Vec2<f32>>::from_scalars((last_3 - rt::Scalar(1f32)), (last_3 - rt::Scalar(1f32))));
-        let part_9 = (place_20 - cell_27);
+        let place_24 = <rt::Vec2<f32>>::from_scalars(across_3, along_21).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_3, last_3));
+        let cell_27 = place_24.floor().min(<rt::Vec2<f32>>::from_scalars((last_3 - rt::Scalar(1f32)), (last_3 - rt::Scalar(1f32))));
+        let part_9 = (place_24 - cell_27);
         let side_5 = (last_3.to_u32() + rt::Scalar(1u32));
         let first_9 = ((cell_27.y().to_u32() * side_5) + cell_27.x().to_u32());
         let beside_4 = (first_9 + side_5).select((first_9 + rt::Scalar(1u32)), part_9.x().elementwise_gt(part_9.y()));
@@ -4291,11 +4333,11 @@ impl<'g> Resources<'g> {
         let _e129 = weight2_;
         let _e133 = self.v_color_at(uv3_, rt::Scalar(0u32));
         let _e135 = weight3_;
-        let sum_5 = ((first_10 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
+        let sum_7 = ((first_10 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
         let _e138 = weight1_;
         let _e139 = weight2_;
         let _e141 = weight3_;
-        return (sum_5 * (rt::Scalar(1f32) / ((_e138 + _e139) + _e141)));
+        return (sum_7 * (rt::Scalar(1f32) / ((_e138 + _e139) + _e141)));
     }
     pub(crate) fn color_of_object(
         &self,
@@ -4432,9 +4474,9 @@ impl<'g> Resources<'g> {
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let _e3 = self.v_height_texels(rt::Scalar(path_14.level));
-        let place_21 = texel_1.to_i32();
-        let _e7 = self.v_wrap_index(place_21.x(), _e3.x());
-        let _e10 = self.v_wrap_index(place_21.y(), _e3.y());
+        let place_25 = texel_1.to_i32();
+        let _e7 = self.v_wrap_index(place_25.x(), _e3.x());
+        let _e10 = self.v_wrap_index(place_25.y(), _e3.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e7, _e10);
         let _e15 = self.v_search_texel(path_14, wrapped, rt::Scalar(0i32), rt::Scalar(path_14.level).to_i32());
         let _e17 = self.v_slope_of(_e15.x());
@@ -4548,10 +4590,10 @@ impl<'g> Resources<'g> {
         let _e20 = self.frame.down;
         let _e22 = self.v_footprint_axis(pixel_12, at_20, normal_21, _e4, _e16.xyz(), _e20.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
-        let sum_6 = both.dot(both);
+        let sum_8 = both.dot(both);
         let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
-        let apart_2 = ((sum_6 - (rt::Scalar(2f32) * area_1)) * (sum_6 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
-        let longer = (rt::Scalar(0.5f32) * (sum_6 + apart_2));
+        let apart_2 = ((sum_8 - (rt::Scalar(2f32) * area_1)) * (sum_8 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
+        let longer = (rt::Scalar(0.5f32) * (sum_8 + apart_2));
         let shorter = ((area_1 * area_1) / longer);
         let squared_1 = shorter.max((longer / (anisotropy * anisotropy)));
         let _e53 = rt::Scalar(self.frame.sample_width);
@@ -4684,11 +4726,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_25);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_43 = (level_25 - SEEN_FIRST_LEVEL).to_i32();
-        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_43);
-        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_43);
-        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_43);
-        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_43);
+        let k_45 = (level_25 - SEEN_FIRST_LEVEL).to_i32();
+        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_45);
+        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_45);
+        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_45);
+        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_45);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
         return _e33;
     }
@@ -4755,17 +4797,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn sum_of_quotients(
         &self,
-        count_1: impl rt::Into<rt::Scalar<u32>>,
+        count_2: impl rt::Into<rt::Scalar<u32>>,
         by: impl rt::Into<rt::Scalar<u32>>,
         slope: impl rt::Into<rt::Scalar<u32>>,
         offset_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_sum_of_quotients(rt::into(count_1), rt::into(by), rt::into(slope), rt::into(offset_1)))
+        rt::into(self.v_sum_of_quotients(rt::into(count_2), rt::into(by), rt::into(slope), rt::into(offset_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_sum_of_quotients(
         &self,
-        count_1: rt::Scalar<u32>,
+        count_2: rt::Scalar<u32>,
         by: rt::Scalar<u32>,
         slope: rt::Scalar<u32>,
         offset_1: rt::Scalar<u32>,
@@ -4776,7 +4818,7 @@ impl<'g> Resources<'g> {
         let mut b_7: rt::Scalar<u32>;
         let mut sum_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        n_3 = count_1;
+        n_3 = count_2;
         m_2 = by;
         a_7 = slope;
         b_7 = offset_1;
@@ -4824,18 +4866,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_parts_before(
         &self,
         rows_2: DiceRows,
-        count_2: impl rt::Into<rt::Scalar<u32>>,
+        count_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_parts_before(rows_2, rt::into(count_2)))
+        rt::into(self.v_dice_parts_before(rows_2, rt::into(count_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_parts_before(
         &self,
         rows_2: DiceRows,
-        count_2: rt::Scalar<u32>,
+        count_3: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e9 = self.v_sum_of_quotients(count_2, rt::Scalar(rows_2.count), rows_2.parts.y(), (rows_2.parts.y() - rt::Scalar(1u32)));
+        let _e9 = self.v_sum_of_quotients(count_3, rt::Scalar(rows_2.count), rows_2.parts.y(), (rows_2.parts.y() - rt::Scalar(1u32)));
         return _e9;
     }
     pub(crate) fn dice_points_before(
@@ -4997,8 +5039,8 @@ impl<'g> Resources<'g> {
         let y_2 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(1u32)));
         let z_2 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(2u32)));
         let _e88 = self.v_dice_points_before(rows_9, rt::Scalar(place_8.row));
-        let number_18 = ((_e88 + rt::Scalar(place_8.at)) - rt::Scalar(1u32));
-        return <DicePoint>::new(DICE_INSIDE, number_18, <rt::Vec3<f32>>::from_scalars(x_4, y_2, z_2));
+        let number_19 = ((_e88 + rt::Scalar(place_8.at)) - rt::Scalar(1u32));
+        return <DicePoint>::new(DICE_INSIDE, number_19, <rt::Vec3<f32>>::from_scalars(x_4, y_2, z_2));
     }
     pub(crate) fn dice_triangles_before(
         &self,
@@ -5268,9 +5310,9 @@ impl<'g> Resources<'g> {
         let _e27 = rest_1;
         let part_12 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
         let square_1 = (part_12 * part_12);
-        let sum_7 = (rt::Scalar(1f32) + (square_1 * (rt::Scalar(0.33333334f32) + (square_1 * (rt::Scalar(0.2f32) + (square_1 * (rt::Scalar(0.14285715f32) + (square_1 * rt::Scalar(0.11111111f32)))))))));
+        let sum_9 = (rt::Scalar(1f32) + (square_1 * (rt::Scalar(0.33333334f32) + (square_1 * (rt::Scalar(0.2f32) + (square_1 * (rt::Scalar(0.14285715f32) + (square_1 * rt::Scalar(0.11111111f32)))))))));
         let _e45 = exponent;
-        return (_e45 + ((rt::Scalar(2.88539f32) * part_12) * sum_7));
+        return (_e45 + ((rt::Scalar(2.88539f32) * part_12) * sum_9));
     }
     pub(crate) fn level_at(&self, grid_5: Tessellation, site: BaseSite) -> f32 {
         rt::into(self.v_level_at(grid_5, site))
@@ -5300,9 +5342,9 @@ impl<'g> Resources<'g> {
         level_26: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size(level_26);
-        let point_22 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_22);
-        let f_1 = (point_22 - _e8);
+        let point_24 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_24);
+        let f_1 = (point_24 - _e8);
         let _e11 = self.v_height_cell(_e8.to_i32(), level_26);
         let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_3 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
@@ -5421,13 +5463,13 @@ impl<'g> Resources<'g> {
         height_1: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_22 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_5 = place_22.floor();
+        let place_26 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_5 = place_26.floor();
         let _e13 = self.v_search_texel_between(path_17, uv_9, below_5.to_i32());
         let lower_1 = _e13.x();
         let _e21 = self.v_search_texel_between(path_17, uv_9, (below_5 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
         let upper = _e21.x();
-        return (lower_1 + ((upper - lower_1) * (place_22 - below_5)));
+        return (lower_1 + ((upper - lower_1) * (place_26 - below_5)));
     }
     pub(crate) fn plane_normal(&self, pixel_17: PixelIn) -> rt::Vec3<f32> {
         rt::into(self.v_plane_normal(pixel_17))
@@ -5444,9 +5486,9 @@ impl<'g> Resources<'g> {
         b_8: impl rt::Into<rt::Vec3<f32>>,
         c_3: impl rt::Into<rt::Vec3<f32>>,
         normal_10: impl rt::Into<rt::Vec3<f32>>,
-        point_6: impl rt::Into<rt::Vec3<f32>>,
+        point_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_of(rt::into(a_8), rt::into(b_8), rt::into(c_3), rt::into(normal_10), rt::into(point_6)))
+        rt::into(self.v_weights_of(rt::into(a_8), rt::into(b_8), rt::into(c_3), rt::into(normal_10), rt::into(point_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5456,10 +5498,10 @@ impl<'g> Resources<'g> {
         b_8: rt::Vec3<f32>,
         c_3: rt::Vec3<f32>,
         normal_10: rt::Vec3<f32>,
-        point_6: rt::Vec3<f32>,
+        point_7: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let nn = normal_10.dot(normal_10);
-        let from_a = (point_6 - a_8);
+        let from_a = (point_7 - a_8);
         let wb = (from_a.cross((c_3 - a_8)).dot(normal_10) / nn);
         let wc = ((b_8 - a_8).cross(from_a).dot(normal_10) / nn);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - wb) - wc), wb, wc);
@@ -5468,9 +5510,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_18: PixelIn,
         normal_11: impl rt::Into<rt::Vec3<f32>>,
-        point_7: impl rt::Into<rt::Vec3<f32>>,
+        point_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_plane_weights(pixel_18, rt::into(normal_11), rt::into(point_7)))
+        rt::into(self.v_plane_weights(pixel_18, rt::into(normal_11), rt::into(point_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5478,9 +5520,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_18: PixelIn,
         normal_11: rt::Vec3<f32>,
-        point_7: rt::Vec3<f32>,
+        point_8: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e9 = self.v_weights_of(pixel_18.a.position, pixel_18.b.position, pixel_18.c.position, normal_11, point_7);
+        let _e9 = self.v_weights_of(pixel_18.a.position, pixel_18.b.position, pixel_18.c.position, normal_11, point_8);
         return _e9;
     }
     pub(crate) fn surface_plane_enter(
@@ -5500,8 +5542,8 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_19);
         let _e5 = self.v_plane_distance(pixel_19, _e2);
-        let point_23 = (pixel_19.origin + (pixel_19.direction * _e5));
-        let _e8 = self.v_plane_weights(pixel_19, _e2, point_23);
+        let point_25 = (pixel_19.origin + (pixel_19.direction * _e5));
+        let _e8 = self.v_plane_weights(pixel_19, _e2, point_25);
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
@@ -5523,7 +5565,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_28;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_23, uv_32, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_25, uv_32, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -5570,11 +5612,11 @@ impl<'g> Resources<'g> {
         &self,
         pixel_22: PixelIn,
         weights_1: impl rt::Into<rt::Vec3<f32>>,
-        point_8: impl rt::Into<rt::Vec3<f32>>,
+        point_9: impl rt::Into<rt::Vec3<f32>>,
         uv_10: impl rt::Into<rt::Vec2<f32>>,
         facing: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_8), rt::into(uv_10), rt::into(facing)))
+        rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_9), rt::into(uv_10), rt::into(facing)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5582,7 +5624,7 @@ impl<'g> Resources<'g> {
         &self,
         pixel_22: PixelIn,
         weights_1: rt::Vec3<f32>,
-        point_8: rt::Vec3<f32>,
+        point_9: rt::Vec3<f32>,
         uv_10: rt::Vec2<f32>,
         facing: rt::Vec3<f32>,
     ) -> Entered {
@@ -5595,7 +5637,7 @@ impl<'g> Resources<'g> {
         let _e49 = rt::Scalar(self.surface_settings.scale_m);
         let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
         let unit = (normal_23.normalize() * rt::Scalar(pixel_22.side));
-        return <Entered>::new(rt::Scalar(1u32), point_8, uv_10, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(1u32), point_9, uv_10, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facing_of(
         &self,
@@ -5635,9 +5677,9 @@ impl<'g> Resources<'g> {
         let third_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
         let uv_33 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_24, along_7);
-        let point_24 = (pixel_24.origin + (along_7 * _e17));
+        let point_26 = (pixel_24.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_7);
-        let _e21 = self.v_frame_at(pixel_24, third_1, point_24, uv_33, _e20);
+        let _e21 = self.v_frame_at(pixel_24, third_1, point_26, uv_33, _e20);
         at_26 = _e21;
         rt::Scalar(at_26.segments) = rt::Scalar(0u32);
         let _e25 = at_26;
@@ -5787,8 +5829,8 @@ impl<'g> Resources<'g> {
         way_3: Way,
         beyond_1: rt::Vec3<f32>,
     ) -> Way {
-        let sum_8 = ((way_3.first + way_3.second) + way_3.third);
-        return <Way>::new((way_3.first + (sum_8 * beyond_1.x())), (way_3.second + (sum_8 * beyond_1.y())), (way_3.third + (sum_8 * beyond_1.z())), rt::Scalar(way_3.turn));
+        let sum_10 = ((way_3.first + way_3.second) + way_3.third);
+        return <Way>::new((way_3.first + (sum_10 * beyond_1.x())), (way_3.second + (sum_10 * beyond_1.y())), (way_3.third + (sum_10 * beyond_1.z())), rt::Scalar(way_3.turn));
     }
     pub(crate) fn root_behind(
         &self,
@@ -5874,7 +5916,7 @@ impl<'g> Resources<'g> {
         number_6: rt::Scalar<u32>,
     ) -> WayChord {
         let mut chosen: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        let mut count_3: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut count_4: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut begin: rt::Scalar<f32>;
         let mut pieces: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_30: rt::Scalar<bool>;
@@ -5911,9 +5953,9 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e50) {
                         let _e51 = begin;
                         let _e53 = self.v_chords_of_piece(pixel_27, prism_7, along_10, way_5, <rt::Vec2<f32>>::from_scalars(_e51, end_3), tolerance_1);
-                        let _e54 = count_3;
+                        let _e54 = count_4;
                         if rt::Scalar::into_branch_condition(number_6.elementwise_ge(_e54)) {
-                            let _e58 = count_3;
+                            let _e58 = count_4;
                             local_31 = number_6.elementwise_lt((_e58 + _e53));
                         } else {
                             local_31 = rt::Scalar(false);
@@ -5922,23 +5964,23 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e62) {
                             let _e63 = begin;
                             let long_2 = (end_3 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
-                            let _e67 = count_3;
+                            let _e67 = count_4;
                             let part_14 = ((number_6 - _e67).to_f32() / _e53.to_f32());
-                            let _e72 = count_3;
+                            let _e72 = count_4;
                             let next_8 = (((number_6 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
                             let _e79 = begin;
                             let _e82 = begin;
                             chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_14)), (_e82 + (long_2 * next_8)));
                         }
-                        let _e86 = count_3;
-                        count_3 = (_e86 + _e53);
+                        let _e86 = count_4;
+                        count_4 = (_e86 + _e53);
                     }
                     begin = end_3;
                 }
             }
         }
         let _e88 = chosen;
-        let _e89 = count_3;
+        let _e89 = count_4;
         return <WayChord>::new(_e88, _e89);
     }
     pub(crate) fn folded_enter(
@@ -6220,11 +6262,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_shell_middle(pixel_30, along_24);
         at_28 = _e29;
         at_28.span = _e11;
-        let height_14 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
+        let height_17 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
         let _e43 = at_28.span.x();
-        let _e45 = self.v_shell_point(_e10, (along_24 * _e43), height_14);
+        let _e45 = self.v_shell_point(_e10, (along_24 * _e43), height_17);
         let _e48 = at_28.span.y();
-        let _e50 = self.v_shell_point(_e10, (along_24 * _e48), height_14);
+        let _e50 = self.v_shell_point(_e10, (along_24 * _e48), height_17);
         let _e53 = at_28.span.x();
         let _e58 = self.v_between(_e45, _e50);
         let _e59 = self.v_shell_point_from(_e10, (along_24 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
@@ -6282,22 +6324,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn quadric_of(
         &self,
         pixel_31: PixelIn,
-        point_9: impl rt::Into<rt::Vec3<f32>>,
+        point_10: impl rt::Into<rt::Vec3<f32>>,
         lift_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_quadric_of(pixel_31, rt::into(point_9), rt::into(lift_1)))
+        rt::into(self.v_quadric_of(pixel_31, rt::into(point_10), rt::into(lift_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_of(
         &self,
         pixel_31: PixelIn,
-        point_9: rt::Vec3<f32>,
+        point_10: rt::Vec3<f32>,
         lift_1: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut height_3: rt::Scalar<f32>;
 
         let _e3 = self.v_plane_normal(pixel_31);
-        let _e4 = self.v_plane_weights(pixel_31, _e3, point_9);
+        let _e4 = self.v_plane_weights(pixel_31, _e3, point_10);
         let quadric_2 = (((pixel_31.a.of_surface * _e4.x()) + (pixel_31.b.of_surface * _e4.y())) + (pixel_31.c.of_surface * _e4.z()));
         let _e19 = self.v_base_height();
         height_3 = _e19;
@@ -6599,9 +6641,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_38: PixelIn,
         normal_14: impl rt::Into<rt::Vec3<f32>>,
-        point_10: impl rt::Into<rt::Vec3<f32>>,
+        point_11: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_triangle_weights(pixel_38, rt::into(normal_14), rt::into(point_10)))
+        rt::into(self.v_triangle_weights(pixel_38, rt::into(normal_14), rt::into(point_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6609,9 +6651,9 @@ impl<'g> Resources<'g> {
         &self,
         pixel_38: PixelIn,
         normal_14: rt::Vec3<f32>,
-        point_10: rt::Vec3<f32>,
+        point_11: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_plane_weights(pixel_38, normal_14, point_10);
+        let _e3 = self.v_plane_weights(pixel_38, normal_14, point_11);
         let inside_6 = _e3.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
         return (inside_6 / rt::Vec3::splat_from_scalar(((inside_6.x() + inside_6.y()) + inside_6.z())));
     }
@@ -6650,12 +6692,12 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_39);
         let _e5 = self.v_triangle_distance(pixel_39, _e2);
-        let point_25 = (pixel_39.origin + (pixel_39.direction * _e5));
-        let _e8 = self.v_triangle_weights(pixel_39, _e2, point_25);
+        let point_27 = (pixel_39.origin + (pixel_39.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_39, _e2, point_27);
         let uv_35 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
         let tangent_3 = (((pixel_39.a.tangent * _e8.x()) + (pixel_39.b.tangent * _e8.y())) + (pixel_39.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_39.a.bitangent * _e8.x()) + (pixel_39.b.bitangent * _e8.y())) + (pixel_39.c.bitangent * _e8.z()));
-        let sum_9 = ((((pixel_39.a.normal * _e8.x()) + (pixel_39.b.normal * _e8.y())) + (pixel_39.c.normal * _e8.z())) * rt::Scalar(pixel_39.side));
+        let sum_11 = ((((pixel_39.a.normal * _e8.x()) + (pixel_39.b.normal * _e8.y())) + (pixel_39.c.normal * _e8.z())) * rt::Scalar(pixel_39.side));
         let tt_1 = tangent_3.dot(tangent_3);
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
@@ -6667,7 +6709,7 @@ impl<'g> Resources<'g> {
         }
         let _e79 = local_37;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_25, uv_35, tangent_3, bitangent_2, sum_9.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_27, uv_35, tangent_3, bitangent_2, sum_11.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
@@ -6688,8 +6730,8 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_40);
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
-        let point_26 = (pixel_40.origin + (pixel_40.direction * _e5));
-        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_26);
+        let point_28 = (pixel_40.origin + (pixel_40.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_28);
         let uv_36 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_4 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
@@ -6723,7 +6765,7 @@ impl<'g> Resources<'g> {
         }
         let _e122 = local_40;
         let _e128 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_26 - (raw_ * height_m)), uv_36, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_28 - (raw_ * height_m)), uv_36, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
@@ -6999,11 +7041,11 @@ impl<'g> Resources<'g> {
         let _e5 = self.surface_settings.normal_size;
         let _e6 = self.v_level_texels(_e5, level_28);
         let _e7 = self.v_texels_around(uv_12, _e6);
-        let k_44 = level_28.to_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_44));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_44));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_44));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_44));
+        let k_46 = level_28.to_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_46));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_46));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_46));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_46));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -7050,9 +7092,9 @@ impl<'g> Resources<'g> {
         uv_13: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let point_27 = ((uv_13 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e9 = self.v_cell_of(point_27);
-        let part_16 = (point_27 - _e9);
+        let point_29 = ((uv_13 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e9 = self.v_cell_of(point_29);
+        let part_16 = (point_29 - _e9);
         let i_3 = _e9.to_i32();
         let _e13 = self.v_height_cell(i_3, rt::Scalar(0u32));
         let _e14 = self.v_cell_slopes(_e13, part_16);
@@ -7462,7 +7504,7 @@ impl<'g> Resources<'g> {
         let duv_6 = _e9.xy();
         let descent_4 = (rt::Scalar(0f32) - at_44.normal.dot(direction_7));
         let _e15 = self.v_traced_scale_m();
-        let height_15 = at_44.of_surface.w();
+        let height_18 = at_44.of_surface.w();
         let slope_10 = ((rt::Scalar(0f32) - descent_4) / _e15);
         let _e23 = self.v_quadric_at(at_44.of_surface.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
@@ -7470,9 +7512,9 @@ impl<'g> Resources<'g> {
         let _e28 = self.v_plane_distance(pixel_50, _e27);
         let distance_2 = (_e28 * along_33);
         let eye_4 = (rt::Scalar(0f32) - distance_2);
-        let _e35 = self.v_bent_descent(((height_15 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
+        let _e35 = self.v_bent_descent(((height_18 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-            if rt::Scalar::into_branch_condition((!height_15.elementwise_lt(rt::Scalar(1f32)))) {
+            if rt::Scalar::into_branch_condition((!height_18.elementwise_lt(rt::Scalar(1f32)))) {
                 local_45 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
                 local_45 = rt::Scalar(true);
@@ -7487,13 +7529,13 @@ impl<'g> Resources<'g> {
         let _e53 = enter_1;
         let _e54 = enter_1;
         let _e59 = enter_1;
-        let begin_5 = (height_15 + (_e53 * (slope_10 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
+        let begin_5 = (height_18 + (_e53 * (slope_10 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
         let _e63 = enter_1;
         let _e66 = enter_1;
         let _e70 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_5, (slope_10 + ((rt::Scalar(2f32) * curve) * _e66)), curve));
         leave_5 = (_e63 + _e70);
         if rt::Scalar::into_branch_condition(_e23.elementwise_eq(rt::Scalar(0f32))) {
-            leave_5 = ((height_15 * _e15) / descent_4);
+            leave_5 = ((height_18 * _e15) / descent_4);
             let _e77 = leave_5;
             let _e78 = leave_5;
             leave_5 = (_e77 + ((_e78 - _e35) * rt::Scalar(0.000001f32)));
@@ -7515,7 +7557,7 @@ impl<'g> Resources<'g> {
         let _e105 = enter_1;
         let _e106 = enter_1;
         let _e111 = enter_1;
-        let entry_height_1 = (height_15 + (_e105 * (slope_10 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
+        let entry_height_1 = (height_18 + (_e105 * (slope_10 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
         let _e115 = enter_1;
         let base_4 = (rt::Scalar(0f32) - _e115).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e122 = enter_1;
@@ -7898,28 +7940,28 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_triangle_distance(pixel_55, _e6);
         let far_7 = (_e7 * along_35);
         let axis_2 = pixel_55.a.of_surface.z().to_u32();
-        let height_16 = at_51.of_surface.x();
+        let height_19 = at_51.of_surface.x();
         let _e17 = self.v_height_at(at_51.uv, rt::Scalar(at_51.level));
         let _e18 = self.v_slice_spacing(at_51, axis_2);
-        let _e19 = self.v_slices_stage(_e17, height_16, _e18);
+        let _e19 = self.v_slices_stage(_e17, height_19, _e18);
         let _e20 = self.v_slice_before(pixel_55, at_51, axis_2, along_35, far_7);
         let lead_2 = (far_7 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_7), _e20.w().elementwise_gt(rt::Scalar(0f32)));
-        return <Path>::new((at_51.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_16 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_51.metric, RAY_VIEW, rt::Scalar(at_51.level), (far_7 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new((at_51.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_19 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_51.metric, RAY_VIEW, rt::Scalar(at_51.level), (far_7 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn within_bounds(
         &self,
-        x_1: impl rt::Into<rt::Scalar<f32>>,
+        x_2: impl rt::Into<rt::Scalar<f32>>,
         dx_1: impl rt::Into<rt::Scalar<f32>>,
         low: impl rt::Into<rt::Scalar<f32>>,
         high: impl rt::Into<rt::Scalar<f32>>,
         interval_5: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_within_bounds(rt::into(x_1), rt::into(dx_1), rt::into(low), rt::into(high), rt::into(interval_5)))
+        rt::into(self.v_within_bounds(rt::into(x_2), rt::into(dx_1), rt::into(low), rt::into(high), rt::into(interval_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_within_bounds(
         &self,
-        x_1: rt::Scalar<f32>,
+        x_2: rt::Scalar<f32>,
         dx_1: rt::Scalar<f32>,
         low: rt::Scalar<f32>,
         high: rt::Scalar<f32>,
@@ -7928,8 +7970,8 @@ impl<'g> Resources<'g> {
         let mut local_49: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx_1.elementwise_eq(rt::Scalar(0f32))) {
-            if rt::Scalar::into_branch_condition((!x_1.elementwise_lt(low))) {
-                local_49 = x_1.elementwise_gt(high);
+            if rt::Scalar::into_branch_condition((!x_2.elementwise_lt(low))) {
+                local_49 = x_2.elementwise_gt(high);
             } else {
                 local_49 = rt::Scalar(true);
             }
@@ -7939,8 +7981,8 @@ impl<'g> Resources<'g> {
             }
             return interval_5;
         }
-        let a_25 = ((low - x_1) / dx_1);
-        let b_25 = ((high - x_1) / dx_1);
+        let a_25 = ((low - x_2) / dx_1);
+        let b_25 = ((high - x_2) / dx_1);
         return <rt::Vec2<f32>>::from_scalars(interval_5.x().max(a_25.min(b_25)), interval_5.y().min(a_25.max(b_25)));
     }
     pub(crate) fn metric_of_image(
@@ -8080,32 +8122,32 @@ impl<'g> Resources<'g> {
     pub(crate) fn on_image(
         &self,
         image_9: Image,
-        point_11: impl rt::Into<rt::Vec3<f32>>,
+        point_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> OnImage {
-        rt::into(self.v_on_image(image_9, rt::into(point_11)))
+        rt::into(self.v_on_image(image_9, rt::into(point_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_on_image(
         &self,
         image_9: Image,
-        point_11: rt::Vec3<f32>,
+        point_12: rt::Vec3<f32>,
     ) -> OnImage {
         let mut local_51: rt::Scalar<bool>;
         let mut local_52: rt::Scalar<bool>;
         let mut local_53: rt::Scalar<bool>;
 
-        let _e2 = self.v_depth_in_image(image_9, point_11);
-        let u_2 = ((image_9.u.xyz().dot(point_11) + image_9.u.w()) / _e2);
-        let v_4 = ((image_9.v.xyz().dot(point_11) + image_9.v.w()) / _e2);
-        let h_7 = ((image_9.height.xyz().dot(point_11) + image_9.height.w()) / _e2);
+        let _e2 = self.v_depth_in_image(image_9, point_12);
+        let u_2 = ((image_9.u.xyz().dot(point_12) + image_9.u.w()) / _e2);
+        let v_4 = ((image_9.v.xyz().dot(point_12) + image_9.v.w()) / _e2);
+        let h_7 = ((image_9.height.xyz().dot(point_12) + image_9.height.w()) / _e2);
         let _e24 = self.v_beyond_image(image_9);
         let beside_5 = ((u_2 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_4 - rt::Scalar(0.5f32)).abs() - _e24.y()));
         let uv_38 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_2, v_4)));
         let _e42 = self.v_height_size(rt::Scalar(0u32));
         let _e49 = self.v_object_parts_stage(rt::Scalar(0u32));
-        let at_138 = (((uv_38 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
-        let _e52 = self.v_cell_of(at_138);
-        let part_18 = (at_138 - _e52);
+        let at_139 = (((uv_38 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
+        let _e52 = self.v_cell_of(at_139);
+        let part_18 = (at_139 - _e52);
         let _e56 = self.v_object_cell_stage(_e52.to_i32(), rt::Scalar(0u32));
         let top_7 = (_e56.x() + ((_e56.y() - _e56.x()) * part_18.x()));
         let bottom_4 = (_e56.z() + ((_e56.w() - _e56.z()) * part_18.x()));
@@ -8152,9 +8194,9 @@ impl<'g> Resources<'g> {
         &self,
         slice_4: OnSlice,
         number_9: impl rt::Into<rt::Scalar<u32>>,
-        point_12: impl rt::Into<rt::Vec3<f32>>,
+        point_13: impl rt::Into<rt::Vec3<f32>>,
     ) -> OnSlice {
-        rt::into(self.v_with_image(slice_4, rt::into(number_9), rt::into(point_12)))
+        rt::into(self.v_with_image(slice_4, rt::into(number_9), rt::into(point_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8162,10 +8204,10 @@ impl<'g> Resources<'g> {
         &self,
         slice_4: OnSlice,
         number_9: rt::Scalar<u32>,
-        point_12: rt::Vec3<f32>,
+        point_13: rt::Vec3<f32>,
     ) -> OnSlice {
         let _e3 = self.v_image_of_object(number_9);
-        let _e4 = self.v_on_image(_e3, point_12);
+        let _e4 = self.v_on_image(_e3, point_13);
         let over_1 = (rt::Scalar(_e4.map) - rt::Scalar(_e4.height));
         let _e8 = self.v_is_in_image(_e4);
         if rt::Scalar::into_branch_condition(over_1.elementwise_lt(rt::Scalar(slice_4.over))) {
@@ -8173,11 +8215,11 @@ impl<'g> Resources<'g> {
         }
         return <OnSlice>::new(_e8, rt::Scalar(slice_4.number), slice_4.nearest, rt::Scalar(slice_4.over));
     }
-    pub(crate) fn slice_at(&self, point_13: impl rt::Into<rt::Vec3<f32>>) -> OnSlice {
-        rt::into(self.v_slice_at(rt::into(point_13)))
+    pub(crate) fn slice_at(&self, point_14: impl rt::Into<rt::Vec3<f32>>) -> OnSlice {
+        rt::into(self.v_slice_at(rt::into(point_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_slice_at(&self, point_13: rt::Vec3<f32>) -> OnSlice {
+    fn v_slice_at(&self, point_14: rt::Vec3<f32>) -> OnSlice {
         let mut slice_5: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
         let mut number_10: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_55: rt::Scalar<bool>;
@@ -8200,7 +8242,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e26 = slice_5;
                     let _e27 = number_10;
-                    let _e28 = self.v_with_image(_e26, _e27, point_13);
+                    let _e28 = self.v_with_image(_e26, _e27, point_14);
                     slice_5 = _e28;
                     let _e29 = number_10;
                     number_10 = (_e29 + rt::Scalar(1u32));
@@ -8330,10 +8372,10 @@ impl<'g> Resources<'g> {
             let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_6, path_23.h.y(), path_23.h.z()), rt::Scalar(path_23.exit));
             start = _e22.min(rt::Scalar(path_23.exit));
         }
-        let height_17 = (middle_8 + ((path_23.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
+        let height_20 = (middle_8 + ((path_23.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start;
         let _e33 = self.v_path_slope(path_23, _e32);
-        let h_8 = <rt::Vec3<f32>>::from_scalars(height_17, (_e33 / kept), (path_23.h.z() / kept));
+        let h_8 = <rt::Vec3<f32>>::from_scalars(height_20, (_e33 / kept), (path_23.h.z() / kept));
         let _e40 = start;
         let rest_4 = (rt::Scalar(path_23.exit) - _e40);
         let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_8.x().max(rt::Scalar(0f32)), h_8.y(), h_8.z()), rest_4);
@@ -8504,7 +8546,7 @@ impl<'g> Resources<'g> {
         params_46: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_15: rt::Scalar<f32>;
-        let mut point_14: ShellPoint;
+        let mut point_15: ShellPoint;
         let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let along_37 = pixel_64.direction.normalize();
@@ -8519,7 +8561,7 @@ impl<'g> Resources<'g> {
         let _e34 = t_15;
         let _e35 = self.v_path_height(path_26, _e34);
         let _e36 = self.v_point_of_way(pixel_64, _e8, (along_37 * ((rt::Scalar(path_26.start) + _e30) - _e7)), _e35);
-        point_14 = _e36;
+        point_15 = _e36;
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = step_2;
@@ -8530,8 +8572,8 @@ impl<'g> Resources<'g> {
                 {
                     let _e43 = step_2;
                     step_2 = (_e43 + rt::Scalar(1u32));
-                    let _e47 = rt::Scalar(point_14.height);
-                    let _e49 = point_14.weights;
+                    let _e47 = rt::Scalar(point_15.height);
+                    let _e49 = point_15.weights;
                     let _e50 = self.v_uv_of(pixel_64, _e49);
                     let _e52 = self.v_height_at(_e50, rt::Scalar(path_26.level));
                     let gap_1 = ((_e47 - _e52) - _e10);
@@ -8545,23 +8587,23 @@ impl<'g> Resources<'g> {
                         t_15 = (_e66 - (gap_1 / change_6)).clamp((rt::Scalar(hit_8.t) - most_13), (rt::Scalar(hit_8.t) + most_13));
                     }
                     let _e75 = t_15;
-                    let place_23 = (along_37 * ((rt::Scalar(path_26.start) + _e75) - _e7));
+                    let place_27 = (along_37 * ((rt::Scalar(path_26.start) + _e75) - _e7));
                     if rt::Scalar::into_branch_condition(rt::Scalar(pixel_64.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e83 = t_15;
                         let _e84 = self.v_path_height(path_26, _e83);
-                        let _e85 = self.v_shell_point_near(_e8, place_23, _e84);
-                        point_14 = _e85;
+                        let _e85 = self.v_shell_point_near(_e8, place_27, _e84);
+                        point_15 = _e85;
                     } else {
-                        let _e86 = point_14;
-                        let _e87 = self.v_shell_point_from(_e8, place_23, _e86);
-                        point_14 = _e87;
+                        let _e86 = point_15;
+                        let _e87 = self.v_shell_point_from(_e8, place_27, _e86);
+                        point_15 = _e87;
                     }
                 }
             }
         }
-        let _e91 = point_14.weights;
+        let _e91 = point_15.weights;
         let _e92 = self.v_uv_of(pixel_64, _e91);
-        let _e94 = rt::Scalar(point_14.height);
+        let _e94 = rt::Scalar(point_15.height);
         let _e95 = t_15;
         return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_8.exhausted), _e92, _e94, _e95, hit_8.cost);
     }
@@ -10140,8 +10182,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_18;
                         let _e119 = t_25;
-                        let at_139 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_4 = at_139.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_139), forward_3);
+                        let at_140 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_4 = at_140.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_140), forward_3);
                         let _e131 = t_25;
                         let far_9 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_3;
@@ -10217,14 +10259,14 @@ impl<'g> Resources<'g> {
 
         let rest_7 = (rt::Scalar(path_60.exit) - t_26);
         let _e8 = self.v_path_height(path_60, t_26);
-        let height_18 = (_e8 - apex);
+        let height_21 = (_e8 - apex);
         let terms = (path_60.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_60.exit)) * path_60.h.z().abs()));
         let _e21 = self.v_path_slope(path_60, t_26);
         let rise_4 = ((_e21 + (path_60.h.z().min(rt::Scalar(0f32)) * rest_7)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_7;
         if rt::Scalar::into_branch_condition(rise_4.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
-            most = _e34.min((height_18 / (rt::Scalar(0f32) - rise_4)));
+            most = _e34.min((height_21 / (rt::Scalar(0f32) - rise_4)));
         }
         let _e39 = most;
         let end_7 = (t_26 + _e39);
@@ -10232,7 +10274,7 @@ impl<'g> Resources<'g> {
         let far_10 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
         let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_60.h.x().abs() + (end_7 * (path_60.h.y().abs() + (end_7 * path_60.h.z().abs())))));
         let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_10.x() + far_10.y())));
-        let gap_3 = (height_18 - (rt::Scalar(2f32) * lost_2));
+        let gap_3 = (height_21 - (rt::Scalar(2f32) * lost_2));
         let _e85 = self.v_height_size(rt::Scalar(path_60.level));
         let aside_5 = (((grid_8.origin - offset_6) + (grid_8.step * t_26)) / _e85);
         let c_17 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
@@ -10263,7 +10305,7 @@ impl<'g> Resources<'g> {
         leave_6 = _e135.min(_e136);
         let _e139 = leave_6;
         let _e145 = leave_6;
-        if rt::Scalar::into_branch_condition(((slope_4 * (aside_5 + (path_60.duv * _e139)).length()) + lost_2).elementwise_le((height_18 + (rise_4 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_4 * (aside_5 + (path_60.duv * _e139)).length()) + lost_2).elementwise_le((height_21 + (rise_4 * _e145)))) {
             let _e149 = leave_6;
             return _e149;
         }
@@ -10315,8 +10357,8 @@ impl<'g> Resources<'g> {
                     let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_19;
                     let _e49 = t_27;
-                    let at_140 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_140);
+                    let at_141 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_141);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_27;
                     next_2 = _e54;
@@ -10496,10 +10538,10 @@ impl<'g> Resources<'g> {
                     let _e59 = self.v_image_of(_e57, _e4.x());
                     let _e61 = cell_21.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_24 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let place_28 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
                     let _e67 = level_30;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_24.x() >> above_level), (place_24.y() >> above_level));
+                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_28.x() >> above_level), (place_28.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
@@ -10561,7 +10603,7 @@ impl<'g> Resources<'g> {
                         cost_14 = (_e162 + _e164);
                         let _e167 = level_30;
                         let _e170 = level_30;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_24.x() >> _e167), (place_24.y() >> _e170));
+                        let node = <rt::Vec2<i32>>::from_scalars((place_28.x() >> _e167), (place_28.y() >> _e170));
                         let _e174 = level_30;
                         let _e180 = self.v_search_texel(path_62, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_62.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
@@ -10611,7 +10653,7 @@ impl<'g> Resources<'g> {
                     }
                     let _e280 = level_30;
                     let _e285 = level_30;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_24.x() >> (_e280 + rt::Scalar(1u32))), (place_24.y() >> (_e285 + rt::Scalar(1u32))));
+                    parent = <rt::Vec2<i32>>::from_scalars((place_28.x() >> (_e280 + rt::Scalar(1u32))), (place_28.y() >> (_e285 + rt::Scalar(1u32))));
                     let _e290 = t_28;
                     t_28 = _e290.max(end_9);
                 }
@@ -10723,18 +10765,18 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_25 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_29 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
                     let _e59 = level_32;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_15;
                         cost_15 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_25, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_29, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
                         let _e70 = level_32;
                         let _e73 = level_32;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_25.x() >> _e70), (place_25.y() >> _e73));
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_29.x() >> _e70), (place_29.y() >> _e73));
                         let _e76 = cost_15;
                         let _e78 = self.v_map_read(path_63, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
@@ -11801,9 +11843,9 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     fn v_look_into_frame(&self, uv_18: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_141 = ((uv_18 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_141);
-        let part_19 = (at_141 - _e8);
+        let at_142 = ((uv_18 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_142);
+        let part_19 = (at_142 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
         let x_6 = (rt::Scalar(1f32) - part_19.x());
         let y_4 = (rt::Scalar(1f32) - part_19.y());
@@ -12174,6 +12216,101 @@ impl<'g> Resources<'g> {
         let _e13 = self.v_shadow_search_stage(_e3.path);
         return rt::Scalar(0f32).select(rt::Scalar(1f32), rt::Scalar(_e13.status).elementwise_eq(FOUND_MISS));
     }
+    pub(crate) fn quarter_sine(&self, turn_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_quarter_sine(rt::into(turn_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let x_7 = (turn_1 * rt::Scalar(6.2831855f32));
+        let s_2 = (x_7 * x_7);
+        let last_10 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
+        return (x_7 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_10)))))));
+    }
+    pub(crate) fn sine_of(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_sine_of(rt::into(turn_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_sine_of(&self, turn_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let part_20 = (turn_2 - turn_2.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_20 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_20.elementwise_gt(rt::Scalar(0.5f32)));
+    }
+    pub(crate) fn turned_1(&self, turn_3: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_turned_1(rt::into(turn_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_turned_1(&self, turn_3: rt::Scalar<f32>) -> rt::Vec2<f32> {
+        let _e3 = self.v_sine_of((turn_3 + rt::Scalar(0.25f32)));
+        let _e4 = self.v_sine_of(turn_3);
+        return <rt::Vec2<f32>>::from_scalars(_e3, _e4);
+    }
+    pub(crate) fn unit_of(&self, bits: impl rt::Into<rt::Scalar<u32>>) -> f32 {
+        rt::into(self.v_unit_of(rt::into(bits)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_unit_of(&self, bits: rt::Scalar<u32>) -> rt::Scalar<f32> {
+        return ((bits >> rt::Scalar(8u32)).to_f32() / rt::Scalar(16777216f32));
+    }
+    pub(crate) fn gradient_at(
+        &self,
+        point_16: impl rt::Into<rt::Vec2<f32>>,
+        way_7: impl rt::Into<rt::Vec2<f32>>,
+        count_5: impl rt::Into<rt::Scalar<f32>>,
+        turns_1: impl rt::Into<rt::Scalar<f32>>,
+        seed_2: impl rt::Into<rt::Scalar<u32>>,
+    ) -> f32 {
+        rt::into(self.v_gradient_at(rt::into(point_16), rt::into(way_7), rt::into(count_5), rt::into(turns_1), rt::into(seed_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_gradient_at(
+        &self,
+        point_16: rt::Vec2<f32>,
+        way_7: rt::Vec2<f32>,
+        count_5: rt::Scalar<f32>,
+        turns_1: rt::Scalar<f32>,
+        seed_2: rt::Scalar<u32>,
+    ) -> rt::Scalar<f32> {
+        let _e5 = self.v_bits_of_point(point_16, count_5, seed_2);
+        let _e6 = self.v_unit_of(_e5);
+        let _e8 = self.v_turned_1((_e6 + turns_1));
+        return _e8.dot(way_7);
+    }
+    pub(crate) fn gradient_noise(
+        &self,
+        at_83: impl rt::Into<rt::Vec2<f32>>,
+        count_6: impl rt::Into<rt::Scalar<f32>>,
+        turns_2: impl rt::Into<rt::Scalar<f32>>,
+        seed_3: impl rt::Into<rt::Scalar<u32>>,
+    ) -> f32 {
+        rt::into(self.v_gradient_noise(rt::into(at_83), rt::into(count_6), rt::into(turns_2), rt::into(seed_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_gradient_noise(
+        &self,
+        at_83: rt::Vec2<f32>,
+        count_6: rt::Scalar<f32>,
+        turns_2: rt::Scalar<f32>,
+        seed_3: rt::Scalar<u32>,
+    ) -> rt::Scalar<f32> {
+        let cell_29 = at_83.floor();
+        let part_21 = (at_83 - cell_29);
+        let fade = (((part_21 * part_21) * part_21) * ((part_21 * ((part_21 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
+        let right_4 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
+        let down_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(1f32));
+        let _e24 = self.v_gradient_at(cell_29, part_21, count_6, turns_2, seed_3);
+        let _e27 = self.v_gradient_at((cell_29 + right_4), (part_21 - right_4), count_6, turns_2, seed_3);
+        let _e30 = self.v_gradient_at((cell_29 + down_1), (part_21 - down_1), count_6, turns_2, seed_3);
+        let _e35 = self.v_gradient_at(((cell_29 + right_4) + down_1), ((part_21 - right_4) - down_1), count_6, turns_2, seed_3);
+        let above_9 = (_e24 + ((_e27 - _e24) * fade.x()));
+        let below_7 = (_e30 + ((_e35 - _e30) * fade.x()));
+        return (above_9 + ((below_7 - above_9) * fade.y()));
+    }
     pub(crate) fn has_table(&self, levels: Levels) -> bool {
         rt::into(self.v_has_table(levels))
     }
@@ -12311,72 +12448,72 @@ impl<'g> Resources<'g> {
     pub(crate) fn light_place(
         &self,
         view_11: LightView,
-        point_15: impl rt::Into<rt::Vec3<f32>>,
+        point_17: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_light_place(view_11, rt::into(point_15)))
+        rt::into(self.v_light_place(view_11, rt::into(point_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_place(
         &self,
         view_11: LightView,
-        point_15: rt::Vec3<f32>,
+        point_17: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_142 = <rt::Vec4<f32>>::new_31(point_15, rt::Scalar(1f32));
-        let depth_9 = view_11.depth.dot(at_142);
+        let at_143 = <rt::Vec4<f32>>::new_31(point_17, rt::Scalar(1f32));
+        let depth_9 = view_11.depth.dot(at_143);
         let over_3 = rt::Scalar(1f32).select(depth_9, rt::Scalar(view_11.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_11.column.dot(at_142), view_11.row.dot(at_142)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_11.column.dot(at_143), view_11.row.dot(at_143)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_83: Entered,
+        at_84: Entered,
         uv_20: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_83, rt::into(uv_20)))
+        rt::into(self.v_patch_normal(at_84, rt::into(uv_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
-        at_83: Entered,
+        at_84: Entered,
         uv_20: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_83.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_83.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_84.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_84.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_20, rt::Scalar(at_83.level));
+        let _e18 = self.v_height_and_slope(uv_20, rt::Scalar(at_84.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_83.tangent + (at_83.normal * (_e18.y() * _e24)));
+        let along_u_2 = (at_84.tangent + (at_84.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_83.bitangent + (at_83.normal * (_e18.z() * _e33)));
+        let along_v_2 = (at_84.bitangent + (at_84.normal * (_e18.z() * _e33)));
         let across_8 = along_v_2.cross(along_u_2).normalize();
-        return (across_8 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_8.dot(at_83.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_8 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_8.dot(at_84.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
         view_12: LightView,
-        point_16: impl rt::Into<rt::Vec3<f32>>,
+        point_18: impl rt::Into<rt::Vec3<f32>>,
         normal_15: impl rt::Into<rt::Vec3<f32>>,
         texel_4: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_plane_depth(view_12, rt::into(point_16), rt::into(normal_15), rt::into(texel_4)))
+        rt::into(self.v_plane_depth(view_12, rt::into(point_18), rt::into(normal_15), rt::into(texel_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_depth(
         &self,
         view_12: LightView,
-        point_16: rt::Vec3<f32>,
+        point_18: rt::Vec3<f32>,
         normal_15: rt::Vec3<f32>,
         texel_4: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let corner_7 = ((view_12.corner.xyz() + (view_12.across.xyz() * texel_4.x())) + (view_12.along.xyz() * texel_4.y()));
         if rt::Scalar::into_branch_condition(rt::Scalar(view_12.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_15.dot((point_16 - view_12.eye.xyz())) / normal_15.dot(corner_7));
+            return (normal_15.dot((point_18 - view_12.eye.xyz())) / normal_15.dot(corner_7));
         }
-        return (normal_15.dot((point_16 - corner_7)) / normal_15.dot(view_12.depth.xyz()));
+        return (normal_15.dot((point_18 - corner_7)) / normal_15.dot(view_12.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
@@ -12397,24 +12534,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn row_sees(
         &self,
-        at_84: InView,
+        at_85: InView,
         row_6: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_84, rt::into(row_6), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_85, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
-        at_84: InView,
+        at_85: InView,
         row_6: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column: rt::Scalar<f32>;
 
-        let view_25 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_84.number))];
-        column = at_84.low.x().floor();
+        let view_25 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_85.number))];
+        column = at_85.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column;
@@ -12425,13 +12562,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column;
                     let _e24 = column;
-                    let wide_2 = (at_84.high.x().min((_e18 + rt::Scalar(1f32))) - at_84.low.x().max(_e24));
+                    let wide_2 = (at_85.high.x().min((_e18 + rt::Scalar(1f32))) - at_85.low.x().max(_e24));
                     let _e27 = column;
-                    let place_26 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_25, at_84.point, at_84.normal, (place_26 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_10 = _e35.clamp(rt::Scalar(at_84.least_depth), rt::Scalar(at_84.most_depth));
+                    let place_30 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
+                    let _e35 = self.v_plane_depth(view_25, at_85.point, at_85.normal, (place_30 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_10 = _e35.clamp(rt::Scalar(at_85.least_depth), rt::Scalar(at_85.most_depth));
                     let key = (rt::Scalar(view_25.near) / (rt::Scalar(view_25.near) + depth_10.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_26.to_i32(), rt::Scalar(at_84.number).to_i32());
+                    let _e48 = self.v_light_texel(place_30.to_i32(), rt::Scalar(at_85.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -12447,19 +12584,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn seen_part(
         &self,
         number_11: impl rt::Into<rt::Scalar<u32>>,
-        at_85: Entered,
+        at_86: Entered,
         normal_16: impl rt::Into<rt::Vec3<f32>>,
         place_17: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_11), at_85, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_11), at_86, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
         number_11: rt::Scalar<u32>,
-        at_85: Entered,
+        at_86: Entered,
         normal_16: rt::Vec3<f32>,
         place_17: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
@@ -12470,18 +12607,18 @@ impl<'g> Resources<'g> {
 
         let view_26 = self.frame.light_views[rt::Scalar::into_array_index(number_11)];
         let texel_m = (rt::Scalar(view_26.texel_m) * rt::Scalar(1f32).select(place_17.z(), rt::Scalar(view_26.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_85);
-        let point_28 = (at_85.point + (normal_16 * (bias * texel_m.max(_e19))));
+        let _e19 = self.v_footprint_m(at_86);
+        let point_30 = (at_86.point + (normal_16 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
         let low_9 = (place_17.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_4 = (low_9 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_10 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_26.size).to_f32(), rt::Scalar(view_26.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_11, point_28, normal_16, low_9, high_4, (place_17.z() - reach_1), (place_17.z() + reach_1));
+        let last_11 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_26.size).to_f32(), rt::Scalar(view_26.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let in_view = <InView>::new(number_11, point_30, normal_16, low_9, high_4, (place_17.z() - reach_1), (place_17.z() + reach_1));
         row_7 = low_9.y().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e55 = row_7;
-                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_10.y())) {
+                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_11.y())) {
                 } else {
                     break 'naga_break;
                 }
@@ -12491,7 +12628,7 @@ impl<'g> Resources<'g> {
                     let tall = (high_4.y().min((_e59 + rt::Scalar(1f32))) - low_9.y().max(_e64));
                     let _e67 = seen;
                     let _e68 = row_7;
-                    let _e70 = self.v_row_sees(in_view, _e68, last_10.x());
+                    let _e70 = self.v_row_sees(in_view, _e68, last_11.x());
                     seen = (_e67 + (_e70 * tall));
                     let _e73 = row_7;
                     row_7 = (_e73 + rt::Scalar(1f32));
@@ -12503,19 +12640,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_86: Entered,
+        at_87: Entered,
         uv_21: impl rt::Into<rt::Vec2<f32>>,
         number_12: impl rt::Into<rt::Scalar<u32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_86, rt::into(uv_21), rt::into(number_12), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_87, rt::into(uv_21), rt::into(number_12), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
-        at_86: Entered,
+        at_87: Entered,
         uv_21: rt::Vec2<f32>,
         number_12: rt::Scalar<u32>,
         toward_1: rt::Vec3<f32>,
@@ -12528,7 +12665,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_86, uv_21);
+        let _e14 = self.v_patch_normal(at_87, uv_21);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -12544,13 +12681,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e31 = k_30;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_86.point);
+                    let _e35 = self.v_light_place(_e33, at_87.point);
                     let _e38 = k_30;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_6));
                     if rt::Scalar::into_branch_condition(_e43) {
                         let _e44 = k_30;
-                        let _e45 = self.v_seen_part(_e44, at_86, _e14, _e35, width_6, bias_1);
+                        let _e45 = self.v_seen_part(_e44, at_87, _e14, _e35, width_6, bias_1);
                         return _e45;
                     }
                     let _e46 = k_30;
@@ -12610,40 +12747,40 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_87: Entered,
+        at_88: Entered,
         v_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_87, rt::into(v_1)))
+        rt::into(self.v_to_tangent_space(at_88, rt::into(v_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_to_tangent_space(
         &self,
-        at_87: Entered,
+        at_88: Entered,
         v_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_87.tangent.normalize();
-        let along_v_3 = at_87.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_87.normal.dot(v_1));
+        let along_u_3 = at_88.tangent.normalize();
+        let along_v_3 = at_88.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_88.normal.dot(v_1));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_88: Entered,
+        at_89: Entered,
         uv_22: impl rt::Into<rt::Vec2<f32>>,
         level_33: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_88, rt::into(uv_22), rt::into(level_33)))
+        rt::into(self.v_normals_of_level(at_89, rt::into(uv_22), rt::into(level_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_88: Entered,
+        at_89: Entered,
         uv_22: rt::Vec2<f32>,
         level_33: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_33.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_88, uv_22);
-            let _e6 = self.v_to_tangent_space(at_88, _e5);
+            let _e5 = self.v_finest_normal(at_89, uv_22);
+            let _e6 = self.v_to_tangent_space(at_89, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
@@ -12654,14 +12791,14 @@ impl<'g> Resources<'g> {
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_7 = ((tile.x() * at_88.tangent.normalize().dot(at_88.tangent)) / at_88.tangent.dot(at_88.tangent));
-        let y_5 = ((tile.y() * at_88.bitangent.normalize().dot(at_88.bitangent)) / at_88.bitangent.dot(at_88.bitangent));
+        let x_8 = ((tile.x() * at_89.tangent.normalize().dot(at_89.tangent)) / at_89.tangent.dot(at_89.tangent));
+        let y_5 = ((tile.y() * at_89.bitangent.normalize().dot(at_89.bitangent)) / at_89.bitangent.dot(at_89.bitangent));
         let _e44 = self.v_normal_at(uv_22, rt::Scalar(0i32), (level_33 - rt::Scalar(1u32)));
         let _e48 = self.v_normal_at(uv_22, rt::Scalar(1i32), (level_33 - rt::Scalar(1u32)));
-        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_7), (_e44.y() * y_5), _e44.z());
+        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_8), (_e44.y() * y_5), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
-        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_7) * x_7), ((_e48.y() * x_7) * y_5), ((_e48.z() * y_5) * y_5)) * longer_1);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_7)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_5)));
+        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_8) * x_8), ((_e48.y() * x_8) * y_5), ((_e48.z() * y_5) * y_5)) * longer_1);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_8)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_5)));
     }
     pub(crate) fn sum_of_four(&self, four_1: impl rt::Into<rt::Vec4<f32>>) -> f32 {
         rt::into(self.v_sum_of_four(rt::into(four_1)))
@@ -12673,16 +12810,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_89: Entered,
+        at_90: Entered,
         normals: Normals,
         view_14: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_89, normals, rt::into(view_14)))
+        rt::into(self.v_seen_normals(at_90, normals, rt::into(view_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_89: Entered,
+        at_90: Entered,
         normals: Normals,
         view_14: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -12690,10 +12827,10 @@ impl<'g> Resources<'g> {
         let second_5 = normals.second;
         let slope_12 = <rt::Vec2<f32>>::from_scalars(first_17.w(), second_5.w());
         let upright_1 = first_17.z().max(rt::Scalar(0.05f32));
-        let x_8 = (first_17.x() / upright_1);
+        let x_9 = (first_17.x() / upright_1);
         let y_6 = (first_17.y() / upright_1);
-        let a_28 = ((second_5.x() / upright_1) - (x_8 * x_8)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_28 = (((second_5.y() / upright_1) - (x_8 * y_6)) / a_28);
+        let a_28 = ((second_5.x() / upright_1) - (x_9 * x_9)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_28 = (((second_5.y() / upright_1) - (x_9 * y_6)) / a_28);
         let spread = ((second_5.z() / upright_1) - (y_6 * y_6)).max(rt::Scalar(0f32));
         let d_2 = (spread - (b_28 * b_28)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
         let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_17.x())) - (first_17.xyz() * slope_12.x()));
@@ -12702,7 +12839,7 @@ impl<'g> Resources<'g> {
         let along_38 = (with_x / rt::Vec3::splat_from_scalar(a_28.max((with_x.length() / most_16))));
         let rest_9 = (with_y - (along_38 * b_28));
         let across_9 = (rest_9 / rt::Vec3::splat_from_scalar(d_2.max((rest_9.length() / most_16))));
-        let _e77 = self.v_to_tangent_space(at_89, view_14);
+        let _e77 = self.v_to_tangent_space(at_90, view_14);
         let middle_15 = (_e77.z() - _e77.xy().dot(slope_12));
         let _e91 = self.v_facing_four(middle_15, (-((_e77.x() * a_28) + (_e77.y() * b_28))), (-(_e77.y() * d_2)));
         let one = middle_15.max(rt::Scalar(0f32));
@@ -12710,36 +12847,36 @@ impl<'g> Resources<'g> {
         let _e95 = self.v_mean_of_five(one, _e94);
         let all_1 = _e95.max(rt::Scalar(0.001f32));
         let aside_8 = ((along_38 * ((_e91.x() - _e91.y()) / all_1)) + (across_9 * ((_e91.z() - _e91.w()) / all_1)));
-        let _e113 = self.v_from_tangent_space(at_89, (first_17.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
+        let _e113 = self.v_from_tangent_space(at_90, (first_17.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
         return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_17.xyz(), along_38, across_9, slope_12, <rt::Vec2<f32>>::from_scalars(a_28, b_28), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_90: Entered) -> f32 {
-        rt::into(self.v_table_part(at_90))
+    pub(crate) fn table_part(&self, at_91: Entered) -> f32 {
+        rt::into(self.v_table_part(at_91))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_table_part(&self, at_90: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_91: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_90.fade) * ((rt::Scalar(at_90.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_91.fade) * ((rt::Scalar(at_91.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_91: Entered,
+        at_92: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_91, seen_1, table, rt::into(part_6)))
+        rt::into(self.v_with_table(at_92, seen_1, table, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_with_table(
         &self,
-        at_91: Entered,
+        at_92: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: rt::Scalar<f32>,
@@ -12748,7 +12885,7 @@ impl<'g> Resources<'g> {
 
         told = seen_1;
         let before_4 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_91, table.mean);
+        let _e9 = self.v_from_tangent_space(at_92, table.mean);
         let mean_4 = (before_4 + ((_e9 - before_4) * part_6));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
@@ -12826,22 +12963,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_92: Entered,
+        at_93: Entered,
         uv_25: impl rt::Into<rt::Vec2<f32>>,
         view_15: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_92, rt::into(uv_25), rt::into(view_15), levels_2))
+        rt::into(self.v_table_of(at_93, rt::into(uv_25), rt::into(view_15), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_92: Entered,
+        at_93: Entered,
         uv_25: rt::Vec2<f32>,
         view_15: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_92, view_15);
+        let _e4 = self.v_climb(at_93, view_15);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_7 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
@@ -12861,26 +12998,26 @@ impl<'g> Resources<'g> {
         let _e52 = self.v_seen_in_levels(uv_25, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_10);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_9 = ((tile_1.x() * at_92.tangent.normalize().dot(at_92.tangent)) / at_92.tangent.dot(at_92.tangent));
-        let y_7 = ((tile_1.y() * at_92.bitangent.normalize().dot(at_92.bitangent)) / at_92.bitangent.dot(at_92.bitangent));
+        let x_10 = ((tile_1.x() * at_93.tangent.normalize().dot(at_93.tangent)) / at_93.tangent.dot(at_93.tangent));
+        let y_7 = ((tile_1.y() * at_93.bitangent.normalize().dot(at_93.bitangent)) / at_93.bitangent.dot(at_93.bitangent));
         let mean_5 = _e56.first.xyz();
-        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_9), (mean_5.y() * y_7), mean_5.z());
+        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_10), (mean_5.y() * y_7), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
         let upright_2 = ((rt::Scalar(1f32) - _e56.first.w()) - _e56.second.y()).max(rt::Scalar(0f32));
-        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_9) * x_9), ((_e56.second.y() * y_7) * y_7), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_9) * y_7), (_e56.second.z() * x_9), (_e56.second.w() * y_7)) * squared_3));
+        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_10) * x_10), ((_e56.second.y() * y_7) * y_7), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_10) * y_7), (_e56.second.z() * x_10), (_e56.second.w() * y_7)) * squared_3));
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_93: Entered,
+        at_94: Entered,
         uv_26: impl rt::Into<rt::Vec2<f32>>,
         view_16: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_93, rt::into(uv_26), rt::into(view_16)))
+        rt::into(self.v_mesostructure_normals(at_94, rt::into(uv_26), rt::into(view_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_93: Entered,
+        at_94: Entered,
         uv_26: rt::Vec2<f32>,
         view_16: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -12890,14 +13027,14 @@ impl<'g> Resources<'g> {
 
         let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_93.normal);
+            let _e9 = self.v_one_seen(at_94.normal);
             return _e9;
         }
-        let upright_3 = at_93.normal.dot(view_16);
+        let upright_3 = at_94.normal.dot(view_16);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_93.fade)));
+        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_94.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_6 = ((rt::Scalar(at_93.footprint) * _e22) * width_7);
+        let texels_6 = ((rt::Scalar(at_94.footprint) * _e22) * width_7);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_6, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
@@ -12907,15 +13044,15 @@ impl<'g> Resources<'g> {
         }
         let _e39 = local_94;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_93, uv_26);
+            let _e40 = self.v_finest_normal(at_94, uv_26);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_93, uv_26, rt::Scalar(_e28.fine));
+        let _e43 = self.v_normals_of_level(at_94, uv_26, rt::Scalar(_e28.fine));
         first_6 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_93, uv_26, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e54 = self.v_normals_of_level(at_94, uv_26, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
             let _e55 = first_6;
             let _e57 = first_6;
             first_6 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
@@ -12925,15 +13062,15 @@ impl<'g> Resources<'g> {
         }
         let _e69 = first_6;
         let _e70 = second;
-        let _e72 = self.v_seen_normals(at_93, <Normals>::new(_e69, _e70), view_16);
-        let _e73 = self.v_table_part(at_93);
+        let _e72 = self.v_seen_normals(at_94, <Normals>::new(_e69, _e70), view_16);
+        let _e73 = self.v_table_part(at_94);
         if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
             let _e79 = rt::Scalar(self.surface_settings.height_levels);
-            let _e80 = self.v_levels_of(rt::Scalar(at_93.footprint), _e79);
+            let _e80 = self.v_levels_of(rt::Scalar(at_94.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_93, uv_26, view_16, _e80);
-                let _e83 = self.v_with_table(at_93, _e72, _e82, _e73);
+                let _e82 = self.v_table_of(at_94, uv_26, view_16, _e80);
+                let _e83 = self.v_with_table(at_94, _e72, _e82, _e73);
                 return _e83;
             }
         }
@@ -12941,39 +13078,39 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_94: Entered,
+        at_95: Entered,
         hit_24: Hit,
         light_5: Toward,
         params_81: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_94, hit_24, light_5, rt::into(params_81)))
+        rt::into(self.v_shadow_ray(at_95, hit_24, light_5, rt::into(params_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_ray(
         &self,
-        at_94: Entered,
+        at_95: Entered,
         hit_24: Hit,
         light_5: Toward,
         params_81: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_94, hit_24, light_5);
+        let _e4 = self.v_free_way(at_95, hit_24, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_95: Entered,
+        at_96: Entered,
         hit_25: Hit,
         light_6: Toward,
         params_82: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_95, hit_25, light_6, rt::into(params_82)))
+        rt::into(self.v_shadow_none(at_96, hit_25, light_6, rt::into(params_82)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_none(
         &self,
-        at_95: Entered,
+        at_96: Entered,
         hit_25: Hit,
         light_6: Toward,
         params_82: rt::Vec4<f32>,
@@ -12982,22 +13119,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_96: Entered,
+        at_97: Entered,
         hit_26: Hit,
         light_7: Toward,
         params_83: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_96, hit_26, light_7, rt::into(params_83)))
+        rt::into(self.v_shadow_entry(at_97, hit_26, light_7, rt::into(params_83)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_96: Entered,
+        at_97: Entered,
         hit_26: Hit,
         light_7: Toward,
         params_83: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_96, hit_26, light_7);
+        let _e4 = self.v_from_hit(at_97, hit_26, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -13008,9 +13145,9 @@ impl<'g> Resources<'g> {
         let _e16 = self.v_path_height(_e4, _e11);
         let _e17 = self.v_path_uv(_e4, _e11);
         let _e29 = self.v_base_height();
-        let down_1 = <Path>::new(_e17, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e4.duv), <rt::Vec3<f32>>::from_scalars(_e16, (rt::Scalar(0f32) - _e4.h.y()), rt::Scalar(0f32)), _e11, ((_e16 - _e29) / _e4.h.y()), _e4.metric, RAY_VIEW, rt::Scalar(_e4.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
-        let _e41 = self.v_search_stage(down_1);
-        let _e42 = self.v_refine_stage(down_1, _e41);
+        let down_2 = <Path>::new(_e17, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e4.duv), <rt::Vec3<f32>>::from_scalars(_e16, (rt::Scalar(0f32) - _e4.h.y()), rt::Scalar(0f32)), _e11, ((_e16 - _e29) / _e4.h.y()), _e4.metric, RAY_VIEW, rt::Scalar(_e4.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        let _e41 = self.v_search_stage(down_2);
+        let _e42 = self.v_refine_stage(down_2, _e41);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e42.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
@@ -13018,120 +13155,61 @@ impl<'g> Resources<'g> {
         let apart_4 = ((_e42.uv - _e4.uv).abs() * _e52);
         return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_83.x()));
     }
-    pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
-        rt::into(self.v_mixed(rt::into(seed)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_mixed(&self, seed: rt::Scalar<u32>) -> rt::Scalar<u32> {
-        let mut x_2: rt::Scalar<u32>;
-
-        x_2 = (seed ^ (seed >> rt::Scalar(16u32)));
-        let _e5 = x_2;
-        x_2 = (_e5 * rt::Scalar(2146121005u32));
-        let _e8 = x_2;
-        let _e9 = x_2;
-        x_2 = (_e8 ^ (_e9 >> rt::Scalar(15u32)));
-        let _e13 = x_2;
-        x_2 = (_e13 * rt::Scalar(2221713035u32));
-        let _e16 = x_2;
-        let _e17 = x_2;
-        return (_e16 ^ (_e17 >> rt::Scalar(16u32)));
-    }
     pub(crate) fn seed_of(&self, hit_27: Hit) -> u32 {
         rt::into(self.v_seed_of(hit_27))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seed_of(&self, hit_27: Hit) -> rt::Scalar<u32> {
-        let place_27 = ((hit_27.uv - hit_27.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
-        let _e10 = self.v_mixed(place_27.y());
-        let _e12 = self.v_mixed((place_27.x() ^ _e10));
+        let place_31 = ((hit_27.uv - hit_27.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+        let _e10 = self.v_mixed(place_31.y());
+        let _e12 = self.v_mixed((place_31.x() ^ _e10));
         return _e12;
-    }
-    pub(crate) fn unit_of(&self, bits: impl rt::Into<rt::Scalar<u32>>) -> f32 {
-        rt::into(self.v_unit_of(rt::into(bits)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_unit_of(&self, bits: rt::Scalar<u32>) -> rt::Scalar<f32> {
-        return ((bits >> rt::Scalar(8u32)).to_f32() / rt::Scalar(16777216f32));
-    }
-    pub(crate) fn quarter_sine(&self, turn_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_quarter_sine(rt::into(turn_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_10 = (turn_1 * rt::Scalar(6.2831855f32));
-        let s_2 = (x_10 * x_10);
-        let last_11 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
-        return (x_10 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_11)))))));
-    }
-    pub(crate) fn sine_of(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_sine_of(rt::into(turn_2)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_sine_of(&self, turn_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_20 = (turn_2 - turn_2.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_20 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_20.elementwise_gt(rt::Scalar(0.5f32)));
-    }
-    pub(crate) fn turned_1(&self, turn_3: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_turned_1(rt::into(turn_3)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_turned_1(&self, turn_3: rt::Scalar<f32>) -> rt::Vec2<f32> {
-        let _e3 = self.v_sine_of((turn_3 + rt::Scalar(0.25f32)));
-        let _e4 = self.v_sine_of(turn_3);
-        return <rt::Vec2<f32>>::from_scalars(_e3, _e4);
     }
     pub(crate) fn point_of_disc(
         &self,
         light_8: Toward,
-        seed_1: impl rt::Into<rt::Scalar<u32>>,
+        seed_4: impl rt::Into<rt::Scalar<u32>>,
         k_31: impl rt::Into<rt::Scalar<u32>>,
-        count_4: impl rt::Into<rt::Scalar<u32>>,
+        count_7: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_31), rt::into(count_4)))
+        rt::into(self.v_point_of_disc(light_8, rt::into(seed_4), rt::into(k_31), rt::into(count_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_disc(
         &self,
         light_8: Toward,
-        seed_1: rt::Scalar<u32>,
+        seed_4: rt::Scalar<u32>,
         k_31: rt::Scalar<u32>,
-        count_4: rt::Scalar<u32>,
+        count_7: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_1 + k_31) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_4 + k_31) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_31.to_f32() + _e9) / count_4.to_f32());
-        let _e16 = self.v_unit_of(seed_1);
+        let ring = ((k_31.to_f32() + _e9) / count_7.to_f32());
+        let _e16 = self.v_unit_of(seed_4);
         let _e18 = self.v_turned_1(((k_31.to_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_28 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
+        let place_32 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
-        let right_4 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
-        let up_5 = light_8.direction.cross(right_4);
-        let toward_8 = ((light_8.direction + (right_4 * place_28.x())) + (up_5 * place_28.y()));
+        let right_5 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
+        let up_5 = light_8.direction.cross(right_5);
+        let toward_8 = ((light_8.direction + (right_5 * place_32.x())) + (up_5 * place_32.y()));
         let along_39 = toward_8.length();
         return <Toward>::new((toward_8 / rt::Vec3::splat_from_scalar(along_39)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_39), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_97: Entered,
+        at_98: Entered,
         hit_28: Hit,
         light_9: Toward,
         params_84: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_97, hit_28, light_9, rt::into(params_84)))
+        rt::into(self.v_shadow_soft(at_98, hit_28, light_9, rt::into(params_84)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_97: Entered,
+        at_98: Entered,
         hit_28: Hit,
         light_9: Toward,
         params_84: rt::Vec4<f32>,
@@ -13139,20 +13217,20 @@ impl<'g> Resources<'g> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_32: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_7 = params_84.x().to_u32();
+        let count_11 = params_84.x().to_u32();
         let _e6 = self.v_seed_of(hit_28);
         'naga_break: loop {
             'naga_continue: {
                 let _e11 = k_32;
-                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_7)) {
+                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_11)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
                     let _e14 = k_32;
-                    let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_7);
-                    let _e16 = self.v_free_way(at_97, hit_28, _e15);
+                    let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_11);
+                    let _e16 = self.v_free_way(at_98, hit_28, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_32;
                     k_32 = (_e18 + rt::Scalar(1u32));
@@ -13160,21 +13238,21 @@ impl<'g> Resources<'g> {
             }
         }
         let _e21 = free;
-        return (_e21 / count_7.to_f32());
+        return (_e21 / count_11.to_f32());
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_98: Entered,
+        at_99: Entered,
         hit_29: Hit,
         light_10: Toward,
         params_85: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_98, hit_29, light_10, rt::into(params_85)))
+        rt::into(self.v_shadow_heuristic(at_99, hit_29, light_10, rt::into(params_85)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_98: Entered,
+        at_99: Entered,
         hit_29: Hit,
         light_10: Toward,
         params_85: rt::Vec4<f32>,
@@ -13182,7 +13260,7 @@ impl<'g> Resources<'g> {
         let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_33: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_98, hit_29, light_10);
+        let _e4 = self.v_from_hit(at_99, hit_29, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -13196,10 +13274,10 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e19 = k_33;
-                    let part_21 = (_e19 / params_85.x());
+                    let part_22 = (_e19 / params_85.x());
                     let _e22 = most_2;
-                    let _e24 = self.v_path_gap(_e4, (part_21 * _e11));
-                    most_2 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_21)));
+                    let _e24 = self.v_path_gap(_e4, (part_22 * _e11));
+                    most_2 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_22)));
                     let _e31 = k_33;
                     k_33 = (_e31 + rt::Scalar(1f32));
                 }
@@ -13247,31 +13325,31 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_36);
         let _e4 = self.v_texels_around(uv_27, _e3);
-        let k_45 = level_36.to_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_45);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_45);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_45);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_45);
+        let k_47 = level_36.to_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_47);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_47);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_47);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_47);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
-    pub(crate) fn own_slope(&self, way_7: Path) -> f32 {
-        rt::into(self.v_own_slope(way_7))
+    pub(crate) fn own_slope(&self, way_8: Path) -> f32 {
+        rt::into(self.v_own_slope(way_8))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_own_slope(&self, way_7: Path) -> rt::Scalar<f32> {
+    fn v_own_slope(&self, way_8: Path) -> rt::Scalar<f32> {
         let mut level_37: Path;
 
-        let _e1 = self.v_grid_of(way_7);
+        let _e1 = self.v_grid_of(way_8);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_16 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_37 = way_7;
-        level_37.h = <rt::Vec3<f32>>::from_scalars(way_7.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        level_37 = way_8;
+        level_37.h = <rt::Vec3<f32>>::from_scalars(way_8.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
         rt::Scalar(level_37.exit) = end_16;
         let _e18 = level_37;
-        let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_7.level));
+        let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_8.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_16))));
     }
@@ -13287,42 +13365,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_99: Entered,
+        at_100: Entered,
         hit_30: Hit,
         light_11: Toward,
         params_86: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_99, hit_30, light_11, rt::into(params_86)))
+        rt::into(self.v_shadow_horizon(at_100, hit_30, light_11, rt::into(params_86)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_99: Entered,
+        at_100: Entered,
         hit_30: Hit,
         light_11: Toward,
         params_86: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_99, light_11.direction);
+        let _e5 = self.v_climb(at_100, light_11.direction);
         let map_6 = self.surface_settings.maps[3usize];
         let along_40 = (_e5.xy() * map_6.tile_m);
         let _e13 = self.v_turn_of(along_40);
         let azimuth_4 = (_e13 * params_86.x());
         let first_18 = azimuth_4.floor();
-        let count_8 = params_86.x().to_i32();
-        let before_5 = (first_18.to_i32() % count_8);
-        let part_22 = (azimuth_4 - first_18);
-        let _e24 = self.v_shadow_texel_between(hit_30.uv, before_5, rt::Scalar(at_99.level));
+        let count_12 = params_86.x().to_i32();
+        let before_5 = (first_18.to_i32() % count_12);
+        let part_23 = (azimuth_4 - first_18);
+        let _e24 = self.v_shadow_texel_between(hit_30.uv, before_5, rt::Scalar(at_100.level));
         let low_10 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_30.uv, ((before_5 + rt::Scalar(1i32)) % count_8), rt::Scalar(at_99.level));
-        let sine_1 = (low_10 + ((_e31.x() - low_10) * part_22));
+        let _e31 = self.v_shadow_texel_between(hit_30.uv, ((before_5 + rt::Scalar(1i32)) % count_12), rt::Scalar(at_100.level));
+        let sine_1 = (low_10 + ((_e31.x() - low_10) * part_23));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
         let far_14 = (squared_4 * along_40.dot(along_40)).sqrt();
-        let _e48 = self.v_from_hit(at_99, hit_30, light_11);
+        let _e48 = self.v_from_hit(at_100, hit_30, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_9 = (_e49 * _e52);
         let horizon = far_14.max(near_9);
-        let up_6 = at_99.normal.dot(light_11.direction);
+        let up_6 = at_100.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
@@ -13336,53 +13414,53 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn open_part(
         &self,
-        at_100: Entered,
+        at_101: Entered,
         hit_31: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_100, hit_31, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_101, hit_31, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_open_part(
         &self,
-        at_100: Entered,
+        at_101: Entered,
         hit_31: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_31.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_100.level));
+        let _e9 = self.v_shadow_texel_between(hit_31.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_101.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_101: Entered,
+        at_102: Entered,
         hit_32: Hit,
         light_12: Toward,
         params_87: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_101, hit_32, light_12, rt::into(params_87)))
+        rt::into(self.v_shadow_visibility(at_102, hit_32, light_12, rt::into(params_87)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_101: Entered,
+        at_102: Entered,
         hit_32: Hit,
         light_12: Toward,
         params_87: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_101, light_12.direction);
+        let _e5 = self.v_climb(at_102, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_7 = self.surface_settings.maps[3usize];
         let along_41 = (_e5.xy() * map_7.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
-        let height_19 = (_e5.z() * _e21);
-        let squared_5 = ((height_19 * height_19) / (along_41.dot(along_41) + (height_19 * height_19)));
+        let height_22 = (_e5.z() * _e21);
+        let squared_5 = ((height_22 * height_22) / (along_41.dot(along_41) + (height_22 * height_22)));
         let azimuths = params_87.x().to_i32();
         let elevations_1 = params_87.y().to_i32();
         let _e32 = self.v_turn_of(along_41);
@@ -13390,7 +13468,7 @@ impl<'g> Resources<'g> {
         let elevation_4 = ((squared_5 * params_87.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_87.y() - rt::Scalar(1f32)));
         if rt::Scalar::into_branch_condition(params_87.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_29 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_101, hit_32, a_29, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_102, hit_32, a_29, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().to_i32() % azimuths);
@@ -13399,129 +13477,129 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_101, hit_32, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_101, hit_32, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_102, hit_32, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_102, hit_32, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_101, hit_32, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_102, hit_32, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_101, hit_32, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_102, hit_32, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_102: Entered,
+        at_103: Entered,
         hit_33: Hit,
         light_13: Toward,
         params_88: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_102, hit_33, light_13, rt::into(params_88)))
+        rt::into(self.v_shadow_map(at_103, hit_33, light_13, rt::into(params_88)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_map(
         &self,
-        at_102: Entered,
+        at_103: Entered,
         hit_33: Hit,
         light_13: Toward,
         params_88: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_102, hit_33.uv, rt::Scalar(light_13.number), light_13.direction, params_88.z(), params_88.w());
+        let _e9 = self.v_light_seen(at_103, hit_33.uv, rt::Scalar(light_13.number), light_13.direction, params_88.z(), params_88.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_103: Entered,
+        at_104: Entered,
         hit_34: Hit,
         light_14: Toward,
         params_89: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_103, hit_34, light_14, rt::into(params_89)))
+        rt::into(self.v_shadow_scene(at_104, hit_34, light_14, rt::into(params_89)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_scene(
         &self,
-        at_103: Entered,
+        at_104: Entered,
         hit_34: Hit,
         light_14: Toward,
         params_89: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_104: Entered, hit_35: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_104, hit_35, light_15))
+    pub(crate) fn shadow_stage(&self, at_105: Entered, hit_35: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_105, hit_35, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_104: Entered, hit_35: Hit, light_15: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_105: Entered, hit_35: Hit, light_15: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[8usize].params;
-                let _e13 = self.v_shadow_ray(at_104, hit_35, light_15, _e12);
+                let _e13 = self.v_shadow_ray(at_105, hit_35, light_15, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[8usize].params;
-                let _e19 = self.v_shadow_none(at_104, hit_35, light_15, _e18);
+                let _e19 = self.v_shadow_none(at_105, hit_35, light_15, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[8usize].params;
-                let _e25 = self.v_shadow_entry(at_104, hit_35, light_15, _e24);
+                let _e25 = self.v_shadow_entry(at_105, hit_35, light_15, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[8usize].params;
-                let _e31 = self.v_shadow_soft(at_104, hit_35, light_15, _e30);
+                let _e31 = self.v_shadow_soft(at_105, hit_35, light_15, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[8usize].params;
-                let _e37 = self.v_shadow_heuristic(at_104, hit_35, light_15, _e36);
+                let _e37 = self.v_shadow_heuristic(at_105, hit_35, light_15, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[8usize].params;
-                let _e43 = self.v_shadow_horizon(at_104, hit_35, light_15, _e42);
+                let _e43 = self.v_shadow_horizon(at_105, hit_35, light_15, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[8usize].params;
-                let _e49 = self.v_shadow_visibility(at_104, hit_35, light_15, _e48);
+                let _e49 = self.v_shadow_visibility(at_105, hit_35, light_15, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[8usize].params;
-                let _e55 = self.v_shadow_map(at_104, hit_35, light_15, _e54);
+                let _e55 = self.v_shadow_map(at_105, hit_35, light_15, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[8usize].params;
-                let _e61 = self.v_shadow_scene(at_104, hit_35, light_15, _e60);
+                let _e61 = self.v_shadow_scene(at_105, hit_35, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_83: PixelIn, at_105: Entered, hit_36: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_83, at_105, hit_36))
+    pub(crate) fn mirrored_light(&self, pixel_83: PixelIn, at_106: Entered, hit_36: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_83, at_106, hit_36))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_83: PixelIn, at_105: Entered, hit_36: Hit) -> rt::Scalar<f32> {
+    fn v_mirrored_light(&self, pixel_83: PixelIn, at_106: Entered, hit_36: Hit) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_36.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
-        let down_2 = pixel_83.direction.normalize();
-        let up_7 = (down_2 - (at_105.normal * (rt::Scalar(2f32) * down_2.dot(at_105.normal))));
-        let _e24 = self.v_shadow_stage(at_105, hit_36, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs()), rt::Scalar(0u32)));
+        let down_3 = pixel_83.direction.normalize();
+        let up_7 = (down_3 - (at_106.normal * (rt::Scalar(2f32) * down_3.dot(at_106.normal))));
+        let _e24 = self.v_shadow_stage(at_106, hit_36, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_3.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
-    pub(crate) fn normal_of_frames(&self, at_106: Entered, frames_2: Frames) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_frames(at_106, frames_2))
+    pub(crate) fn normal_of_frames(&self, at_107: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_frames(at_107, frames_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_of_frames(&self, at_106: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+    fn v_normal_of_frames(&self, at_107: Entered, frames_2: Frames) -> rt::Vec3<f32> {
         let mut sum_3: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let mut k_34: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut seen_2: Entered;
@@ -13537,13 +13615,13 @@ impl<'g> Resources<'g> {
                     let _e12 = k_34;
                     let _e13 = self.v_frame_number(frames_2, _e12);
                     let _e14 = self.v_image_of_object(_e13);
-                    seen_2 = at_106;
+                    seen_2 = at_107;
                     let _e17 = self.v_tangent_of_image(_e14);
                     seen_2.tangent = _e17;
                     let _e19 = self.v_bitangent_of_image(_e14);
                     seen_2.bitangent = _e19;
                     seen_2.normal = _e14.toward;
-                    let _e23 = self.v_place_in_image(_e14, at_106.point);
+                    let _e23 = self.v_place_in_image(_e14, at_107.point);
                     let uv_39 = _e23.xy();
                     let _e25 = sum_3;
                     let _e26 = seen_2;
@@ -13563,7 +13641,7 @@ impl<'g> Resources<'g> {
             let _e40 = sum_3;
             return (_e40 / rt::Vec3::splat_from_scalar(square_4.sqrt()));
         }
-        return at_106.normal;
+        return at_107.normal;
     }
     pub(crate) fn rise_of_mask(&self, uv_28: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_rise_of_mask(rt::into(uv_28)))
@@ -13572,11 +13650,11 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     fn v_rise_of_mask(&self, uv_28: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_143 = ((uv_28 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_143);
+        let at_144 = ((uv_28 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_144);
         let _e11 = self.v_object_cell_stage(_e8.to_i32(), rt::Scalar(0u32));
-        let part_23 = (at_143 - _e8);
-        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_23.y())) + ((_e11.w() - _e11.z()) * part_23.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_23.x())) + ((_e11.w() - _e11.y()) * part_23.x())));
+        let part_24 = (at_144 - _e8);
+        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_24.y())) + ((_e11.w() - _e11.z()) * part_24.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_24.x())) + ((_e11.w() - _e11.y()) * part_24.x())));
     }
     pub(crate) fn normal_of_mask(
         &self,
@@ -13595,9 +13673,9 @@ impl<'g> Resources<'g> {
         within: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_rise_of_mask(uv_29);
-        let place_29 = ((uv_29 - image_12.corner) / image_12.extent);
-        let along_u_4 = (image_12.u.xyz() - (image_12.depth.xyz() * place_29.x())).normalize();
-        let along_v_4 = (image_12.v.xyz() - (image_12.depth.xyz() * place_29.y())).normalize();
+        let place_33 = ((uv_29 - image_12.corner) / image_12.extent);
+        let along_u_4 = (image_12.u.xyz() - (image_12.depth.xyz() * place_33.x())).normalize();
+        let along_v_4 = (image_12.v.xyz() - (image_12.depth.xyz() * place_33.y())).normalize();
         let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (along_u_4 * _e3.x())) - (along_v_4 * _e3.y()));
         let square_5 = outward.dot(outward);
         if rt::Scalar::into_branch_condition(square_5.elementwise_gt(rt::Scalar(0f32))) {
@@ -13607,100 +13685,100 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_blend_color(
         &self,
-        at_107: Entered,
+        at_108: Entered,
         hit_37: Hit,
         view_17: impl rt::Into<rt::Vec3<f32>>,
         params_90: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_blend_color(at_107, hit_37, rt::into(view_17), rt::into(params_90)))
+        rt::into(self.v_object_blend_color(at_108, hit_37, rt::into(view_17), rt::into(params_90)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_blend_color(
         &self,
-        at_107: Entered,
+        at_108: Entered,
         hit_37: Hit,
         view_17: rt::Vec3<f32>,
         params_90: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_107, view_17, params_90.z());
+        let _e5 = self.v_color_of_object(at_108, view_17, params_90.z());
         return _e5;
     }
     pub(crate) fn object_none_color(
         &self,
-        at_108: Entered,
+        at_109: Entered,
         hit_38: Hit,
         view_18: impl rt::Into<rt::Vec3<f32>>,
         params_91: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_none_color(at_108, hit_38, rt::into(view_18), rt::into(params_91)))
+        rt::into(self.v_object_none_color(at_109, hit_38, rt::into(view_18), rt::into(params_91)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_none_color(
         &self,
-        at_108: Entered,
+        at_109: Entered,
         hit_38: Hit,
         view_18: rt::Vec3<f32>,
         params_91: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e6 = self.v_color_or_white(hit_38.uv, rt::Scalar(at_108.footprint));
+        let _e6 = self.v_color_or_white(hit_38.uv, rt::Scalar(at_109.footprint));
         return _e6;
     }
     pub(crate) fn object_depth_color(
         &self,
-        at_109: Entered,
+        at_110: Entered,
         hit_39: Hit,
         view_19: impl rt::Into<rt::Vec3<f32>>,
         params_92: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_depth_color(at_109, hit_39, rt::into(view_19), rt::into(params_92)))
+        rt::into(self.v_object_depth_color(at_110, hit_39, rt::into(view_19), rt::into(params_92)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_depth_color(
         &self,
-        at_109: Entered,
+        at_110: Entered,
         hit_39: Hit,
         view_19: rt::Vec3<f32>,
         params_92: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_109, view_19, params_92.z());
+        let _e5 = self.v_color_of_object(at_110, view_19, params_92.z());
         return _e5;
     }
     pub(crate) fn object_hull_color(
         &self,
-        at_110: Entered,
+        at_111: Entered,
         hit_40: Hit,
         view_20: impl rt::Into<rt::Vec3<f32>>,
         params_93: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_hull_color(at_110, hit_40, rt::into(view_20), rt::into(params_93)))
+        rt::into(self.v_object_hull_color(at_111, hit_40, rt::into(view_20), rt::into(params_93)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_hull_color(
         &self,
-        at_110: Entered,
+        at_111: Entered,
         hit_40: Hit,
         view_20: rt::Vec3<f32>,
         params_93: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_110, view_20, params_93.z());
+        let _e5 = self.v_color_of_object(at_111, view_20, params_93.z());
         return _e5;
     }
     pub(crate) fn object_color_stage(
         &self,
-        at_111: Entered,
+        at_112: Entered,
         hit_41: Hit,
         view_21: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color_stage(at_111, hit_41, rt::into(view_21)))
+        rt::into(self.v_object_color_stage(at_112, hit_41, rt::into(view_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_color_stage(
         &self,
-        at_111: Entered,
+        at_112: Entered,
         hit_41: Hit,
         view_21: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
@@ -13708,22 +13786,22 @@ impl<'g> Resources<'g> {
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[3usize].params;
-                let _e13 = self.v_object_none_color(at_111, hit_41, view_21, _e12);
+                let _e13 = self.v_object_none_color(at_112, hit_41, view_21, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[3usize].params;
-                let _e19 = self.v_object_depth_color(at_111, hit_41, view_21, _e18);
+                let _e19 = self.v_object_depth_color(at_112, hit_41, view_21, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[3usize].params;
-                let _e25 = self.v_object_hull_color(at_111, hit_41, view_21, _e24);
+                let _e25 = self.v_object_hull_color(at_112, hit_41, view_21, _e24);
                 return _e25;
             }
             _ => {
                 let _e30 = self.surface_settings.choices[3usize].params;
-                let _e31 = self.v_object_blend_color(at_111, hit_41, view_21, _e30);
+                let _e31 = self.v_object_blend_color(at_112, hit_41, view_21, _e30);
                 return _e31;
             }
         }
@@ -13778,9 +13856,9 @@ impl<'g> Resources<'g> {
         c_9: Corner,
         shell_4: Shell,
         side_3: impl rt::Into<rt::Scalar<f32>>,
-        point_17: impl rt::Into<rt::Vec2<f32>>,
+        point_19: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_14, b_14, c_9, shell_4, rt::into(side_3), rt::into(point_17)))
+        rt::into(self.v_pixel_of(a_14, b_14, c_9, shell_4, rt::into(side_3), rt::into(point_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13791,35 +13869,35 @@ impl<'g> Resources<'g> {
         c_9: Corner,
         shell_4: Shell,
         side_3: rt::Scalar<f32>,
-        point_17: rt::Vec2<f32>,
+        point_19: rt::Vec2<f32>,
     ) -> PixelIn {
-        let _e6 = self.v_pixel_eye(point_17);
-        let _e7 = self.v_pixel_direction(point_17);
+        let _e6 = self.v_pixel_eye(point_19);
+        let _e7 = self.v_pixel_direction(point_19);
         return <PixelIn>::new(_e6, _e7, side_3, a_14, b_14, c_9, shell_4);
     }
     pub(crate) fn placed_over(
         &self,
-        at_112: Entered,
+        at_113: Entered,
         uv_30: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_over(at_112, rt::into(uv_30)))
+        rt::into(self.v_placed_over(at_113, rt::into(uv_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_over(
         &self,
-        at_112: Entered,
+        at_113: Entered,
         uv_30: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_9 = (uv_30 - at_112.uv);
+        let aside_9 = (uv_30 - at_113.uv);
         let _e6 = rt::Scalar(self.surface_settings.bias_m);
         let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let _e11 = self.v_height_at(uv_30, rt::Scalar(at_112.level));
-        let height_20 = (_e6 + (_e9 * _e11));
-        placed = at_112;
-        placed.point = (((at_112.point + (at_112.tangent * aside_9.x())) + (at_112.bitangent * aside_9.y())) + (at_112.normal * height_20));
+        let _e11 = self.v_height_at(uv_30, rt::Scalar(at_113.level));
+        let height_23 = (_e6 + (_e9 * _e11));
+        placed = at_113;
+        placed.point = (((at_113.point + (at_113.tangent * aside_9.x())) + (at_113.bitangent * aside_9.y())) + (at_113.normal * height_23));
         placed.uv = uv_30;
         let _e29 = placed;
         return _e29;
@@ -13827,72 +13905,72 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_place(
         &self,
         pixel_86: PixelIn,
-        at_113: Entered,
+        at_114: Entered,
         path_74: Path,
         hit_42: Hit,
         params_94: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_86, at_113, path_74, hit_42, rt::into(params_94)))
+        rt::into(self.v_surface_plane_place(pixel_86, at_114, path_74, hit_42, rt::into(params_94)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_place(
         &self,
         pixel_86: PixelIn,
-        at_113: Entered,
+        at_114: Entered,
         path_74: Path,
         hit_42: Hit,
         params_94: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_113, hit_42.uv);
+        let _e6 = self.v_placed_over(at_114, hit_42.uv);
         return _e6;
     }
     pub(crate) fn placed_at(
         &self,
         pixel_87: PixelIn,
-        at_114: Entered,
+        at_115: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
-        point_18: impl rt::Into<rt::Vec3<f32>>,
+        point_20: impl rt::Into<rt::Vec3<f32>>,
         uv_31: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_87, at_114, rt::into(weights_4), rt::into(point_18), rt::into(uv_31)))
+        rt::into(self.v_placed_at(pixel_87, at_115, rt::into(weights_4), rt::into(point_20), rt::into(uv_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_at(
         &self,
         pixel_87: PixelIn,
-        at_114: Entered,
+        at_115: Entered,
         weights_4: rt::Vec3<f32>,
-        point_18: rt::Vec3<f32>,
+        point_20: rt::Vec3<f32>,
         uv_31: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_87, weights_4, point_18, uv_31, at_114.facing);
+        let _e6 = self.v_frame_at(pixel_87, weights_4, point_20, uv_31, at_115.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_114.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_114.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_114.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_115.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_115.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_115.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
         pixel_88: PixelIn,
-        at_115: Entered,
+        at_116: Entered,
         path_75: Path,
         hit_43: Hit,
         params_95: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_88, at_115, path_75, hit_43, rt::into(params_95)))
+        rt::into(self.v_surface_prism_place(pixel_88, at_116, path_75, hit_43, rt::into(params_95)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_prism_place(
         &self,
         pixel_88: PixelIn,
-        at_115: Entered,
+        at_116: Entered,
         path_75: Path,
         hit_43: Hit,
         params_95: rt::Vec4<f32>,
@@ -13903,27 +13981,27 @@ impl<'g> Resources<'g> {
         let s_4 = ((rt::Scalar(path_75.start) + rt::Scalar(hit_43.t)) - _e7);
         let _e15 = self.v_point_of_way(pixel_88, _e8, (along_42 * s_4), rt::Scalar(hit_43.height));
         let weights_7 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_88, at_115, weights_7, (pixel_88.origin + (along_42 * (rt::Scalar(path_75.start) + rt::Scalar(hit_43.t)))), hit_43.uv);
+        let _e24 = self.v_placed_at(pixel_88, at_116, weights_7, (pixel_88.origin + (along_42 * (rt::Scalar(path_75.start) + rt::Scalar(hit_43.t)))), hit_43.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_116: Entered,
+        at_117: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_116, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_117, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_116: Entered,
+        at_117: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
         let mut local_95: rt::Scalar<bool>;
 
-        placed_2 = at_116;
-        let _e5 = self.v_quadric_slope(at_116.of_surface.xyz(), aside);
+        placed_2 = at_117;
+        let _e5 = self.v_quadric_slope(at_117.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
             local_95 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
@@ -13934,13 +14012,13 @@ impl<'g> Resources<'g> {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_5 = at_116.metric;
+        let m_5 = at_117.metric;
         let area_6 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
         let along_t = (((_e5.x() * m_5.z()) - (_e5.y() * m_5.y())) / area_6);
         let along_b = (((_e5.y() * m_5.x()) - (_e5.x() * m_5.y())) / area_6);
-        placed_2.tangent = (at_116.tangent + (at_116.normal * _e5.x()));
-        placed_2.bitangent = (at_116.bitangent + (at_116.normal * _e5.y()));
-        placed_2.normal = ((at_116.normal - (at_116.tangent * along_t)) - (at_116.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_117.tangent + (at_117.normal * _e5.x()));
+        placed_2.bitangent = (at_117.bitangent + (at_117.normal * _e5.y()));
+        placed_2.normal = ((at_117.normal - (at_117.tangent * along_t)) - (at_117.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_3 = _e63.dot(_e65);
@@ -13957,26 +14035,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
         pixel_89: PixelIn,
-        at_117: Entered,
+        at_118: Entered,
         path_76: Path,
         hit_44: Hit,
         params_96: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_117, path_76, hit_44, rt::into(params_96)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_118, path_76, hit_44, rt::into(params_96)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_place(
         &self,
         pixel_89: PixelIn,
-        at_117: Entered,
+        at_118: Entered,
         path_76: Path,
         hit_44: Hit,
         params_96: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_117, (hit_44.uv - at_117.uv));
+        let _e8 = self.v_quadric_frame(at_118, (hit_44.uv - at_118.uv));
         placed_3 = _e8;
         placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_76.start) + rt::Scalar(hit_44.t))));
         placed_3.uv = hit_44.uv;
@@ -13986,36 +14064,36 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
-        at_118: Entered,
+        at_119: Entered,
         path_77: Path,
         hit_45: Hit,
         params_97: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_118, path_77, hit_45, rt::into(params_97)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_119, path_77, hit_45, rt::into(params_97)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
-        at_118: Entered,
+        at_119: Entered,
         path_77: Path,
         hit_45: Hit,
         params_97: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_45.uv - at_118.uv);
+        let aside_10 = (hit_45.uv - at_119.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_45.uv, rt::Scalar(at_118.level));
-        let height_21 = (_e10 + (_e13 * _e16));
+        let _e16 = self.v_height_at(hit_45.uv, rt::Scalar(at_119.level));
+        let height_24 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_118.of_surface.xyz(), aside_10);
-        let lifted_2 = (((_e19 - at_118.of_surface.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_118, aside_10);
+        let _e27 = self.v_quadric_at(at_119.of_surface.xyz(), aside_10);
+        let lifted_2 = (((_e19 - at_119.of_surface.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_119, aside_10);
         placed_4 = _e29;
-        placed_4.point = (((at_118.point + (at_118.tangent * aside_10.x())) + (at_118.bitangent * aside_10.y())) + (at_118.normal * (height_21 + lifted_2)));
+        placed_4.point = (((at_119.point + (at_119.tangent * aside_10.x())) + (at_119.bitangent * aside_10.y())) + (at_119.normal * (height_24 + lifted_2)));
         placed_4.uv = hit_45.uv;
         let _e47 = placed_4;
         return _e47;
@@ -14023,18 +14101,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
-        at_119: Entered,
+        at_120: Entered,
         path_78: Path,
         hit_46: Hit,
         params_98: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_119, path_78, hit_46, rt::into(params_98)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_120, path_78, hit_46, rt::into(params_98)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
-        at_119: Entered,
+        at_120: Entered,
         path_78: Path,
         hit_46: Hit,
         params_98: rt::Vec4<f32>,
@@ -14075,64 +14153,64 @@ impl<'g> Resources<'g> {
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_8 = (_e45 + (_e47 * t_42));
-        let point_29 = (pixel_91.origin + (along_43 * (rt::Scalar(path_78.start) + rt::Scalar(hit_46.t))));
-        let _e58 = self.v_placed_at(pixel_91, at_119, weights_8.xyz(), point_29, hit_46.uv);
+        let point_31 = (pixel_91.origin + (along_43 * (rt::Scalar(path_78.start) + rt::Scalar(hit_46.t))));
+        let _e58 = self.v_placed_at(pixel_91, at_120, weights_8.xyz(), point_31, hit_46.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
         pixel_92: PixelIn,
-        at_120: Entered,
+        at_121: Entered,
         path_79: Path,
         hit_47: Hit,
         params_99: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_92, at_120, path_79, hit_47, rt::into(params_99)))
+        rt::into(self.v_surface_facets_place(pixel_92, at_121, path_79, hit_47, rt::into(params_99)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_place(
         &self,
         pixel_92: PixelIn,
-        at_120: Entered,
+        at_121: Entered,
         path_79: Path,
         hit_47: Hit,
         params_99: rt::Vec4<f32>,
     ) -> Entered {
-        return at_120;
+        return at_121;
     }
     pub(crate) fn surface_slices_place(
         &self,
         pixel_93: PixelIn,
-        at_121: Entered,
+        at_122: Entered,
         path_80: Path,
         hit_48: Hit,
         params_100: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_93, at_121, path_80, hit_48, rt::into(params_100)))
+        rt::into(self.v_surface_slices_place(pixel_93, at_122, path_80, hit_48, rt::into(params_100)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_place(
         &self,
         pixel_93: PixelIn,
-        at_121: Entered,
+        at_122: Entered,
         path_80: Path,
         hit_48: Hit,
         params_100: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_121, hit_48.uv);
+        let _e6 = self.v_placed_over(at_122, hit_48.uv);
         return _e6;
     }
-    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_122: Entered, path_81: Path, hit_49: Hit) -> Entered {
-        rt::into(self.v_placed_in_image(pixel_94, at_122, path_81, hit_49))
+    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_123: Entered, path_81: Path, hit_49: Hit) -> Entered {
+        rt::into(self.v_placed_in_image(pixel_94, at_123, path_81, hit_49))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_placed_in_image(&self, pixel_94: PixelIn, at_122: Entered, path_81: Path, hit_49: Hit) -> Entered {
+    fn v_placed_in_image(&self, pixel_94: PixelIn, at_123: Entered, path_81: Path, hit_49: Hit) -> Entered {
         let mut placed_5: Entered;
 
         let _e6 = self.v_image_of_object(rt::Scalar(path_81.base).to_u32());
-        placed_5 = at_122;
+        placed_5 = at_123;
         placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_81.start) + rt::Scalar(hit_49.t))));
         placed_5.uv = hit_49.uv;
         let _e20 = placed_5.point;
@@ -14165,41 +14243,41 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_place(
         &self,
         pixel_95: PixelIn,
-        at_123: Entered,
+        at_124: Entered,
         path_82: Path,
         hit_50: Hit,
         params_101: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_95, at_123, path_82, hit_50, rt::into(params_101)))
+        rt::into(self.v_surface_object_place(pixel_95, at_124, path_82, hit_50, rt::into(params_101)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_place(
         &self,
         pixel_95: PixelIn,
-        at_123: Entered,
+        at_124: Entered,
         path_82: Path,
         hit_50: Hit,
         params_101: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_in_image(pixel_95, at_123, path_82, hit_50);
+        let _e5 = self.v_placed_in_image(pixel_95, at_124, path_82, hit_50);
         return _e5;
     }
     pub(crate) fn surface_frames_place(
         &self,
         pixel_96: PixelIn,
-        at_124: Entered,
+        at_125: Entered,
         path_83: Path,
         hit_51: Hit,
         params_102: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_place(pixel_96, at_124, path_83, hit_51, rt::into(params_102)))
+        rt::into(self.v_surface_frames_place(pixel_96, at_125, path_83, hit_51, rt::into(params_102)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_frames_place(
         &self,
         pixel_96: PixelIn,
-        at_124: Entered,
+        at_125: Entered,
         path_83: Path,
         hit_51: Hit,
         params_102: rt::Vec4<f32>,
@@ -14207,7 +14285,7 @@ impl<'g> Resources<'g> {
         let mut placed_6: Entered;
         let mut local_96: rt::Scalar<bool>;
 
-        let _e5 = self.v_placed_in_image(pixel_96, at_124, path_83, hit_51);
+        let _e5 = self.v_placed_in_image(pixel_96, at_125, path_83, hit_51);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
@@ -14229,18 +14307,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
-        at_125: Entered,
+        at_126: Entered,
         path_84: Path,
         hit_52: Hit,
         params_103: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_place(pixel_97, at_125, path_84, hit_52, rt::into(params_103)))
+        rt::into(self.v_surface_object_slices_place(pixel_97, at_126, path_84, hit_52, rt::into(params_103)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
-        at_125: Entered,
+        at_126: Entered,
         path_84: Path,
         hit_52: Hit,
         params_103: rt::Vec4<f32>,
@@ -14248,17 +14326,17 @@ impl<'g> Resources<'g> {
         let mut of_image: Path;
         let mut placed_7: Entered;
 
-        let _e6 = self.v_slice_at(at_125.point);
-        let number_19 = rt::Scalar(_e6.number);
+        let _e6 = self.v_slice_at(at_126.point);
+        let number_20 = rt::Scalar(_e6.number);
         of_image = path_84;
-        rt::Scalar(of_image.base) = number_19.to_f32();
+        rt::Scalar(of_image.base) = number_20.to_f32();
         let _e11 = of_image;
-        let _e12 = self.v_placed_in_image(pixel_97, at_125, _e11, hit_52);
+        let _e12 = self.v_placed_in_image(pixel_97, at_126, _e11, hit_52);
         placed_7 = _e12;
         let _e16 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e16.elementwise_eq(CELLS_MASK)) {
-            let _e20 = self.v_image_of_object(number_19);
-            let _e23 = self.v_normal_of_mask(_e20, hit_52.uv, at_125.normal);
+            let _e20 = self.v_image_of_object(number_20);
+            let _e23 = self.v_normal_of_mask(_e20, hit_52.uv, at_126.normal);
             placed_7.normal = _e23;
             let _e26 = placed_7.normal;
             placed_7.facing = _e26;
@@ -14266,74 +14344,74 @@ impl<'g> Resources<'g> {
         let _e27 = placed_7;
         return _e27;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_126: Entered, path_85: Path, hit_53: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_98, at_126, path_85, hit_53))
+    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_127: Entered, path_85: Path, hit_53: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_98, at_127, path_85, hit_53))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_98: PixelIn, at_126: Entered, path_85: Path, hit_53: Hit) -> Entered {
+    fn v_surface_place_stage(&self, pixel_98: PixelIn, at_127: Entered, path_85: Path, hit_53: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_98, at_126, path_85, hit_53, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_98, at_127, path_85, hit_53, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_98, at_126, path_85, hit_53, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_98, at_127, path_85, hit_53, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_126, path_85, hit_53, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_127, path_85, hit_53, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_126, path_85, hit_53, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_127, path_85, hit_53, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_126, path_85, hit_53, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_127, path_85, hit_53, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_98, at_126, path_85, hit_53, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_98, at_127, path_85, hit_53, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_98, at_126, path_85, hit_53, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_98, at_127, path_85, hit_53, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_98, at_126, path_85, hit_53, _e55);
+                let _e56 = self.v_surface_object_place(pixel_98, at_127, path_85, hit_53, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_place(pixel_98, at_126, path_85, hit_53, _e61);
+                let _e62 = self.v_surface_frames_place(pixel_98, at_127, path_85, hit_53, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_place(pixel_98, at_126, path_85, hit_53, _e67);
+                let _e68 = self.v_surface_object_slices_place(pixel_98, at_127, path_85, hit_53, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_127: Entered, path_86: Path, hit_54: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_99, at_127, path_86, hit_54))
+    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_128: Entered, path_86: Path, hit_54: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_99, at_128, path_86, hit_54))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_on_segment(&self, pixel_99: PixelIn, at_127: Entered, path_86: Path, hit_54: Hit) -> Entered {
+    fn v_place_on_segment(&self, pixel_99: PixelIn, at_128: Entered, path_86: Path, hit_54: Hit) -> Entered {
         let mut placed_8: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_99, at_127, path_86, hit_54);
+        let _e4 = self.v_surface_place_stage(pixel_99, at_128, path_86, hit_54);
         placed_8 = _e4;
         let _e7 = self.v_depth_on_ray(pixel_99, path_86, hit_54);
         rt::Scalar(placed_8.depth) = _e7;
@@ -14343,23 +14421,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn place_hit(
         &self,
         pixel_100: PixelIn,
-        at_128: Entered,
+        at_129: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
         hit_55: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_100, at_128, rt::into(segment), hit_55))
+        rt::into(self.v_place_hit(pixel_100, at_129, rt::into(segment), hit_55))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_place_hit(
         &self,
         pixel_100: PixelIn,
-        at_128: Entered,
+        at_129: Entered,
         segment: rt::Scalar<u32>,
         hit_55: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_100, at_128, segment);
-        let _e5 = self.v_place_on_segment(pixel_100, at_128, _e4, hit_55);
+        let _e4 = self.v_segment_of(pixel_100, at_129, segment);
+        let _e5 = self.v_place_on_segment(pixel_100, at_129, _e4, hit_55);
         return _e5;
     }
     pub(crate) fn toward_light(
@@ -14388,54 +14466,257 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_light(
         &self,
-        at_129: Entered,
+        at_130: Entered,
         hit_56: Hit,
         number_15: impl rt::Into<rt::Scalar<u32>>,
         k_35: impl rt::Into<rt::Scalar<u32>>,
-        count_5: impl rt::Into<rt::Scalar<u32>>,
+        count_8: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_129, hit_56, rt::into(number_15), rt::into(k_35), rt::into(count_5)))
+        rt::into(self.v_point_of_light(at_130, hit_56, rt::into(number_15), rt::into(k_35), rt::into(count_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
-        at_129: Entered,
+        at_130: Entered,
         hit_56: Hit,
         number_15: rt::Scalar<u32>,
         k_35: rt::Scalar<u32>,
-        count_5: rt::Scalar<u32>,
+        count_8: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_15, at_129.point);
-        if rt::Scalar::into_branch_condition(count_5.elementwise_gt(rt::Scalar(0u32))) {
+        let _e6 = self.v_toward_light(number_15, at_130.point);
+        if rt::Scalar::into_branch_condition(count_8.elementwise_gt(rt::Scalar(0u32))) {
             let _e9 = self.v_seed_of(hit_56);
-            let _e10 = self.v_point_of_disc(_e6, _e9, k_35, count_5);
+            let _e10 = self.v_point_of_disc(_e6, _e9, k_35, count_8);
             return _e10;
         }
         return _e6;
     }
+    pub(crate) fn procedure_bumps(
+        &self,
+        place_19: impl rt::Into<rt::Vec2<f32>>,
+        time: impl rt::Into<rt::Scalar<f32>>,
+        seed_5: impl rt::Into<rt::Scalar<u32>>,
+        params_104: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_procedure_bumps(rt::into(place_19), rt::into(time), rt::into(seed_5), rt::into(params_104)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_procedure_bumps(
+        &self,
+        place_19: rt::Vec2<f32>,
+        time: rt::Scalar<f32>,
+        seed_5: rt::Scalar<u32>,
+        params_104: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut height_10: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_36: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let at_145 = (place_19 * params_104.x());
+        let own_1 = at_145.floor();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e11 = k_36;
+                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(rt::Scalar(9u32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e14 = k_36;
+                    let _e18 = k_36;
+                    let cell_30 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                    let _e29 = self.v_bits_of_point(cell_30, params_104.x(), seed_5);
+                    let _e30 = self.v_unit_of(_e29);
+                    let _e33 = self.v_mixed((_e29 + rt::Scalar(1u32)));
+                    let _e34 = self.v_unit_of(_e33);
+                    let beside_7 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+                    let middle_16 = ((cell_30 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_7 * (rt::Scalar(0.5f32) * params_104.z())));
+                    let away_2 = ((at_145 - middle_16) / rt::Vec2::splat_from_scalar(params_104.y()));
+                    let _e55 = self.v_mixed((_e29 + rt::Scalar(2u32)));
+                    let _e56 = self.v_unit_of(_e55);
+                    let _e58 = self.v_sine_of((time + _e56));
+                    let wave = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e58));
+                    let high_5 = (rt::Scalar(0.3f32) + (rt::Scalar(0.7f32) * wave));
+                    let _e67 = height_10;
+                    height_10 = _e67.max((high_5 * (rt::Scalar(1f32) - away_2.dot(away_2)).max(rt::Scalar(0f32)).sqrt()));
+                    let _e76 = k_36;
+                    k_36 = (_e76 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e79 = height_10;
+        return _e79;
+    }
+    pub(crate) fn procedure_fbm(
+        &self,
+        place_20: impl rt::Into<rt::Vec2<f32>>,
+        time_1: impl rt::Into<rt::Scalar<f32>>,
+        seed_6: impl rt::Into<rt::Scalar<u32>>,
+        params_105: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_procedure_fbm(rt::into(place_20), rt::into(time_1), rt::into(seed_6), rt::into(params_105)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_procedure_fbm(
+        &self,
+        place_20: rt::Vec2<f32>,
+        time_1: rt::Scalar<f32>,
+        seed_6: rt::Scalar<u32>,
+        params_105: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut height_11: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut sum_4: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut strength: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut count_9: rt::Scalar<f32>;
+        let mut octave: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        count_9 = params_105.x();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e14 = octave;
+                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_105.y())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e18 = octave;
+                    let turns_3 = (time_1 * (_e18 + rt::Scalar(1u32)).to_f32());
+                    let _e23 = height_11;
+                    let _e24 = strength;
+                    let _e25 = count_9;
+                    let _e27 = count_9;
+                    let _e28 = octave;
+                    let _e30 = self.v_gradient_noise((place_20 * _e25), _e27, turns_3, (seed_6 + _e28));
+                    height_11 = (_e23 + (_e24 * _e30));
+                    let _e33 = sum_4;
+                    let _e34 = strength;
+                    sum_4 = (_e33 + _e34);
+                    let _e36 = strength;
+                    strength = (_e36 * params_105.z());
+                    let _e39 = count_9;
+                    count_9 = (_e39 * rt::Scalar(2f32));
+                    let _e42 = octave;
+                    octave = (_e42 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e45 = height_11;
+        let _e48 = sum_4;
+        return (rt::Scalar(0.5f32) + ((rt::Scalar(0.5f32) * _e45) / (_e48 * rt::Scalar(0.7071068f32))));
+    }
+    pub(crate) fn procedure_waves(
+        &self,
+        place_21: impl rt::Into<rt::Vec2<f32>>,
+        time_2: impl rt::Into<rt::Scalar<f32>>,
+        seed_7: impl rt::Into<rt::Scalar<u32>>,
+        params_106: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_procedure_waves(rt::into(place_21), rt::into(time_2), rt::into(seed_7), rt::into(params_106)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_procedure_waves(
+        &self,
+        place_21: rt::Vec2<f32>,
+        time_2: rt::Scalar<f32>,
+        seed_7: rt::Scalar<u32>,
+        params_106: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut height_12: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut sum_5: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_37: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        'naga_break: loop {
+            'naga_continue: {
+                let _e10 = k_37;
+                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_106.y())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e15 = k_37;
+                    let _e18 = self.v_mixed((seed_7 + (rt::Scalar(4u32) * _e15)));
+                    let _e19 = k_37;
+                    let part_25 = (_e19.to_f32() / params_106.y());
+                    let size_1 = (params_106.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_25) * part_25)));
+                    let along_44 = (size_1 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
+                    let _e39 = self.v_unit_of(_e18);
+                    let across_11 = ((((rt::Scalar(2f32) * size_1) * params_106.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
+                    let length = ((along_44 * along_44) + (across_11 * across_11)).sqrt();
+                    let pace_1 = ((rt::Scalar(2f32) * (length / params_106.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
+                    let _e62 = self.v_mixed((_e18 + rt::Scalar(1u32)));
+                    let _e63 = self.v_unit_of(_e62);
+                    let _e72 = self.v_sine_of(((((along_44 * place_21.x()) + (across_11 * place_21.y())) - (pace_1 * time_2)) + _e63));
+                    let crest = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e72));
+                    let _e77 = height_12;
+                    height_12 = (_e77 + ((crest + (params_106.w() * ((crest * crest) - crest))) / length));
+                    let _e85 = sum_5;
+                    sum_5 = (_e85 + (rt::Scalar(1f32) / length));
+                    let _e89 = k_37;
+                    k_37 = (_e89 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e92 = height_12;
+        let _e93 = sum_5;
+        return (_e92 / _e93);
+    }
+    pub(crate) fn procedure_height(
+        &self,
+        number_16: impl rt::Into<rt::Scalar<u32>>,
+        place_22: impl rt::Into<rt::Vec2<f32>>,
+        time_3: impl rt::Into<rt::Scalar<f32>>,
+        seed_8: impl rt::Into<rt::Scalar<u32>>,
+        params_107: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_procedure_height(rt::into(number_16), rt::into(place_22), rt::into(time_3), rt::into(seed_8), rt::into(params_107)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_procedure_height(
+        &self,
+        number_16: rt::Scalar<u32>,
+        place_22: rt::Vec2<f32>,
+        time_3: rt::Scalar<f32>,
+        seed_8: rt::Scalar<u32>,
+        params_107: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        match rt::Scalar::into_inner(number_16) {
+            0u32 => {
+                let _e5 = self.v_procedure_waves(place_22, time_3, seed_8, params_107);
+                return _e5;
+            }
+            1u32 => {
+                let _e6 = self.v_procedure_fbm(place_22, time_3, seed_8, params_107);
+                return _e6;
+            }
+            _ => {
+                let _e7 = self.v_procedure_bumps(place_22, time_3, seed_8, params_107);
+                return _e7;
+            }
+        }
+    }
     pub(crate) fn ray_to_light(
         &self,
-        at_130: Entered,
+        at_131: Entered,
         hit_57: Hit,
-        number_16: impl rt::Into<rt::Scalar<u32>>,
-        k_36: impl rt::Into<rt::Scalar<u32>>,
-        count_6: impl rt::Into<rt::Scalar<u32>>,
+        number_17: impl rt::Into<rt::Scalar<u32>>,
+        k_38: impl rt::Into<rt::Scalar<u32>>,
+        count_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_130, hit_57, rt::into(number_16), rt::into(k_36), rt::into(count_6)))
+        rt::into(self.v_ray_to_light(at_131, hit_57, rt::into(number_17), rt::into(k_38), rt::into(count_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
-        at_130: Entered,
+        at_131: Entered,
         hit_57: Hit,
-        number_16: rt::Scalar<u32>,
-        k_36: rt::Scalar<u32>,
-        count_6: rt::Scalar<u32>,
+        number_17: rt::Scalar<u32>,
+        k_38: rt::Scalar<u32>,
+        count_10: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_130, hit_57, number_16, k_36, count_6);
-        let _e6 = self.v_light_ray(at_130, hit_57, _e5);
+        let _e5 = self.v_point_of_light(at_131, hit_57, number_17, k_38, count_10);
+        let _e6 = self.v_light_ray(at_131, hit_57, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -14464,16 +14745,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_131: Entered,
+        at_132: Entered,
         seen_3: SeenNormals,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_131, seen_3, rt::into(toward_3)))
+        rt::into(self.v_seen_cosine(at_132, seen_3, rt::into(toward_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_131: Entered,
+        at_132: Entered,
         seen_3: SeenNormals,
         toward_3: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -14482,10 +14763,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_3.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_3.normal.dot(toward_3).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_131, toward_3);
-        let middle_16 = seen_3.middle.dot(_e10);
-        let _e17 = self.v_facing_four(middle_16, seen_3.along.dot(_e10), seen_3.across.dot(_e10));
-        let one_1 = (rt::Scalar(seen_3.middle_seen) * middle_16.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
+        let _e10 = self.v_to_tangent_space(at_132, toward_3);
+        let middle_17 = seen_3.middle.dot(_e10);
+        let _e17 = self.v_facing_four(middle_17, seen_3.along.dot(_e10), seen_3.across.dot(_e10));
+        let one_1 = (rt::Scalar(seen_3.middle_seen) * middle_17.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
         let others = seen_3.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
         let _e28 = self.v_mean_of_five(one_1, others);
         cosine = _e28;
@@ -14560,9 +14841,9 @@ impl<'g> Resources<'g> {
         view_22: impl rt::Into<rt::Vec3<f32>>,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
         color_7: impl rt::Into<rt::Vec3<f32>>,
-        params_104: impl rt::Into<rt::Vec4<f32>>,
+        params_108: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_18), rt::into(mean), rt::into(cosine_1), rt::into(view_22), rt::into(toward_4), rt::into(color_7), rt::into(params_104)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_18), rt::into(mean), rt::into(cosine_1), rt::into(view_22), rt::into(toward_4), rt::into(color_7), rt::into(params_108)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
@@ -14573,7 +14854,7 @@ impl<'g> Resources<'g> {
         view_22: rt::Vec3<f32>,
         toward_4: rt::Vec3<f32>,
         color_7: rt::Vec3<f32>,
-        params_104: rt::Vec4<f32>,
+        params_108: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_2: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -14631,19 +14912,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn reflected_light(
         &self,
-        at_132: Entered,
+        at_133: Entered,
         hit_58: Hit,
         seen_4: SeenNormals,
         view_24: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_132, hit_58, seen_4, rt::into(view_24), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_133, hit_58, seen_4, rt::into(view_24), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_132: Entered,
+        at_133: Entered,
         hit_58: Hit,
         seen_4: SeenNormals,
         view_24: rt::Vec3<f32>,
@@ -14651,33 +14932,33 @@ impl<'g> Resources<'g> {
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_16: rt::Vec3<f32>;
-        let mut k_37: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_39: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_132, hit_58, (seen_4.normal * rt::Scalar(seen_4.length)), view_24, diffuse);
+        let _e20 = self.v_ambient_stage(at_133, hit_58, (seen_4.normal * rt::Scalar(seen_4.length)), view_24, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_37;
+                let _e24 = k_39;
                 let _e27 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt(_e27)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e29 = k_37;
-                    let _e31 = self.v_toward_light(_e29, at_132.point);
-                    let _e33 = self.v_seen_cosine(at_132, seen_4, _e31.direction);
+                    let _e29 = k_39;
+                    let _e31 = self.v_toward_light(_e29, at_133.point);
+                    let _e33 = self.v_seen_cosine(at_133, seen_4, _e31.direction);
                     let _e37 = self.v_shade_stage(seen_4.normal, rt::Scalar(seen_4.length), _e33, view_24, _e31.direction, diffuse);
                     let _e38 = light_16;
-                    let _e41 = k_37;
+                    let _e41 = k_39;
                     let _e44 = self.frame.lights[rt::Scalar::into_array_index(_e41)].color;
-                    let _e48 = k_37;
+                    let _e48 = k_39;
                     light_16 = (_e38 + ((_e37 * _e44.xyz()) * (rt::Scalar(_e31.falloff) * visible[rt::Scalar::into_array_index(_e48)].x())));
-                    let _e54 = k_37;
-                    k_37 = (_e54 + rt::Scalar(1u32));
+                    let _e54 = k_39;
+                    k_39 = (_e54 + rt::Scalar(1u32));
                 }
             }
         }
@@ -14703,63 +14984,63 @@ impl<'g> Resources<'g> {
     pub(crate) fn shade_hit(
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
-        at_133: Entered,
+        at_134: Entered,
         hit_59: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_133, hit_59, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_134, hit_59, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
-        at_133: Entered,
+        at_134: Entered,
         hit_59: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_59.found).elementwise_eq(rt::Scalar(0u32))) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_59.cost.x(), hit_59.cost.y(), hit_59.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_59.uv, rt::Scalar(at_133.level));
-        let view_27 = (origin_2 - at_133.point).normalize();
-        let _e49 = self.v_mesostructure_normals(at_133, hit_59.uv, view_27);
-        let _e50 = self.v_object_color_stage(at_133, hit_59, view_27);
-        let _e51 = self.v_reflected_light(at_133, hit_59, _e49, view_27, _e50, visible_1);
+        let _e44 = self.v_height_at(hit_59.uv, rt::Scalar(at_134.level));
+        let view_27 = (origin_2 - at_134.point).normalize();
+        let _e49 = self.v_mesostructure_normals(at_134, hit_59.uv, view_27);
+        let _e50 = self.v_object_color_stage(at_134, hit_59, view_27);
+        let _e51 = self.v_reflected_light(at_134, hit_59, _e49, view_27, _e50, visible_1);
         let _e56 = self.frame.forward;
-        let depth_11 = (at_133.point - origin_2).dot(_e56.xyz());
+        let depth_11 = (at_134.point - origin_2).dot(_e56.xyz());
         let _e61 = self.v_height_size(rt::Scalar(0u32));
         let _e67 = self.v_cell_of(((hit_59.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e87 = self.v_z_of(rt::Scalar(at_133.depth));
+        let _e87 = self.v_z_of(rt::Scalar(at_134.depth));
         let _e90 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_59.exhausted), hit_59.uv, _e44, at_133.point, _e49.normal, depth_11, rt::Scalar(hit_59.t), _e67.to_i32(), hit_59.cost.x(), hit_59.cost.y(), hit_59.cost.z(), visible_1[0usize].x(), rt::Scalar(at_133.level), _e87, _e90);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_59.exhausted), hit_59.uv, _e44, at_134.point, _e49.normal, depth_11, rt::Scalar(hit_59.t), _e67.to_i32(), hit_59.cost.x(), hit_59.cost.y(), hit_59.cost.z(), visible_1[0usize].x(), rt::Scalar(at_134.level), _e87, _e90);
     }
     pub(crate) fn visible_light(
         &self,
-        at_134: Entered,
+        at_135: Entered,
         hit_60: Hit,
-        number_17: impl rt::Into<rt::Scalar<u32>>,
+        number_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_134, hit_60, rt::into(number_17)))
+        rt::into(self.v_visible_light(at_135, hit_60, rt::into(number_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_visible_light(
         &self,
-        at_134: Entered,
+        at_135: Entered,
         hit_60: Hit,
-        number_17: rt::Scalar<u32>,
+        number_18: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_17, at_134.point);
-        let _e5 = self.v_shadow_stage(at_134, hit_60, _e4);
+        let _e4 = self.v_toward_light(number_18, at_135.point);
+        let _e5 = self.v_shadow_stage(at_135, hit_60, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_135: Entered, hit_61: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_135, hit_61))
+    pub(crate) fn visible_lights(&self, at_136: Entered, hit_61: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_136, hit_61))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_135: Entered, hit_61: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_136: Entered, hit_61: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_38: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_40: rt::Scalar<u32> = rt::Scalar(0u32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_61.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
@@ -14767,19 +15048,19 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_38;
+                let _e10 = k_40;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = k_38;
-                    let _e17 = k_38;
-                    let _e18 = self.v_visible_light(at_135, hit_61, _e17);
+                    let _e15 = k_40;
+                    let _e17 = k_40;
+                    let _e18 = self.v_visible_light(at_136, hit_61, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e23 = k_38;
-                    k_38 = (_e23 + rt::Scalar(1u32));
+                    let _e23 = k_40;
+                    k_40 = (_e23 + rt::Scalar(1u32));
                 }
             }
         }
@@ -14824,10 +15105,10 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_136: impl rt::Into<rt::Scalar<u32>>,
+        at_137: impl rt::Into<rt::Scalar<u32>>,
         parts_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_136), rt::into(parts_2)))
+        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_137), rt::into(parts_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14836,13 +15117,13 @@ impl<'g> Resources<'g> {
         a_16: BaseSite,
         b_16: BaseSite,
         shares: rt::Vec2<f32>,
-        at_136: rt::Scalar<u32>,
+        at_137: rt::Scalar<u32>,
         parts_2: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_2 - at_136).to_f32() * shares.x());
-        let of_b = (at_136.to_f32() * shares.y());
-        let sum_10 = (of_a + of_b);
-        let _e17 = self.v_weighted_site(a_16, b_16, b_16, <rt::Vec3<f32>>::from_scalars((of_a / sum_10), (of_b / sum_10), rt::Scalar(0f32)));
+        let of_a = ((parts_2 - at_137).to_f32() * shares.x());
+        let of_b = (at_137.to_f32() * shares.y());
+        let sum_12 = (of_a + of_b);
+        let _e17 = self.v_weighted_site(a_16, b_16, b_16, <rt::Vec3<f32>>::from_scalars((of_a / sum_12), (of_b / sum_12), rt::Scalar(0f32)));
         return _e17;
     }
     pub(crate) fn site_inside(
@@ -14866,8 +15147,8 @@ impl<'g> Resources<'g> {
         weights_5: rt::Vec3<f32>,
     ) -> BaseSite {
         let shared_out = (weights_5 * shares_1);
-        let sum_11 = ((shared_out.x() + shared_out.y()) + shared_out.z());
-        let _e13 = self.v_weighted_site(a_17, b_17, c_11, (shared_out / rt::Vec3::splat_from_scalar(sum_11)));
+        let sum_13 = ((shared_out.x() + shared_out.y()) + shared_out.z());
+        let _e13 = self.v_weighted_site(a_17, b_17, c_11, (shared_out / rt::Vec3::splat_from_scalar(sum_13)));
         return _e13;
     }
     pub(crate) fn site_of_vertex(&self, vertex: BaseVertex, seen_5: BaseVertex, voxel: Voxel) -> BaseSite {
@@ -14904,14 +15185,14 @@ impl<'g> Resources<'g> {
             away = (_e22 * rt::Scalar(grid_11.per_doubling));
         }
         let _e30 = share;
-        let right_5 = (((grid_11.right.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e30) + grid_11.middle.x());
+        let right_6 = (((grid_11.right.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e30) + grid_11.middle.x());
         let _e42 = share;
-        let down_3 = (grid_11.middle.y() - ((grid_11.up.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e42));
+        let down_4 = (grid_11.middle.y() - ((grid_11.up.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e42));
         let far_15 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_144 = <rt::Vec3<f32>>::from_scalars(right_5, down_3, _e49).clamp((-far_15), far_15);
+        let at_146 = <rt::Vec3<f32>>::from_scalars(right_6, down_4, _e49).clamp((-far_15), far_15);
         let _e60 = share;
-        return <Voxel>::new((at_144 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
+        return <Voxel>::new((at_146 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
     }
 }
 

@@ -124,6 +124,8 @@ pub const MODULES: &[Module] = &[
 // A ray goes through texture coordinates in a straight line; its height over a quadric is a quadratic in the
 // metres along it, which is solved without cancellation.
 "# },
+    Module { path: "shared/random", head: r#"// Random numbers by mixing bits: the same everywhere.
+"# },
     Module { path: "shared/rasterised", head: r#"// What a rasteriser is given: the base triangles, or boxes around their shells. Nothing is interpolated, so
 // that rays do not depend on how exactly a rasteriser does that.
 "# },
@@ -491,6 +493,22 @@ pub const MODULES: &[Module] = &[
 // base's normal.
 //
 // Zhukov, Iones and Kronin 1998; horizons as in Szirmay-Kalos and Umenhoffer 2008, section 6.1.
+"# },
+    Module { path: "procedure/bumps", head: r#"// Round bumps on level ground, each in a cell of a lattice. In time each grows and shrinks by itself, and all
+// come round together.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 3.1: displacement by a formula.
+"# },
+    Module { path: "procedure/fbm", head: r#"// Fractal ground: gradient noise in octaves, each twice as fine as the one before and weaker. In time the
+// gradients turn, finer ones more often, so that it flows and comes round.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 3.1: displacement by a formula. Noise of turning gradients: Perlin
+// and Neyret 2001, Flow Noise.
+"# },
+    Module { path: "procedure/waves", head: r#"// Waves on water, of many lengths, that run the same way about, each as fast as its length lets it. All of them
+// fit the tile and come round in a unit of time.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 3.1: displacement by a formula.
 "# },
     Module { path: "roots/draw", head: r#"// A surface in a single pass, for any engine: the base mesh is rasterised, every fragment's ray traced, and
 // what it meets shaded. A program whose meshes come otherwise calls `shade_pixel` from a fragment function of
@@ -2161,38 +2179,6 @@ fn dice_triangle(rows: DiceRows, number: u32) -> DiceTriangle {
         uses: &[],
         text: r#"// The golden section of a turn: points at multiples of it lie evenly around a disc.
 const GOLDEN_TURN = 0.618033989;"#,
-    },
-    Declaration {
-        module: "shared/disc",
-        name: "UNITS",
-        sampling: None,
-        uses: &[],
-        text: r#"// So many numbers are told apart from 0 up to 1.
-const UNITS = 16777216.0;"#,
-    },
-    Declaration {
-        module: "shared/disc",
-        name: "mixed",
-        sampling: None,
-        uses: &[],
-        text: r#"// Mixes the bits of a number; the same everywhere.
-fn mixed(seed: u32) -> u32 {
-    var x = seed ^ (seed >> 16u);
-    x = x * 0x7feb352du;
-    x = x ^ (x >> 15u);
-    x = x * 0x846ca68bu;
-    return x ^ (x >> 16u);
-}"#,
-    },
-    Declaration {
-        module: "shared/disc",
-        name: "unit_of",
-        sampling: None,
-        uses: &["UNITS"],
-        text: r#"// A number from 0 up to 1.
-fn unit_of(bits: u32) -> f32 {
-    return f32(bits >> 8u) / UNITS;
-}"#,
     },
     Declaration {
         module: "shared/disc",
@@ -5293,6 +5279,49 @@ fn quadric_frame(at: Entered, aside: vec2f) -> Entered {
     let bb = dot(placed.bitangent, placed.bitangent);
     placed.metric = vec4f(tt, tb, bb, m.w);
     return placed;
+}"#,
+    },
+    Declaration {
+        module: "shared/random",
+        name: "UNITS",
+        sampling: None,
+        uses: &[],
+        text: r#"// So many numbers are told apart from 0 up to 1.
+const UNITS = 16777216.0;"#,
+    },
+    Declaration {
+        module: "shared/random",
+        name: "mixed",
+        sampling: None,
+        uses: &[],
+        text: r#"// Mixes the bits of a number; the same everywhere.
+fn mixed(seed: u32) -> u32 {
+    var x = seed ^ (seed >> 16u);
+    x = x * 0x7feb352du;
+    x = x ^ (x >> 15u);
+    x = x * 0x846ca68bu;
+    return x ^ (x >> 16u);
+}"#,
+    },
+    Declaration {
+        module: "shared/random",
+        name: "unit_of",
+        sampling: None,
+        uses: &["UNITS"],
+        text: r#"// A number from 0 up to 1.
+fn unit_of(bits: u32) -> f32 {
+    return f32(bits >> 8u) / UNITS;
+}"#,
+    },
+    Declaration {
+        module: "shared/random",
+        name: "bits_of_point",
+        sampling: None,
+        uses: &["mixed"],
+        text: r#"// The random bits of a point of a lattice that begins again after every `count` points.
+fn bits_of_point(point: vec2f, count: f32, seed: u32) -> u32 {
+    let within = point - floor(point / count) * count;
+    return mixed(u32(within.x) + mixed(u32(within.y) + mixed(seed)));
 }"#,
     },
     Declaration {
@@ -10830,6 +10859,154 @@ const LEAST = 0.000001;"#,
     params: vec4f,
 ) -> vec3f {
     return frame.ambient.xyz * color * ambient_texel_between(hit.uv, at.level).x;
+}"#,
+    },
+    Declaration {
+        module: "procedure/bumps",
+        name: "BUMP_BESIDE",
+        sampling: None,
+        uses: &[],
+        text: r#"// How far from the middle of its cell a bump may be at most, in cells.
+const BUMP_BESIDE = 0.25;"#,
+    },
+    Declaration {
+        module: "procedure/bumps",
+        name: "BUMP_LEAST",
+        sampling: None,
+        uses: &[],
+        text: r#"// The least part of its height that a bump has at any time.
+const BUMP_LEAST = 0.3;"#,
+    },
+    Declaration {
+        module: "procedure/bumps",
+        name: "procedure_bumps",
+        sampling: None,
+        uses: &["BUMP_BESIDE", "BUMP_LEAST", "bits_of_point", "mixed", "sine_of", "unit_of"],
+        text: r#"// The parameters: bumps along a tile, their radius, and how far they lie beside the middles of cells.
+fn procedure_bumps(place: vec2f, time: f32, seed: u32, params: vec4f) -> f32 {
+    let at = place * params.x;
+    let own = floor(at);
+    var height = 0.0;
+    var k = 0u;
+    while (k < 9u) {
+        let cell = own + vec2f(f32(k % 3u), f32(k / 3u)) - vec2f(1.0, 1.0);
+        let bits = bits_of_point(cell, params.x, seed);
+        let beside = vec2f(unit_of(bits), unit_of(mixed(bits + 1u))) - vec2f(0.5, 0.5);
+        let middle = cell + vec2f(0.5, 0.5) + beside * (2.0 * BUMP_BESIDE * params.z);
+        let away = (at - middle) / params.y;
+        let wave = 0.5 + 0.5 * sine_of(time + unit_of(mixed(bits + 2u)));
+        let high = BUMP_LEAST + (1.0 - BUMP_LEAST) * wave;
+        height = max(height, high * sqrt(max(1.0 - dot(away, away), 0.0)));
+        k = k + 1u;
+    }
+    return height;
+}"#,
+    },
+    Declaration {
+        module: "procedure/fbm",
+        name: "NOISE_MOST",
+        sampling: None,
+        uses: &[],
+        text: r#"// The greatest value of the noise.
+const NOISE_MOST = 0.7071068;"#,
+    },
+    Declaration {
+        module: "procedure/fbm",
+        name: "gradient_at",
+        sampling: None,
+        uses: &["bits_of_point", "turned", "unit_of"],
+        text: r#"// What the gradient of a point of the lattice adds at a way from it.
+fn gradient_at(point: vec2f, way: vec2f, count: f32, turns: f32, seed: u32) -> f32 {
+    return dot(turned(unit_of(bits_of_point(point, count, seed)) + turns), way);
+}"#,
+    },
+    Declaration {
+        module: "procedure/fbm",
+        name: "gradient_noise",
+        sampling: None,
+        uses: &["gradient_at"],
+        text: r#"// Gradient noise on a lattice of so many points a tile.
+fn gradient_noise(at: vec2f, count: f32, turns: f32, seed: u32) -> f32 {
+    let cell = floor(at);
+    let part = at - cell;
+    let fade = part * part * part * (part * (part * 6.0 - 15.0) + 10.0);
+    let right = vec2f(1.0, 0.0);
+    let down = vec2f(0.0, 1.0);
+    let a = gradient_at(cell, part, count, turns, seed);
+    let b = gradient_at(cell + right, part - right, count, turns, seed);
+    let c = gradient_at(cell + down, part - down, count, turns, seed);
+    let d = gradient_at(cell + right + down, part - right - down, count, turns, seed);
+    let above = a + (b - a) * fade.x;
+    let below = c + (d - c) * fade.x;
+    return above + (below - above) * fade.y;
+}"#,
+    },
+    Declaration {
+        module: "procedure/fbm",
+        name: "procedure_fbm",
+        sampling: None,
+        uses: &["NOISE_MOST", "gradient_noise"],
+        text: r#"// The parameters: the points of the coarsest lattice along a tile, the octaves, and how strong each is beside
+// the one before.
+fn procedure_fbm(place: vec2f, time: f32, seed: u32, params: vec4f) -> f32 {
+    var height = 0.0;
+    var sum = 0.0;
+    var strength = 1.0;
+    var count = params.x;
+    var octave = 0u;
+    while (f32(octave) < params.y) {
+        let turns = time * f32(octave + 1u);
+        height = height + strength * gradient_noise(place * count, count, turns, seed + octave);
+        sum = sum + strength;
+        strength = strength * params.z;
+        count = count * 2.0;
+        octave = octave + 1u;
+    }
+    return 0.5 + 0.5 * height / (sum * NOISE_MOST);
+}"#,
+    },
+    Declaration {
+        module: "procedure/waves",
+        name: "WAVE_RANGE",
+        sampling: None,
+        uses: &[],
+        text: r#"// How many times as long the longest waves are as the shortest.
+const WAVE_RANGE = 7.0;"#,
+    },
+    Declaration {
+        module: "procedure/waves",
+        name: "WAVE_PACE",
+        sampling: None,
+        uses: &[],
+        text: r#"// How often the longest wave goes by in a unit of time.
+const WAVE_PACE = 2.0;"#,
+    },
+    Declaration {
+        module: "procedure/waves",
+        name: "procedure_waves",
+        sampling: None,
+        uses: &["WAVE_PACE", "WAVE_RANGE", "mixed", "sine_of", "unit_of"],
+        text: r#"// The parameters: the longest waves of a tile, how many there are, how much their ways differ, and how sharp
+// their crests are.
+fn procedure_waves(place: vec2f, time: f32, seed: u32, params: vec4f) -> f32 {
+    var height = 0.0;
+    var sum = 0.0;
+    var k = 0u;
+    while (f32(k) < params.y) {
+        let bits = mixed(seed + 4u * k);
+        let part = f32(k) / params.y;
+        let size = params.x * (1.0 + (WAVE_RANGE - 1.0) * part * part);
+        let along = max(floor(size + 0.5), 1.0);
+        let across = floor(2.0 * size * params.z * (unit_of(bits) - 0.5) + 0.5);
+        let length = sqrt(along * along + across * across);
+        let pace = max(floor(WAVE_PACE * sqrt(length / params.x) + 0.5), 1.0);
+        let phase = unit_of(mixed(bits + 1u));
+        let crest = 0.5 + 0.5 * sine_of(along * place.x + across * place.y - pace * time + phase);
+        height = height + (crest + params.w * (crest * crest - crest)) / length;
+        sum = sum + 1.0 / length;
+        k = k + 1u;
+    }
+    return height / sum;
 }"#,
     },
     Declaration {

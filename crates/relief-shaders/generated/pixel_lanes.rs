@@ -1783,6 +1783,20 @@ lanes! { fn bitangent_of_image(r: &Resources<'_>, image_a0: &Image) -> Vec3<F> {
     let e_11 = mul(add(add(add(mul(along_7.x, along_7.x), mul(along_7.y, along_7.y)), mul(along_7.z, along_7.z)), splat(0.0f32)), image_a0.extent.y);
     return Vec3 { x: div(along_7.x, e_11), y: div(along_7.y, e_11), z: div(along_7.z, e_11) };
 } }
+lanes! { fn mixed(r: &Resources<'_>, seed_a0: U) -> U {
+    let mut x_v0: U = splat_u(0u32);
+    x_v0 = xor_u(seed_a0, shr_u(seed_a0, i_of_u(splat_u(16u32))));
+    let e_5 = x_v0;
+    x_v0 = mul_u(e_5, splat_u(2146121005u32));
+    let e_8 = x_v0;
+    let e_9 = x_v0;
+    x_v0 = xor_u(e_8, shr_u(e_9, i_of_u(splat_u(15u32))));
+    let e_13 = x_v0;
+    x_v0 = mul_u(e_13, splat_u(2221713035u32));
+    let e_16 = x_v0;
+    let e_17 = x_v0;
+    return xor_u(e_16, shr_u(e_17, i_of_u(splat_u(16u32))));
+} }
 lanes! { fn path_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
@@ -3853,6 +3867,25 @@ lanes! { fn light_ray(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hi
     let path_74 = Path { uv: start_51, duv: Vec2 { x: way_3.duv.x, y: way_3.duv.y }, h: h_65, exit: sub(exit_11, end_26), base: splat(0.0f32), metric: Vec4 { x: way_3.metric.x, y: way_3.metric.y, z: way_3.metric.z, w: way_3.metric.w }, ray: way_3.ray, level: way_3.level, start: end_26, share: splat(1.0f32), bend: splat(0.0f32), };
     return sel_light_ray(ex, &LightRay { state: splat_u(2u32), path: path_74, }, &ret);
 } }
+lanes! { fn quarter_sine(r: &Resources<'_>, turn_a0: F) -> F {
+    let x_2 = mul(turn_a0, splat(6.2831855f32));
+    let s_3 = mul(x_2, x_2);
+    let last_7 = add(splat((-0.0001984127f32)), mul(s_3, splat(2.7557319e-6f32)));
+    return mul(x_2, add(splat(1.0f32), mul(s_3, add(splat((-0.16666667f32)), mul(s_3, add(splat(0.008333334f32), mul(s_3, last_7)))))));
+} }
+lanes! { fn sine_of(r: &Resources<'_>, turn_a0: F) -> F {
+    let part_2 = sub(turn_a0, floor(turn_a0));
+    let sine_11 = quarter_sine(r, sub(splat(0.25f32), abs(sub(splat(0.25f32), abs(sub(part_2, splat(0.5f32)))))));
+    return sel(gt(part_2, splat(0.5f32)), sub(splat(0.0f32), sine_11), sine_11);
+} }
+lanes! { fn turned(r: &Resources<'_>, turn_a0: F) -> Vec2<F> {
+    let e_3 = sine_of(r, add(turn_a0, splat(0.25f32)));
+    let e_4 = sine_of(r, turn_a0);
+    return Vec2 { x: e_3, y: e_4 };
+} }
+lanes! { fn unit_of(r: &Resources<'_>, bits_a0: U) -> F {
+    return div(f_of_u(shr_u(bits_a0, i_of_u(splat_u(8u32)))), splat(16777216.0f32));
+} }
 lanes! { fn has_table(r: &Resources<'_>, levels_a0: &Levels) -> M {
     return ge_u(levels_a0.fine, splat_u(2u32));
 } }
@@ -4135,44 +4168,11 @@ stage! { fn shadow_entry(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: 
     }
     load(&std::array::from_fn(|lane| results[lane]))
 } }
-lanes! { fn mixed(r: &Resources<'_>, seed_a0: U) -> U {
-    let mut x_v0: U = splat_u(0u32);
-    x_v0 = xor_u(seed_a0, shr_u(seed_a0, i_of_u(splat_u(16u32))));
-    let e_5 = x_v0;
-    x_v0 = mul_u(e_5, splat_u(2146121005u32));
-    let e_8 = x_v0;
-    let e_9 = x_v0;
-    x_v0 = xor_u(e_8, shr_u(e_9, i_of_u(splat_u(15u32))));
-    let e_13 = x_v0;
-    x_v0 = mul_u(e_13, splat_u(2221713035u32));
-    let e_16 = x_v0;
-    let e_17 = x_v0;
-    return xor_u(e_16, shr_u(e_17, i_of_u(splat_u(16u32))));
-} }
 lanes! { fn seed_of(r: &Resources<'_>, hit_a0: &Hit) -> U {
     let place_7 = Vec2 { x: u_of_f(mul(sub(hit_a0.uv.x, floor(hit_a0.uv.x)), splat(16777216.0f32))), y: u_of_f(mul(sub(hit_a0.uv.y, floor(hit_a0.uv.y)), splat(16777216.0f32))) };
     let e_10 = mixed(r, place_7.y);
     let e_12 = mixed(r, xor_u(place_7.x, e_10));
     return e_12;
-} }
-lanes! { fn unit_of(r: &Resources<'_>, bits_a0: U) -> F {
-    return div(f_of_u(shr_u(bits_a0, i_of_u(splat_u(8u32)))), splat(16777216.0f32));
-} }
-lanes! { fn quarter_sine(r: &Resources<'_>, turn_a0: F) -> F {
-    let x_2 = mul(turn_a0, splat(6.2831855f32));
-    let s_3 = mul(x_2, x_2);
-    let last_7 = add(splat((-0.0001984127f32)), mul(s_3, splat(2.7557319e-6f32)));
-    return mul(x_2, add(splat(1.0f32), mul(s_3, add(splat((-0.16666667f32)), mul(s_3, add(splat(0.008333334f32), mul(s_3, last_7)))))));
-} }
-lanes! { fn sine_of(r: &Resources<'_>, turn_a0: F) -> F {
-    let part_2 = sub(turn_a0, floor(turn_a0));
-    let sine_11 = quarter_sine(r, sub(splat(0.25f32), abs(sub(splat(0.25f32), abs(sub(part_2, splat(0.5f32)))))));
-    return sel(gt(part_2, splat(0.5f32)), sub(splat(0.0f32), sine_11), sine_11);
-} }
-lanes! { fn turned(r: &Resources<'_>, turn_a0: F) -> Vec2<F> {
-    let e_3 = sine_of(r, add(turn_a0, splat(0.25f32)));
-    let e_4 = sine_of(r, turn_a0);
-    return Vec2 { x: e_3, y: e_4 };
 } }
 lanes! { fn point_of_disc(r: &Resources<'_>, light_a0: &Toward, seed_a1: U, k_a2: u32, count_a3: u32) -> Toward {
     let e_8 = mixed(r, add_u(add_u(seed_a1, splat_u(k_a2)), splat_u(1u32)));

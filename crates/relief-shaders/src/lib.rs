@@ -4,7 +4,7 @@
 //! * [`STAGES`] is the table of the stages; [`geometry`], [`surface`], [`detail`], [`search`], [`refine`],
 //!   [`shade`], [`shadow`], [`ambient`], [`mod@slice`] and [`object`] list their variants, one file each
 //!   beside its shader.
-//! * [`METHODS`] names pairs of search and refinement.
+//! * [`METHODS`] names pairs of search and refinement; [`procedure`] has formulas that fill height maps.
 //! * [`wgsl`] assembles shaders as text for any engine; [`bindings`] says what they bind.
 //! * `cpu` (with the feature of that name) is the same shaders as Rust.
 
@@ -22,6 +22,7 @@ mod light_ray;
 mod maps;
 mod methods;
 pub mod object;
+pub mod procedure;
 pub mod refine;
 mod scene_maps;
 pub mod search;

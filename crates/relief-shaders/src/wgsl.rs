@@ -249,7 +249,7 @@ pub struct Parts {
 impl Parts {
     /// Those of a selection that a root reaches.
     pub fn new(selection: &Selection, root: Root, sampling: Sampling) -> Self {
-        let reached = reached(selection, root, sampling);
+        let reached = reached(selection, root.functions(), sampling);
         let bindings = bindings::BINDINGS.into_iter().filter(|binding| reached.contains(binding.name));
         Self { selection: *selection, sampling, bindings: bindings.collect(), reached }
     }
@@ -262,10 +262,7 @@ impl Parts {
     /// A comment on what is chosen: of each stage its variant, where that was published, what it reads and
     /// its parameters.
     pub fn choices(&self) -> String {
-        let mut text = format!(
-            "// Relief: displacement mapping, {} sampling.\n// SPDX-License-Identifier: MIT OR Apache-2.0\n",
-            self.sampling
-        );
+        let mut text = head(&format!("{} sampling", self.sampling));
         for (place, stage) in STAGES.iter().enumerate().filter(|(place, _)| self.has_stage(*place)) {
             chosen(&mut text, place, stage, &self.selection.choices[place]);
         }
@@ -315,10 +312,23 @@ impl Parts {
     }
 }
 
-/// The names that a root reaches.
-fn reached(selection: &Selection, root: Root, sampling: Sampling) -> BTreeSet<String> {
+/// A function that is part of no stage and reads nothing that is bound, with what it calls.
+pub(crate) fn of_function(name: &str) -> String {
+    let (selection, sampling) = (Selection::default(), Sampling::Exact);
+    let reached = reached(&selection, &[name], sampling);
+    let parts = Parts { selection, sampling, bindings: Vec::new(), reached };
+    format!("{}{}", head(&format!("the function {name}")), parts.code())
+}
+
+/// The first lines of a shader, which say what it is.
+fn head(what: &str) -> String {
+    format!("// Relief: displacement mapping, {what}.\n// SPDX-License-Identifier: MIT OR Apache-2.0\n")
+}
+
+/// The names that functions reach.
+fn reached(selection: &Selection, functions: &[&str], sampling: Sampling) -> BTreeSet<String> {
     let mut reached = BTreeSet::new();
-    let mut waiting: Vec<String> = root.functions().iter().map(|&name| name.to_owned()).collect();
+    let mut waiting: Vec<String> = functions.iter().map(|&name| name.to_owned()).collect();
     while let Some(name) = waiting.pop() {
         if !reached.insert(name.clone()) {
             continue;

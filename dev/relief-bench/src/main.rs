@@ -15,6 +15,7 @@ mod cost;
 mod cracks;
 mod detail;
 mod embree;
+mod fit;
 mod frame;
 mod impostors;
 mod judge;

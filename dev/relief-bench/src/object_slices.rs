@@ -1,7 +1,6 @@
 //! `object-slices`: slices through an object of six images, beside the object that they are of.
 
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 use glam::DVec3;
@@ -11,11 +10,12 @@ use relief_core::raycast::{RayCaster, Sides};
 use relief_maps::Maps;
 use relief_mesh::{BoxSlicer, SliceAnchor, SliceDirection, Watch};
 use relief_object::{Arrangement, Cover};
-use relief_render::scene::{BackendChoice, Sampling, Scene, Surface};
-use relief_render::{Renderer, render};
+use relief_render::render;
+use relief_render::scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 
+use crate::fit::Fit;
 use crate::impostors::captured;
 use crate::samples::Samples;
 use crate::surfaces::bases::spot;
@@ -92,17 +92,7 @@ impl Shot<'_> {
         backend: BackendChoice,
         rounds: u32,
     ) -> Result<Samples, String> {
-        let scene = self.scene(method, set, backend)?;
-        let mut renderer = Renderer::new(backend, Sampling::Exact).map_err(|error| error.to_string())?;
-        let (mut maps, never) = (Maps::in_memory(), AtomicBool::new(false));
-        let mut samples = Samples::default();
-        for round in 0..=rounds {
-            let time = renderer.time(&scene, &mut maps, &never).map_err(|error| error.to_string())?;
-            if round > 0 {
-                samples.push(time.elapsed.as_secs_f64() * 1e3);
-            }
-        }
-        Ok(samples)
+        Samples::of_pictures(&self.scene(method, set, backend)?, backend, rounds)
     }
 
     /// How many pixels all slices show together, drawn or not.
@@ -259,45 +249,4 @@ fn times(object: &Arc<ImageObject>, arguments: &Arguments) -> Result<(), String>
     }
     println!("{rows}\n\n{}", lines.join("\n"));
     Ok(())
-}
-
-/// A least-squares fit of two factors, by relative errors.
-#[derive(Default)]
-struct Fit {
-    squares: [f64; 3],
-    products: [f64; 2],
-}
-
-impl Fit {
-    /// Adds what both factors are multiplied by, and the value that the sum should have.
-    fn add(&mut self, by: [f64; 2], value: f64) {
-        let [a, b] = by.map(|by| by / value);
-        for (sum, term) in self.squares.iter_mut().zip([a * a, a * b, b * b]) {
-            *sum += term;
-        }
-        for (sum, term) in self.products.iter_mut().zip([a, b]) {
-            *sum += term;
-        }
-    }
-
-    fn solved(&self) -> [f64; 2] {
-        let ([aa, ab, bb], [a, b]) = (self.squares, self.products);
-        let area = aa * bb - ab * ab;
-        [(a * bb - b * ab) / area, (b * aa - a * ab) / area]
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lines_are_fitted() {
-        let mut fit = Fit::default();
-        for [slices, fragments] in [[10.0, 5000.0], [20.0, 4000.0], [15.0, 90_000.0]] {
-            fit.add([slices, fragments], 0.3 * slices + 1e-4 * fragments);
-        }
-        let [a, b] = fit.solved();
-        assert!((a - 0.3).abs() < 1e-9 && (b - 1e-4).abs() < 1e-12, "{a} {b}");
-    }
 }

@@ -1,4 +1,4 @@
-//! `slices`: slices through the relief beside the truth, on planes.
+//! `slices`: slices through the relief beside the truth, on planes and on a torus, and what they cost.
 
 use std::sync::Arc;
 
@@ -11,6 +11,8 @@ use relief_tests::slices::PlaneView;
 use crate::compare::maps::rock;
 use crate::table::table;
 
+mod torus;
+
 /// What `slices` is given.
 #[derive(Args)]
 pub struct Arguments {
@@ -20,8 +22,21 @@ pub struct Arguments {
     /// Displacement in metres, on a plane of a metre
     #[arg(long, default_value_t = 0.15)]
     scale: f64,
+    /// On a torus of 32x16 quads in place of the plane
+    #[arg(long)]
+    torus: bool,
+    /// Time pictures of a torus of 25x25 quads in place of comparing any
+    #[arg(long)]
+    times: bool,
+    /// Time a GPU, too
+    #[arg(long)]
+    gpu: bool,
+    /// Pictures that are timed of each; the median counts
+    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    rounds: u32,
 }
 
+/// The ways to slice.
 const METHODS: [&str; 3] = ["slices-surface", "slices-orthogonal", "slices-screen"];
 
 /// Degrees from the normal.
@@ -35,9 +50,20 @@ const DOLLY: f64 = 0.001;
 
 /// Prints the table.
 pub fn run(arguments: &Arguments) -> Result<(), String> {
+    if arguments.times {
+        return torus::times(arguments);
+    }
+    if arguments.torus { torus::errors(arguments) } else { on_planes(arguments) }
+}
+
+/// The maps that are looked at.
+fn all_maps() -> Result<Vec<(&'static str, HeightMap)>, String> {
     let shipped = maps().into_iter().filter(|map| ["cobbles", "spikes"].contains(&map.name));
     let rock = rock()?.map(|map| ("rock023", map));
-    let all: Vec<(&str, HeightMap)> = shipped.map(|named| (named.name, named.map)).chain(rock).collect();
+    Ok(shipped.map(|named| (named.name, named.map)).chain(rock).collect())
+}
+
+fn on_planes(arguments: &Arguments) -> Result<(), String> {
     let mut rows = table(&[
         "map",
         "degrees",
@@ -52,7 +78,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         "median x fragments",
         "jump %",
     ]);
-    for (name, map) in all {
+    for (name, map) in all_maps()? {
         let map = map.with_displacement(arguments.scale, -arguments.scale);
         let map = Arc::new(map.map_err(|error| error.to_string())?);
         for degrees in DEGREES {

@@ -4,9 +4,15 @@
 
 use std::sync::Arc;
 
+use relief_core::camera::Camera;
+use relief_core::mesh::torus;
 use relief_core::{HeightMap, Wrap};
+use relief_maps::Maps;
+use relief_render::render;
 use relief_render::scene::BackendChoice::{Cpu, Gpu};
+use relief_render::scene::{Scene, Surface};
 use relief_shaders::Selection;
+use relief_shaders::cpu::PixelOut;
 use relief_shaders::wgsl::Sampling;
 use relief_tests::adapter::has_adapter;
 use relief_tests::claims::picture_verdicts;
@@ -138,6 +144,41 @@ fn upright_slices_close_what_slices_along_the_base_leave_open() {
     });
     println!("off by six texels: {surface:.4} along the base, {orthogonal:.4} upright");
     assert!(orthogonal < 0.5 * surface, "{orthogonal} upright, {surface} along the base");
+}
+
+#[test]
+fn slices_at_equal_depths_come_to_the_tetrahedra_that_they_are_cut_from() {
+    let map = Arc::new((*map("cobbles", 0.03)).clone().with_displacement(0.03, 0.0).expect("lengths"));
+    let base = Arc::new(torus(32, 16).and_then(|mesh| mesh.tiled([6.0, 3.0].into())).expect("a mesh"));
+    let pixels = |selection: Selection| {
+        let surface = Surface::new(Arc::clone(&base), Arc::clone(&map)).with_selection(selection);
+        let camera = Camera::new([0.6, 1.2, 2.0].into(), [0.0; 3].into(), 28.0).expect("a camera");
+        let scene = Scene::builder(surface).camera(camera).size(120, 90).samples(1).backend(Cpu);
+        let scene = scene.build().expect("a scene");
+        render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+    };
+    let mut truth = Selection::exact();
+    truth.choose("surface", "tetrahedra").expect("a surface");
+    let truth = pixels(truth);
+    let apart = |count: f64| {
+        let mut selection = Selection::method("slices-screen").expect("a method");
+        selection.set("slices.count", count).expect("a setting");
+        let slices = pixels(selection);
+        let seen = truth.iter().zip(&slices).filter(|(truth, _)| truth.hit == 1);
+        // In texels, of which 256 make a tile.
+        let texels = |(a, b): (&PixelOut, &PixelOut)| {
+            let [u, v] = [a.uv.x - b.uv.x, a.uv.y - b.uv.y].map(|beside| 256.0 * (beside - beside.round()));
+            if b.hit == 1 { u.hypot(v) } else { f32::INFINITY }
+        };
+        let mut apart: Vec<f32> = seen.map(texels).collect();
+        assert!(apart.len() > 2000, "{} pixels", apart.len());
+        apart.sort_by(f32::total_cmp);
+        apart[apart.len() * 99 / 100]
+    };
+    let [coarse, fine] = [32.0, 256.0].map(apart);
+    println!("{coarse} and {fine} texels");
+    // Of tetrahedra that are cut along other diagonals they are seven texels apart, however many there are.
+    assert!(coarse < 2.0 && fine < 0.25, "{coarse} {fine}");
 }
 
 #[test]

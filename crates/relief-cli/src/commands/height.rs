@@ -1,5 +1,5 @@
-//! `relief height`: height maps from normal maps, photographs, pairs of meshes and images of objects, and for
-//! a mesh.
+//! `relief height`: height maps from normal maps, photographs, pairs of meshes, images of objects and formulas,
+//! and for a mesh.
 
 mod described;
 mod for_mesh;
@@ -9,6 +9,7 @@ mod from_photos;
 mod from_view;
 mod lights;
 mod output;
+mod procedure;
 
 use clap::{Args, Subcommand};
 use relief_bake::from_normals::{FromNormalsError, IntegratedHeights, Integration};
@@ -42,6 +43,8 @@ enum Origin {
     FromMeshes(Box<from_meshes::Arguments>),
     /// Take an image of a captured object for a height map
     FromView(Box<from_view::Arguments>),
+    /// Fill a height map by a formula: waves, fractal ground or bumps, at any time of their movement
+    Procedure(Box<procedure::Arguments>),
     /// Make of a height map one for a mesh: over its smooth base, or without what it does not show
     ForMesh(Box<for_mesh::Arguments>),
 }
@@ -50,7 +53,8 @@ const AFTER_HELP: &str = "Examples:\n  relief height from-normals rock_normal.pn
     relief height from-normals wall_dx.png --green down --wrap clamp --texel-size 0.002 -o wall.png\n  \
     relief height from-photos lights.toml -o coin.exr --normals coin_normal.png --albedo coin_color.png\n  \
     relief height from-meshes --low rock_low.glb --high rock_scan.ply --size 2048x2048 -o rock.exr\n  \
-    relief height from-view spot/object.toml --view 5 -o front.exr\n\n\
+    relief height from-view spot/object.toml --view 5 -o front.exr\n  \
+    relief height procedure waves --frames 0..47 -o waves_%04d.png\n\n\
     `relief height from-photos --help` shows a file of lights.";
 
 /// What a height map says of its texels, at the end of both helps.
@@ -148,6 +152,7 @@ impl Arguments {
             Origin::FromPhotos(arguments) => arguments.files(),
             Origin::FromMeshes(arguments) => arguments.files(),
             Origin::FromView(arguments) => arguments.files(),
+            Origin::Procedure(arguments) => arguments.files(),
             Origin::ForMesh(arguments) => arguments.files(),
         }
     }
@@ -159,6 +164,7 @@ impl Arguments {
             Origin::FromPhotos(arguments) => arguments.common.json,
             Origin::FromMeshes(arguments) => arguments.json,
             Origin::FromView(arguments) => arguments.json,
+            Origin::Procedure(arguments) => arguments.json,
             Origin::ForMesh(arguments) => arguments.json,
         }
     }
@@ -171,6 +177,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Origin::FromPhotos(arguments) => from_photos::run(arguments),
         Origin::FromMeshes(arguments) => from_meshes::run(arguments),
         Origin::FromView(arguments) => from_view::run(arguments),
+        Origin::Procedure(arguments) => procedure::run(arguments),
         Origin::ForMesh(arguments) => for_mesh::run(arguments),
     }
 }

@@ -15,13 +15,13 @@ use relief_render::scene::{BackendChoice, Sampling, Scene, SceneSpec};
 use relief_render::{Made, RenderError, Renderer};
 
 use self::baked_maps::CacheArguments;
-use self::frames::Frames;
 use self::output::{Bits, Counts, Outputs, StreamFormat};
 use self::report::Picture;
 use super::maps;
 use super::numbered::Numbering;
 use super::scene_arguments::{MachineArguments, SceneArguments, of_scene};
 use crate::failure::Failure;
+use crate::frames::Frames;
 use crate::progress::{Progress, TaskProgress};
 use crate::streams::{Files, Written, answer};
 use crate::{advice, interrupt, lanes, say};

@@ -78,6 +78,8 @@ pub struct Slicer<'a> {
     step_uv: [f64; 2],
     /// How far slices of constant depth are apart, in metres.
     spacing_m: f64,
+    /// For every vertex the number of the first one at the same place, where triangles are cut by these.
+    welded: Vec<u32>,
     /// What is clipped by a texture's border.
     polygons: Vec<FlatPolygon>,
     vertices: u64,
@@ -115,6 +117,8 @@ impl<'a> Slicer<'a> {
             SliceDirection::Quads(..) => FlatPolygon::all_of(base, map)?,
             _ => Vec::new(),
         };
+        let is_cut = matches!(direction, SliceDirection::Screen(..));
+        let welded = if is_cut { base.welded() } else { Vec::new() };
         let slicer = Self {
             base,
             direction,
@@ -123,6 +127,7 @@ impl<'a> Slicer<'a> {
             layers,
             step_uv,
             spacing_m,
+            welded,
             polygons,
             vertices,
             triangles,

@@ -2,7 +2,8 @@
 //!
 //! Source: Kautz and Seidel 2001, section 3.3. The space over a triangle of the base is cut into three
 //! tetrahedra. In each, heights and texture coordinates are linear, so that the corners of what a plane cuts
-//! out say all of it. Which way sides are cut follows from their own ends: neighbours agree.
+//! out say all of it. Which way sides are cut follows from their own ends, as in the surface `tetrahedra`:
+//! neighbours agree.
 
 use glam::DVec3;
 use relief_core::SliceAxis;
@@ -23,10 +24,11 @@ struct Corner {
 impl Slicer<'_> {
     /// The corners of the space over a triangle: those on its floor, then those above them.
     fn prism(&self, number: u32, camera: &Camera) -> [Corner; 6] {
-        let mut corners = self.base.corners(number);
-        corners.sort_by_key(|corner| corner.position.to_array().map(f32::to_bits));
+        let mut corners = self.base.triangles()[number as usize];
+        corners.sort_by_key(|corner| self.welded[*corner as usize]);
         std::array::from_fn(|place| {
-            let (base, height) = (*corners[place % 3], (place / 3) as f64);
+            let base = self.base.vertices()[corners[place % 3] as usize];
+            let height = (place / 3) as f64;
             let metres = self.bias_m + self.scale_m * height;
             let position = base.position.as_dvec3() + base.normal.as_dvec3() * metres;
             Corner { base, height, position, depth: camera.forward().dot(position - camera.eye()) }

@@ -19,6 +19,7 @@ mod lanes;
 #[allow(missing_docs, unused_imports, clippy::all)]
 mod layout;
 mod method_tracer;
+mod procedure;
 mod program;
 mod runtime;
 mod tessellator;
@@ -37,6 +38,7 @@ pub use layout::{BaseEdge, BasePatch, Face, MadeTotals, PassSettings, Probe, Pyr
 pub use method_tracer::MethodTracer;
 /// A vector, as shaders have it.
 pub use naga_rust_rt::{Vec2, Vec3, Vec4};
+pub(crate) use procedure::procedure_rows;
 pub use program::Program;
 pub use runtime::{ColorTexture, HeightTexture, HoleTexture, MapTexture};
 pub use tessellator::Tessellator;

@@ -49,12 +49,15 @@ const PARAMS: &[Param] = &[
         integer: false,
         names: &[],
     },
-    Param::of_names(
-        "color",
-        "of the three images that look along the view most; of those alone that see the place; of none, but \
-         light on the images' normals; blend: of the three frames of a grid that are around the view",
-        &["three", "seen", "normals", "blend"],
-    ),
+    Param {
+        default: 1.0,
+        ..Param::of_names(
+            "color",
+            "of the three images that look along the view most; of those alone that see the place; of none, \
+             but light on the images' normals; blend: of the three frames of a grid that are around the view",
+            &["three", "seen", "normals", "blend"],
+        )
+    },
     Param {
         name: "steps",
         summary: "of blended frames: how often a place is moved by the depth that is seen there",

@@ -50,8 +50,8 @@ pub fn run() -> Result<(), String> {
         let turned_of_mesh = turned(&of_mesh)?;
         rows.add_row([name, "the mesh", &format!("{turned_of_mesh:.4}"), "", ""]);
         for (label, object, keys) in [
-            ("six, three colours", "cube", ""),
-            ("six, colours seen", "cube", "set.object.color = \"seen\""),
+            ("six, three colours", "cube", "set.object.color = \"three\""),
+            ("six, colours seen", "cube", ""),
             ("16x16, blend of 2 steps", "grid", "method = \"impostor-blend\"\nset.object.steps = 2"),
         ] {
             let pairs = subject.pairs(Some((object, keys)))?;
@@ -97,7 +97,7 @@ impl Subject<'_> {
     fn pairs(&self, object: Option<(&str, &str)>) -> Result<Pairs, String> {
         let keys = match object {
             None => format!(
-                "height = \"flat.pgm\"\nscale = 0.0\nmethod = \"bump\"\nmesh = {:?}\ncolor = {:?}\n",
+                "height = \"flat.pgm\"\nscale = 0.0\nmethod = \"bump\"\ntwo-sided = true\nmesh = {:?}\ncolor = {:?}\n",
                 self.mesh, self.color
             ),
             Some((object, keys)) => format!("object = \"{object}/object.toml\"\n{keys}\n"),
@@ -117,7 +117,7 @@ impl Subject<'_> {
         let Self { centre, radius, .. } = *self;
         let eye = centre + from * 4.0 * radius;
         let text = format!(
-            "{keys}\ntwo-sided = true\nshadow = \"none\"\neye = {:?}\ntarget = {:?}\nsize = [{SIZE}, {SIZE}]\n\
+            "{keys}\nshadow = \"none\"\neye = {:?}\ntarget = {:?}\nsize = [{SIZE}, {SIZE}]\n\
              projection = \"orthographic\"\nview-height = {}\nbackend = \"cpu\"\nlight = [-0.5, 0.7, 0.4]\n\
              samples = 4\n",
             eye.to_array(),

@@ -131,7 +131,8 @@ pub fn check(declarations: &[Declaration], linked: &TranslationUnit, fast: bool)
 
 /// Whether that is a function of the dispatch, which the library writes itself.
 fn is_dispatch(name: &str) -> bool {
-    STAGES.iter().flat_map(|stage| stage.functions()).any(|function| function == name)
+    name == super::dispatch::PROCEDURE
+        || STAGES.iter().flat_map(|stage| stage.functions()).any(|function| function == name)
 }
 
 /// The Rust module that holds the declarations.

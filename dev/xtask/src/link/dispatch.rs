@@ -1,12 +1,12 @@
-//! The dispatch modules, one a stage, written from the registry's table of stages: a `switch` over the
-//! variants. A stage may call another one's without a circle of modules.
+//! The dispatch modules, one a stage and one of procedures, written from the registry's lists: a `switch` over
+//! the variants. A stage may call another one's without a circle of modules.
 //!
 //! That is for the CPU. For GPUs the library assembles programs in which a stage calls the chosen variant and
 //! no other.
 
 use std::fmt::Write as _;
 
-use relief_shaders::{Call, STAGES, Stage};
+use relief_shaders::{Call, STAGES, Stage, procedure};
 
 /// Names and sources of the modules.
 pub fn modules() -> impl Iterator<Item = (String, String)> {
@@ -15,6 +15,29 @@ pub fn modules() -> impl Iterator<Item = (String, String)> {
         .enumerate()
         .filter(|(_, stage)| !stage.calls.is_empty())
         .map(|(place, stage)| (format!("dispatch/{}", stage.key.replace('-', "_")), module(place, stage)))
+        .chain([("dispatch/procedure".to_owned(), procedures())])
+}
+
+/// The function that calls the procedure of a number.
+pub const PROCEDURE: &str = "procedure_height";
+
+fn procedures() -> String {
+    let (mut imports, mut arms) = (String::new(), String::new());
+    for (number, entry) in procedure::ENTRIES.iter().enumerate() {
+        let (stem, function) = (entry.name.replace('-', "_"), procedure::function_of(entry));
+        let _ = writeln!(imports, "import package::procedure::{stem}::{function};");
+        let label = label(number, procedure::ENTRIES.len());
+        let _ = writeln!(arms, "        {label}: {{ return {function}(place, time, seed, params); }}");
+    }
+    format!(
+        "{imports}\nfn {PROCEDURE}(number: u32, place: vec2f, time: f32, seed: u32, params: vec4f) -> f32 {{\n    \
+         switch (number) {{\n{arms}    }}\n}}\n"
+    )
+}
+
+/// What a `switch` calls that number of so many.
+fn label(number: usize, count: usize) -> String {
+    if number + 1 == count { "default".to_owned() } else { format!("case {number}u") }
 }
 
 fn module(place: usize, stage: &Stage) -> String {
@@ -47,8 +70,7 @@ fn function(place: usize, stage: &Stage, call: &Call) -> String {
     let mut arms = String::new();
     for (number, entry) in entries.iter().enumerate() {
         let function = stage.function_of(call, entry);
-        let label =
-            if number + 1 == entries.len() { "default".to_owned() } else { format!("case {number}u") };
+        let label = label(number, entries.len());
         let _ = writeln!(
             arms,
             "        {label}: {{ return {function}({passed}, surface_settings.choices[{place}].params); }}"

@@ -43,6 +43,7 @@ const CPU_ROOT: (&str, &[&str]) = (
         "add_sample",
         "ray_to_light",
         "mirrored_light",
+        "procedure_height",
         "voxel_of",
         "parts_between",
         "is_left_out",

@@ -3,9 +3,7 @@
 use std::collections::{BTreeSet, HashMap};
 use std::ffi::OsString;
 use std::io::Write;
-use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use relief_io::beside_file;
@@ -20,62 +18,10 @@ use super::{Arguments, Studio};
 use crate::commands::numbered::{Numbering, files};
 use crate::commands::scene_arguments::of_scene;
 use crate::failure::Failure;
+use crate::frames::Frames;
 use crate::progress::Progress;
 use crate::streams::answer;
 use crate::{interrupt, say};
-
-/// The most frames of a run.
-const MOST_FRAMES: u64 = 1_000_000;
-
-/// How a range is written.
-const FORM: &str = "write it as A..B, both among them, as in 0..47";
-
-/// The frames from one number to another, both among them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Frames {
-    first: u32,
-    last: u32,
-}
-
-impl FromStr for Frames {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (first, last) = text.split_once("..").ok_or(FORM)?;
-        let number = |text: &str| -> Result<u32, String> {
-            let text = text.trim();
-            let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-            match text.strip_prefix('-') {
-                Some(digits) if is_digits(digits) => Err("frames are counted from 0 on".to_owned()),
-                _ if is_digits(text) => {
-                    text.parse().map_err(|_| format!("frames have numbers of at most {}", u32::MAX))
-                }
-                _ => Err(FORM.to_owned()),
-            }
-        };
-        let frames = Self { first: number(first)?, last: number(last)? };
-        let Self { first, last } = frames;
-        if first > last {
-            return Err(format!("{first} comes after {last}: {FORM}"));
-        }
-        match frames.count() {
-            count if count > MOST_FRAMES => {
-                Err(format!("{count} frames are too many: at most {MOST_FRAMES} go at once"))
-            }
-            _ => Ok(frames),
-        }
-    }
-}
-
-impl Frames {
-    fn numbers(self) -> RangeInclusive<u32> {
-        self.first..=self.last
-    }
-
-    fn count(self) -> u64 {
-        u64::from(self.last).saturating_sub(u64::from(self.first)) + 1
-    }
-}
 
 /// Renders and writes all frames, each as by itself.
 pub fn run(
@@ -158,7 +104,7 @@ impl Sequence<'_> {
         {
             let Some(path) = path else { continue };
             // What is no pattern is told as that, before it is told to be none.
-            of_flags.path(path, frames.first)?;
+            of_flags.path(path, frames.first())?;
             if !of_flags.is_pattern(path) {
                 let path = path.display();
                 return Err(Failure::Usage(format!(
@@ -167,7 +113,7 @@ impl Sequence<'_> {
                 )));
             }
         }
-        self.numbering.spec(self.spec, frames.first)?;
+        self.numbering.spec(self.spec, frames.first())?;
         if !self.numbering.has_frames(self.spec) {
             return Err(Failure::usage(
                 "--frames: nothing in the scene is another in each frame: give the number a place in the \
@@ -181,7 +127,7 @@ impl Sequence<'_> {
         for number in frames.numbers() {
             let at = |failure| of_frame(failure, number, 0);
             let spec = self.numbering.spec(self.spec, number)?;
-            let is_first = number == frames.first;
+            let is_first = number == frames.first();
             // What is the same in all frames is looked for once.
             let is_new = |file: &&PathBuf| is_first || !in_all.contains(*file);
             let are_there = |read: &[PathBuf]| {
@@ -351,39 +297,6 @@ impl Places {
                 path.display()
             ))),
             None => Ok(()),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn ranges_are_read_or_refused() {
-        let range = |text: &str| text.parse::<Frames>().map(|frames| (frames.numbers(), frames.count()));
-        assert_eq!(range("0..47"), Ok((0..=47, 48)));
-        assert_eq!(range("7..7"), Ok((7..=7, 1)));
-        assert_eq!(range("1..1000000").map(|(_, count)| count), Ok(MOST_FRAMES));
-        assert_eq!(range("4294967295..4294967295").map(|(_, count)| count), Ok(1));
-        for (text, word) in [
-            ("", "A..B"),
-            ("7", "A..B"),
-            ("0..=47", "A..B"),
-            ("0..47..2", "A..B"),
-            ("..4", "A..B"),
-            ("4..", "A..B"),
-            ("a..b", "A..B"),
-            ("+1..2", "A..B"),
-            ("-1..3", "from 0"),
-            ("-3..-1", "from 0"),
-            ("5..4", "5 comes after 4"),
-            ("0..1000000", "1000001"),
-            ("0..4294967295", "4294967296"),
-            ("0..4294967296", "4294967295"),
-        ] {
-            let refused = range(text).expect_err("no range");
-            assert!(refused.contains(word), "{text}: {refused}");
         }
     }
 }

@@ -1,0 +1,294 @@
+//! `relief height procedure`: a formula to height maps.
+
+use std::fmt::Write as _;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::time::Instant;
+
+use clap::Args;
+use rayon::prelude::*;
+use relief_core::registry::Entry;
+use relief_core::{ByteSize, HeightMap, Wrap};
+use relief_io::{DEFAULT_MAX_BYTES, HeightNote};
+use relief_shaders::procedure::{ENTRIES, Procedure};
+use serde_json::json;
+
+use super::check_memory;
+use super::described::Described;
+use super::output::{Content, Format, Output, check_distinct};
+use crate::commands::numbered::Numbering;
+use crate::commands::staged::Staged;
+use crate::failure::Failure;
+use crate::frames::Frames;
+use crate::interrupt::cancelled;
+use crate::progress::Progress;
+use crate::streams::{Files, Written, answer};
+use crate::{interrupt, units, values};
+
+/// Bytes a texel of what is written.
+const BYTES_PER_TEXEL: u64 = 12;
+
+/// Rows that are filled together.
+const BAND: u32 = 16;
+
+/// Where the formulas come from.
+const PUBLISHED: &str = "Szirmay-Kalos and Umenhoffer 2008 3.1";
+
+/// What `relief height procedure` is given.
+#[derive(Args)]
+#[command(after_help = after_help())]
+pub struct Arguments {
+    /// Formula: waves, fbm or bumps
+    procedure: String,
+    /// Height map to write; with --frames, a name with a place for their numbers, as in waves_%04d.png
+    #[arg(short, long, value_name = "FILE.png|exr")]
+    output: PathBuf,
+    /// Set a parameter, as in count=8; see below
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
+    settings: Vec<(String, f64)>,
+    /// Texels of the map
+    #[arg(
+        long,
+        value_name = "WxH",
+        value_parser = values::size,
+        default_value = "512x512",
+        allow_hyphen_values = true
+    )]
+    size: [u32; 2],
+    /// Time, of which 1 is once around: what is seen at 0 and at 1 is the same
+    #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true)]
+    time: f64,
+    /// Write a map for each number from A to B, both among them, as in 0..47: together they go once around
+    #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
+    frames: Option<Frames>,
+    /// Other random numbers
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u32,
+    /// Metres between the heights 0 and 1, as the file says it
+    #[arg(long, value_name = "M", value_parser = units::length, default_value = "0.05", allow_hyphen_values = true)]
+    scale: f64,
+    /// Metres of the map along u and v, one number or two [default: the longer side 1 m]
+    #[arg(long, value_name = "U[,V]", value_parser = units::one_or_two_lengths, allow_hyphen_values = true)]
+    tile_size: Option<[f64; 2]>,
+    /// Write the formula as WGSL, too: a function of texture coordinates, time, seed and parameters
+    #[arg(long, value_name = "FILE.wgsl")]
+    wgsl: Option<PathBuf>,
+    /// Format of a height map that goes to the standard output, as in -o - --format exr
+    #[arg(long, value_enum, value_name = "png|exr", hide_short_help = true)]
+    format: Option<Format>,
+    /// Print one JSON object
+    #[arg(long)]
+    pub(super) json: bool,
+    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
+    max_memory: Option<ByteSize>,
+}
+
+fn after_help() -> String {
+    let mut text = String::from(
+        "Examples:\n  relief height procedure fbm --size 1024x1024 -o ground.exr\n  \
+         relief height procedure waves --frames 0..47 -o waves_%04d.png\n  \
+         relief render --height waves_%04d.png --frames 0..47 -o out_%04d.png\n\nFormulas and their parameters:\n",
+    );
+    // A string takes whatever is written.
+    for Entry { name, summary, params, .. } in ENTRIES {
+        let _ = writeln!(text, "  {name:<8} {summary}");
+        for param in *params {
+            let (name, summary) = (param.name, param.summary);
+            let _ = writeln!(text, "    {name:<10} {summary} [{}]", param.default);
+        }
+    }
+    text + "\nMaps tile without a seam. The same flags give the same heights."
+}
+
+/// A setting `NAME=VALUE`.
+fn setting(text: &str) -> Result<(String, f64), String> {
+    let wrong = || "write it as NAME=VALUE, as in count=8".to_owned();
+    let (name, value) = text.split_once('=').ok_or_else(wrong)?;
+    Ok((name.trim().to_owned(), value.trim().parse().map_err(|_| wrong())?))
+}
+
+/// Fills and writes.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let started = Instant::now();
+    let procedure = arguments.procedure()?;
+    let outputs = arguments.outputs()?;
+    let [width, height] = arguments.size;
+    HeightMap::check_size(width, height)
+        .map_err(|error| Failure::Usage(format!("--size {width}x{height}: {error}")))?;
+    let max_bytes = arguments.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0);
+    check_memory(arguments.size, BYTES_PER_TEXEL, max_bytes)?;
+    let cancel = interrupt::catch()?;
+    let paths: Vec<&Path> =
+        outputs.iter().map(|(output, _)| output.path.as_path()).chain(arguments.wgsl.as_deref()).collect();
+    let mut staged = Staged::open(&paths, arguments.json, cancel)?;
+    {
+        let bar = Progress::bar("filling", arguments.json);
+        let whole = outputs.len() as f32;
+        for (number, (output, time)) in outputs.iter().enumerate() {
+            let tell = |part: f32| bar.show((number as f32 + part) / whole);
+            let procedure = procedure.at_time(*time);
+            let texels = filled(&procedure, arguments.size, &tell, cancel)?;
+            output.write(&mut staged, &arguments.content(&procedure, texels, output)?, cancel)?;
+        }
+    }
+    if let Some(path) = &arguments.wgsl {
+        staged.write(path, procedure.wgsl())?;
+    }
+    staged.finish()?;
+    let seconds = started.elapsed().as_secs_f64();
+    answer(|out| {
+        if arguments.json {
+            let settings: serde_json::Map<_, _> =
+                named(&procedure).map(|(name, value)| (name.to_owned(), value.into())).collect();
+            let files: Vec<_> = outputs
+                .iter()
+                .map(|(output, time)| json!({ "output": output.path.display().to_string(), "time": time }))
+                .collect();
+            let about = json!({
+                "procedure": procedure.entry().name, "settings": settings, "seed": arguments.seed,
+                "width": width, "height": height, "scale_m": arguments.scale, "tile_m": arguments.tile_m(),
+                "wgsl": arguments.wgsl.as_ref().map(|path| path.display().to_string()), "maps": files,
+                "seconds": seconds,
+            });
+            writeln!(out, "{about:#}")?;
+            return Ok(());
+        }
+        let first = outputs.first().map(|(output, _)| output.path.display().to_string()).unwrap_or_default();
+        let what = match outputs.len() {
+            1 => first,
+            count => format!("{first} and {} more", count - 1),
+        };
+        writeln!(out, "{what}: {width}x{height} heights of {} in {seconds:.2} s", procedure.entry().name)?;
+        let settings: Vec<String> =
+            named(&procedure).map(|(name, value)| format!("{name}={value}")).collect();
+        writeln!(out, "  settings    {}, seed {}", settings.join(" "), arguments.seed)?;
+        let [u, v] = arguments.tile_m().map(values::six_digits);
+        writeln!(
+            out,
+            "  relief      --scale {} on a tile of {u} m x {v} m",
+            values::six_digits(arguments.scale)
+        )?;
+        Ok(())
+    })
+}
+
+/// Its parameters by their names.
+fn named(procedure: &Procedure) -> impl Iterator<Item = (&'static str, f32)> {
+    procedure.entry().params.iter().zip(procedure.params()).map(|(param, value)| (param.name, value))
+}
+
+/// All heights, band by band.
+fn filled(
+    procedure: &Procedure,
+    size: [u32; 2],
+    tell: &(dyn Fn(f32) + Sync),
+    cancel: &AtomicBool,
+) -> Result<Vec<f32>, Failure> {
+    let bands = size[1].div_ceil(BAND);
+    let done = AtomicU32::new(0);
+    let band = |band: u32| {
+        if cancel.load(Ordering::Relaxed) {
+            return Err(cancelled());
+        }
+        let rows = band * BAND..((band + 1) * BAND).min(size[1]);
+        let heights = procedure.rows(size, rows).map_err(Failure::work)?;
+        tell((done.fetch_add(1, Ordering::Relaxed) + 1) as f32 / bands as f32);
+        Ok(heights)
+    };
+    let all = (0..bands).into_par_iter().map(band).collect::<Result<Vec<_>, Failure>>()?;
+    Ok(all.concat())
+}
+
+impl Arguments {
+    /// The files that may be standard streams.
+    pub fn files(&mut self) -> Files<'_> {
+        let format = self.format.map(Format::ending);
+        let written = vec![Written { flag: "--output", path: &mut self.output, format }];
+        Files { written, ..Files::default() }
+    }
+
+    fn procedure(&self) -> Result<Procedure, Failure> {
+        let mut procedure =
+            Procedure::named(&self.procedure).map_err(|error| Failure::Usage(error.to_string()))?;
+        for (name, value) in &self.settings {
+            let set = procedure.set(name, *value);
+            set.map_err(|error| Failure::Usage(format!("--set {name}={value}: {error}")))?;
+        }
+        if !self.time.is_finite() {
+            return Err(Failure::Usage(format!("--time {}: it must be a number", self.time)));
+        }
+        if !(self.scale > 0.0) {
+            return Err(Failure::Usage(format!("--scale {}: it must be greater than 0", self.scale)));
+        }
+        Ok(procedure.with_seed(self.seed))
+    }
+
+    /// Metres of the map.
+    fn tile_m(&self) -> [f64; 2] {
+        let [width, height] = self.size.map(f64::from);
+        self.tile_size.unwrap_or([width, height].map(|side| side / width.max(height)))
+    }
+
+    /// The files to be written, and the time of each.
+    fn outputs(&self) -> Result<Vec<(Output, f64)>, Failure> {
+        let names = Numbering::of(None);
+        let is_pattern = names.is_pattern(&self.output);
+        let outputs = match self.frames {
+            None if is_pattern => {
+                let path = self.output.display();
+                return Err(Failure::Usage(format!(
+                    "--output {path}: its name has a place for a frame's number: say which with --frames, as in \
+                     --frames 0..47"
+                )));
+            }
+            Some(_) if !is_pattern => {
+                let path = self.output.display();
+                return Err(Failure::Usage(format!(
+                    "--output {path}: all frames would have this name: give it a place for their numbers, as in \
+                     waves_%04d.png"
+                )));
+            }
+            None => vec![(Output::new("--output", &self.output, &[])?, self.time)],
+            Some(frames) => {
+                let count = frames.count() as f64;
+                let frame = |number: u32| {
+                    let part = f64::from(number - frames.first()) / count;
+                    let path = names.path(&self.output, number)?;
+                    Ok((Output::new("--output", &path, &[])?, self.time + part))
+                };
+                frames.numbers().map(frame).collect::<Result<Vec<_>, Failure>>()?
+            }
+        };
+        if let (Some(wgsl), [(first, _), ..]) = (&self.wgsl, &outputs[..]) {
+            check_distinct([Some(wgsl), Some(&first.path)])?;
+        }
+        Ok(outputs)
+    }
+
+    fn content(&self, procedure: &Procedure, texels: Vec<f32>, output: &Output) -> Result<Content, Failure> {
+        let settings: Vec<String> = named(procedure).map(|(name, value)| format!("{name}={value}")).collect();
+        let described = Described {
+            size: self.size,
+            texels,
+            wrap: Wrap::Repeat,
+            note: HeightNote {
+                tile_m: self.tile_m(),
+                scale_m: self.scale,
+                bias_m: -self.scale,
+                of_mesh: false,
+            },
+            origin: vec![
+                ("procedure", procedure.entry().name.to_owned()),
+                ("settings", settings.join(" ")),
+                ("time", procedure.time().to_string()),
+                ("seed", procedure.seed().to_string()),
+            ],
+            published: Some(PUBLISHED),
+            guarantee: None,
+            more: Vec::new(),
+        };
+        described.content(output)
+    }
+}

@@ -1,0 +1,34 @@
+//! Registry entry of the procedure `bumps`.
+
+use relief_core::registry::{Entry, Param};
+
+use super::{count, entry};
+
+/// Round bumps.
+pub const ENTRY: Entry = entry(
+    "bumps",
+    "round bumps on level ground, each of which grows and shrinks in time",
+    &[
+        count("bumps along the tile", 256.0, 12.0),
+        Param {
+            name: "radius",
+            summary: "their radius, as a part of the distance from one to the next",
+            unit: "",
+            min: 0.01,
+            max: 1.0,
+            default: 0.45,
+            integer: false,
+            names: &[],
+        },
+        Param {
+            name: "jitter",
+            summary: "how far they lie beside a regular pattern",
+            unit: "",
+            min: 0.0,
+            max: 1.0,
+            default: 0.5,
+            integer: false,
+            names: &[],
+        },
+    ],
+);

@@ -1,0 +1,34 @@
+//! Registry entry of the procedure `fbm`.
+
+use relief_core::registry::{Entry, Param};
+
+use super::{count, entry};
+
+/// Fractal ground.
+pub const ENTRY: Entry = entry(
+    "fbm",
+    "fractal ground: gradient noise in octaves, which flows in time",
+    &[
+        count("points of the coarsest lattice along the tile", 64.0, 4.0),
+        Param {
+            name: "octaves",
+            summary: "octaves, each twice as fine as the one before",
+            unit: "octaves",
+            min: 1.0,
+            max: 16.0,
+            default: 7.0,
+            integer: true,
+            names: &[],
+        },
+        Param {
+            name: "gain",
+            summary: "how strong an octave is beside the one before",
+            unit: "",
+            min: 0.0,
+            max: 1.0,
+            default: 0.5,
+            integer: false,
+            names: &[],
+        },
+    ],
+);

@@ -1,0 +1,44 @@
+//! Registry entry of the procedure `waves`.
+
+use relief_core::registry::{Entry, Param};
+
+use super::{count, entry};
+
+/// Waves on water.
+pub const ENTRY: Entry = entry(
+    "waves",
+    "waves on water of many lengths, which run as fast as their lengths let them",
+    &[
+        count("the longest waves along the tile", 64.0, 3.0),
+        Param {
+            name: "waves",
+            summary: "how many waves are added",
+            unit: "waves",
+            min: 1.0,
+            max: 64.0,
+            default: 16.0,
+            integer: true,
+            names: &[],
+        },
+        Param {
+            name: "spread",
+            summary: "how much their directions differ: 0, they all run along u; 2, anywhere",
+            unit: "",
+            min: 0.0,
+            max: 2.0,
+            default: 0.8,
+            integer: false,
+            names: &[],
+        },
+        Param {
+            name: "sharpness",
+            summary: "how sharp their crests are",
+            unit: "",
+            min: 0.0,
+            max: 1.0,
+            default: 0.7,
+            integer: false,
+            names: &[],
+        },
+    ],
+);
