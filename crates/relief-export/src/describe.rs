@@ -32,7 +32,7 @@ pub fn manifest(selection: &Selection, program: &Program, name: &str, options: &
         name: name.to_owned(),
         relief: env!("CARGO_PKG_VERSION").to_owned(),
         sampling: options.sampling.name(),
-        draw: draw(program),
+        draw: draw(selection, program),
         stages: stages(selection, program, &structs),
         bindings: program.parts.bindings.iter().map(bound).collect(),
         structs,
@@ -40,8 +40,10 @@ pub fn manifest(selection: &Selection, program: &Program, name: &str, options: &
     }
 }
 
-fn draw(program: &Program) -> Draw {
+fn draw(selection: &Selection, program: &Program) -> Draw {
     let (vertices_per_triangle, instances, cull) = match program.proposal {
+        // Slices have no back.
+        Proposal::Polygons if selection.paths().is_sliced() => (3, "1", "none"),
         Proposal::Polygons => (3, "1", "back, of a two-sided mesh none"),
         Proposal::Shells => (BOX_VERTICES, "1, of a two-sided mesh 2", "front"),
     };

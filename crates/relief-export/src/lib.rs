@@ -43,6 +43,7 @@ mod target;
 mod textures;
 mod writers;
 
+use relief_shaders::geometry::Geometry;
 use relief_shaders::{GEOMETRY, SHADOW, STAGES, Selection};
 
 pub use error::ExportError;
@@ -119,7 +120,9 @@ pub fn export(selection: &Selection, options: &Options) -> Result<Exported, Expo
 
 /// Whether shaders can run all stages of a selection, together.
 fn check(selection: &Selection) -> Result<(), ExportError> {
-    if selection.geometry().is_some() {
+    let is_sliced =
+        matches!(selection.geometry(), Some(Geometry::Slices(_) | Geometry::ObjectSlices(_, false)));
+    if selection.geometry().is_some() && !is_sliced {
         return Err(ExportError::Displaced { geometry: selection.choices[GEOMETRY].entry.name });
     }
     if selection.rays_through_scene().is_some() {

@@ -32,7 +32,7 @@ pub struct Draw {
     pub vertices_per_triangle: u32,
     /// 1; 2 also draws the backs of a two-sided mesh.
     pub instances: &'static str,
-    /// Which faces are culled: `back`, of a two-sided mesh none; or `front`.
+    /// Which faces are culled: `back`, of a two-sided mesh none; `front`; or `none`.
     pub cull: &'static str,
     /// The winding of front faces, as they are seen in the picture.
     pub front_face: &'static str,

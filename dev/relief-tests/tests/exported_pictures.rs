@@ -2,32 +2,19 @@
 
 use relief_core::Wrap;
 use relief_core::object::{ImageObject, JumpCells};
-use relief_export::{Exported, Options, Placement, Profile, export};
+use relief_export::{Exported, Placement};
 use relief_maps::{Maps, Watch};
-use relief_render::gpu::GpuRenderer;
 use relief_render::job::Job;
 use relief_render::scene::BackendChoice;
 use relief_shaders::Selection;
-use relief_shaders::wgsl::Sampling;
 use relief_tests::compilers;
-use relief_tests::exported::{Device, Language, draw};
+use relief_tests::exported::{Difference, Language, compare, device, draw, exported, rendered};
 use relief_tests::object_pictures::{self, EYES};
 use relief_tests::one_source::picture::{Picture, Variation};
 use relief_tests::spheres::{CUBE, eyes_on_spheres};
 
 /// Columns and rows: 100,000 rays.
 const SIZE: [u32; 2] = [400, 250];
-
-/// A device; where there is none the test says that it skips, unless one is required.
-fn device() -> Option<Device> {
-    let device = Device::open();
-    let is_required = std::env::var_os("RELIEF_REQUIRE_GPU").is_some_and(|value| value == "1");
-    assert!(device.is_some() || !is_required, "RELIEF_REQUIRE_GPU is 1: there is no software adapter");
-    if device.is_none() {
-        println!("skipped: there is no software adapter");
-    }
-    device
-}
 
 fn selection(method: &str, surface: &str, shadow: &str, ambient: &str) -> Selection {
     let mut selection = Selection::method(method).expect("a method");
@@ -40,40 +27,6 @@ fn selection(method: &str, surface: &str, shadow: &str, ambient: &str) -> Select
 fn picture(selection: &Selection, wrap: Wrap) -> Picture {
     let variation = Variation { selection, wrap, normal_map: false, two_sided: true };
     Picture::new(SIZE[0], SIZE[1], &variation)
-}
-
-fn exported(selection: &Selection, placement: Option<Placement>) -> Exported {
-    let profiles = vec![Profile::Wgsl, Profile::Spirv13, Profile::Core450, Profile::Hlsl51];
-    let options = Options { profiles, placement, depth: true, ..Options::default() };
-    export(selection, &options).expect("an export")
-}
-
-/// The renderer's linear colours.
-fn rendered(device: &Device, job: &Job) -> Vec<[f32; 4]> {
-    let mut renderer = GpuRenderer::new(device.gpu());
-    let rendering = renderer.render(job, Sampling::Exact, &|_| ()).expect("a picture");
-    rendering.pixels.iter().map(|pixel| pixel.color).map(|of| [of.x, of.y, of.z, of.w]).collect()
-}
-
-/// How a picture differs from another one of the same size.
-struct Difference {
-    /// Pixels with other bits.
-    bits: usize,
-    /// Pixels of which a colour is off by more than rounding explains.
-    far: usize,
-    /// Pixels that show a surface.
-    covered: usize,
-}
-
-fn compare(a: &[[f32; 4]], b: &[[f32; 4]]) -> Difference {
-    assert_eq!(a.len(), b.len());
-    let count =
-        |is_it: &dyn Fn(&[f32; 4], &[f32; 4]) -> bool| a.iter().zip(b).filter(|(a, b)| is_it(a, b)).count();
-    Difference {
-        bits: count(&|a, b| a.map(f32::to_bits) != b.map(f32::to_bits)),
-        far: count(&|a, b| a.iter().zip(b).any(|(a, b)| (a - b).abs() > 1e-4)),
-        covered: count(&|a, _| a[3] > 0.0),
-    }
 }
 
 const CASES: [(&str, &str, &str, &str, Wrap); 4] = [

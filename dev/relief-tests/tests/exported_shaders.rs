@@ -79,7 +79,9 @@ fn every_method_compiles_in_every_target() {
     if !compilers::are_there() {
         return;
     }
-    let methods = METHODS.iter().filter(|method| ["none", "object"].contains(&method.geometry));
+    let methods = METHODS
+        .iter()
+        .filter(|method| ["none", "object", "slices", "object-slices"].contains(&method.geometry));
     let methods: Vec<_> =
         methods.map(|of| (of.name.to_owned(), Selection::of(of).expect("its own names"))).collect();
     let files = validate_all(&methods, true);

@@ -122,10 +122,10 @@ fn after_help() -> String {
             text += &format!("  {target} {}: {}\n", profile.name(), profile.title());
         }
     }
-    text + "\nMethods of triangles (vertex, remesh, tessellate, and all slices) have no shader of their own: \
+    text + "\nMethods of displaced triangles (vertex, remesh, tessellate) have no shader of their own: \
             `relief mesh` makes displaced meshes, and "
         + FACETS
-        + " shades them."
+        + " shades them. Of slices it shades polygons that a program makes: shells, for one."
 }
 
 fn method_help() -> String {

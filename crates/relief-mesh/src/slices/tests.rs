@@ -2,8 +2,9 @@ use std::collections::HashMap;
 use std::sync::atomic::AtomicBool;
 
 use relief_core::Wrap;
-use relief_core::camera::Camera;
+use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{cube, square, torus};
+use relief_core::raycast::{RayCaster, Sides, SurfaceHit};
 
 use super::*;
 
@@ -180,6 +181,46 @@ fn without_a_count_slices_are_a_texel_apart() {
     assert_eq!(count(SliceDirection::Surface), 4 * 2);
     // Lines at 0 to 8 eighths over both triangles, two triangles each.
     assert_eq!(count(SliceDirection::AcrossU), 9 * 2 * 2);
+}
+
+#[test]
+fn without_a_count_a_ray_goes_at_most_a_texel_aside_from_slice_to_slice() {
+    let base = square(1).expect("a mesh");
+    let map = HeightMap::new(64, 64, vec![0.5; 64 * 64], Wrap::Repeat).expect("a map");
+    let map = map.with_displacement(0.2, -0.2).expect("lengths");
+    for eye in [[0.1, 2.0, 0.2], [1.5, 1.4, 0.1], [0.8, 0.9, 1.1], [0.2, 0.3, 2.0]] {
+        // In perspective the rays of a triangle differ from that of its middle.
+        let parallel = Projection::Orthographic { height_m: 0.6 };
+        let camera = Camera::with(eye.into(), DVec3::ZERO, parallel).expect("a camera");
+        for direction in [SliceDirection::Facing(camera), SliceDirection::Screen(camera, SliceAnchor::Eye)] {
+            let slicer = slicer(&base, &map, 0, direction);
+            let mut triangles = Vec::new();
+            for block in blocks(&slicer) {
+                let corners = |triangle: &[u32; 3]| triangle.map(|at| block.vertices[at as usize].vertex);
+                triangles.extend(block.triangles.iter().map(corners));
+            }
+            let of_places = triangles.iter().map(|corners| corners.map(|corner| corner.position));
+            let caster = RayCaster::of_corners(of_places);
+            let mut steps = 0;
+            for pixel in 0..64u32 {
+                let ray = camera.ray(pixel % 8, pixel / 8, 8, 8);
+                let mut places: Vec<_> = caster.hits(&ray, Sides::Both).collect();
+                places.sort_by(|one, other| one.t.total_cmp(&other.t));
+                let uv = |hit: &SurfaceHit| {
+                    let corners = &triangles[hit.triangle as usize];
+                    (0..3)
+                        .map(|at| corners[at].uv.as_dvec2() * f64::from(hit.weights[at]))
+                        .sum::<glam::DVec2>()
+                };
+                for pair in places.windows(2) {
+                    let aside = (uv(&pair[1]) - uv(&pair[0])).abs().max_element() * 64.0;
+                    assert!(aside < 1.01, "{eye:?} {direction:?}: {aside}");
+                    steps += 1;
+                }
+            }
+            assert!(steps > 200, "{eye:?} {direction:?}: {steps}");
+        }
+    }
 }
 
 #[test]
