@@ -24,9 +24,12 @@ pub struct Arguments {
     /// Pixels of a side of each, which is as wide as the ball
     #[arg(long, default_value_t = 128)]
     size: u32,
-    /// In place of the table, how much pictures change when the eye goes a degree around
+    /// In place of the table, how much pictures change when the eye goes a degree around, and what they cost
     #[arg(long)]
     turning: bool,
+    /// Time a GPU, too
+    #[arg(long)]
+    gpu: bool,
 }
 
 /// Grids of frames, and texels of a side of each, that fit 512 x 512 texels.
@@ -59,7 +62,7 @@ impl Made<'_> {
 /// Prints the table.
 pub fn run(arguments: &Arguments) -> Result<(), String> {
     if arguments.turning {
-        return turning::run();
+        return turning::run(arguments);
     }
     let mut rows =
         table(&["mesh", "images", "made of them", "cover", "texels", "IoU", "worst IoU", "apart %"]);

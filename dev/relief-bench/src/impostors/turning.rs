@@ -1,4 +1,5 @@
-//! How much pictures of objects change when the eye goes a degree around them, beside those of the mesh.
+//! How much pictures of objects change when the eye goes a degree around them, and what they cost, beside those
+//! of the mesh.
 
 use std::path::Path;
 
@@ -8,10 +9,13 @@ use relief_core::Watch;
 use relief_io::{MeshColors, MeshOptions, read_mesh, read_picture};
 use relief_maps::Maps;
 use relief_object::{Arrangement, CaptureSettings, Capturer, Cover, ObjectWriter, even_directions};
+use relief_render::job::Rendering;
 use relief_render::picture::Look;
 use relief_render::render;
-use relief_render::scene::parse_scene;
+use relief_render::scene::{BackendChoice, Scene, parse_scene};
 
+use super::Arguments;
+use crate::samples::Samples;
 use crate::surfaces::bases::{data, spot_file};
 use crate::table::table;
 
@@ -20,6 +24,9 @@ const DIRECTIONS: u32 = 12;
 
 /// Pixels of a side of the pictures.
 const SIZE: u32 = 192;
+
+/// Pictures that are timed.
+const TIMED: u32 = 7;
 
 /// A height map without heights, under which a mesh is seen as it is.
 const FLAT: &str = "P2\n2 2\n255\n0 0 0 0\n";
@@ -37,9 +44,18 @@ struct Subject<'a> {
 }
 
 /// Prints the table.
-pub fn run() -> Result<(), String> {
+pub fn run(arguments: &Arguments) -> Result<(), String> {
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-    let mut rows = table(&["mesh", "shown", "FLIP of a degree", "less the mesh's", "FLIP beside the mesh"]);
+    let mut rows = table(&[
+        "mesh",
+        "shown",
+        "FLIP of a degree",
+        "less the mesh's",
+        "FLIP beside the mesh",
+        "reads",
+        "CPU ms",
+        "GPU ms",
+    ]);
     let spot = spot_file().map(|path| ("spot", path, data("piebald.png"), Cover::Centre));
     let tree = ("tree", data("tree.obj"), data("tree_color.png"), Cover::Pixel);
     for (name, mesh, color, cover) in spot.into_iter().chain([tree]) {
@@ -48,7 +64,8 @@ pub fn run() -> Result<(), String> {
         let subject = Subject { folder: &folder, mesh: &mesh, color: &color, centre, radius };
         let of_mesh = subject.pairs(None)?;
         let turned_of_mesh = turned(&of_mesh)?;
-        rows.add_row([name, "the mesh", &format!("{turned_of_mesh:.4}"), "", ""]);
+        let [reads, cpu, gpu] = subject.costs(None, arguments)?;
+        rows.add_row([name, "the mesh", &format!("{turned_of_mesh:.4}"), "", "", &reads, &cpu, &gpu]);
         for (label, object, keys) in [
             ("six, three colours", "cube", "set.object.color = \"three\""),
             ("six, colours seen", "cube", ""),
@@ -58,12 +75,16 @@ pub fn run() -> Result<(), String> {
             let turned = turned(&pairs)?;
             let beside: Result<Vec<f64>, String> =
                 pairs.iter().zip(&of_mesh).map(|(own, mesh)| apart(&own[0], &mesh[0])).collect();
+            let [reads, cpu, gpu] = subject.costs(Some((object, keys)), arguments)?;
             rows.add_row([
                 name.to_owned(),
                 label.to_owned(),
                 format!("{turned:.4}"),
                 format!("{:+.4}", turned - turned_of_mesh),
                 format!("{:.4}", mean(&beside?)),
+                reads,
+                cpu,
+                gpu,
             ]);
         }
     }
@@ -95,13 +116,7 @@ fn captured(folder: &Path, mesh: &Path, color: &Path, cover: Cover) -> Result<(D
 impl Subject<'_> {
     /// Pictures of the mesh, or of an object, shown as keys of a scene say.
     fn pairs(&self, object: Option<(&str, &str)>) -> Result<Pairs, String> {
-        let keys = match object {
-            None => format!(
-                "height = \"flat.pgm\"\nscale = 0.0\nmethod = \"bump\"\ntwo-sided = true\nmesh = {:?}\ncolor = {:?}\n",
-                self.mesh, self.color
-            ),
-            Some((object, keys)) => format!("object = \"{object}/object.toml\"\n{keys}\n"),
-        };
+        let keys = self.keys(object);
         let degree = 1f64.to_radians();
         even_directions(DIRECTIONS)
             .into_iter()
@@ -113,23 +128,61 @@ impl Subject<'_> {
             .collect()
     }
 
+    /// The keys of a scene of the mesh, or of an object.
+    fn keys(&self, object: Option<(&str, &str)>) -> String {
+        match object {
+            None => format!(
+                "height = \"flat.pgm\"\nscale = 0.0\nmethod = \"bump\"\ntwo-sided = true\nmesh = {:?}\n\
+                 color = {:?}\n",
+                self.mesh, self.color
+            ),
+            Some((object, keys)) => format!("object = \"{object}/object.toml\"\n{keys}\n"),
+        }
+    }
+
+    /// Reads of a pixel that shows something, and milliseconds of a picture on the CPU and on a GPU, at a sample
+    /// a pixel.
+    fn costs(&self, object: Option<(&str, &str)>, arguments: &Arguments) -> Result<[String; 3], String> {
+        let (keys, from) = (self.keys(object) + "samples = 1\n", even_directions(1)[0]);
+        let time = |backend: BackendChoice| {
+            let times = Samples::of_pictures(&self.scene(&keys, from, backend)?, backend, TIMED)?;
+            Ok::<String, String>(times.to_string())
+        };
+        let rendered = self.rendered(&keys, from)?;
+        let shown: Vec<f64> = rendered
+            .pixels
+            .iter()
+            .filter(|pixel| pixel.hit == 1)
+            .map(|pixel| f64::from(pixel.reads))
+            .collect();
+        let on_gpu = if arguments.gpu { time(BackendChoice::Gpu)? } else { String::new() };
+        Ok([format!("{:.1}", mean(&shown)), time(BackendChoice::Cpu)?, on_gpu])
+    }
+
     fn picture(&self, keys: &str, from: DVec3) -> Result<Image, String> {
+        let rendered = self.rendered(&format!("{keys}samples = 4\n"), from)?;
+        let look = Look { background: [0.03, 0.07, 0.13], exposure: 0.0, tone: Default::default() };
+        Image::of(&rendered, &look).map_err(|error| error.to_string())
+    }
+
+    fn rendered(&self, keys: &str, from: DVec3) -> Result<Rendering, String> {
+        let scene = self.scene(keys, from, BackendChoice::Cpu)?;
+        let rendered = render(&scene, &mut Maps::in_memory(), &|_, _| {});
+        Ok(rendered.map_err(|error| error.to_string())?.rendering)
+    }
+
+    fn scene(&self, keys: &str, from: DVec3, backend: BackendChoice) -> Result<Scene, String> {
         let Self { centre, radius, .. } = *self;
         let eye = centre + from * 4.0 * radius;
         let text = format!(
-            "{keys}\nshadow = \"none\"\neye = {:?}\ntarget = {:?}\nsize = [{SIZE}, {SIZE}]\n\
-             projection = \"orthographic\"\nview-height = {}\nbackend = \"cpu\"\nlight = [-0.5, 0.7, 0.4]\n\
-             samples = 4\n",
+            "{keys}shadow = \"none\"\neye = {:?}\ntarget = {:?}\nsize = [{SIZE}, {SIZE}]\n\
+             projection = \"orthographic\"\nview-height = {}\nbackend = \"{backend}\"\nlight = [-0.5, 0.7, 0.4]\n",
             eye.to_array(),
             centre.to_array(),
             2.0 * radius
         );
         let scene = parse_scene(&text, &self.folder.join("scene.toml")).and_then(|spec| spec.load());
-        let scene = scene.map_err(|error| format!("{error}: {text}"))?;
-        let rendered =
-            render(&scene, &mut Maps::in_memory(), &|_, _| {}).map_err(|error| error.to_string())?;
-        let look = Look { background: [0.03, 0.07, 0.13], exposure: 0.0, tone: Default::default() };
-        Image::of(&rendered.rendering, &look).map_err(|error| error.to_string())
+        scene.map_err(|error| format!("{error}: {text}"))
     }
 }
 
