@@ -47,7 +47,7 @@ fn frames_go_once_around_and_are_rendered_as_frames() {
     let line = "render --height w_%02d.png --frames 3..6 --size 24x24 --backend cpu -o out/%d.png -q";
     folder.relief(line).fine();
     let pictures: Vec<Vec<u8>> =
-        (3..=6).map(|n| std::fs::read(folder.path(&format!("out/{n}.png"))).expect("a picture")).collect();
+        (3..=6).map(|n| std::fs::read(folder.path(format!("out/{n}.png"))).expect("a picture")).collect();
     assert!(pictures.windows(2).all(|pair| pair[0] != pair[1]), "it moves");
 }
 

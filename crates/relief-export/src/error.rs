@@ -12,8 +12,8 @@ pub enum ExportError {
     Selection(#[from] SelectionError),
     /// The selection shows displaced triangles, which no shader of these stages makes.
     #[error(
-        "the geometry '{geometry}' shows triangles that no shader of these stages makes or counts, so there is \
-         none to export: displaced ones are those of a mesh, which the surface 'facets' shades"
+        "the geometry '{geometry}' shows triangles that no shader of these stages makes or counts, so there \
+         is none to export: displaced ones are those of a mesh, which the surface 'facets' shades"
     )]
     Displaced {
         /// The geometry.

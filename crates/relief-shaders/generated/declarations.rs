@@ -502,11 +502,11 @@ pub const MODULES: &[Module] = &[
     Module { path: "procedure/fbm", head: r#"// Fractal ground: gradient noise in octaves, each twice as fine as the one before and weaker. In time the
 // gradients turn, finer ones more often, so that it flows and comes round.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 3.1: displacement by a formula. Noise of turning gradients: Perlin
-// and Neyret 2001, Flow Noise.
+// Szirmay-Kalos and Umenhoffer 2008, section 3.1: displacement by a formula. Noise of turning gradients:
+// Perlin and Neyret 2001, Flow Noise.
 "# },
-    Module { path: "procedure/waves", head: r#"// Waves on water, of many lengths, that run the same way about, each as fast as its length lets it. All of them
-// fit the tile and come round in a unit of time.
+    Module { path: "procedure/waves", head: r#"// Waves on water, of many lengths, that run the same way about, each as fast as its length lets it. All of
+// them fit the tile and come round in a unit of time.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 3.1: displacement by a formula.
 "# },

@@ -1,5 +1,5 @@
-//! `relief height`: height maps from normal maps, photographs, pairs of meshes, images of objects and formulas,
-//! and for a mesh.
+//! `relief height`: height maps from normal maps, photographs, pairs of meshes, images of objects and
+//! formulas, and for a mesh.
 
 mod described;
 mod for_mesh;

@@ -1,8 +1,8 @@
 //! Slices at equal depths from a camera as quads of one size, which the border of the texture clips.
 //!
-//! Source: Kautz and Seidel 2001, section 3.3. Over a flat polygon texture coordinates and heights follow from
-//! places by one matrix, so that a quad may be larger than what the relief fills: beside the texture, below
-//! height 0 and above height 1 nothing is drawn.
+//! Source: Kautz and Seidel 2001, section 3.3. Over a flat polygon texture coordinates and heights follow
+//! from places by one matrix, so that a quad may be larger than what the relief fills: beside the texture,
+//! below height 0 and above height 1 nothing is drawn.
 
 use glam::{DMat3, DVec2, DVec3, Vec3};
 use relief_core::camera::Camera;

@@ -208,9 +208,7 @@ fn without_a_count_a_ray_goes_at_most_a_texel_aside_from_slice_to_slice() {
                 places.sort_by(|one, other| one.t.total_cmp(&other.t));
                 let uv = |hit: &SurfaceHit| {
                     let corners = &triangles[hit.triangle as usize];
-                    (0..3)
-                        .map(|at| corners[at].uv.as_dvec2() * f64::from(hit.weights[at]))
-                        .sum::<glam::DVec2>()
+                    (0..3).map(|at| corners[at].uv.as_dvec2() * hit.weights[at]).sum::<glam::DVec2>()
                 };
                 for pair in places.windows(2) {
                     let aside = (uv(&pair[1]) - uv(&pair[0])).abs().max_element() * 64.0;

@@ -103,8 +103,8 @@ impl Procedure {
         Ok(())
     }
 
-    /// The same at another time, of which 1 is once around; only what is beyond whole numbers counts, and what
-    /// is not finite is 0.
+    /// The same at another time, of which 1 is once around; only what is beyond whole numbers counts, and
+    /// what is not finite is 0.
     #[must_use]
     pub fn at_time(self, time: f64) -> Self {
         let part = time - time.floor();
@@ -117,8 +117,8 @@ impl Procedure {
         Self { seed, ..self }
     }
 
-    /// Its function for a program's own shaders, with what it needs, as plain WGSL: of texture coordinates, the
-    /// time, a seed and the parameters, the height from 0 to 1.
+    /// Its function for a program's own shaders, with what it needs, as plain WGSL: of texture coordinates,
+    /// the time, a seed and the parameters, the height from 0 to 1.
     pub fn wgsl(&self) -> String {
         crate::wgsl::of_function(&function_of(self.entry()))
     }

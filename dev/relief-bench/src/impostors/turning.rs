@@ -1,5 +1,5 @@
-//! How much pictures of objects change when the eye goes a degree around them, and what they cost, beside those
-//! of the mesh.
+//! How much pictures of objects change when the eye goes a degree around them, and what they cost, beside
+//! those of the mesh.
 
 use std::path::Path;
 
@@ -140,8 +140,8 @@ impl Subject<'_> {
         }
     }
 
-    /// Reads of a pixel that shows something, and milliseconds of a picture on the CPU and on a GPU, at a sample
-    /// a pixel.
+    /// Reads of a pixel that shows something, and milliseconds of a picture on the CPU and on a GPU, at a
+    /// sample a pixel.
     fn costs(&self, object: Option<(&str, &str)>, arguments: &Arguments) -> Result<[String; 3], String> {
         let (keys, from) = (self.keys(object) + "samples = 1\n", even_directions(1)[0]);
         let time = |backend: BackendChoice| {
@@ -176,7 +176,8 @@ impl Subject<'_> {
         let eye = centre + from * 4.0 * radius;
         let text = format!(
             "{keys}shadow = \"none\"\neye = {:?}\ntarget = {:?}\nsize = [{SIZE}, {SIZE}]\n\
-             projection = \"orthographic\"\nview-height = {}\nbackend = \"{backend}\"\nlight = [-0.5, 0.7, 0.4]\n",
+             projection = \"orthographic\"\nview-height = {}\nbackend = \"{backend}\"\n\
+             light = [-0.5, 0.7, 0.4]\n",
             eye.to_array(),
             centre.to_array(),
             2.0 * radius

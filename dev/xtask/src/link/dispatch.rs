@@ -1,5 +1,5 @@
-//! The dispatch modules, one a stage and one of procedures, written from the registry's lists: a `switch` over
-//! the variants. A stage may call another one's without a circle of modules.
+//! The dispatch modules, one a stage and one of procedures, written from the registry's lists: a `switch`
+//! over the variants. A stage may call another one's without a circle of modules.
 //!
 //! That is for the CPU. For GPUs the library assembles programs in which a stage calls the chosen variant and
 //! no other.
@@ -30,8 +30,8 @@ fn procedures() -> String {
         let _ = writeln!(arms, "        {label}: {{ return {function}(place, time, seed, params); }}");
     }
     format!(
-        "{imports}\nfn {PROCEDURE}(number: u32, place: vec2f, time: f32, seed: u32, params: vec4f) -> f32 {{\n    \
-         switch (number) {{\n{arms}    }}\n}}\n"
+        "{imports}\nfn {PROCEDURE}(\n    number: u32,\n    place: vec2f,\n    time: f32,\n    seed: u32,\n    \
+         params: vec4f,\n) -> f32 {{\n    switch (number) {{\n{arms}    }}\n}}\n"
     )
 }
 

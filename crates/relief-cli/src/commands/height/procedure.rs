@@ -66,7 +66,13 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u32,
     /// Metres between the heights 0 and 1, as the file says it
-    #[arg(long, value_name = "M", value_parser = units::length, default_value = "0.05", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "M",
+        value_parser = units::length,
+        default_value = "0.05",
+        allow_hyphen_values = true
+    )]
     scale: f64,
     /// Metres of the map along u and v, one number or two [default: the longer side 1 m]
     #[arg(long, value_name = "U[,V]", value_parser = units::one_or_two_lengths, allow_hyphen_values = true)]
@@ -89,7 +95,8 @@ fn after_help() -> String {
     let mut text = String::from(
         "Examples:\n  relief height procedure fbm --size 1024x1024 -o ground.exr\n  \
          relief height procedure waves --frames 0..47 -o waves_%04d.png\n  \
-         relief render --height waves_%04d.png --frames 0..47 -o out_%04d.png\n\nFormulas and their parameters:\n",
+         relief render --height waves_%04d.png --frames 0..47 -o out_%04d.png\n\n\
+         Formulas and their parameters:\n",
     );
     // A string takes whatever is written.
     for Entry { name, summary, params, .. } in ENTRIES {
@@ -219,7 +226,7 @@ impl Arguments {
         if !self.time.is_finite() {
             return Err(Failure::Usage(format!("--time {}: it must be a number", self.time)));
         }
-        if !(self.scale > 0.0) {
+        if self.scale <= 0.0 {
             return Err(Failure::Usage(format!("--scale {}: it must be greater than 0", self.scale)));
         }
         Ok(procedure.with_seed(self.seed))
@@ -239,15 +246,15 @@ impl Arguments {
             None if is_pattern => {
                 let path = self.output.display();
                 return Err(Failure::Usage(format!(
-                    "--output {path}: its name has a place for a frame's number: say which with --frames, as in \
-                     --frames 0..47"
+                    "--output {path}: its name has a place for a frame's number: say which with --frames, as \
+                     in --frames 0..47"
                 )));
             }
             Some(_) if !is_pattern => {
                 let path = self.output.display();
                 return Err(Failure::Usage(format!(
-                    "--output {path}: all frames would have this name: give it a place for their numbers, as in \
-                     waves_%04d.png"
+                    "--output {path}: all frames would have this name: give it a place for their numbers, as \
+                     in waves_%04d.png"
                 )));
             }
             None => vec![(Output::new("--output", &self.output, &[])?, self.time)],
