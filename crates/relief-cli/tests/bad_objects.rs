@@ -37,6 +37,8 @@ fn what_cannot_be_shown_is_refused() {
     edited("small", text.replacen("radius = ", "radius = -", 1));
     let of = |name: &str| format!("render --object six/{name}.toml");
     let six = of("object");
+    let bench = folder.relief("bench --object six/object.toml --methods depth-object");
+    assert_refused(&folder, &bench, 2, &["height maps", "object"]);
     for (line, code, words) in [
         (of("empty"), 1, &["view"][..]),
         (of("singular"), 1, &["view 1", "from"]),

@@ -43,7 +43,7 @@ mod spread;
 pub const COBBLES_PNG: &[u8] = include_bytes!("../data/cobbles.png");
 
 pub use case::{Case, cost, hits, judged};
-pub use choose::{Candidate, Goal, Tried, choose};
+pub use choose::{Candidate, Goal, Tried, choose, with_other_steps};
 pub use comparison::{Comparison, Machine, MachineBackend, Timing, Watch};
 pub use contender::{Contender, shadow};
 pub use csv::csv;

@@ -5,7 +5,7 @@ mod report;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use relief_compare::{Compared, Comparison, Contender, Goal, Timing, Tried, choose, csv, page};
+use relief_compare::{Compared, Comparison, Goal, Timing, Tried, choose, csv, page, with_other_steps};
 use relief_core::MapFormat;
 
 use super::contest::{Contest, ContestArguments, as_json, compared, of_comparison};
@@ -147,8 +147,7 @@ const QUICK_SIZE: [u32; 2] = [160, 120];
 /// Displacements where nothing is said of them: normal and extreme.
 const SCALES_M: [f64; 2] = [0.05, 0.15];
 
-/// Numbers of steps, and frames of each, among which a method is chosen.
-const STEPS: [u32; 6] = [8, 16, 32, 64, 128, 256];
+/// Frames of each among which a method is chosen.
 const CHOOSING_FRAMES: u32 = 7;
 
 /// Compares and writes.
@@ -233,7 +232,7 @@ impl Arguments {
             comparison.timing = Some(Timing { frames: CHOOSING_FRAMES, warm: 1, pixels: 1 });
             comparison.flicker_samples = None;
             if self.steps.is_empty() {
-                comparison.contenders = with_other_steps(comparison.contenders);
+                comparison.contenders = with_other_steps(&comparison.contenders);
             }
         }
         comparison.check().map_err(of_comparison)?;
@@ -276,14 +275,4 @@ impl Arguments {
         }
         Ok(())
     }
-}
-
-/// The methods, and those that have steps with fewer and with more of them, too.
-fn with_other_steps(contenders: Vec<Contender>) -> Vec<Contender> {
-    let each = contenders.into_iter().flat_map(|contender| {
-        let other = STEPS.into_iter().filter_map(|steps| contender.with_steps(steps).ok().flatten());
-        let others: Vec<Contender> = other.collect();
-        std::iter::once(contender).chain(others)
-    });
-    each.collect()
 }

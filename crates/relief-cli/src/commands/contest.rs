@@ -68,6 +68,12 @@ impl ContestArguments {
     pub fn contest(&self) -> Result<Contest, Failure> {
         let mut spec = self.scene.spec()?;
         Numbering::of(self.scene.file()).refuse(&spec, ONE_FRAME)?;
+        if let Some(file) = spec.each_surface().into_iter().find_map(|surface| surface.object) {
+            return Err(Failure::Usage(format!(
+                "{}: what is compared are methods over height maps, not objects of images",
+                file.display()
+            )));
+        }
         let families = self.families(&spec)?;
         let shadows = shadows(&mut spec)?;
         let settings = settings(&mut spec, &[GEOMETRY, SLICES, SEARCH, REFINE]);

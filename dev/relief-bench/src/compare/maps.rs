@@ -21,7 +21,7 @@ pub fn rock() -> Result<Option<HeightMap>, String> {
 }
 
 /// A scan of rock, an elevation model, cobbles, a logo and white noise; the scan where it is at hand.
-fn maps() -> Result<Vec<Named>, String> {
+pub fn maps() -> Result<Vec<Named>, String> {
     let sample = |name: &'static str, file: &str, wrap: Wrap| -> Result<Named, String> {
         let options = HeightOptions { wrap: Some(wrap), ..HeightOptions::default() };
         read_height(&sample_maps().join(file), &options)

@@ -1,7 +1,8 @@
 //! `compare`: what `relief-compare` finds of all methods on several maps, of their errors against their
 //! times, and of their times against the size of the map, the covered pixels and the triangles; what reads
-//! cost, and whether times hold.
+//! cost, and whether times and choices hold.
 
+mod choose;
 mod fetches;
 mod hold;
 pub mod maps;
@@ -22,7 +23,7 @@ use relief_tests::accuracy;
 #[derive(Args)]
 pub struct Arguments {
     /// What is printed
-    #[arg(value_enum, default_values = ["maps", "times", "sizes", "pixels", "polygons", "fetches", "hold"])]
+    #[arg(value_enum, default_values = ["maps", "times", "sizes", "pixels", "polygons", "fetches", "hold", "choose"])]
     parts: Vec<Part>,
     /// Rays a map and angle
     #[arg(long, default_value_t = 20_000)]
@@ -51,6 +52,8 @@ enum Part {
     Fetches,
     /// Whether times hold: two runs in a row, and passes beside their frames
     Hold,
+    /// Whether what is chosen for a budget or an error keeps it in another run, and is the best there
+    Choose,
 }
 
 /// Prints the tables.
@@ -64,6 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
             Part::Polygons => polygons::run(arguments)?,
             Part::Fetches => fetches::run(arguments)?,
             Part::Hold => hold::run(arguments)?,
+            Part::Choose => choose::run(arguments)?,
         }
     }
     Ok(())

@@ -34,14 +34,22 @@ pub fn tell(
 /// What was tried, what keeps the goal first, and how to render with the best.
 fn choice(tried: &Tried, scene: &str, out: &mut dyn Write) -> Result<(), Failure> {
     let mut table = Table::new();
-    table.load_style(ASCII_MARKDOWN).set_header(["", "method", "on", "frame ms", "p99 texels"]);
+    table.load_style(ASCII_MARKDOWN).set_header([
+        "",
+        "method",
+        "on",
+        "frame ms",
+        "surely within ms",
+        "p99 texels",
+    ]);
     for (place, candidate) in tried.candidates.iter().enumerate() {
-        let Candidate { method, backend, sampling, p99_texels, frame_ms } = candidate;
+        let Candidate { method, backend, sampling, p99_texels, frame_ms, frame_high_ms } = candidate;
         table.add_row([
             if place < tried.keep { "keeps it" } else { "" }.to_owned(),
             method.label(),
             format!("{backend} {sampling}"),
             format!("{frame_ms:.2}"),
+            format!("{frame_high_ms:.2}"),
             format!("{p99_texels:.3}"),
         ]);
     }

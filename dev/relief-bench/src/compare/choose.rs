@@ -1,0 +1,86 @@
+//! Whether a method that is chosen keeps its budget or its error in another run, and whether another one does
+//! better there.
+
+use relief_compare::{Candidate, Contender, Goal, Machine, Records, Timing, choose, with_other_steps};
+
+use super::maps::maps;
+use super::{Arguments, SIZE, compared, on_square};
+use crate::table::table;
+
+/// Milliseconds of a frame, over that of the fastest search, and texels that are asked for.
+const BUDGETS: [f64; 3] = [1.2, 1.5, 2.5];
+const ERRORS: [f64; 3] = [2.0, 0.1, 0.01];
+
+/// By how much another one may do better.
+const BETTER: f64 = 0.1;
+
+/// Errors below that many texels are rounding.
+const ROUNDING_TEXELS: f64 = 1e-3;
+
+/// Prints a table of all maps.
+pub fn run(arguments: &Arguments) -> Result<(), String> {
+    let mut rows = table(&[
+        "map",
+        "asked",
+        "chosen",
+        "then: ms, texels",
+        "in another run",
+        "kept",
+        "the best there",
+        "within a tenth",
+    ]);
+    for (name, map) in maps()? {
+        let mut comparison = on_square(name, map, SIZE, vec![Machine::CPU])?;
+        let searches: Vec<Contender> = Contender::all().into_iter().filter(Contender::is_of_rays).collect();
+        comparison.contenders = with_other_steps(&searches);
+        (comparison.rays, comparison.steps) = (arguments.rays.min(4_000), Vec::new());
+        comparison.timing = Some(Timing { frames: arguments.frames, warm: 1, pixels: 1 });
+        let [first, second] = [compared(&comparison)?, compared(&comparison)?];
+        let fastest = choose(&first, Goal::WithinTexels(f64::MAX)).candidates;
+        let fastest = fastest.first().ok_or("no method was timed")?.frame_ms;
+        let goals = BUDGETS.map(|times| Goal::WithinMs(times * fastest));
+        for goal in goals.into_iter().chain(ERRORS.map(Goal::WithinTexels)) {
+            rows.add_row(row(name, goal, [&first, &second])?);
+        }
+    }
+    println!(
+        "Methods that search, with 8 to 256 steps, chosen for frames of {}x{} pixels without shadows on the CPU, \
+         {} frames of each by turns; another run of all of them after it\n\n{rows}\n",
+        SIZE[0], SIZE[1], arguments.frames
+    );
+    Ok(())
+}
+
+fn row(name: &str, goal: Goal, [first, second]: [&Records; 2]) -> Result<[String; 8], String> {
+    let asked = match goal {
+        Goal::WithinMs(ms) => format!("{ms:.2} ms"),
+        Goal::WithinTexels(texels) => format!("{texels} texels"),
+    };
+    let tried = choose(first, goal);
+    let chosen =
+        tried.candidates.first().filter(|_| tried.keep > 0).ok_or("no method keeps what is asked")?;
+    let again = choose(second, goal);
+    let label = chosen.method.label();
+    let then = again.candidates.iter().find(|other| other.method.label() == label);
+    let then = then.ok_or("it was not timed again")?;
+    let best = again.candidates.first().ok_or("nothing was timed again")?;
+    let least = |of: &Candidate| match goal {
+        Goal::WithinMs(_) => of.p99_texels.max(ROUNDING_TEXELS),
+        Goal::WithinTexels(_) => of.frame_ms,
+    };
+    let said = |of: &Candidate| format!("{:.2}, {:.4}", of.frame_ms, of.p99_texels);
+    let yes = |is_so: bool| if is_so { "yes" } else { "no" }.to_owned();
+    Ok([
+        name.to_owned(),
+        asked,
+        label,
+        said(chosen),
+        said(then),
+        yes(match goal {
+            Goal::WithinMs(limit) => then.frame_ms <= limit,
+            Goal::WithinTexels(limit) => then.p99_texels <= limit,
+        }),
+        format!("{}: {}", best.method.label(), said(best)),
+        yes(least(then) <= (1.0 + BETTER) * least(best)),
+    ])
+}
