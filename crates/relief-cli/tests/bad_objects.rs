@@ -27,7 +27,7 @@ fn what_cannot_be_shown_is_refused() {
     let text = std::fs::read_to_string(folder.path("six/object.toml")).expect("a description");
     let views = text.find("[[view]]").expect("a view");
     let edited = |name: &str, text: String| {
-        std::fs::write(folder.path(&format!("six/{name}.toml")), text).expect("a file");
+        std::fs::write(folder.path(format!("six/{name}.toml")), text).expect("a file");
     };
     edited("empty", text[..views].to_owned());
     edited("singular", text.replacen("from = [1, 0, 0]", "from = [0, 0, 0]", 1));
