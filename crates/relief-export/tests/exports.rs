@@ -195,13 +195,26 @@ fn shells_write_depth_always() {
 }
 
 #[test]
+fn slices_are_drawn_from_both_sides() {
+    for name in ["slices-surface", "slices-orthogonal", "slices-screen", "visual-hull-slices"] {
+        let exported = export(&method(name), &options(&[Profile::Wgsl])).expect("an export");
+        let draw = &exported.manifest.draw;
+        assert_eq!((draw.vertices_per_triangle, draw.instances, draw.cull), (3, "1", "none"), "{name}");
+    }
+}
+
+#[test]
 fn what_no_shader_can_is_refused() {
     let wgsl = options(&[Profile::Wgsl]);
-    let displaced = METHODS.iter().filter(|method| !["none", "object"].contains(&method.geometry));
+    let displaced = METHODS.iter().filter(|of| ["vertex", "remesh", "tessellate"].contains(&of.geometry));
     for displaced in displaced {
         let error = export(&method(displaced.name), &wgsl).expect_err("no shader makes triangles");
         assert_eq!(error, ExportError::Displaced { geometry: displaced.geometry });
     }
+    let mut counted = method("depth-object-slices");
+    counted.set("geometry.pass", 1.0).expect("a setting");
+    let error = export(&counted, &wgsl).expect_err("passes are no shader");
+    assert_eq!(error, ExportError::Displaced { geometry: "object-slices" });
     let mut scene = method("exact");
     scene.choose("shadow", "scene").expect("a shadow");
     assert!(matches!(export(&scene, &wgsl), Err(ExportError::OnlyCpu { entry: "scene", .. })));

@@ -19,6 +19,9 @@ use crate::displaced::{BYTES_PER_TRIANGLE, BYTES_PER_VERTEX, GeometryError, corn
 use crate::scene::Scene;
 use crate::triangles::Triangles;
 
+/// Bytes of a slice through a box, with six corners.
+const BYTES_PER_SLICE: u64 = 6 * 24 + 24;
+
 /// What makes slices fewer.
 pub const FEWER: &str = "a smaller 'slices.count'";
 
@@ -71,19 +74,25 @@ pub fn triangles_of_object(
     let bounds = [places().fold(DVec3::INFINITY, DVec3::min), places().fold(DVec3::NEG_INFINITY, DVec3::max)];
     let slicer = BoxSlicer::new(bounds, spacing_m, direction).map_err(error)?;
     let most = |each: u64| slicer.slices().saturating_mul(each);
-    let mut room = Room::of(most(6), most(4), left)?;
-    let mut slices = Vec::with_capacity(slicer.slices() as usize);
-    slicer.each(watch, |slice| slices.push(slice.clone())).map_err(error)?;
-    if let Some(camera) = camera {
-        let off = |slice: &BoxSlice| slicer.distance_m(&slice[0], &camera);
-        slices.sort_by(|one, other| off(one).total_cmp(&off(other)));
-    }
-    let mut ends = Vec::with_capacity(slices.len());
-    for slice in &slices {
+    // What comes in an order is held until all of it is there.
+    let held = if camera.is_some() { most(BYTES_PER_SLICE) } else { 0 };
+    let mut room = Room::of(most(6), most(4), left.saturating_sub(held))?;
+    let mut ends = Vec::with_capacity(slicer.slices() as usize);
+    let mut take = |slice: &BoxSlice| {
         let at = |position: &DVec3| Vertex { position: position.as_vec3(), ..mesh.vertices()[0] };
         let faces: Vec<[u32; 3]> = (2..slice.len() as u32).map(|k| [0, k - 1, k]).collect();
         room.take(slice.iter().map(|position| corner(&at(position))), &faces);
         ends.push(room.faces.len() as u32);
+    };
+    match camera {
+        None => slicer.each(watch, take).map_err(error)?,
+        Some(camera) => {
+            let mut slices = Vec::with_capacity(slicer.slices() as usize);
+            slicer.each(watch, |slice| slices.push(slice.clone())).map_err(error)?;
+            let off = |slice: &BoxSlice| slicer.distance_m(&slice[0], &camera);
+            slices.sort_by(|one, other| off(one).total_cmp(&off(other)));
+            slices.iter().for_each(&mut take);
+        }
     }
     let (triangles, needed) = room.triangles();
     Ok((Arc::new(triangles.in_slices(ends)), needed))

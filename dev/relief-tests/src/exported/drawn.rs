@@ -40,8 +40,8 @@ impl Language {
 
 /// A software device of the tests' own.
 pub struct Device {
-    device: wgpu::Device,
-    queue: wgpu::Queue,
+    pub(super) device: wgpu::Device,
+    pub(super) queue: wgpu::Queue,
 }
 
 impl Device {

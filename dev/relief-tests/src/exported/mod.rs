@@ -2,6 +2,7 @@
 
 mod beside;
 mod bound;
+mod computed;
 mod drawn;
 mod values;
 
