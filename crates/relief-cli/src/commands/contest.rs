@@ -23,7 +23,8 @@ use crate::{advice, interrupt, lanes, say};
 /// The methods that are tried, where, and on what.
 #[derive(Args)]
 pub struct ContestArguments {
-    /// Methods, or pairs of a search and a refinement as linear+binary; all for every method
+    /// Methods, or pairs of a search and a refinement as linear+binary; all for every method but slices, which
+    /// take minutes: name them, or --geometry slices
     #[arg(
         long,
         value_name = "A,B",
@@ -88,7 +89,7 @@ impl ContestArguments {
         Ok(Contest { spec, contenders, shadows, machines: self.machines()?, _sample: sample })
     }
 
-    /// The geometries that are tried: all, or those that are named.
+    /// The geometries that are tried: those that are named, or all; slices only where methods are named.
     fn families(&self, spec: &SceneSpec) -> Result<Vec<String>, Failure> {
         let surfaces = spec.each_surface();
         let names_one = surfaces.iter().any(|surface| {
@@ -103,7 +104,9 @@ impl ContestArguments {
         }
         let known = || STAGES[GEOMETRY].entries.iter().map(|entry| entry.name);
         let Some(text) = surfaces.iter().find_map(|surface| surface.stages.get(STAGES[GEOMETRY].key)) else {
-            return Ok(known().map(str::to_owned).collect());
+            let are_named = !self.methods.iter().any(|name| name == "all");
+            let is_quick = |name: &&str| are_named || *name != geometry::SLICES;
+            return Ok(known().filter(is_quick).map(str::to_owned).collect());
         };
         let of = |name: &str| {
             // Rays are what there is without a geometry.

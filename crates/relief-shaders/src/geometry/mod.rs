@@ -38,7 +38,7 @@ pub(crate) const REMESH: &str = remesh::ENTRY.name;
 pub(crate) const TESSELLATE: &str = tessellate::ENTRY.name;
 
 /// The one that is cut through the relief.
-pub(crate) const SLICES: &str = slices::ENTRY.name;
+pub const SLICES: &str = slices::ENTRY.name;
 
 /// The box around an object.
 pub(crate) const OBJECT: &str = object::ENTRY.name;
