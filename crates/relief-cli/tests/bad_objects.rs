@@ -1,5 +1,5 @@
-//! Objects of images and slices that cannot be shown: each says what is wrong and writes nothing. Those at the
-//! edge of what can be are shown.
+//! Objects of images and slices that cannot be shown: each says what is wrong and writes nothing. Those at
+//! the edge of what can be are shown.
 
 mod common;
 
@@ -37,6 +37,8 @@ fn what_cannot_be_shown_is_refused() {
     edited("small", text.replacen("radius = ", "radius = -", 1));
     let of = |name: &str| format!("render --object six/{name}.toml");
     let six = of("object");
+    let slices = format!("{six} --method depth-object-slices --set");
+    let map = "render --height b.pgm --method";
     let bench = folder.relief("bench --object six/object.toml --methods depth-object");
     assert_refused(&folder, &bench, 2, &["height maps", "object"]);
     for (line, code, words) in [
@@ -53,27 +55,22 @@ fn what_cannot_be_shown_is_refused() {
         ("render --object eyes_grid/object.toml --method impostor-blend".to_owned(), 2, &["grid"]),
         (format!("{six} --method cone"), 2, &["depth-object"]),
         (format!("{six} --method depth-object --height ball.png"), 2, &["--height", "object"]),
-        (format!("{six} --method depth-object-slices --set slices.count=1e9"), 1, &["memory", "slices.count"]),
-        (format!("{six} --method depth-object-slices --set slices.count=1e10"), 2, &["slices.count"]),
-        (format!("{six} --method depth-object-slices --set slices.count=1.5"), 2, &["whole number"]),
-        (format!("{six} --method depth-object-slices --set slices.refine=1"), 2, &["refine"]),
-        (format!("{six} --method depth-object-slices --set slices.test=band"), 2, &["band"]),
-        (format!("{six} --method depth-object-slices --set geometry.pass=stencil"), 1, &["GPU", "product"]),
+        (format!("{slices} slices.count=1e9"), 1, &["memory", "slices.count"]),
+        (format!("{slices} slices.count=1e10"), 2, &["slices.count"]),
+        (format!("{slices} slices.count=1.5"), 2, &["whole number"]),
+        (format!("{slices} slices.refine=1"), 2, &["refine"]),
+        (format!("{slices} slices.test=band"), 2, &["band"]),
+        (format!("{slices} geometry.pass=stencil"), 1, &["GPU", "product"]),
         (format!("{six} --set object.cells=smooth"), 2, &["highest"]),
         (format!("{six} --set object.jump=-1"), 2, &["object.jump"]),
         (format!("{six} --detail fade"), 2, &["detail"]),
-        ("render --height b.pgm --method slices-screen --set slices.count=1e9".to_owned(), 1, &["slices.count"]),
-        ("render --height b.pgm --method slices-surface --set slices.direction=d".to_owned(), 2, &["screen"]),
-        ("render --height b.pgm --method slices-screen --set geometry.clip=border".to_owned(), 1, &["clamp"]),
-        ("render --height b.pgm --method slices-surface --set geometry.clip=border".to_owned(), 2, &["border"]),
-        (
-            "render --height b.pgm --wrap clamp --mesh torus --method slices-screen --set geometry.clip=border"
-                .to_owned(),
-            1,
-            &["flat"],
-        ),
+        (format!("{map} slices-screen --set slices.count=1e9"), 1, &["slices.count"]),
+        (format!("{map} slices-surface --set slices.direction=d"), 2, &["screen"]),
+        (format!("{map} slices-screen --set geometry.clip=border"), 1, &["clamp"]),
+        (format!("{map} slices-surface --set geometry.clip=border"), 2, &["border"]),
+        (format!("{map} slices-screen --set geometry.clip=border --wrap clamp --mesh torus"), 1, &["flat"]),
         ("render --height b.pgm --scale 0 --method slices-orthogonal".to_owned(), 1, &["displacement"]),
-        ("render --object six/object_%d.toml --frames 1..2 --method depth-object".to_owned(), 2, &["--output"]),
+        ("render --object six/object_%d.toml --frames 1..2".to_owned(), 2, &["--output"]),
     ] {
         std::fs::write(folder.path("b.pgm"), "P2\n2 2\n9\n0 9 9 0\n").expect("a map");
         let line = format!("{line} --size 16x16 --backend cpu -o out/a.png");

@@ -12,8 +12,8 @@ const ROUNDING_TEXELS: f64 = 1e-3;
 /// What is asked of a method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Goal {
-    /// The least error within so many milliseconds a frame, by the upper end of what is sure of its median: so
-    /// that it keeps them in other runs, too.
+    /// The least error within so many milliseconds a frame, by the upper end of the median's 95 % interval:
+    /// so that other runs keep them, too.
     WithinMs(f64),
     /// The least time within so many texels, which 99 of 100 rays keep at the worst angle.
     WithinTexels(f64),
@@ -33,7 +33,7 @@ pub struct Candidate {
     pub p99_texels: f64,
     /// Milliseconds of a frame: the median, at the worst scale, level and distance.
     pub frame_ms: f64,
-    /// What that median is below for all that is sure, 19 times of 20.
+    /// The upper end of that median's 95 % interval, at the worst of these.
     pub frame_high_ms: f64,
 }
 

@@ -77,12 +77,20 @@ mod tests {
             .map(|file| file.expect("a readable folder").path())
             .filter(|path| path.extension().is_some_and(|found| found == extension))
             .map(|path| path.file_stem().expect("a file has a name").to_string_lossy().into_owned())
-            .filter(|stem| stem != "mod")
+            .filter(|stem| stem != "mod" && stem != "tests")
             .collect()
     }
 
     #[test]
     fn every_file_is_listed_and_every_entry_has_its_files() {
+        let listed: BTreeSet<String> = procedure::ENTRIES.iter().map(|entry| entry.name.to_owned()).collect();
+        for extension in ["rs", "wesl"] {
+            assert_eq!(
+                stems("procedure", extension),
+                listed,
+                "procedures: {extension} files and list differ"
+            );
+        }
         for Stage { key, folder, entries, calls, .. } in &STAGES {
             let listed: BTreeSet<String> = entries.iter().map(|entry| entry.name.replace('-', "_")).collect();
             assert_eq!(listed.len(), entries.len(), "{key}: a name stands twice");

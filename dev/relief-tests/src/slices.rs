@@ -73,11 +73,7 @@ impl PlaneView<'_> {
 
     /// The slices of so many over the displacement.
     pub fn settings(&self, method: &str, count: u32) -> SliceSettings {
-        let direction = match method {
-            "slices-surface" => SliceDirection::Surface,
-            "slices-orthogonal" => SliceDirection::Facing(self.camera()),
-            _ => SliceDirection::Screen(self.camera(), SliceAnchor::Eye),
-        };
+        let direction = direction_of(method, self.camera());
         SliceSettings { count, direction }
     }
 
@@ -103,18 +99,8 @@ impl PlaneView<'_> {
     /// How many slices the rays of some pixels cross, on the mean.
     fn crossed(&self, pixels: impl Iterator<Item = u32>, settings: SliceSettings) -> f64 {
         let base = square(1).expect("a mesh");
-        let mut corners = Vec::new();
-        let slicer = Slicer::new(&base, self.map, settings).expect("slices");
-        let take = |block: &relief_mesh::SliceBlock| {
-            let corner = |at: u32| block.vertices[at as usize].vertex.position;
-            corners.extend(block.triangles.iter().map(|triangle| triangle.map(corner)));
-        };
-        slicer.each(&Watch::NOBODY, take).expect("slices");
-        let (caster, camera) = (RayCaster::of_corners(corners.into_iter()), self.camera());
-        let crossed = pixels.map(|number| {
-            let ray = camera.ray(number % self.size, number / self.size, self.size, self.size);
-            caster.hits(&ray, Sides::Both).count()
-        });
+        let all = crossings(&base, self.map, settings, &self.camera(), self.size);
+        let crossed = pixels.map(|number| all[number as usize]);
         let (sum, count) = crossed.fold((0, 0), |(sum, count), crossed| (sum + crossed, count + 1));
         sum as f64 / f64::from(count.max(1))
     }
@@ -183,6 +169,42 @@ impl PlaneView<'_> {
         assert!(apart.len() > 1000, "hardly anything is seen: {} pixels", apart.len());
         apart.iter().filter(|apart| **apart <= texels).count() as f64 / apart.len() as f64
     }
+}
+
+/// How the slices of a method run.
+pub fn direction_of(method: &str, camera: Camera) -> SliceDirection {
+    match method {
+        "slices-surface" => SliceDirection::Surface,
+        "slices-orthogonal" => SliceDirection::Facing(camera),
+        _ => SliceDirection::Screen(camera, SliceAnchor::Eye),
+    }
+}
+
+/// How many slices the ray of each pixel crosses, drawn or not, in a picture of so many columns and rows.
+///
+/// # Panics
+///
+/// When they cannot be made.
+pub fn crossings(
+    base: &Mesh,
+    map: &HeightMap,
+    settings: SliceSettings,
+    camera: &Camera,
+    size: u32,
+) -> Vec<usize> {
+    let mut corners = Vec::new();
+    let slicer = Slicer::new(base, map, settings).expect("slices");
+    let take = |block: &relief_mesh::SliceBlock| {
+        let corner = |at: u32| block.vertices[at as usize].vertex.position;
+        corners.extend(block.triangles.iter().map(|triangle| triangle.map(corner)));
+    };
+    slicer.each(&Watch::NOBODY, take).expect("slices");
+    let caster = RayCaster::of_corners(corners.into_iter());
+    let crossed = |number: u32| {
+        let ray = camera.ray(number % size, number / size, size, size);
+        caster.hits(&ray, Sides::Both).count()
+    };
+    (0..size * size).map(crossed).collect()
 }
 
 /// Whether a pixel shows the middle of the plane.

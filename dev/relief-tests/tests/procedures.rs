@@ -12,7 +12,8 @@ fn program(procedure: &Procedure) -> String {
     let (name, params) = (procedure.entry().name, procedure.params());
     format!(
         "{}\nfn value_of(number: u32) -> f32 {{\n    \
-         let place = (vec2f(f32(number % {width}u), f32(number / {width}u)) + 0.5) / vec2f({width}.0, {height}.0);\n    \
+         let texel = vec2f(f32(number % {width}u), f32(number / {width}u));\n    \
+         let place = (texel + 0.5) / vec2f({width}.0, {height}.0);\n    \
          return procedure_{name}(place, {:?}, {}u, vec4f({:?}, {:?}, {:?}, {:?}));\n}}\n",
         procedure.wgsl(),
         procedure.time(),

@@ -23,8 +23,8 @@ use crate::{advice, interrupt, lanes, say};
 /// The methods that are tried, where, and on what.
 #[derive(Args)]
 pub struct ContestArguments {
-    /// Methods, or pairs of a search and a refinement as linear+binary; all for every method but slices, which
-    /// take minutes: name them, or --geometry slices
+    /// Methods, or pairs of a search and a refinement as linear+binary; all for every method but slices,
+    /// which take minutes: name them, or --geometry slices
     #[arg(
         long,
         value_name = "A,B",

@@ -224,8 +224,8 @@ impl ImageObject {
         })
     }
 
-    /// The corners of the part of an image's space that may be solid: up to its highest texel, but of an image
-    /// from an eye, whose silhouette is wider the farther away it is and knows no height, all of it.
+    /// The corners of the part of an image's space that may be solid: up to its highest texel, but of an
+    /// image from an eye, whose silhouette is wider the farther away it is and knows no height, all of it.
     fn corners_of(&self, number: usize) -> Option<[DVec3; 8]> {
         let (view, place) = (&self.views[number], self.layout.places()[number]);
         let [columns, rows] = view.size();

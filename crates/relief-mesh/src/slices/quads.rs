@@ -94,8 +94,7 @@ impl Slicer<'_> {
     pub(super) fn quads(&self, number: u32, camera: &Camera, anchor: SliceAnchor) -> u64 {
         let space = self.polygons[number as usize].space(self.bias_m, self.scale_m);
         let depths = space.map(|place| camera.forward().dot(place - camera.eye()));
-        let [before, last] = self.plane_numbers(depths, Self::first_depth(camera, anchor));
-        (last - before).max(0.0) as u64
+        self.planes_between(depths, Self::first_depth(camera, anchor)).1
     }
 
     /// The quads over a polygon, all of one size, and each as large as what the relief fills looks.
@@ -114,9 +113,10 @@ impl Slicer<'_> {
         };
         let ([left, right], [bottom, top]) = (along(camera.right()), along(camera.up()));
         let start = Self::first_depth(camera, anchor);
-        let [before, _] = self.plane_numbers(along(camera.forward()), start);
+        let depths = space.map(|place| camera.forward().dot(place - camera.eye()));
+        let (before, count) = self.planes_between(depths, start);
         let to_texture = polygon.of_texture.inverse();
-        for plane in 1..=self.quads(number, camera, anchor) {
+        for plane in 1..=count {
             let depth = start + (before + plane as f64) * self.spacing_m;
             let corner = |across: f64, upward: f64| {
                 let position =

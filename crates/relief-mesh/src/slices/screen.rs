@@ -43,17 +43,18 @@ impl Slicer<'_> {
         }
     }
 
-    /// The numbers of the first and the last plane between some depths, before the eye.
-    pub(super) fn plane_numbers<const N: usize>(&self, depths: [f64; N], start: f64) -> [f64; 2] {
+    /// The number before that of the first plane between some depths, before the eye, and how many there are.
+    pub(super) fn planes_between<const N: usize>(&self, depths: [f64; N], start: f64) -> (f64, u64) {
         let [low, high] = [f64::min, f64::max].map(|of| depths.into_iter().reduce(of).unwrap_or(0.0));
-        [low.max(0.0), high].map(|depth| (depth - start) / self.spacing_m).map(f64::floor)
+        let [before, last] =
+            [low.max(0.0), high].map(|depth| (depth - start) / self.spacing_m).map(f64::floor);
+        (before, (last - before).max(0.0) as u64)
     }
 
     /// How many planes there are over a triangle at most.
     pub(super) fn planes(&self, number: u32, camera: &Camera, anchor: SliceAnchor) -> u64 {
         let depths = self.prism(number, camera).map(|corner| corner.depth);
-        let [before, last] = self.plane_numbers(depths, Self::first_depth(camera, anchor));
-        (last - before).max(0.0) as u64
+        self.planes_between(depths, Self::first_depth(camera, anchor)).1
     }
 
     /// The slices over a triangle, at equal depths.
@@ -69,8 +70,8 @@ impl Slicer<'_> {
         // Sides are cut from the lower end on the floor to the other end above it, in the order of positions.
         for tetrahedron in [[0, 1, 2, 5], [0, 1, 4, 5], [0, 3, 4, 5]] {
             let corners = tetrahedron.map(|place: usize| prism[place]);
-            let [before, last] = self.plane_numbers(corners.map(|corner| corner.depth), start);
-            for plane in 1..=(last - before).max(0.0) as u64 {
+            let (before, count) = self.planes_between(corners.map(|corner| corner.depth), start);
+            for plane in 1..=count {
                 let depth = start + (before + plane as f64) * self.spacing_m;
                 self.cut(&corners, depth, block)?;
             }

@@ -44,8 +44,8 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         }
     }
     println!(
-        "Methods that search, with 8 to 256 steps, chosen for frames of {}x{} pixels without shadows on the CPU, \
-         {} frames of each by turns; another run of all of them after it\n\n{rows}\n",
+        "Methods that search, with 8 to 256 steps, chosen for frames of {}x{} pixels without shadows on the \
+         CPU, {} frames of each by turns; another run of all of them after it\n\n{rows}\n",
         SIZE[0], SIZE[1], arguments.frames
     );
     Ok(())

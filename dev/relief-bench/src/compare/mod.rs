@@ -23,7 +23,10 @@ use relief_tests::accuracy;
 #[derive(Args)]
 pub struct Arguments {
     /// What is printed
-    #[arg(value_enum, default_values = ["maps", "times", "sizes", "pixels", "polygons", "fetches", "hold", "choose"])]
+    #[arg(
+        value_enum,
+        default_values = ["maps", "times", "sizes", "pixels", "polygons", "fetches", "hold", "choose"]
+    )]
     parts: Vec<Part>,
     /// Rays a map and angle
     #[arg(long, default_value_t = 20_000)]

@@ -7,14 +7,14 @@ use glam::{DVec3, Vec2};
 use relief_core::HeightMap;
 use relief_core::camera::Camera;
 use relief_core::mesh::{Mesh, torus};
-use relief_core::raycast::{RayCaster, Sides};
 use relief_maps::Maps;
-use relief_mesh::{SliceAnchor, SliceDirection, SliceSettings, Slicer, Watch};
+use relief_mesh::SliceSettings;
 use relief_render::render;
 use relief_render::scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 use relief_tests::curved::quantile;
+use relief_tests::slices::{crossings, direction_of};
 
 use super::{Arguments, DEGREES, METHODS, all_maps};
 use crate::fit::Fit;
@@ -76,31 +76,11 @@ impl Shot {
     /// in all of the picture.
     fn fragments(&self, method: &str, count: u32, truth: &[PixelOut]) -> Result<[f64; 2], String> {
         let camera = self.camera()?;
-        let direction = match method {
-            "slices-surface" => SliceDirection::Surface,
-            "slices-orthogonal" => SliceDirection::Facing(camera),
-            _ => SliceDirection::Screen(camera, SliceAnchor::Eye),
-        };
-        let slicer = Slicer::new(&self.mesh, &self.map, SliceSettings { count, direction });
-        let slicer = slicer.map_err(|error| error.to_string())?;
-        let mut corners = Vec::new();
-        let take = |block: &relief_mesh::SliceBlock| {
-            let corner = |at: u32| block.vertices[at as usize].vertex.position;
-            corners.extend(block.triangles.iter().map(|triangle| triangle.map(corner)));
-        };
-        slicer.each(&Watch::NOBODY, take).map_err(|error| error.to_string())?;
-        let caster = RayCaster::of_corners(corners.into_iter());
-        let [mut shown, mut all, mut count] = [0, 0, 0];
-        for (number, pixel) in (0..self.size * self.size).zip(truth) {
-            let ray = camera.ray(number % self.size, number / self.size, self.size, self.size);
-            let crossed = caster.hits(&ray, Sides::Both).count();
-            all += crossed;
-            if pixel.hit == 1 {
-                shown += crossed;
-                count += 1;
-            }
-        }
-        Ok([shown as f64 / count.max(1) as f64, all as f64])
+        let settings = SliceSettings { count, direction: direction_of(method, camera) };
+        let crossed = crossings(&self.mesh, &self.map, settings, &camera, self.size);
+        let shown = crossed.iter().zip(truth).filter(|(_, pixel)| pixel.hit == 1).map(|(crossed, _)| crossed);
+        let (sum, count) = shown.fold((0, 0), |(sum, count), crossed| (sum + crossed, count + 1));
+        Ok([sum as f64 / f64::from(count.max(1)), crossed.iter().sum::<usize>() as f64])
     }
 
     /// How much of a metre slices go along a ray, by the axis of the torus there that faces it most.

@@ -18,7 +18,8 @@ impl Device {
         let Self { device, queue } = self;
         let text = format!(
             "{program}\n@group(0) @binding(0) var<storage, read_write> values: array<f32>;\n\n\
-             @compute @workgroup_size({GROUP})\nfn compute_main(@builtin(global_invocation_id) at: vec3u) {{\n    \
+             @compute @workgroup_size({GROUP})\n\
+             fn compute_main(@builtin(global_invocation_id) at: vec3u) {{\n    \
              if (at.x < arrayLength(&values)) {{\n        values[at.x] = value_of(at.x);\n    }}\n}}\n"
         );
         let source = wgpu::ShaderSource::Wgsl(text.into());

@@ -29,10 +29,8 @@ fn procedures() -> String {
         let label = label(number, procedure::ENTRIES.len());
         let _ = writeln!(arms, "        {label}: {{ return {function}(place, time, seed, params); }}");
     }
-    format!(
-        "{imports}\nfn {PROCEDURE}(\n    number: u32,\n    place: vec2f,\n    time: f32,\n    seed: u32,\n    \
-         params: vec4f,\n) -> f32 {{\n    switch (number) {{\n{arms}    }}\n}}\n"
-    )
+    let inputs = "number: u32, place: vec2f, time: f32, seed: u32, params: vec4f";
+    format!("{imports}\nfn {PROCEDURE}({inputs}) -> f32 {{\n    switch (number) {{\n{arms}    }}\n}}\n")
 }
 
 /// What a `switch` calls that number of so many.
