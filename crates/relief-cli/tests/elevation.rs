@@ -25,6 +25,38 @@ fn json_of(text: &str) -> Value {
 }
 
 #[test]
+fn a_mesh_of_one_has_holes_where_they_are_asked_for() {
+    let folder = Folder::new();
+    folder.write("dem.tif", dem(true));
+    folder.write("whole.tif", dem(false));
+    let count = |line: &str| {
+        let about = json_of(&folder.relief(&format!("mesh {line} -o out.glb --json")).fine().stdout);
+        ["triangles", "open_edges"].map(|key| about[key].as_u64().expect("a number"))
+    };
+    // Two texels beside each other are at the corners of six cells: two triangles each, ten sides around them.
+    let [filled, holes] = ["", " --holes"].map(|flag| count(&format!("dem.tif --texels 1{flag}")));
+    assert_eq!(holes, [filled[0] - 12, filled[1] + 10]);
+    let [filled, holes] = ["", " --holes"].map(|flag| count(&format!("dem.tif --error 1%{flag}")));
+    assert!(holes[1] >= filled[1] + 10 && holes != filled, "{holes:?} {filled:?}");
+    // Nothing is left out of a map without holes, and its reader is told.
+    assert_eq!(count("whole.tif --texels 1 --holes"), count("whole.tif --texels 1"));
+    let ran = folder.relief("mesh whole.tif --holes -o out.glb");
+    assert!(ran.code == Some(0) && ran.stderr.contains("there are no holes"), "{}", ran.stderr);
+    let ran = folder.relief("mesh dem.tif --holes --solid 3 -o out.glb");
+    assert!(ran.code == Some(1) && ran.stderr.contains("--solid"), "{}", ran.stderr);
+    let nothing = (0..16).map(|_| f32::NAN).collect();
+    folder.write("nothing.exr", exr([4, 4], &[("Y", nothing)]));
+    let ran = folder.relief("mesh nothing.exr --holes -o nothing.glb");
+    assert!(ran.code == Some(1) && !folder.path("nothing.glb").exists(), "{}", ran.stderr);
+    folder.write(
+        "most.exr",
+        exr([4, 4], &[("Y", (0..16).map(|at| if at % 2 == 1 { f32::NAN } else { 1.0 }).collect())]),
+    );
+    let ran = folder.relief("mesh most.exr --holes --texels 1 --wrap repeat --tile 0.25,1 -o most.glb");
+    assert!(ran.code == Some(1) && ran.stderr.contains("--holes"), "{}", ran.stderr);
+}
+
+#[test]
 fn a_picture_of_one_with_holes_is_rendered_and_says_so() {
     let folder = Folder::new();
     folder.write("dem.tif", dem(true));

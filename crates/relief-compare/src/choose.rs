@@ -9,6 +9,10 @@ const STEPS: [u32; 6] = [8, 16, 32, 64, 128, 256];
 /// Errors below that many texels are rounding: of methods that keep it the fastest is the best.
 const ROUNDING_TEXELS: f64 = 1e-3;
 
+/// How near times are between which one run does not decide, and how many of them are looked at again.
+const NEAR: f64 = 1.1;
+const MOST_UNDECIDED: usize = 8;
+
 /// What is asked of a method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Goal {
@@ -70,6 +74,29 @@ pub fn with_other_steps(contenders: &[Contender]) -> Vec<Contender> {
         std::iter::once(contender.clone()).chain(others)
     });
     each.collect()
+}
+
+/// Labels of the methods between which the times decide by too little: those near the budget that are as good
+/// as what is surely within it, with that; or those that keep the error in nearly the least time.
+pub(crate) fn undecided(records: &Records, goal: Goal) -> Vec<String> {
+    let mut candidates = choose(records, goal).candidates;
+    match goal {
+        Goal::WithinMs(limit) => {
+            candidates.retain(|candidate| candidate.frame_ms <= NEAR * limit);
+            let least = |candidate: &Candidate| goal.figures(candidate).2;
+            candidates.sort_by(|a, b| least(a).total_cmp(&least(b)).then(a.frame_ms.total_cmp(&b.frame_ms)));
+            let is_sure = |candidate: &Candidate| NEAR * candidate.frame_high_ms <= limit;
+            let sure = candidates.iter().position(is_sure);
+            candidates.truncate(sure.map_or(MOST_UNDECIDED, |sure| (sure + 1).min(MOST_UNDECIDED)));
+        }
+        Goal::WithinTexels(_) => {
+            candidates.retain(|candidate| goal.is_kept_by(candidate));
+            let fastest = candidates.first().map_or(0.0, |best| best.frame_ms);
+            candidates.retain(|candidate| candidate.frame_ms <= NEAR * fastest);
+            candidates.truncate(MOST_UNDECIDED);
+        }
+    }
+    candidates.iter().map(|candidate| candidate.method.label()).collect()
 }
 
 /// Texels that 99 of 100 rays keep.
@@ -170,6 +197,22 @@ mod tests {
         assert_eq!(choose(&records, Goal::WithinMs(3.2)).keep, 1);
         let tried = choose(&records, Goal::WithinMs(10.0));
         assert_eq!(names(&tried)[..2], ["cone", "exact"]);
+    }
+
+    #[test]
+    fn what_is_near_a_budget_or_the_fastest_is_undecided() {
+        let records = records(&[
+            ("bump", [90.0, 90.0], 1.0),
+            ("worse", [40.0, 40.0], 2.9),
+            ("steep", [4.0, 4.0], 2.0),
+            ("relief", [1.0, 1.0], 3.1),
+            ("cone", [0.1, 0.1], 3.2),
+            ("exact", [0.0, 0.0], 8.0),
+        ]);
+        // What is surely within the budget ends the list; what is worse than that is of no interest.
+        assert_eq!(undecided(&records, Goal::WithinMs(3.0)), ["cone", "relief", "steep"]);
+        assert_eq!(undecided(&records, Goal::WithinMs(0.1)), [""; 0]);
+        assert_eq!(undecided(&records, Goal::WithinTexels(2.0)), ["relief", "cone"]);
     }
 
     #[test]

@@ -67,6 +67,9 @@ choice! {
     Raw = "raw",
     /// The interpolated normal, normalised: displacement goes as far as it says everywhere.
     Unit = "unit",
+    /// Normals interpolated by their angles, of length 1, too: along a side they turn evenly (Gumhold and
+    /// Hüttner 1999, section 2.1, after Kuijk and Blake 1989).
+    Angle = "angle",
 }
 
 choice! {
@@ -78,6 +81,11 @@ choice! {
     /// The same without what the direction of displacement turns by: equation 9 of Szirmay-Kalos and
     /// Umenhoffer 2008. It is off by as much as the relief is high beside the radius of a curved base.
     Derivative = "derivative",
+    /// The interpolated normal, turned by two angles whose tangents are the slopes of the relief along `u` and
+    /// `v`, as Kugler stores them in a map (Gumhold and Hüttner 1999, sections 1 and 2.1): exact on level
+    /// ground whose texture has right angles, and off by what the base turns by and by how much the texture
+    /// is sheared.
+    Rotation = "rotation",
     /// Of the triangles that are made: the mean over those at a vertex, weighted by their angles there.
     Mesh = "mesh",
 }

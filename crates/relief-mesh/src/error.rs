@@ -155,6 +155,24 @@ pub enum MesherError {
         "what is made for a view is not made solid: a point every so many texels, or a tolerance, can be"
     )]
     SolidOfView,
+    /// A smooth base whose triangles are too large to be filled at once.
+    #[error(
+        "the mesh has sides of more than {texels} texels, or such over rough ground: with a tolerance these \
+         are halved, which a smooth base is not"
+    )]
+    SmoothOfLarge {
+        /// The most texels of a side.
+        texels: u32,
+    },
+    /// A solid with holes.
+    #[error("a solid has no holes: there are no walls around them")]
+    SolidOfHoles,
+    /// Nothing but holes.
+    #[error("every triangle lies over a hole of the height map: nothing is left")]
+    AllHoles,
+    /// A vertex beyond all numbers, found while triangles were counted.
+    #[error("a vertex lies beyond what 32-bit floats hold")]
+    NotFinite,
     /// A part of a mesh that is not a plane.
     #[error("only planes are cut into parts: two triangles that make a rectangle with straight texture")]
     PartOfNoPlane,

@@ -19,6 +19,7 @@ use crate::edge::Divides;
 use crate::error::MOST;
 use crate::filling::Filling;
 use crate::folds::{FoldedBase, Folds};
+use crate::holes::Kept;
 use crate::interior::{Fills, Pattern};
 use crate::plan::{Plan, Work};
 use crate::plane::{Adapted, Grid, Rectangle};
@@ -44,6 +45,10 @@ pub struct Mesher {
     relief: Relief,
     shading: Shading,
     blocks: Vec<Work>,
+    /// What is left beside holes; none where nothing is left out.
+    kept: Option<Kept>,
+    /// Vertices as they are made, with those that are left out.
+    made_vertices: u64,
     vertices: u64,
     triangles: u64,
     bytes: u64,
@@ -84,6 +89,11 @@ impl Base {
             Self::Adapted(plane) => Some(plane.rectangle()),
         }
     }
+}
+
+/// The height map as it displaces.
+fn relief_of(map: &HeightMap, settings: &MeshSettings) -> Relief {
+    Relief::new(map, settings.directions, settings.shading).with_holes(settings.holes)
 }
 
 /// No box around nothing.
@@ -142,7 +152,7 @@ impl Mesher {
         if !matches!(settings.edges.divides, Divides::Voxels(_)) {
             return Err(MesherError::LevelsOfNoView { edges: settings.edges.name });
         }
-        let relief = Relief::new(map, settings.directions, settings.shading).with_levels(coarser);
+        let relief = relief_of(map, settings).with_levels(coarser);
         Self::of_relief(mesh, relief, settings, MOST, watch)
     }
 
@@ -154,7 +164,7 @@ impl Mesher {
         most: u64,
         watch: &Watch,
     ) -> Result<Self, MesherError> {
-        let relief = Relief::new(map, settings.directions, settings.shading);
+        let relief = relief_of(map, settings);
         Self::of_relief(mesh, relief, settings, most, watch)
     }
 
@@ -181,6 +191,9 @@ impl Mesher {
         }
         if matches!(settings.edges.divides, Divides::Voxels(_)) && settings.solid_m.is_some() {
             return Err(MesherError::SolidOfView);
+        }
+        if settings.solid_m.is_some() && relief.has_holes() {
+            return Err(MesherError::SolidOfHoles);
         }
         cull::check(settings)?;
         settings.weights.check()?;
@@ -245,9 +258,46 @@ impl Mesher {
             + (blocks.len() * size_of::<Work>()) as u64
             + of_normals
             + of_tiles
+            + if relief.has_holes() { Kept::bytes(vertices) } else { 0 }
             + solid.as_ref().map_or(0, Solid::bytes)
             + at_hand as u64 * largest * BYTES_IN_A_BLOCK;
-        Ok(Self { base, solid, relief, shading: settings.shading, blocks, vertices, triangles, bytes })
+        let made_vertices = vertices;
+        let shading = settings.shading;
+        let mesher = Self {
+            base,
+            solid,
+            relief,
+            shading,
+            blocks,
+            kept: None,
+            made_vertices,
+            vertices,
+            triangles,
+            bytes,
+        };
+        if mesher.relief.has_holes() { mesher.without_holes(watch) } else { Ok(mesher) }
+    }
+
+    /// The same without what lies over holes. What that is follows from where triangles are: all are made for
+    /// it and thrown away.
+    fn without_holes(self, watch: &Watch) -> Result<Self, MesherError> {
+        let how = Stream { size: 1.0, check: false, grid: None, cache_order: false, watch: *watch };
+        let mut kept = Kept::of_none(self.vertices);
+        let counted = self.each_block::<Infallible>(&how, None, &|_| (), |made| {
+            kept.add(&made.block.triangles);
+            Ok(())
+        });
+        counted.map_err(|error| match error {
+            StreamError::NotFinite => MesherError::NotFinite,
+            StreamError::Cancelled => MesherError::Cancelled,
+            StreamError::Sink(never) => match never {},
+            StreamError::Mesh(_) => MesherError::Empty,
+        })?;
+        if kept.triangles() == 0 {
+            return Err(MesherError::AllHoles);
+        }
+        kept.count();
+        Ok(Self { vertices: kept.vertices(), triangles: kept.triangles(), kept: Some(kept), ..self })
     }
 
     /// Whether a mesh is a plane: two triangles that make a rectangle with straight texture.
@@ -300,7 +350,7 @@ impl Mesher {
         let mut rounds = 1.0;
         if self.shading == Shading::Mesh {
             rounds = 2.0;
-            let mut sums = Normals::new(self.vertices);
+            let mut sums = Normals::new(self.made_vertices);
             let plain = Stream { check: false, grid: None, cache_order: false, ..*how };
             self.each_block(&plain, None, &|part| (how.watch.tell)(part / 2.0), |made| {
                 sums.add(made.block.positions(), &made.smooth);

@@ -48,6 +48,11 @@ pub struct MeshSettings {
     pub shading: Shading,
     /// What becomes of seams and hard edges.
     pub seams: Seams,
+    /// Whether triangles are left out whose middle lies in a cell of the map with a
+    /// [hole](relief_core::HeightMap::holes) at a corner, with all vertices that no others have. With the
+    /// interior `adapt` there are points around holes, so that their outlines are within a texel; with others
+    /// they are as fine as the triangles are.
+    pub holes: bool,
 }
 
 /// A part of a plane that is cut into columns and rows: a mesh of its own. Parts meet at centres of texels,
@@ -111,6 +116,7 @@ impl Default for MeshSettings {
             directions: Directions::default(),
             shading: Shading::default(),
             seams: Seams::default(),
+            holes: false,
         }
     }
 }

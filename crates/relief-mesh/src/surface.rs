@@ -13,6 +13,8 @@ pub struct Relief {
     map: HeightMap,
     /// Coarser ones of the same relief, each half as wide and high as the one before.
     coarser: Vec<HeightMap>,
+    /// Whether holes of the map are seen.
+    has_holes: bool,
     directions: Directions,
     shading: Shading,
 }
@@ -44,9 +46,9 @@ pub struct Seen {
 }
 
 impl Seen {
-    /// The same where the point lies at a height of the map.
-    pub fn at_height(self, relief: &Relief, height: f64) -> Self {
-        Self { metres: relief.metres(height), ..self }
+    /// The same where the point is displaced by so many metres.
+    pub fn at_metres(self, metres: f64) -> Self {
+        Self { metres, ..self }
     }
 }
 
@@ -79,6 +81,16 @@ impl Frame {
 /// The greatest tolerance, as a height of the map: all heights are nearer.
 const MOST_TOLERANCE: f64 = 1e6;
 
+/// A unit normal, turned about the axes of a texture by the angles whose tangents are so many metres of rise
+/// over the lengths of the tangents: first along `u`, then along what is at right angles to that.
+fn turned(up: DVec3, tangents: [DVec3; 2], rises: [f64; 2], handed: f64) -> DVec3 {
+    let level = tangents.map(|tangent| tangent - up * up.dot(tangent));
+    let along = level[0].normalize_or_zero();
+    let down = along.cross(up) * handed;
+    let slopes = [0, 1].map(|axis| rises[axis] / level[axis].length());
+    up - along * slopes[0] - down * slopes[1]
+}
+
 /// How much a cell is twisted: two triangles lie off by a quarter of it in their middle.
 pub fn twist_of(cell: [f32; 4]) -> f64 {
     let [h00, h10, h01, h11] = cell.map(f64::from);
@@ -99,7 +111,23 @@ fn per_tile(map: &HeightMap, [x, y]: [f64; 2]) -> (f64, [f64; 2]) {
 
 impl Relief {
     pub fn new(map: &HeightMap, directions: Directions, shading: Shading) -> Self {
-        Self { map: map.clone(), coarser: Vec::new(), directions, shading }
+        Self { map: map.clone(), coarser: Vec::new(), has_holes: false, directions, shading }
+    }
+
+    /// The same with the holes of the map, if it has any, seen or not.
+    #[must_use]
+    pub fn with_holes(self, are_seen: bool) -> Self {
+        Self { has_holes: are_seen && self.map.holes().is_some(), ..self }
+    }
+
+    /// Whether there are holes that are seen.
+    pub fn has_holes(&self) -> bool {
+        self.has_holes
+    }
+
+    /// Whether the cell at a place, counted from the centre of the first texel, is a hole that is seen.
+    pub fn is_hole(&self, [x, y]: [f64; 2]) -> bool {
+        self.has_holes && self.map.is_hole(x.floor() as i64, y.floor() as i64)
     }
 
     /// The same with coarser levels.
@@ -137,7 +165,7 @@ impl Relief {
     pub fn direction(&self, normal: DVec3) -> DVec3 {
         match self.directions {
             Directions::Raw => normal,
-            Directions::Unit => normal.normalize_or_zero(),
+            Directions::Unit | Directions::Angle => normal.normalize_or_zero(),
         }
     }
 
@@ -155,7 +183,7 @@ impl Relief {
     pub fn reach(&self, normal: f64) -> f64 {
         match self.directions {
             Directions::Raw => normal,
-            Directions::Unit => 1.0,
+            Directions::Unit | Directions::Angle => 1.0,
         }
     }
 
@@ -187,6 +215,17 @@ impl Relief {
     /// A tolerance in metres as a height of the map, where a direction of displacement has that length.
     pub fn tolerance(&self, error_m: f64, normal: f64) -> f64 {
         (error_m / (self.map.scale_m() * self.reach(normal))).min(MOST_TOLERANCE)
+    }
+
+    /// What a height of the map counts in metres, where a tolerance is as [`tolerance`](Self::tolerance) has it
+    /// and a direction of displacement has that length.
+    pub fn height_m(&self, error_m: f64, normal: f64) -> f64 {
+        (self.map.scale_m() * self.reach(normal)).max(error_m / MOST_TOLERANCE)
+    }
+
+    /// The displacement at height 0, in metres.
+    pub fn zero_m(&self) -> f64 {
+        self.map.displacement_m(0.0)
     }
 
     /// The greatest twist of all cells.
@@ -263,14 +302,15 @@ impl Relief {
     ///
     /// With the displacement `D` along `M` they are `T + D_u M + D M_u`, and the same for `v`: equation 9 of
     /// Szirmay-Kalos and Umenhoffer 2008 without its last simplification, that `M` does not turn; the shading
-    /// `derivative` has that, too. `T` is the base's derivative in the plane at right angles to its normal,
+    /// `derivative` has that, too, and `rotation` turns `M` by the slopes alone. `T` is the base's derivative in the plane at right angles to its normal,
     /// so that where there is no relief the normal is the base's.
     #[inline(always)]
     fn shaded(&self, position: DVec3, base: &BasePoint, seen: Seen, frame: &Frame) -> Vertex {
         let up = frame.normal.normalize_or_zero();
         let scale_m = self.map.scale_m();
-        let metres = if self.shading == Shading::Derivative { 0.0 } else { seen.metres };
-        let length = if self.directions == Directions::Unit { base.normal.length() } else { 0.0 };
+        let is_level = matches!(self.shading, Shading::Derivative | Shading::Rotation);
+        let metres = if is_level { 0.0 } else { seen.metres };
+        let length = if self.directions == Directions::Raw { 0.0 } else { base.normal.length() };
         let derivative = |axis: usize| {
             let flat = frame.tangents[axis] - up * up.dot(frame.tangents[axis]);
             let rise = scale_m * seen.slope[axis];
@@ -283,7 +323,13 @@ impl Relief {
         };
         let [along, down] = [derivative(0), derivative(1)];
         let is_mirrored = frame.tangents[1].cross(frame.tangents[0]).dot(up) < 0.0;
-        let normal = down.cross(along) * if is_mirrored { -1.0 } else { 1.0 };
+        let handed = if is_mirrored { -1.0 } else { 1.0 };
+        let normal = if self.shading == Shading::Rotation {
+            let rises = seen.slope.map(|slope| scale_m * slope);
+            turned(up, frame.tangents, rises, handed)
+        } else {
+            down.cross(along) * handed
+        };
         Vertex {
             position: point::stored(position),
             normal: normal.try_normalize().unwrap_or(up).as_vec3(),

@@ -26,6 +26,7 @@ pub mod rays;
 pub mod search;
 pub mod shadows;
 pub mod slices;
+pub mod smooth_base;
 pub mod spheres;
 
 /// Random numbers that are the same from the same seed, everywhere.

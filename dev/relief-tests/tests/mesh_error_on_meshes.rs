@@ -6,13 +6,14 @@ use std::sync::atomic::AtomicBool;
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
-use relief_core::mesh::{BasePoint, Mesh, cube, cylinder, sphere, torus};
+use relief_core::mesh::{BasePoint, Mesh, Vertex, cube, cylinder, sphere, torus};
 use relief_core::{HeightMap, Wrap};
 use relief_mesh::{
     BaseSurface, Certificate, CrackTest, Directions, Fit, Judge, MeshSettings, Mesher, MesherError, Seams,
     Shading, Side, Watch,
 };
 use relief_tests::maps;
+use relief_tests::smooth_base::{curved_point, lift_m};
 
 /// Metres of displacement between heights 0 and 1.
 const SCALE_M: f64 = 0.04;
@@ -43,27 +44,48 @@ fn weights([a, b, c]: [DVec2; 3], at: DVec2) -> [f64; 3] {
 /// The farthest that samples of the relief are from the mesh at the same base points, `n` along each side of
 /// a triangle, and the sum of the triangles' areas in the texture. Charts must not overlap.
 fn farthest(base: &Mesh, map: &HeightMap, mesh: &Mesh, n: u32) -> (f64, f64) {
-    let bases: Vec<[BasePoint; 3]> = (0..base.triangles().len() as u32)
-        .map(|triangle| base.corners(triangle).map(BasePoint::from))
+    farthest_over(base, map, mesh, n, (BaseSurface::Flat, Directions::Raw))
+}
+
+/// The same over a smooth base, or along directions of length 1.
+fn farthest_over(
+    base: &Mesh,
+    map: &HeightMap,
+    mesh: &Mesh,
+    n: u32,
+    (smooth, directions): (BaseSurface, Directions),
+) -> (f64, f64) {
+    let bases: Vec<[Vertex; 3]> = (0..base.triangles().len() as u32)
+        .map(|triangle| base.corners(triangle).map(|corner| *corner))
         .collect();
     let of_piece = |piece: u32| -> (f64, f64) {
         let corners = mesh.corners(piece);
         let uvs = corners.map(|corner| corner.uv.as_dvec2());
         let area = 0.5 * (uvs[1] - uvs[0]).perp_dot(uvs[2] - uvs[0]).abs();
         let middle = (uvs[0] + uvs[1] + uvs[2]) / 3.0;
-        let inside = |base: &&[BasePoint; 3]| {
-            weights(base.map(|corner| corner.uv), middle).iter().all(|weight| *weight > -1e-6)
+        let inside = |base: &&[Vertex; 3]| {
+            weights(base.map(|corner| corner.uv.as_dvec2()), middle).iter().all(|weight| *weight > -1e-6)
         };
         let base = bases.iter().find(inside).expect("a piece lies in a base triangle");
-        let chart = base.map(|corner| corner.uv);
+        let chart = base.map(|corner| corner.uv.as_dvec2());
         let mut farthest = 0.0_f64;
         for i in 0..=n {
             for j in 0..=n - i {
                 let of = [i, j, n - i - j].map(|part| f64::from(part) / f64::from(n));
                 let uv = uvs[0] * of[0] + uvs[1] * of[1] + uvs[2] * of[2];
                 let there: DVec3 = (0..3).map(|k| corners[k].position.as_dvec3() * of[k]).sum();
-                let point = BasePoint::weighted(*base, weights(chart, uv));
-                let relief = point.displaced(map.displacement_m(map.height_at(uv.x, uv.y)));
+                let at = weights(chart, uv);
+                let mut point = BasePoint::weighted(base.map(|corner| (&corner).into()), at);
+                let mut metres = map.displacement_m(map.height_at(uv.x, uv.y));
+                match smooth {
+                    BaseSurface::Flat => {}
+                    BaseSurface::Lift => metres += lift_m(base, at),
+                    BaseSurface::Pn => point.position = curved_point(base, at),
+                }
+                if directions == Directions::Unit {
+                    point.normal = point.normal.normalize();
+                }
+                let relief = point.displaced(metres);
                 farthest = farthest.max(relief.distance(there));
             }
         }
@@ -105,6 +127,67 @@ fn no_sample_is_farther_than_the_bound() {
                 // The bound says something.
                 assert!(found >= 0.3 * certificate.error_m, "{about}: {found}");
             }
+        }
+    }
+}
+
+#[test]
+fn smooth_bases_and_unit_directions_keep_to_the_bound() {
+    let mut turn = 0;
+    for (name, base, area) in smooth_bases() {
+        for (smooth, directions) in [
+            (BaseSurface::Flat, Directions::Unit),
+            (BaseSurface::Lift, Directions::Raw),
+            (BaseSurface::Lift, Directions::Unit),
+            (BaseSurface::Pn, Directions::Raw),
+            (BaseSurface::Pn, Directions::Unit),
+        ] {
+            for (wrap, map_name) in [
+                (Wrap::Repeat, "natural 101x67"),
+                (Wrap::Mirror, "white noise 37x53"),
+                (Wrap::Clamp, "single spike 33x31"),
+            ] {
+                let map = map(map_name, wrap);
+                let error_m = [0.02, 0.05, 0.1][turn % 3] * SCALE_M;
+                let fit = Fit::ALL[turn % 2];
+                turn += 1;
+                let within = MeshSettings::within(error_m);
+                let settings = MeshSettings { fit, base: smooth, directions, ..within };
+                let (mesh, certificate) = made(&base, &map, &settings);
+                let about = format!("{name}, {map_name}, {smooth} {directions}, {fit}: {certificate:?}");
+                assert!(certificate.error_m <= error_m, "{about}");
+                let (found, covered) = farthest_over(&base, &map, &mesh, 6, (smooth, directions));
+                let bound_m = certificate.error_m + certificate.seams_m + ROUNDING * SCALE_M;
+                assert!(found <= bound_m, "{about}: {found}");
+                assert!((covered - area).abs() < 1e-4, "{about}: {covered} of {area}");
+                // The bound says something, and what is judged is not the flat base: hills are all over it.
+                assert!(found >= 0.1 * certificate.error_m, "{about}: {found}");
+                let (flat, _) = farthest(&base, &map, &mesh, 6);
+                assert!(
+                    flat > bound_m || map_name != "natural 101x67" || name == "sphere",
+                    "{about}: {flat}"
+                );
+                println!("{about}: {} triangles, found {found}", mesh.triangles().len());
+            }
+        }
+    }
+}
+
+#[test]
+fn smooth_bases_are_closed_where_they_are() {
+    let bases = [cube(2), cylinder(16, 2), sphere(24, 12), torus(24, 10)];
+    let mut turn = 0;
+    for base in bases {
+        let base = base.expect("a mesh");
+        for named in maps::ALL.iter().filter(|named| named.name != "white noise 128x128") {
+            let map = displaced(&named.build(Wrap::ALL[turn % 3]));
+            let (smooth, directions) = (BaseSurface::ALL[turn % 3], Directions::ALL[turn / 3 % 2]);
+            turn += 1;
+            let within = MeshSettings::within(0.1 * SCALE_M);
+            let (mesh, certificate) = made(&base, &map, &MeshSettings { base: smooth, directions, ..within });
+            let cracks = CrackTest::of_mesh(&mesh);
+            let about = format!("{}, {smooth} {directions}: {cracks:?}, {certificate:?}", named.name);
+            assert!(cracks.is_closed() && cracks.pieces == 1, "{about}");
         }
     }
 }
@@ -270,8 +353,7 @@ fn what_cannot_be_made_is_refused() {
     let within = MeshSettings::within(0.1 * SCALE_M);
     let refused = |settings: MeshSettings| Mesher::new(&base, &map, &settings).expect_err("refused");
     for settings in [
-        MeshSettings { directions: Directions::Unit, ..within },
-        MeshSettings { base: BaseSurface::Lift, ..within },
+        MeshSettings { directions: Directions::Angle, ..within },
         MeshSettings { side: Side::Above, ..within },
     ] {
         assert!(matches!(refused(settings), MesherError::OnPlanesAlone { .. }));
@@ -282,6 +364,13 @@ fn what_cannot_be_made_is_refused() {
     let fine = refused(MeshSettings::within(1e-9 * SCALE_M));
     let MesherError::TooFine { least_m, .. } = fine else { panic!("{fine}") };
     assert!(least_m > 1e-9 * SCALE_M && least_m < 0.1 * SCALE_M);
+    // Sides of 350 texels would be halved.
+    let large =
+        displaced(&HeightMap::from_fn(1050, 700, Wrap::Repeat, |i, _| i as f32 / 1050.0).expect("a map"));
+    for base in [BaseSurface::Lift, BaseSurface::Pn] {
+        let error = Mesher::new(&torus(3, 3).expect("a mesh"), &large, &MeshSettings { base, ..within });
+        assert!(matches!(error, Err(MesherError::SmoothOfLarge { texels: 128 })), "{:?}", error.err());
+    }
     let held = MeshSettings { max_bytes: 1000, ..within };
     assert!(matches!(refused(held), MesherError::NoMemory { limit: 1000 }));
     // A texture that repeats so often that no memory holds its texels.

@@ -8,7 +8,7 @@ use clap::Args;
 use relief_compare::{Compared, Comparison, Goal, Timing, Tried, choose, csv, page, with_other_steps};
 use relief_core::MapFormat;
 
-use super::contest::{Contest, ContestArguments, as_json, compared, of_comparison};
+use super::contest::{Contest, ContestArguments, as_json, compared, look_again, of_comparison};
 use super::staged::{Staged, format_of};
 use crate::failure::Failure;
 use crate::streams::{Files, answer};
@@ -159,7 +159,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let written: Vec<&Path> = files.iter().map(PathBuf::as_path).collect();
     // Whether they can be written is known before minutes of work.
     let mut staged = Staged::open(&written, arguments.json, cancel)?;
-    let compared = with_command(compared("comparing", &comparison, arguments.json, cancel)?);
+    let mut compared = with_command(compared("comparing", &comparison, arguments.json, cancel)?);
+    if let Some(goal) = arguments.goal() {
+        look_again("timing what is near", &comparison, &mut compared.records, goal, arguments.json, cancel)?;
+    }
     arguments.write(&compared, &mut staged)?;
     staged.finish()?;
     let tried = arguments.goal().map(|goal| choose(&compared.records, goal));

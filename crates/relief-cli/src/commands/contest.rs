@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 use relief_compare::{
-    COBBLES_PNG, CompareError, Compared, Comparison, Contender, LeftOut, Machine, Records, Watch,
+    COBBLES_PNG, CompareError, Compared, Comparison, Contender, Goal, LeftOut, Machine, Records, Watch,
 };
 use relief_core::registry::UnknownName;
 use relief_render::scene::{BackendChoice, Sampling, SceneSpec};
@@ -267,6 +267,21 @@ pub fn compared(
         say::note(format_args!("{what} is left out: {reason}"));
     }
     Ok(compared)
+}
+
+/// Times once more what a goal hardly decides between, with a bar.
+pub fn look_again(
+    what: &'static str,
+    comparison: &Comparison,
+    records: &mut Records,
+    goal: Goal,
+    quiet: bool,
+    cancel: &AtomicBool,
+) -> Result<(), Failure> {
+    let progress = Progress::bar(what, quiet);
+    let told = |_: &str, part: f32| progress.show(part);
+    let looked = comparison.look_again(records, goal, &Watch { progress: &told, cancel });
+    looked.map(|_| ()).map_err(of_comparison)
 }
 
 /// The records for programs.

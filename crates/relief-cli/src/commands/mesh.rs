@@ -166,17 +166,23 @@ pub struct Arguments {
     /// or pn, cubic triangles at right angles to them [default: flat]
     #[arg(long, value_name = "flat|lift|pn", help_heading = "Triangles")]
     base: Option<BaseSurface>,
-    /// Along what: raw, the interpolated normals as they are, or unit, these normalised [default: raw]
-    #[arg(long, value_name = "raw|unit", help_heading = "Triangles", hide_short_help = true)]
+    /// Along what: raw, the interpolated normals as they are; unit, these normalised; or angle, normals
+    /// interpolated by their angles [default: raw]
+    #[arg(long, value_name = "raw|unit|angle", help_heading = "Triangles", hide_short_help = true)]
     directions: Option<Directions>,
     /// Normals of the vertices: exact, of the relief between the texels; derivative, the same as if the mesh
-    /// were level; or mesh, of the triangles [default: exact]
-    #[arg(long, value_name = "exact|derivative|mesh", help_heading = "Triangles")]
+    /// were level; rotation, the mesh's normals turned by two angles; or mesh, of the triangles [default:
+    /// exact]
+    #[arg(long, value_name = "exact|derivative|rotation|mesh", help_heading = "Triangles")]
     shading: Option<Shading>,
     /// Hard edges and seams of the texture: weld gives a position one displacement, so that a closed mesh
     /// stays closed; keep gives each side its own, and gapes [default: weld]
     #[arg(long, value_name = "weld|keep", help_heading = "Triangles")]
     seams: Option<Seams>,
+    /// Leave out the triangles over texels without a value, in place of filling them. With --error their
+    /// outlines are within a texel, else as fine as the triangles
+    #[arg(long, help_heading = "Triangles")]
+    holes: bool,
     /// Make the mesh as large as this along its longest side, in millimetres, or with a unit, as in 12cm
     /// [default: as large as the base mesh is]
     #[arg(
@@ -474,6 +480,7 @@ impl Arguments {
             directions: self.directions.unwrap_or_default(),
             shading: self.shading.unwrap_or_default(),
             seams: self.seams.unwrap_or_default(),
+            holes: self.holes,
             ..usual
         }
     }
@@ -493,7 +500,8 @@ impl Arguments {
     fn spec(&self) -> Result<SceneSpec, Failure> {
         let surface = self.placed.surface(&self.reading);
         let depth = if self.invert { Some(!self.reading.depth) } else { surface.depth };
-        let surface = SurfaceSpec { height: Some(self.height.clone()), depth, ..surface };
+        let holes = self.holes.then_some(true);
+        let surface = SurfaceSpec { height: Some(self.height.clone()), depth, holes, ..surface };
         let seen = match &self.view {
             Some(file) => read_scene(file).map_err(Failure::work)?,
             None => SceneSpec { size: Some([1, 1]), ..SceneSpec::default() },
@@ -566,15 +574,20 @@ fn of_mesher(error: MesherError) -> Failure {
         MesherError::OnPlanesAlone { .. } => {
             Failure::Work(format!("{error}: leave it out, or --texels N divides the mesh's edges evenly"))
         }
+        MesherError::SmoothOfLarge { .. } => {
+            Failure::Work(format!("--base: {error}: a finer mesh, --tile with fewer texels, or --base flat"))
+        }
         MesherError::PartOfNoPlane | MesherError::TooManyParts { .. } => {
             Failure::Work(format!("--tiles: {error}"))
         }
         MesherError::BadSolid { .. }
         | MesherError::SolidOfClosed
         | MesherError::SolidOfView
+        | MesherError::SolidOfHoles
         | MesherError::SolidBranches { .. }
         | MesherError::SolidTouches { .. } => Failure::Work(format!("--solid: {error}")),
         MesherError::SolidOfSeams { .. } => Failure::Work(format!("--solid: {error}: --seams weld does")),
+        MesherError::AllHoles => Failure::Work(format!("--holes: {error}")),
         MesherError::MoreThan { .. } => Failure::Work(format!("--triangles: {error}")),
         MesherError::NoMemory { limit } => Failure::Work(format!(
             "the mesh takes more than the {} allowed: --max-memory raises it, {COARSER}",

@@ -1,5 +1,6 @@
 //! The work of a comparison: rays first, then pictures, for each level of the map and each scale.
 
+mod again;
 mod pictures;
 mod rays;
 mod reference;

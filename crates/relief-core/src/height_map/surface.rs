@@ -11,6 +11,14 @@ impl HeightMap {
         self.heights.texels[j * self.width as usize + i]
     }
 
+    /// Whether dual cell `(i, j)` is a hole: one of its four corners is, see [`holes`](Self::holes).
+    pub fn is_hole(&self, i: i64, j: i64) -> bool {
+        let Some(holes) = self.holes() else { return false };
+        let columns = self.wrap.pair(i, self.width);
+        let rows = self.wrap.pair(j, self.height);
+        rows.iter().any(|&row| columns.iter().any(|&column| holes.contains(column, row)))
+    }
+
     /// The four corners `[h00, h10, h01, h11]` of dual cell `(i, j)`: the texels `(i, j)`, `(i + 1, j)`,
     /// `(i, j + 1)` and `(i + 1, j + 1)`.
     #[inline]

@@ -55,6 +55,20 @@ pub enum Divides {
 /// tolerance is a height of the map.
 pub type Along = fn(rows: &[&[Knot]], tolerance: f64) -> Vec<usize>;
 
+/// The same where some of the knots, rising and without the ends, are points in any case: what lies between
+/// two of them is divided by itself.
+pub fn divided(divide: Along, rows: &[&[Knot]], fixed: &[usize], tolerance: f64) -> Vec<usize> {
+    let last = rows.first().map_or(0, |row| row.len() - 1);
+    let mut chosen = vec![0];
+    let mut from = 0;
+    for to in fixed.iter().copied().chain([last]) {
+        let between: Vec<&[Knot]> = rows.iter().map(|row| &row[from..=to]).collect();
+        chosen.extend(divide(&between, tolerance).into_iter().skip(1).map(|at| from + at));
+        from = to;
+    }
+    chosen
+}
+
 /// Where sides are divided evenly.
 #[derive(Clone, Copy, Debug)]
 pub struct Evenly {

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use relief_core::registry::{Publication, UnknownName};
 
-pub use adapt::{Facet, Filled, Gap, Ground, INTERIOR as ADAPT, PAIR, STEPS, Seen, Wanted, Window, along};
+pub use adapt::{Facet, Filled, Gap, Ground, INTERIOR as ADAPT, STEPS, Seen, Turning, Wanted, Window, along};
 pub use dice::INTERIOR as DICE;
 pub use sweep::INTERIOR as SWEEP;
 

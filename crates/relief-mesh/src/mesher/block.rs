@@ -11,6 +11,7 @@ use super::{Base, EMPTY, Mesher};
 use crate::cache_order::cache_order;
 use crate::crack::CrackPart;
 use crate::folds::{self, FoldedBase};
+use crate::holes::Kept;
 use crate::interior::{Cut, Pattern};
 use crate::patch::{Patch, PatchPoint};
 use crate::plan::Work;
@@ -43,7 +44,8 @@ impl Mesher {
         block: MeshBlock,
     ) -> Option<Made> {
         let smooth = (self.shading == Shading::Mesh && normals.is_none()).then(Vec::new);
-        let mut making = Making { block: emptied(block), normals, smooth, ..Making::default() };
+        let kept = self.kept.as_ref();
+        let mut making = Making { block: emptied(block), normals, smooth, kept, ..Making::default() };
         match (&self.base, work) {
             (Base::Triangles(base, pattern), Work::Patches { from, to, first_inner, first_vertex }) => {
                 self.patches(base, pattern, [*from, *to], [*first_inner, *first_vertex], &mut making);
@@ -159,6 +161,7 @@ impl Mesher {
             points.clear();
             (pattern.cut)(&shape, begin..end, first_inner, &mut cut);
             let (border, inside) = (PatchBorder::new(base, &self.relief, patch), Inside::new(base, patch));
+            self.leave_out(&mut cut, |point| self.relief.place(inside.uv(base, patch, point)));
             let mut own = 0;
             // Compiled for the vectors that the machine has; the bits are the same.
             Lanes::Eight.run(|| {
@@ -211,7 +214,27 @@ impl Mesher {
         (pieces > 0).then(|| FoldedBase { triangle: base.whole(patch), pieces, middle_m: base.middle(patch) })
     }
 
+    /// Leaves out the triangles whose middle lies over a hole, by the places of points, counted from the centre
+    /// of the first texel.
+    fn leave_out(&self, cut: &mut Cut, place: impl Fn(&PatchPoint) -> [f64; 2]) {
+        let Cut { points, triangles } = cut;
+        self.leave_out_of(triangles, |at| place(&points[at as usize]));
+    }
+
+    /// The same, by the numbers of points.
+    fn leave_out_of(&self, triangles: &mut Vec<[u32; 3]>, place: impl Fn(u32) -> [f64; 2]) {
+        if !self.relief.has_holes() {
+            return;
+        }
+        triangles.retain(|corners| {
+            let [a, b, c] = corners.map(&place);
+            !self.relief.is_hole([0, 1].map(|axis| (a[axis] + b[axis] + c[axis]) / 3.0))
+        });
+    }
+
     fn filled_tile(&self, plane: &Adapted, tile: u32, making: &mut Making) {
+        let mut triangles = plane.triangles(tile).to_vec();
+        self.leave_out_of(&mut triangles, |at| plane.place(tile, at).map(|place| place - 0.5));
         let border = plane.border_points(&self.relief, tile);
         let mut points: Vec<(Numbered, Vec3)> =
             border.into_iter().map(|(number, position)| (Numbered::both(number), position)).collect();
@@ -220,13 +243,14 @@ impl Mesher {
             points.push((numbered, making.vertex(plane.inner_vertex(&self.relief, tile, at), numbered)));
         }
         // They turn from `u` to `v`, those of patterns from `v` to `u`.
-        making.triangles(plane.triangles(tile), &points, !plane.is_turned());
+        making.triangles(&triangles, &points, !plane.is_turned());
     }
 
     fn filled_patch(&self, filled: &triangles::Adapted, patch: u32, making: &mut Making) {
         let base = filled.base();
-        let (cut, border) = (filled.cut(patch), PatchBorder::new(base, &self.relief, patch));
+        let (mut cut, border) = (filled.cut(patch), PatchBorder::new(base, &self.relief, patch));
         let inside = Inside::new(base, patch);
+        self.leave_out(&mut cut, |point| self.relief.place(inside.uv(base, patch, point)));
         let mut points = Vec::with_capacity(cut.points.len());
         for point in &cut.points {
             points.push(match *point {
@@ -247,6 +271,14 @@ impl Mesher {
         let shape = Patch::Tile(plane.lines(tile));
         let mut cut = Cut::default();
         (pattern.cut)(&shape, 0..(pattern.steps)(&shape), 0, &mut cut);
+        self.leave_out(&mut cut, |point| match *point {
+            PatchPoint::Border { side, at } => {
+                let lines = [tile.first[0] + side as usize, tile.first[1] + at as usize];
+                plane.place(lines).map(|place| place - 0.5)
+            }
+            // A grid has lines alone.
+            PatchPoint::Inner { .. } => [f64::NAN; 2],
+        });
         let mut points = Vec::with_capacity(cut.points.len());
         for point in &cut.points {
             if let PatchPoint::Border { side, at } = *point {
@@ -272,17 +304,21 @@ struct Making<'a> {
     /// The smooth numbers of the triangles' corners, if normals are to be made of these triangles.
     smooth: Option<Vec<[u32; 3]>>,
     normals: Option<&'a Normals>,
+    /// What is left beside holes, once it is known.
+    kept: Option<&'a Kept>,
     folds: Vec<FoldedBase>,
     folds_below: Vec<FoldedBase>,
 }
 
 impl Making<'_> {
-    /// Adds a vertex and gives its position.
+    /// Adds a vertex, unless no triangle has it, and gives its position.
     fn vertex(&mut self, mut vertex: Vertex, numbered: Numbered) -> Vec3 {
         if let Some(normals) = self.normals {
             vertex.normal = normals.of(numbered.smooth, vertex.normal);
         }
-        self.block.vertices.push(vertex);
+        if self.kept.is_none_or(|kept| kept.contains(numbered.number)) {
+            self.block.vertices.push(vertex);
+        }
         vertex.position
     }
 
@@ -327,7 +363,11 @@ impl Making<'_> {
             let of = |[a, b, c]: [u32; 3]| [numbered(a).smooth, numbered(b).smooth, numbered(c).smooth];
             smooth.extend(triangles.clone().map(of));
         }
-        let numbers = |[a, b, c]: [u32; 3]| [numbered(a).number, numbered(b).number, numbered(c).number];
+        let number = |corner: u32| {
+            let number = numbered(corner).number;
+            self.kept.map_or(number, |kept| kept.number(number))
+        };
+        let numbers = |[a, b, c]: [u32; 3]| [number(a), number(b), number(c)];
         self.block.triangles.extend(triangles.clone().map(numbers));
         self.block.corners.extend(triangles.map(|[a, b, c]| [first + a, first + b, first + c]));
     }

@@ -8,7 +8,7 @@ use relief_core::mesh::Vertex;
 
 use super::span::{Span, TILE, spans};
 use super::{BorderPoint, Rectangle};
-use crate::edge::{Along, Knot, LONGEST};
+use crate::edge::{Along, Knot, LONGEST, divided};
 use crate::error::MOST;
 use crate::filling::{Filling, Room, least_tolerance};
 use crate::interior::{Filled, Gap, STEPS, Seen, Window};
@@ -241,13 +241,18 @@ impl Adapted {
         self.rectangle.vertex_at(relief, self.place_on(side as usize, step), f64::from(height) + self.raise)
     }
 
+    /// The place of a point of a tile, those of its border first, in texels, `i + ½` the centre of texel `i`.
+    pub fn place(&self, tile: u32, at: u32) -> [f64; 2] {
+        let steps = self.tiles[tile as usize].points[at as usize].map(i32::from);
+        let spans = self.spans_of(tile as usize);
+        [0, 1].map(|axis| spans[axis].place(steps[axis]))
+    }
+
     /// A vertex within a tile.
     pub fn inner_vertex(&self, relief: &Relief, tile: u32, at: u32) -> Vertex {
-        let filled = &self.tiles[tile as usize];
-        let at = self.border_count(tile as usize) + at as usize;
-        let spans = self.spans_of(tile as usize);
-        let place = [0, 1].map(|axis| spans[axis].place(i32::from(filled.points[at][axis])));
-        self.rectangle.vertex_at(relief, place, f64::from(filled.heights[at]) + self.raise)
+        let at = self.border_count(tile as usize) as u32 + at;
+        let height = self.tiles[tile as usize].heights[at as usize];
+        self.rectangle.vertex_at(relief, self.place(tile, at), f64::from(height) + self.raise)
     }
 
     /// The border of a tile, in the order of its points: numbers and positions.
@@ -373,7 +378,17 @@ impl Adapted {
             Knot { place: span.place(step), height, twist }
         };
         let knots: Vec<Knot> = steps.iter().map(knot).collect();
-        let chosen = divide(&[&knots], tolerance);
+        let is_hole = |step: i32| {
+            let along = (span.place(step) + span.place(step + 1)) / 2.0;
+            [line - 1e-3, line + 1e-3].map(|beside| {
+                let [x, y] = if axis == 0 { [along, beside] } else { [beside, along] };
+                relief.is_hole([x - 0.5, y - 0.5])
+            })
+        };
+        let ends_a_hole = |&at: &usize| is_hole(steps[at - 1].0) != is_hole(steps[at].0);
+        let fixed: Vec<usize> =
+            if relief.has_holes() { (1..steps.len() - 1).filter(ends_a_hole).collect() } else { Vec::new() };
+        let chosen = divided(divide, &[&knots], &fixed, tolerance);
         let inner = &chosen[1..chosen.len() - 1];
         inner.iter().map(|&at| (steps[at].0, knots[at].height as f32)).collect()
     }
@@ -402,7 +417,12 @@ impl Adapted {
         let [from, to] = [0, 1].map(|end| spans.map(|span| span.steps[end]));
         if let [Some(i0), Some(j0)] = spans.map(|span| span.first_texel()) {
             let map = relief.map();
-            return Window::new(from, to, |[i, j]| map.texel(i0 + i as i64, j0 + j as i64));
+            let window = Window::new(from, to, |[i, j]| map.texel(i0 + i as i64, j0 + j as i64));
+            return if relief.has_holes() {
+                window.with_holes(|[i, j]| map.is_hole(i0 + i as i64, j0 + j as i64))
+            } else {
+                window
+            };
         }
         let place = |axis: usize, corner: usize| {
             let (span, step) = (&spans[axis], corner as i32 * STEPS);
@@ -413,7 +433,12 @@ impl Adapted {
                 span.origin + f64::from(step) * span.step
             }
         };
-        Window::new(from, to, |[i, j]| relief.height([place(0, i), place(1, j)]) as f32)
+        let window = Window::new(from, to, |[i, j]| relief.height([place(0, i), place(1, j)]) as f32);
+        if !relief.has_holes() {
+            return window;
+        }
+        let middle = |axis: usize, cell: usize| (place(axis, cell) + place(axis, cell + 1)) / 2.0 - 0.5;
+        window.with_holes(|[i, j]| relief.is_hole([middle(0, i), middle(1, j)]))
     }
 }
 

@@ -120,7 +120,8 @@ impl Grid {
         ]
     }
 
-    fn place(&self, [i, j]: [usize; 2]) -> [f64; 2] {
+    /// The place where two lines meet, in texels, `i + ½` the centre of texel `i`.
+    pub fn place(&self, [i, j]: [usize; 2]) -> [f64; 2] {
         [self.lines[0][i], self.lines[1][j]]
     }
 

@@ -188,7 +188,7 @@ impl Rectangle {
 
     /// The vertex of a place at a height of the map.
     pub fn vertex_at(&self, relief: &Relief, place: [f64; 2], height: f64) -> Vertex {
-        self.vertex_of(relief, place, relief.seen_at(place).at_height(relief, height))
+        self.vertex_of(relief, place, relief.seen_at(place).at_metres(relief.metres(height)))
     }
 
     fn vertex_of(&self, relief: &Relief, place: [f64; 2], seen: Seen) -> Vertex {

@@ -5,13 +5,15 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use rayon::prelude::*;
 use relief_core::mesh::Mesh;
 
+use super::profile::turning;
 use super::{Triangles, counted};
+use crate::cubic::Cubic;
 use crate::error::MOST;
 use crate::filling::{Filling, Room};
 use crate::interior::{Cut, Facet, Filled, Ground};
 use crate::patch::PatchPoint;
 use crate::surface::Relief;
-use crate::{BaseSurface, Certificate, Directions, MeshSettings, MesherError, Side, Watch};
+use crate::{BaseSurface, Certificate, Directions, MeshSettings, MesherError, Side, Watch, cubic};
 
 /// Patches that are filled one after the other.
 const TOGETHER: usize = 64;
@@ -72,8 +74,7 @@ impl Adapted {
     ) -> Result<Self, MesherError> {
         let refused = [
             ("one side of the relief", settings.side != Side::Both),
-            ("a smooth base", settings.base != BaseSurface::Flat),
-            ("directions of one length", settings.directions != Directions::Raw),
+            ("directions by their angles", settings.directions == Directions::Angle),
         ];
         if let Some((what, _)) = refused.into_iter().find(|(_, is_asked)| *is_asked) {
             return Err(MesherError::OnPlanesAlone { what });
@@ -225,12 +226,27 @@ impl Triangles {
         }
     }
 
-    /// A patch as triangles are laid over it.
-    fn facet(&self, relief: &Relief, patch: u32) -> Facet {
+    /// A patch of a cubic base.
+    fn cubic(&self, patch: u32) -> Option<Cubic> {
+        let corners = self.triangles[patch as usize].map(|vertex| self.corners.base(vertex));
+        let sides = || [0, 1, 2].map(|k| cubic::bent([corners[k], corners[(k + 1) % 3]]));
+        let is_cubic = self.base == BaseSurface::Pn;
+        is_cubic.then(|| Cubic { corners: corners.map(|corner| corner.position), sides: sides() })
+    }
+
+    /// A patch as triangles are laid over it, and the length of its longest direction of displacement.
+    fn facet(&self, relief: &Relief, patch: u32, error_m: f64) -> (Facet, f64) {
         let corners = self.triangles[patch as usize].map(|vertex| self.corners.base(vertex));
         let places = corners.map(|corner| relief.place(corner.uv));
         let map = relief.map();
-        Facet::new(self.size(patch), places, corners.map(|corner| corner.normal), |[i, j]| map.texel(i, j))
+        let normals = corners.map(|corner| corner.normal);
+        let longest = normals.iter().map(|normal| normal.length()).fold(0.0, f64::max);
+        let height_m = relief.height_m(error_m, longest);
+        let lifts_m = self.edges.sides(patch).map(|side| self.lift(self.seen(side)));
+        let turning = turning(relief, normals, longest, height_m, (lifts_m, self.cubic(patch)));
+        let facet = Facet::new(self.size(patch), places, turning, |[i, j]| map.texel(i, j));
+        let facet = if relief.has_holes() { facet.with_holes(|[i, j]| map.is_hole(i, j)) } else { facet };
+        (facet, longest)
     }
 
     /// By how many metres the heights of a border's point differ between a patch and the side of the seam
@@ -247,7 +263,7 @@ impl Triangles {
             }
         };
         let apart = relief.height_at_uv(seen.base.uv) - own;
-        apart.abs() * relief.map().scale_m() * seen.base.normal.length()
+        apart.abs() * relief.map().scale_m() * relief.reach(seen.base.normal.length())
     }
 
     /// Fills a patch.
@@ -259,7 +275,7 @@ impl Triangles {
         (filling, room): (&Filling, &Room),
         into: &mut Several,
     ) -> Result<(), MesherError> {
-        let facet = self.facet(relief, patch);
+        let (facet, longest) = self.facet(relief, patch, settings.error_m);
         let mut seams_m = 0.0_f64;
         let border: Vec<([i32; 2], f32)> = self
             .border_of(patch)
@@ -270,10 +286,10 @@ impl Triangles {
                 (at, height as f32)
             })
             .collect();
-        let tolerance = relief.tolerance(settings.error_m, facet.longest());
+        let tolerance = relief.tolerance(settings.error_m, longest);
         let filled = room.taken((filling.fill.facet)(&facet, &border, room.wanted(tolerance)))?;
         let Filled { points, heights, triangles, seen } = filled;
-        let metres = relief.map().scale_m() * facet.longest();
+        let metres = relief.height_m(settings.error_m, longest);
         let gap = if seen.above.height >= -seen.below.height { seen.above } else { seen.below };
         let uv = {
             let corners = self.triangles[patch as usize].map(|vertex| self.corners.base(vertex).uv);

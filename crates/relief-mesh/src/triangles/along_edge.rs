@@ -3,13 +3,14 @@
 use glam::{DVec2, DVec3, Vec3};
 use relief_core::mesh::{BasePoint, Vertex};
 
-use super::{Numbered, Triangles, cubic, level};
+use super::{Corners, Numbered, Triangles, level};
 use crate::surface::{Frame, Placed, Relief};
-use crate::{BaseSurface, point};
+use crate::{BaseSurface, cubic, point};
 
 /// An edge as its points are made of it: what belongs to its ends, looked up once for all of them.
 #[derive(Debug)]
-pub struct AlongEdge {
+pub struct AlongEdge<'a> {
+    corners: &'a Corners,
     /// The ends as the displacement sees them.
     ends: [BasePoint; 2],
     shares: [f64; 2],
@@ -29,8 +30,8 @@ enum Smooth {
     Cubic([DVec3; 2]),
 }
 
-impl AlongEdge {
-    pub fn new(base: &Triangles, edge: u32) -> Self {
+impl<'a> AlongEdge<'a> {
+    pub fn new(base: &'a Triangles, edge: u32) -> Self {
         let seen = base.seen(edge);
         let ends = base.edges.ends(seen);
         let texels = |vertex: u32| base.footprints.get(vertex as usize).copied();
@@ -39,6 +40,7 @@ impl AlongEdge {
             _ => None,
         };
         Self {
+            corners: &base.corners,
             ends: ends.map(|end| base.corners.base(end)),
             shares: base.edges.ends(edge).map(|end| base.share(end)),
             smooth: match base.base {
@@ -62,7 +64,7 @@ impl AlongEdge {
         let [a, b] = &self.ends;
         let mut base = BasePoint {
             position: point::between(a.position, b.position, weights),
-            normal: point::between(a.normal, b.normal, weights),
+            normal: self.corners.direction_on_side([a.normal, b.normal], weights),
             uv: point::between(a.uv, b.uv, weights),
         };
         let [of_a, of_b] = weights;
@@ -92,7 +94,7 @@ impl AlongEdge {
 pub struct EdgeVertices<'a> {
     base: &'a Triangles,
     edge: u32,
-    along: AlongEdge,
+    along: AlongEdge<'a>,
     /// The texture coordinates and the frames of its own ends.
     uvs: [DVec2; 2],
     frames: [Frame; 2],

@@ -7,6 +7,7 @@ use relief_core::mesh::{BasePoint, Mesh, Vertex};
 
 use super::{Numbered, surface_bits};
 use crate::surface::Frame;
+use crate::{Directions, direction, point};
 
 /// The longest direction of displacement at a hard edge, in lengths of a normal: beyond it sharp edges would
 /// become spikes.
@@ -19,6 +20,8 @@ const UNUSED: u32 = u32::MAX;
 #[derive(Debug)]
 pub struct Corners {
     vertices: Vec<Vertex>,
+    /// Whether directions between are found by angles.
+    is_by_angle: bool,
     /// Along what each is displaced; empty where that is its normal.
     directions: Vec<Vec3>,
     /// What vertices are displaced by that lie between others, and the others; empty where there are none.
@@ -36,12 +39,14 @@ pub struct Corners {
 }
 
 impl Corners {
-    pub fn new(mesh: &Mesh, point_of: &[u32], is_welded: bool) -> Self {
+    pub fn new(mesh: &Mesh, point_of: &[u32], is_welded: bool, along: Directions) -> Self {
         let vertices = mesh.vertices().to_vec();
         let directions = if is_welded { welded_directions(mesh, point_of) } else { Vec::new() };
         let (between, turns, seen, used) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let (numbers, smooth) = (Vec::new(), Vec::new());
-        let mut corners = Self { vertices, directions, between, turns, seen, used, numbers, smooth };
+        let is_by_angle = along == Directions::Angle;
+        let mut corners =
+            Self { vertices, is_by_angle, directions, between, turns, seen, used, numbers, smooth };
         corners.keep(mesh.triangles());
         if is_welded {
             corners.seen = first_used(point_of, &corners.used);
@@ -83,7 +88,7 @@ impl Corners {
             self.turns[all.len()] = [0, 1].map(|axis| turn_a[axis] * 0.5 + turn_b[axis] * 0.5);
             all.push(BasePoint {
                 position: a.position * 0.5 + b.position * 0.5,
-                normal: a.normal * 0.5 + b.normal * 0.5,
+                normal: self.direction_on_side([a.normal, b.normal], [0.5, 0.5]),
                 uv: a.uv * 0.5 + b.uv * 0.5,
             });
         }
@@ -127,6 +132,16 @@ impl Corners {
         base
     }
 
+    /// The direction of displacement, of any length, between the ends of a side, by their weights.
+    pub fn direction_on_side(&self, [a, b]: [DVec3; 2], weights: [f64; 2]) -> DVec3 {
+        if self.is_by_angle { direction::between([a, b], weights) } else { point::between(a, b, weights) }
+    }
+
+    /// Whether directions between are found by angles, and not as sums.
+    pub fn is_by_angle(&self) -> bool {
+        self.is_by_angle
+    }
+
     /// The length of the longest direction of displacement.
     pub fn longest(&self) -> f64 {
         self.used.iter().map(|&vertex| self.base(vertex).normal.length()).fold(0.0, f64::max)
@@ -142,12 +157,13 @@ impl Corners {
         }
     }
 
-    /// The derivatives of the directions: of each triangle they are constant, and a vertex has the mean over
-    /// those triangles around its position that have its very frame, weighted by their areas.
+    /// The derivatives of the directions: of each triangle they are constant, or by angles those at each
+    /// corner, and a vertex has the mean over those triangles around its position that have its very frame,
+    /// weighted by their areas.
     fn turns_of(&self, mesh: &Mesh) -> Vec<[Vec3; 2]> {
         let frame_bits = |vertex: &Vertex| {
             let Vertex { position, normal, tangent, bitangent, .. } = vertex;
-            [*position, *normal, *tangent, *bitangent].map(crate::point::bits)
+            [*position, *normal, *tangent, *bitangent].map(point::bits)
         };
         let mut places = HashMap::with_capacity(self.vertices.len());
         let mut sums: Vec<([DVec3; 2], f64)> = Vec::new();
@@ -164,15 +180,25 @@ impl Corners {
         for corners in mesh.triangles() {
             let [a, b, c] = corners.map(|vertex| self.base(vertex));
             let [d1, d2]: [DVec2; 2] = [b.uv - a.uv, c.uv - a.uv];
-            let [n1, n2] = [b.normal - a.normal, c.normal - a.normal];
             let area = (b.position - a.position).cross(c.position - a.position).length();
             let in_texture = d1.perp_dot(d2);
-            let turns = [(n1 * d2.y - n2 * d1.y) / in_texture, (n2 * d1.x - n1 * d2.x) / in_texture];
-            // Triangles without an area in the texture say nothing.
-            if !turns.iter().all(|turn| turn.is_finite()) {
-                continue;
-            }
+            let turns_at = |at: DVec3| {
+                let [n1, n2] = if self.is_by_angle {
+                    let [to_a, to_b, to_c] = [a, b, c].map(|corner| {
+                        direction::toward(at.normalize_or_zero(), corner.normal.normalize_or_zero())
+                    });
+                    [to_b - to_a, to_c - to_a]
+                } else {
+                    [b.normal - a.normal, c.normal - a.normal]
+                };
+                [(n1 * d2.y - n2 * d1.y) / in_texture, (n2 * d1.x - n1 * d2.x) / in_texture]
+            };
             for vertex in corners {
+                let turns = turns_at(self.base(*vertex).normal);
+                // Triangles without an area in the texture say nothing.
+                if !turns.iter().all(|turn| turn.is_finite()) {
+                    continue;
+                }
                 let (sum, weights) = &mut sums[place_of[*vertex as usize] as usize];
                 *sum = [sum[0] + turns[0] * area, sum[1] + turns[1] * area];
                 *weights += area;

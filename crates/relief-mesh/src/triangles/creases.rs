@@ -9,10 +9,10 @@ use crate::surface::Relief;
 use crate::{MeshSettings, MesherError};
 
 /// The longest side of a patch, in texels.
-const LONGEST: f64 = 128.0;
+pub const LONGEST: f64 = 128.0;
 
 /// The most steps of a side's lattice, and the fewest.
-const MOST_STEPS: u32 = 1 << 11;
+pub const MOST_STEPS: u32 = 1 << 11;
 const FEWEST_STEPS: u32 = 16;
 
 /// The most steps a texel.
@@ -53,7 +53,7 @@ impl Creases {
         let greatest = f64::from(self.changes.highest() * MOST_CHANGE);
         let least = least_tolerance(relief, settings.judge).max(LEFT * greatest);
         if self.tolerance < least {
-            let least_m = least * relief.map().scale_m() * longest;
+            let least_m = least * relief.height_m(settings.error_m, longest);
             return Err(MesherError::TooFine { error_m: settings.error_m, least_m });
         }
         Ok(())

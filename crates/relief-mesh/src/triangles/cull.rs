@@ -7,13 +7,13 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use relief_core::HeightBounds;
 
-use super::{Inside, PatchBorder, Triangles, cubic};
+use super::{Inside, PatchBorder, Triangles};
 use crate::cull::{Everything, Hull, Sight};
 use crate::interior::{Cut, Pattern};
 use crate::patch::PatchPoint;
 use crate::surface::Relief;
 use crate::view::log2;
-use crate::{BaseSurface, MeshSettings, MesherError, Watch};
+use crate::{BaseSurface, MeshSettings, MesherError, Watch, cubic};
 
 /// Texels beside its own that a point may have its height from, by rounding.
 const BESIDE_TEXELS: f64 = 1e-3;

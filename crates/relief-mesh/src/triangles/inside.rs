@@ -1,17 +1,20 @@
 //! The points inside of a patch.
 
-use glam::{DVec3, Vec3};
+use glam::{DVec2, DVec3, Vec3};
 use relief_core::mesh::{BasePoint, Vertex};
 
-use super::{Triangles, cubic};
+use super::Triangles;
+use crate::patch::PatchPoint;
 use crate::surface::{Frame, Placed, Relief};
-use crate::{BaseSurface, point};
+use crate::{BaseSurface, cubic, direction, point};
 
 /// A patch as its inner points are made of it: what belongs to its corners and sides, looked up once for all
 /// of them.
 #[derive(Debug)]
 pub struct Inside {
     bases: [BasePoint; 3],
+    /// Whether directions between the corners are found by angles.
+    is_by_angle: bool,
     frames: [Frame; 3],
     /// What the corners count in the picture, where sides go by that.
     shares: Option<[f64; 3]>,
@@ -52,6 +55,7 @@ impl Inside {
         };
         Self {
             bases: corners.map(|vertex| base.corners.base(vertex)),
+            is_by_angle: base.corners.is_by_angle(),
             frames: corners.map(|vertex| base.corners.frame(vertex)),
             shares: (!base.voxels.is_empty()).then_some(shares),
             smooth,
@@ -75,7 +79,7 @@ impl Inside {
 
     #[inline(always)]
     fn placed(&self, weights: [f64; 3]) -> Placed {
-        let mut base = BasePoint::weighted(self.bases, weights);
+        let mut base = self.base(weights);
         let lift_m = match &self.smooth {
             Smooth::Flat => 0.0,
             Smooth::Lift(lifts) => {
@@ -96,7 +100,32 @@ impl Inside {
 
     /// The direction of displacement at a point, of any length.
     pub fn direction(&self, weights: [f64; 2]) -> DVec3 {
-        BasePoint::weighted(self.bases, self.weights(weights)).normal
+        self.base(self.weights(weights)).normal
+    }
+
+    /// The point of the flat triangle, with the direction of displacement there.
+    #[inline(always)]
+    fn base(&self, weights: [f64; 3]) -> BasePoint {
+        let base = BasePoint::weighted(self.bases, weights);
+        if !self.is_by_angle {
+            return base;
+        }
+        BasePoint { normal: direction::mean(self.bases.map(|corner| corner.normal), weights), ..base }
+    }
+
+    /// The texture coordinates of a point of the patch that this is, as its own corners have them.
+    pub fn uv(&self, base: &Triangles, patch: u32, point: &PatchPoint) -> DVec2 {
+        let weights = match *point {
+            PatchPoint::Inner { weights, .. } => self.weights(weights),
+            PatchPoint::Border { side, at } => {
+                let mut weights = [0.0; 3];
+                let [from, to] = base.parts_before(patch, side, at);
+                weights[side as usize] = from;
+                weights[(side as usize + 1) % 3] = to;
+                weights
+            }
+        };
+        BasePoint::weighted(self.bases, weights).uv
     }
 
     /// The position of a point.
@@ -120,7 +149,7 @@ impl Inside {
     pub fn vertex_at(&self, relief: &Relief, weights: [f64; 2], height: f64) -> Vertex {
         let weights = self.weights(weights);
         let placed = self.placed(weights);
-        let seen = relief.seen(&placed).at_height(relief, height);
+        let seen = relief.seen(&placed).at_metres(relief.metres(height) + placed.lift_m);
         relief.vertex_of(&placed.base, seen, &Frame::weighted(&self.frames, weights))
     }
 }

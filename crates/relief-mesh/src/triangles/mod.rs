@@ -5,7 +5,6 @@ mod along_edge;
 mod border;
 mod corners;
 mod creases;
-mod cubic;
 mod cull;
 mod edges;
 mod halves;
@@ -29,6 +28,7 @@ use self::edges::{Division, Edges};
 use self::halves::{Halves, Limits};
 pub use self::inside::Inside;
 pub use self::patch_border::PatchBorder;
+use self::profile::Bent;
 pub use self::solid::Solid;
 pub use self::tables::{BaseTables, TableEdge, TablePatch, TableVertex};
 use crate::cull::Everything;
@@ -37,7 +37,7 @@ use crate::error::MOST;
 use crate::patch::{Patch, PatchPoint};
 use crate::surface::{Placed, Relief};
 use crate::view::{Voxel, log2};
-use crate::{BaseSurface, MeshSettings, MesherError, Seams, Watch, Weights, point};
+use crate::{BaseSurface, MeshSettings, MesherError, Seams, Watch, Weights, cubic, point};
 
 /// A base of triangles, with the points of its sides counted.
 #[derive(Debug)]
@@ -88,7 +88,7 @@ impl Triangles {
         let is_welded = settings.seams == Seams::Weld;
         let sides = relief.sides();
         let mut point_of = mesh.welded();
-        let mut corners = Corners::new(mesh, &point_of, is_welded);
+        let mut corners = Corners::new(mesh, &point_of, is_welded, settings.directions);
         let limits = Limits { most, max_bytes: settings.max_bytes, watch: *watch };
         let (mut creases, mut halved) = (None, None);
         if let Divides::Along(_) = settings.edges.divides {
@@ -98,6 +98,9 @@ impl Triangles {
             halves::check(mesh, relief, &limits)?;
             let long = |halves: &Halves, triangles: &[[u32; 3]]| halves.beyond(&found, triangles);
             halved = halves::halved(mesh, relief, &limits, long)?;
+            if halved.is_some() && settings.base != BaseSurface::Flat {
+                return Err(MesherError::SmoothOfLarge { texels: creases::LONGEST as u32 });
+            }
             creases = Some(found);
         }
         if let Divides::Voxels(parts) = settings.edges.divides {
@@ -105,7 +108,8 @@ impl Triangles {
         }
         if let Some(halved) = &halved {
             point_of = halved.mesh.welded();
-            corners = Corners::new(&halved.mesh, &point_of, is_welded).between(&corners, &halved.parents);
+            corners = Corners::new(&halved.mesh, &point_of, is_welded, settings.directions)
+                .between(&corners, &halved.parents);
         }
         let mesh = halved.as_ref().map_or(mesh, |halved| &halved.mesh);
         // Before sides are divided, which may take long.
@@ -147,7 +151,13 @@ impl Triangles {
                     let Some(creases) = &creases else { return Ok(Division::WHOLE) };
                     let edge = |ends: &[u32; 2]| {
                         let [a, b] = ends.map(|end| reaches[end as usize]);
-                        profile::Edge { ends: ends.map(|end| corners.base(end)), reach: a.min(b) }
+                        let vertices = ends.map(|end| corners.vertex(end));
+                        let ends = ends.map(|end| corners.base(end));
+                        profile::Edge {
+                            ends,
+                            bent: Bent::new(settings.base, ends, vertices),
+                            reach: a.min(b),
+                        }
                     };
                     let edges: Vec<profile::Edge> = all.iter().map(edge).collect();
                     Ok(profile::division(relief, creases, &edges, along, settings))
@@ -274,6 +284,20 @@ impl Triangles {
     fn on_side(&self, patch: u32, side: u32, at: u32) -> (u32, u32) {
         let (edge, is_forth) = self.side(patch, side);
         (edge, if is_forth { at } else { self.edges.parts(edge) - at })
+    }
+
+    /// The weights of the two ends of a side of a patch, as it runs, at one of its points.
+    fn parts_before(&self, patch: u32, side: u32, at: u32) -> [f64; 2] {
+        if at == 0 {
+            return [1.0, 0.0];
+        }
+        let (_, is_forth) = self.side(patch, side);
+        let (edge, at) = self.on_side(patch, side, at);
+        let [before, all] = self.edges.place(edge, at);
+        let shares = self.edges.ends(edge).map(|end| self.share(end));
+        let [of_a, of_b] = point::weights(shares, before, all).map(|weight| weight / f64::from(all));
+        let sum = of_a + of_b;
+        if is_forth { [of_a / sum, of_b / sum] } else { [of_b / sum, of_a / sum] }
     }
 
     /// Whether its points move along different directions.

@@ -14,7 +14,7 @@ pub struct PatchBorder<'a> {
     patch: u32,
     corners: [(Numbered, Vec3); 3],
     /// Sides that have points between their ends.
-    sides: [Option<AlongEdge>; 3],
+    sides: [Option<AlongEdge<'a>>; 3],
 }
 
 impl<'a> PatchBorder<'a> {

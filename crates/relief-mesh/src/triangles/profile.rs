@@ -1,14 +1,15 @@
 //! Sides of base triangles by what lies along them.
 
 use glam::DVec3;
-use relief_core::mesh::BasePoint;
+use relief_core::mesh::{BasePoint, Vertex};
 
-use super::creases::Creases;
+use super::creases::{Creases, MOST_STEPS};
 use super::edges::Division;
-use crate::MeshSettings;
-use crate::edge::{Along, Knot, LONGEST};
-use crate::interior::{Gap, PAIR, along};
+use crate::cubic::{self, Cubic};
+use crate::edge::{Along, Knot, LONGEST, divided};
+use crate::interior::{Gap, Turning, along};
 use crate::surface::{Relief, twist_of};
+use crate::{BaseSurface, Directions, MeshSettings};
 
 /// The part of the tolerance that the points of sides are chosen by.
 const CHOSEN: f64 = 0.8;
@@ -21,20 +22,50 @@ const BESIDE: f64 = 0.9;
 /// What a triangle is bent by at most, in what one of its sides is.
 const BENT_BESIDE: f64 = 4.0 / 3.0;
 
+/// The part of the tolerance that a side may be bent by over a step of its lattice.
+const BENT_BY_A_STEP: f64 = 0.1;
+
 /// An edge of a seam.
 #[derive(Clone, Copy, Debug)]
 pub struct Edge {
     pub ends: [BasePoint; 2],
+    /// How a smooth base is bent along it.
+    pub bent: Bent,
     /// No triangle that has it has a longer direction of displacement.
     pub reach: f64,
+}
+
+/// How a smooth base is bent along an edge.
+#[derive(Clone, Copy, Debug)]
+pub enum Bent {
+    /// Not at all.
+    Straight,
+    /// By so many metres: see [`Mesh::lifts`](relief_core::mesh::Mesh::lifts).
+    Lift(f64),
+    /// As a cubic with those inner control points.
+    Cubic([DVec3; 2]),
+}
+
+impl Bent {
+    pub fn new(base: BaseSurface, ends: [BasePoint; 2], vertices: [&Vertex; 2]) -> Self {
+        match base {
+            BaseSurface::Flat => Self::Straight,
+            BaseSurface::Lift => {
+                let [a, b] = vertices;
+                let [along, turn] = [a.position - b.position, a.normal - b.normal].map(|of| of.as_dvec3());
+                Self::Lift(0.5 * along.dot(turn))
+            }
+            BaseSurface::Pn => Self::Cubic(cubic::bent(ends)),
+        }
+    }
 }
 
 /// What a side is on the map, once for each of its edges.
 struct Profile {
     /// Where its ends are in the map, `i` the centre of texel `i`.
     places: [[f64; 2]; 2],
-    /// How much the direction of displacement turns along it, in lengths of the longest.
-    turn: f64,
+    /// How it turns, as a triangle whose last two corners are the second end.
+    turning: Turning,
 }
 
 /// Where the edges of a seam have points.
@@ -49,21 +80,33 @@ pub fn division(
     if longest == 0.0 {
         return Division::WHOLE;
     }
-    let profiles: Vec<Profile> = edges
-        .iter()
-        .map(|Edge { ends: [a, b], .. }| Profile {
+    let height_m = relief.height_m(settings.error_m, longest);
+    // A welded mesh has what one of its edges at a seam says.
+    let lift_m = edges.iter().map(|edge| if let Bent::Lift(lift_m) = edge.bent { lift_m.abs() } else { 0.0 });
+    let lift_m = lift_m.fold(0.0, f64::max);
+    let profile = |Edge { ends: [a, b], bent, .. }: &Edge| {
+        let cubic = |inner: [DVec3; 2]| {
+            let far = b.position;
+            Cubic { corners: [a.position, far, far], sides: [inner, [far; 2], [far, a.position]] }
+        };
+        let cubic = if let Bent::Cubic(inner) = *bent { Some(cubic(inner)) } else { None };
+        let normals = [a.normal, b.normal, b.normal];
+        Profile {
             places: [a, b].map(|end| relief.place(end.uv)),
-            turn: DVec3::distance(a.normal, b.normal) / longest,
-        })
-        .collect();
+            turning: turning(relief, normals, longest, height_m, ([lift_m, 0.0, 0.0], cubic)),
+        }
+    };
+    let profiles: Vec<Profile> = edges.iter().map(profile).collect();
     let tolerance = relief.tolerance(settings.error_m, longest);
     let length = profiles.iter().map(Profile::length).fold(0.0, f64::max);
-    let size = profiles.iter().map(|profile| creases.steps(profile.places)).fold(1, u32::max);
+    let steps = |profile: &Profile| creases.steps(profile.places).max(profile.steps(tolerance));
+    let size = profiles.iter().map(steps).fold(1, u32::max);
     let side = Side { relief, profiles, tolerance, length, size };
     let at_texels = side.knots();
     let rows: Vec<&[Knot]> = at_texels.rows.iter().map(Vec::as_slice).collect();
-    let chosen: Vec<u32> =
-        choose(&rows, CHOSEN * tolerance).into_iter().map(|knot| at_texels.steps[knot]).collect();
+    let fixed = side.ends_of_holes(&at_texels.steps);
+    let chosen = divided(choose, &rows, &fixed, CHOSEN * tolerance);
+    let chosen: Vec<u32> = chosen.into_iter().map(|knot| at_texels.steps[knot]).collect();
     let mut steps = Vec::with_capacity(chosen.len());
     for ends in chosen.windows(2) {
         side.split([ends[0], ends[1]], &mut steps);
@@ -73,10 +116,48 @@ pub fn division(
     Division::Steps { size: side.size, steps: steps.into_iter().map(|step| step as u16).collect() }
 }
 
+/// How a triangle turns whose corners have those directions of displacement, in heights of so many metres, and
+/// how a smooth base is bent over it: by lifts, or as a cubic.
+pub fn turning(
+    relief: &Relief,
+    directions: [DVec3; 3],
+    longest: f64,
+    height_m: f64,
+    (lifts_m, cubic): ([f64; 3], Option<Cubic>),
+) -> Turning {
+    let is_unit = relief.directions() != Directions::Raw;
+    Turning {
+        directions: if is_unit { directions } else { directions.map(|along| along / longest) },
+        is_unit,
+        at_zero: relief.zero_m() / height_m,
+        lifts: lifts_m.map(|lift_m| lift_m / height_m),
+        cubic: cubic.map(|Cubic { corners, sides }| Cubic {
+            corners: corners.map(|point| point / height_m),
+            sides: sides.map(|side| side.map(|point| point / height_m)),
+        }),
+    }
+}
+
 impl Profile {
     fn place(&self, part: f64) -> [f64; 2] {
         let [from, to] = self.places;
         [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * part)
+    }
+
+    /// The steps that leave next to nothing of what level ground is bent by over one.
+    fn steps(&self, tolerance: f64) -> u32 {
+        let is_enough = |steps: &u32| {
+            let step = 1.0 / f64::from(*steps);
+            // Where most changes is at an end or in the middle.
+            [0.0, 0.5 - 0.5 * step, 1.0 - step].into_iter().all(|from| {
+                [0.0, 1.0].into_iter().all(|height| {
+                    let [a, b] = [from, from + step].map(|part| ([1.0 - part, part, 0.0], height));
+                    self.turning.bend([a, b, b]) <= BENT_BY_A_STEP * tolerance
+                })
+            })
+        };
+        let powers = (0..=MOST_STEPS.ilog2()).map(|power| 1 << power);
+        powers.into_iter().find(is_enough).unwrap_or(MOST_STEPS)
     }
 
     fn length(&self) -> f64 {
@@ -110,6 +191,22 @@ impl Side<'_> {
 
     fn height(&self, profile: &Profile, step: u32) -> f64 {
         self.relief.height_at(profile.place(self.part(step)))
+    }
+
+    /// The knots between which and the next ones there is a hole, and before which there is none, or the other
+    /// way round.
+    fn ends_of_holes(&self, steps: &[u32]) -> Vec<usize> {
+        if !self.relief.has_holes() {
+            return Vec::new();
+        }
+        let is_hole = |profile: &Profile, at: usize| {
+            let middle = 0.5 * (self.part(steps[at]) + self.part(steps[at + 1]));
+            self.relief.is_hole(profile.place(middle))
+        };
+        let ends = |at: &usize| {
+            self.profiles.iter().any(|profile| is_hole(profile, at - 1) != is_hole(profile, *at))
+        };
+        (1..steps.len() - 1).filter(ends).collect()
     }
 
     /// A knot every texel, and more where the surface is twisted beside it.
@@ -165,8 +262,11 @@ impl Side<'_> {
                     (cell, self.relief.map().cell(cell[0], cell[1]).map(f64::from))
                 });
                 let Gap { height: gap, place: at } = found.worst()?;
-                let turn = profile.turn * self.part(to - from);
-                let bent = BENT_BESIDE * PAIR * (heights[1] - heights[0]).abs() * turn;
+                let corner = |end: usize| {
+                    let part = self.part([from, to][end]);
+                    ([1.0 - part, part, 0.0], heights[end])
+                };
+                let bent = BENT_BESIDE * profile.turning.bend([corner(0), corner(1), corner(1)]);
                 let off = 2.0 * gap.abs();
                 if off + bent <= BESIDE * self.tolerance {
                     return None;

@@ -1,17 +1,15 @@
 //! A base triangle as triangles are laid over it: a lattice of barycentric coordinates, whose places in the
 //! map are anywhere.
 //!
-//! Within the triangle the base's position `P`, its direction of displacement `N` and the place in the map
-//! are linear. With the height `h` of the map, and heights `g` of the corners of a piece, the relief and the
-//! piece differ at a base point by `(h - g) N`, `g` interpolated, and by `Σ w (g - h) (N - N̄)` over the
-//! corners, because both `g` and `N` vary over the piece. The first is judged exactly: `h - g` is harmonic in
-//! a cell. The second is the sum of `w w' (g - g') (N - N')` over the pairs of corners, and called what the
-//! piece is *bent* by.
-
-use glam::DVec3;
+//! Within the triangle the place in the map is linear. With the height `h` of the map, and heights `g` of the
+//! corners of a piece, the relief and the piece differ at a base point by `(h - g) N`, `g` interpolated and `N`
+//! the direction of displacement, and by what the piece is *bent* by, because `N` varies over it, or the base
+//! is smooth. The first is judged exactly: `h - g` is harmonic in a cell. The second is bounded, see
+//! [`Turning`].
 
 use super::delaunay::{Delaunay, MOST_BENT, MOST_METRIC, Metric};
-use super::ground::{Corner, Gap, Gaps, Ground, vertex_between};
+use super::ground::{Corner, Gap, Gaps, Ground, middle, vertex_between};
+use super::turning::Turning;
 use super::window::{STEPS, Window, bilinear};
 use crate::Judge;
 
@@ -30,25 +28,19 @@ const ROUNDING: f64 = 1e-9;
 pub struct Facet {
     /// The heights around it, at centres of texels.
     window: Window,
+    /// The window's first corner in the map.
+    first: [i64; 2],
     /// Steps of the lattice along a side.
     size: i32,
     /// The places of its corners in the window, in cells.
     places: [[f64; 2]; 3],
-    /// The directions of displacement at its corners, in lengths of the longest.
-    directions: [DVec3; 3],
-    longest: f64,
+    turning: Turning,
     metric: Metric,
 }
 
 impl Facet {
-    /// A triangle whose corners have those places in a map, `i` the centre of texel `i`, and those directions
-    /// of displacement.
-    pub fn new(
-        size: u32,
-        places: [[f64; 2]; 3],
-        directions: [DVec3; 3],
-        texel: impl Fn([i64; 2]) -> f32,
-    ) -> Self {
+    /// A triangle whose corners have those places in a map, `i` the centre of texel `i`, and that turns so.
+    pub fn new(size: u32, places: [[f64; 2]; 3], turning: Turning, texel: impl Fn([i64; 2]) -> f32) -> Self {
         let size = (size as i32).min(MOST_BENT);
         let least = [0, 1].map(|axis| places.iter().map(|at| at[axis]).fold(f64::INFINITY, f64::min).floor());
         let places = places.map(|at| [at[0] - least[0], at[1] - least[1]]);
@@ -57,14 +49,15 @@ impl Facet {
         let window = Window::new([0, 0], most.map(|cells| cells * STEPS), |[i, j]| {
             texel([first[0] + i as i64, first[1] + j as i64])
         });
-        let longest = directions.iter().map(|direction| direction.length()).fold(0.0, f64::max);
-        let directions = directions.map(|along| if longest > 0.0 { along / longest } else { along });
-        Self { window, size, places, directions, longest, metric: metric(places) }
+        Self { window, first, size, places, turning, metric: metric(places) }
     }
 
-    /// The length of the longest direction of displacement.
-    pub fn longest(&self) -> f64 {
-        self.longest
+    /// The same with holes: `is_hole` says of the map's cells which are.
+    #[must_use]
+    pub fn with_holes(mut self, is_hole: impl Fn([i64; 2]) -> bool) -> Self {
+        let [i0, j0] = self.first;
+        self.window = self.window.with_holes(|[i, j]| is_hole([i0 + i as i64, j0 + j as i64]));
+        self
     }
 
     /// The barycentric weights of a place of the lattice.
@@ -90,11 +83,6 @@ impl Facet {
         let [b, c, at] = [b, c, place].map(|to| [to[0] - a[0], to[1] - a[1]]);
         let scale = f64::from(self.size) / (b[0] * c[1] - b[1] * c[0]);
         [(at[0] * c[1] - at[1] * c[0]) * scale, (b[0] * at[1] - b[1] * at[0]) * scale]
-    }
-
-    fn direction(&self, at: [i32; 2]) -> DVec3 {
-        let [of_a, of_b, of_c] = self.weights(at.map(f64::from));
-        self.directions[0] * of_a + self.directions[1] * of_b + self.directions[2] * of_c
     }
 
     /// The rows of cells' corners within a triangle: the row, the first corner, the height of the triangle
@@ -193,17 +181,27 @@ impl Ground for Facet {
         Gaps { above, below }
     }
 
+    fn outline(&self) -> Vec<[i32; 2]> {
+        let over = |corner: [i32; 2]| self.over(corner.map(f64::from)).map(|at| at.round() as i32);
+        self.window.outline().map(over).collect()
+    }
+
+    fn has_holes(&self) -> bool {
+        self.window.has_holes()
+    }
+
+    fn is_left_out(&self, corners: [Corner; 3]) -> bool {
+        self.window.has_holes() && self.window.is_hole(middle(corners.map(|(at, _)| self.place(at))))
+    }
+
     fn bend(&self, corners: [Corner; 3]) -> f64 {
-        let directions = corners.map(|(at, _)| self.direction(at));
-        let between =
-            |a: usize, b: usize| (corners[a].1 - corners[b].1).abs() * directions[a].distance(directions[b]);
-        pairs([between(0, 1), between(1, 2), between(2, 0)])
+        self.turning.bend(corners.map(|(at, height)| (self.weights(at.map(f64::from)), height)))
     }
 }
 
 /// The most that the products of each two of three weights come to, times these numbers. With the squares of
 /// a triangle's sides it is the square of the radius of the least circle around it.
-fn pairs([a, b, c]: [f64; 3]) -> f64 {
+pub fn pairs([a, b, c]: [f64; 3]) -> f64 {
     let most = a.max(b).max(c);
     let rest = a + b + c - most;
     if most >= rest {
@@ -278,6 +276,7 @@ pub fn along(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
 
     /// Heights without any pattern.
     fn texel([i, j]: [i64; 2]) -> f32 {
@@ -301,7 +300,7 @@ mod tests {
             [[2.0, 2.0], [2.0, 2.0], [2.0, 2.0]],
         ];
         for places in all {
-            let facet = Facet::new(64, places, [DVec3::Y; 3], texel);
+            let facet = Facet::new(64, places, Turning::flat([DVec3::Y; 3]), texel);
             let corners: [Corner; 3] = [([3, 5], 0.2), ([50, 2], 0.9), ([10, 40], 0.4)];
             let mut most = facet.within(corners);
             for [a, b] in [[0, 1], [1, 2], [2, 0]] {
@@ -345,24 +344,5 @@ mod tests {
             let said = pairs(numbers);
             assert!(most <= said + 1e-12 && most >= 0.999 * said, "{numbers:?}: {most} {said}");
         }
-    }
-
-    #[test]
-    fn pieces_are_bent_as_little_as_is_said() {
-        let directions = [DVec3::Y, DVec3::new(0.6, 0.8, 0.0), DVec3::new(0.0, 0.8, 0.6)];
-        let facet = Facet::new(16, [[0.0, 0.0], [5.0, 0.0], [0.0, 5.0]], directions, |_| 0.5);
-        let corners: [Corner; 3] = [([0, 0], 0.1), ([16, 0], 1.0), ([0, 16], 0.0)];
-        let bend = facet.bend(corners);
-        let mut most = 0.0_f64;
-        for i in 0..=60 {
-            for j in 0..=60 - i {
-                let of = [i, j, 60 - i - j].map(|part| f64::from(part) / 60.0);
-                let exact: DVec3 = (0..3).map(|k| directions[k] * (of[k] * corners[k].1)).sum();
-                let height: f64 = (0..3).map(|k| of[k] * corners[k].1).sum();
-                let along: DVec3 = (0..3).map(|k| directions[k] * of[k]).sum();
-                most = most.max(exact.distance(along * height));
-            }
-        }
-        assert!(most <= bend && most > 0.5 * bend, "{most} {bend}");
     }
 }

@@ -101,6 +101,9 @@ impl<G: Ground> Fit<'_, '_, G> {
                 }
             };
             let corners = points.map(|point| tile.corner(point));
+            if tile.ground.is_left_out(corners) {
+                continue;
+            }
             let at = corners.map(|(at, _)| at.map(f64::from));
             let bend = tile.ground.bend(corners);
             for gap in tile.ground.within(corners).bent(bend) {

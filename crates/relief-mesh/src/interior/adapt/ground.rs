@@ -92,6 +92,15 @@ pub trait Ground {
     /// Distances along an edge, its ends among them.
     fn along(&self, ends: [Corner; 2]) -> Gaps;
 
+    /// Points around holes that are inserted before any other.
+    fn outline(&self) -> Vec<[i32; 2]>;
+
+    /// Whether there are holes.
+    fn has_holes(&self) -> bool;
+
+    /// Whether a triangle is left out, because its middle lies over a hole.
+    fn is_left_out(&self, corners: [Corner; 3]) -> bool;
+
     /// How much farther the surface may be from a triangle than its distances say, because the direction of
     /// displacement turns over it.
     fn bend(&self, _corners: [Corner; 3]) -> f64 {
@@ -100,7 +109,11 @@ pub trait Ground {
 
     /// Where a point makes a triangle bend less.
     fn bend_place(&self, corners: [Corner; 3]) -> [f64; 2] {
-        let [a, b, c] = corners.map(|(at, _)| at.map(f64::from));
-        [0, 1].map(|axis| (a[axis] + b[axis] + c[axis]) / 3.0)
+        middle(corners.map(|(at, _)| at.map(f64::from)))
     }
+}
+
+/// The middle of three places.
+pub fn middle([a, b, c]: [[f64; 2]; 3]) -> [f64; 2] {
+    [0, 1].map(|axis| (a[axis] + b[axis] + c[axis]) / 3.0)
 }

@@ -6,7 +6,7 @@
 //! edges cross lines between cells, and at the vertices of the quadratics along the edges.
 
 use super::delaunay::Delaunay;
-use super::ground::{Corner, Gap, Gaps, Ground, vertex_between};
+use super::ground::{Corner, Gap, Gaps, Ground, middle, vertex_between};
 use super::window::{STEPS, Window, bilinear};
 use crate::Judge;
 
@@ -51,6 +51,19 @@ impl Ground for Window {
 
     fn along(&self, ends: [Corner; 2]) -> Gaps {
         along(self, ends)
+    }
+
+    fn outline(&self) -> Vec<[i32; 2]> {
+        Window::outline(self).map(|corner| corner.map(|at| at * STEPS)).collect()
+    }
+
+    fn has_holes(&self) -> bool {
+        Window::has_holes(self)
+    }
+
+    fn is_left_out(&self, corners: [Corner; 3]) -> bool {
+        Window::has_holes(self)
+            && self.is_hole(middle(corners.map(|(at, _)| at.map(f64::from))).map(|at| at / f64::from(STEPS)))
     }
 }
 

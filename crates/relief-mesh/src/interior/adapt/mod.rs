@@ -12,16 +12,18 @@ mod fit;
 mod ground;
 mod judge;
 mod refine;
+mod turning;
 mod window;
 
 use relief_core::registry::Publication;
 
 use super::{Fill, Fills, Interior};
 use crate::{Fit, Judge, Spacing};
-pub use facet::{Facet, PAIR, along};
+pub use facet::{Facet, along};
 pub use ground::{Gap, Ground};
 use refine::Refined;
 pub use refine::Seen;
+pub use turning::Turning;
 pub use window::{STEPS, Window};
 
 pub const INTERIOR: Interior = Interior {

@@ -101,7 +101,7 @@ impl<'a, G: Ground> Refined<'a, G> {
             mesh.insert(*point, at);
             near = mesh.count() - 1;
         }
-        Self {
+        let mut refined = Self {
             ground,
             mesh,
             heights: border.iter().map(|(_, height)| f64::from(*height)).collect(),
@@ -113,7 +113,23 @@ impl<'a, G: Ground> Refined<'a, G> {
             changed: Vec::new(),
             turn: 0,
             looked: Vec::new(),
+        };
+        for point in ground.outline().into_iter().filter(|&point| ground.is_inside(point)) {
+            let at = refined.mesh.locate(point, near);
+            refined.insert_at(point, at);
+            near = refined.mesh.count() - 1;
         }
+        refined
+    }
+
+    /// Inserts a point at a place where there is none. Whether there was none.
+    fn insert_at(&mut self, point: [i32; 2], at: Location) -> bool {
+        let is_new = !matches!(at, Location::Point(_));
+        if is_new {
+            self.mesh.insert(point, at);
+            self.heights.push(f64::from(self.ground.height(point) as f32));
+        }
+        is_new
     }
 
     pub fn border(&self) -> usize {
@@ -164,6 +180,10 @@ impl<'a, G: Ground> Refined<'a, G> {
                 continue;
             }
             let corners = self.mesh.triangle(triangle).map(|point| self.corner(point));
+            if self.ground.is_left_out(corners) {
+                self.worst[triangle as usize] = LEVEL;
+                continue;
+            }
             let mut worst = self.ground.worst_within(corners).unwrap_or(LEVEL);
             if self.judge == Judge::Surface {
                 for edge in 3 * triangle..3 * triangle + 3 {
@@ -237,9 +257,7 @@ impl<'a, G: Ground> Refined<'a, G> {
                 continue;
             }
             let at = self.mesh.locate(point, triangle);
-            if !matches!(at, Location::Point(_)) {
-                self.mesh.insert(point, at);
-                self.heights.push(f64::from(self.ground.height(point) as f32));
+            if self.insert_at(point, at) {
                 return true;
             }
         }
@@ -255,6 +273,9 @@ impl<'a, G: Ground> Refined<'a, G> {
         let mut seen = Seen { above: level, below: level, ..Seen::NOTHING };
         for triangle in 0..self.mesh.count() {
             let corners = self.mesh.triangle(triangle).map(|point| self.corner(point));
+            if ground.is_left_out(corners) {
+                continue;
+            }
             let bend = ground.bend(corners);
             ground.each_centre(corners, |centre, gap, place| {
                 // A centre on an edge is one of both triangles.
@@ -270,8 +291,8 @@ impl<'a, G: Ground> Refined<'a, G> {
             }
             for edge in 3 * triangle..3 * triangle + 3 {
                 let [a, b] = self.mesh.ends(edge);
-                // An edge is the same to both of its triangles, unless these are bent.
-                if bend > 0.0 || self.mesh.opposite(edge) == NONE || a < b {
+                // An edge is the same to both of its triangles, unless these are bent or left out.
+                if bend > 0.0 || ground.has_holes() || self.mesh.opposite(edge) == NONE || a < b {
                     let gaps = ground.along([a, b].map(|point| self.corner(point)));
                     for gap in [gaps.above, gaps.below] {
                         seen.take_bent(gap.height, bend, || gap.place);

@@ -10,6 +10,8 @@ pub struct Window {
     /// Corners along both axes, at least two.
     corners: [usize; 2],
     heights: Vec<f32>,
+    /// Which cells are holes, row by row; empty where none is.
+    holes: Vec<bool>,
     /// Where the tile begins, in steps. Cells at its border may lie outside in part.
     pub from: [i32; 2],
     /// Where it ends.
@@ -25,7 +27,41 @@ impl Window {
         for j in 0..corners[1] {
             heights.extend((0..corners[0]).map(|i| height([i, j])));
         }
-        Self { corners, heights, from, to }
+        Self { corners, heights, holes: Vec::new(), from, to }
+    }
+
+    /// The same with holes: `is_hole` says which cells are.
+    #[must_use]
+    pub fn with_holes(mut self, mut is_hole: impl FnMut([usize; 2]) -> bool) -> Self {
+        let [across, down] = self.corners.map(|corners| corners - 1);
+        self.holes = (0..down).flat_map(|j| (0..across).map(move |i| [i, j])).map(&mut is_hole).collect();
+        if !self.holes.contains(&true) {
+            self.holes = Vec::new();
+        }
+        self
+    }
+
+    /// Whether some cells are holes.
+    pub fn has_holes(&self) -> bool {
+        !self.holes.is_empty()
+    }
+
+    /// Whether the cell at a place, in cells, is a hole.
+    pub fn is_hole(&self, place: [f64; 2]) -> bool {
+        let [i, j] = self.cell_at(place).map(|at| at as usize);
+        self.holes.get(j * (self.corners[0] - 1) + i).is_some_and(|is_hole| *is_hole)
+    }
+
+    /// The corners of cells around which some are holes and others are none.
+    pub fn outline(&self) -> impl Iterator<Item = [i32; 2]> + use<'_> {
+        let [across, down] =
+            if self.has_holes() { self.corners.map(|corners| corners as i32) } else { [0; 2] };
+        let is_between = |&[i, j]: &[i32; 2]| {
+            let around = [[-0.5, -0.5], [0.5, -0.5], [-0.5, 0.5], [0.5, 0.5]];
+            let holes = around.map(|[x, y]| self.is_hole([f64::from(i) + x, f64::from(j) + y]));
+            holes.contains(&true) && holes.contains(&false)
+        };
+        (0..down).flat_map(move |j| (0..across).map(move |i| [i, j])).filter(is_between)
     }
 
     /// The heights at a row of corners.

@@ -1,0 +1,152 @@
+//! What a displaced base triangle is bent by: how far it leaves the plane pieces between its points, besides by
+//! what the heights of the map do.
+//!
+//! A point of the triangle is `P + H N`: `P` the base, `N` the direction of displacement, `H` the height of
+//! the map and what a smooth base lies above it. Over a piece whose corners have the weights `w`, that differs
+//! from what is interpolated by at most the sum of
+//!
+//! * `Σ w w' |H - H'| |N - N'|` over the pairs of corners, because `H` and `N` both vary;
+//! * `|H| |N - N̄|`, `N̄` interpolated: nothing where `N` is, and for directions of length 1 see
+//!   [`Turning::off_chord`];
+//! * what a quadratic lift leaves of itself, `Σ w w' |Q(p - p')|`, `Q` its quadratic form and `p` the corners'
+//!   places in the triangle;
+//! * what a cubic `P` leaves, by the control points of its part over the piece: see
+//!   [`Cubic::off_piece`].
+
+use glam::DVec3;
+
+use super::facet::pairs;
+use crate::cubic::Cubic;
+
+/// A base triangle as it turns and bends. Lengths are in heights of the map.
+#[derive(Clone, Copy, Debug)]
+pub struct Turning {
+    /// The directions of displacement at its corners: in lengths of the longest, or of any length where they
+    /// are normalised.
+    pub directions: [DVec3; 3],
+    /// Whether directions between these are normalised.
+    pub is_unit: bool,
+    /// The displacement at height 0.
+    pub at_zero: f64,
+    /// What a smooth base has for its sides, side `k` from corner `k` to the next.
+    pub lifts: [f64; 3],
+    /// A cubic base.
+    pub cubic: Option<Cubic>,
+}
+
+/// A corner of a piece: its weights in the triangle, and the height of the map that it lies at.
+pub type PieceCorner = ([f64; 3], f64);
+
+impl Turning {
+    /// One that is flat, with interpolated directions.
+    #[cfg(test)]
+    pub fn flat(directions: [DVec3; 3]) -> Self {
+        Self { directions, is_unit: false, at_zero: 0.0, lifts: [0.0; 3], cubic: None }
+    }
+
+    /// The interpolated direction, not normalised.
+    fn raw(&self, [a, b, c]: [f64; 3]) -> DVec3 {
+        self.directions[0] * a + self.directions[1] * b + self.directions[2] * c
+    }
+
+    /// The quadratic form of the lift, at weights or at differences of them.
+    fn lift(&self, of: [f64; 3]) -> f64 {
+        let along = |k: usize| self.lifts[k] * of[k] * of[(k + 1) % 3];
+        along(0) + along(1) + along(2)
+    }
+
+    /// The most that a piece is bent by.
+    pub fn bend(&self, corners: [PieceCorner; 3]) -> f64 {
+        let raw = corners.map(|(weights, _)| self.raw(weights));
+        let along = if self.is_unit { raw.map(DVec3::normalize_or_zero) } else { raw };
+        let heights = corners.map(|(weights, height)| height + self.lift(weights));
+        let each_pair =
+            |between: &dyn Fn(usize, usize) -> f64| pairs([between(0, 1), between(1, 2), between(2, 0)]);
+        let mut bend = each_pair(&|a, b| (heights[a] - heights[b]).abs() * along[a].distance(along[b]));
+        if self.is_unit {
+            let most = heights.iter().map(|height| (height + self.at_zero).abs()).fold(0.0, f64::max);
+            bend += most * Self::off_chord(along, raw.map(DVec3::length));
+        }
+        let apart = |a: usize, b: usize| [0, 1, 2].map(|k| corners[a].0[k] - corners[b].0[k]);
+        if self.lifts != [0.0; 3] {
+            bend += each_pair(&|a, b| self.lift(apart(a, b)).abs());
+        }
+        bend + self.cubic.map_or(0.0, |cubic| cubic.off_piece(corners.map(|(weights, _)| weights)))
+    }
+
+    /// How far a direction that is interpolated and normalised is from the one interpolated between those at
+    /// the corners, all of length 1, before they had those lengths.
+    ///
+    /// It lies above a point of the triangle between these, by no more than that is short; and that point has
+    /// other weights, each times a length over the mean one.
+    fn off_chord(along: [DVec3; 3], lengths: [f64; 3]) -> f64 {
+        let distance = |a: usize, b: usize| along[a].distance(along[b]);
+        let distances = [distance(0, 1), distance(1, 2), distance(2, 0)];
+        let short = 1.0 - (1.0 - pairs(distances.map(|distance| distance * distance))).max(0.0).sqrt();
+        let farthest = distances.into_iter().fold(0.0, f64::max);
+        let [least, most] = lengths
+            .iter()
+            .fold([f64::INFINITY, 0.0_f64], |[least, most], &length| [least.min(length), most.max(length)]);
+        let aside = 0.5 * farthest * (most / least - 1.0);
+        // Points of the ball are not farther from each other, whatever the lengths.
+        let off = short + aside;
+        if off.is_finite() { off.min(2.0) } else { 2.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The weights of some points in a triangle.
+    fn points(n: u32) -> Vec<[f64; 3]> {
+        let each = (0..=n).flat_map(|i| (0..=n - i).map(move |j| [i, j, n - i - j]));
+        each.map(|of| of.map(|part| f64::from(part) / f64::from(n))).collect()
+    }
+
+    /// The farthest that the surface leaves a piece, where heights are linear between its corners.
+    fn farthest(turning: &Turning, corners: [PieceCorner; 3]) -> f64 {
+        let displaced = |weights: [f64; 3], height: f64| {
+            let raw = turning.raw(weights);
+            let along = if turning.is_unit { raw.normalize() } else { raw };
+            along * (turning.at_zero + height + turning.lift(weights))
+        };
+        let mut most = 0.0_f64;
+        for of in points(60) {
+            let weights = [0, 1, 2].map(|k| (0..3).map(|c| of[c] * corners[c].0[k]).sum::<f64>());
+            let height: f64 = (0..3).map(|c| of[c] * corners[c].1).sum();
+            let between: DVec3 = (0..3).map(|c| displaced(corners[c].0, corners[c].1) * of[c]).sum();
+            most = most.max(displaced(weights, height).distance(between));
+        }
+        most
+    }
+
+    fn pieces() -> Vec<[PieceCorner; 3]> {
+        let whole = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let small = [[0.5, 0.3, 0.2], [0.4, 0.5, 0.1], [0.6, 0.1, 0.3]];
+        let thin = [[0.9, 0.1, 0.0], [0.1, 0.85, 0.05], [0.5, 0.5, 0.0]];
+        let heights = [[0.1, 1.0, 0.0], [0.7, 0.7, 0.7]];
+        let all = [whole, small, thin].into_iter().flat_map(|weights| heights.map(|of| (weights, of)));
+        all.map(|(weights, of)| [0, 1, 2].map(|k| (weights[k], of[k]))).collect()
+    }
+
+    #[test]
+    fn pieces_are_bent_as_little_as_is_said() {
+        let directions = [DVec3::Y, DVec3::new(0.6, 0.8, 0.0), DVec3::new(0.0, 0.8, 0.6)];
+        let flat = Turning::flat(directions);
+        let uneven = [directions[0], directions[1] * 0.7, directions[2] * 1.3];
+        for (about, turning, tight) in [
+            ("flat", flat, 0.5),
+            ("unit", Turning { is_unit: true, at_zero: -0.4, ..flat }, 0.15),
+            ("uneven", Turning { directions: uneven, is_unit: true, at_zero: 0.8, ..flat }, 0.1),
+            ("lift", Turning { lifts: [0.3, -0.2, 0.5], ..flat }, 0.2),
+            ("all", Turning { lifts: [0.3, 0.1, 0.5], is_unit: true, at_zero: 2.0, ..flat }, 0.1),
+        ] {
+            for corners in pieces() {
+                let (found, said) = (farthest(&turning, corners), turning.bend(corners));
+                assert!(found <= said + 1e-12, "{about}, {corners:?}: {found} {said}");
+                assert!(found >= tight * said, "{about}, {corners:?}: {found} {said}");
+            }
+        }
+    }
+}
