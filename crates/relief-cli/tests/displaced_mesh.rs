@@ -160,6 +160,16 @@ fn what_cannot_be_made_is_refused() {
         ("hills.png --error 1% --edges texels -o out/a.glb", 2, ["--error", "texels"]),
         ("hills.png --texels 2 --edges error -o out/a.glb", 2, ["--texels", "error"]),
         ("hills.png --error 1% --mesh cube --base lift -o out/a.glb", 1, ["--base", "--tile"]),
+        (
+            "hills.png --error 1% --mesh ring.obj --scale 60cm --side above -o out/a.glb",
+            1,
+            ["--side", "--scale"],
+        ),
+        (
+            "hills.png --error 1% --mesh ring.obj --side above --base lift -o out/a.glb",
+            1,
+            ["one side", "smooth"],
+        ),
         ("hills.png --error 1% --mesh cube --directions angle -o out/a.glb", 1, ["angle", "--texels"]),
         ("hills.png --edges error --interior dice -o out/a.glb", 2, ["dice", "evenly"]),
         ("hills.png --tile 9,9 --error 0.1% --max-memory 40MiB -o out/a.glb", 1, ["--max-memory", "--error"]),

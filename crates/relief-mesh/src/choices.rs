@@ -122,7 +122,7 @@ choice! {
 }
 
 choice! {
-    /// On which side of the relief triangles of a plane lie that are made to a tolerance.
+    /// On which side of the relief triangles lie that are made to a tolerance.
     Side, "side":
     /// On both, as far as the tolerance allows: the nearest.
     #[default]
@@ -134,6 +134,12 @@ choice! {
 }
 
 impl Side {
+    /// The part of a tolerance that triangles are made to: above alone is the same as on both sides of a surface
+    /// that is higher by half of it.
+    pub(crate) fn part(self) -> f64 {
+        if self == Self::Both { 1.0 } else { 0.5 }
+    }
+
     /// The way that triangles are moved off the relief, along the displacement.
     pub(crate) fn sign(self) -> f64 {
         match self {

@@ -39,33 +39,37 @@ pub fn inside(corners: [DVec3; 3], sides: [[DVec3; 2]; 3], weights: [f64; 3]) ->
     point
 }
 
-/// A cubic triangle by its control points; side `k` goes from corner `k` to the next.
+/// A cubic triangle by its control points, each by the three corners that it belongs to, in any order.
 #[derive(Clone, Copy, Debug)]
-pub struct Cubic {
-    pub corners: [DVec3; 3],
-    pub sides: [[DVec3; 2]; 3],
-}
+pub struct Cubic([[[DVec3; 3]; 3]; 3]);
 
 /// What the weights of control points along sides are together at most, and that of the one in the middle.
 const ON_SIDES: f64 = 0.75;
 const IN_MIDDLE: f64 = 2.0 / 9.0;
 
 impl Cubic {
-    /// The control point that belongs to three corners, in any order.
-    fn control(&self, [i, j, k]: [usize; 3]) -> DVec3 {
+    /// One with those inner control points on its sides; side `k` goes from corner `k` to the next.
+    pub fn new(corners: [DVec3; 3], sides: [[DVec3; 2]; 3]) -> Self {
         let beside = |near: usize, far: usize| {
-            if (near + 1) % 3 == far { self.sides[near][0] } else { self.sides[far][1] }
+            if (near + 1) % 3 == far { sides[near][0] } else { sides[far][1] }
         };
-        match (i == j, j == k, k == i) {
-            (true, true, _) => self.corners[i],
+        let control = |[i, j, k]: [usize; 3]| match (i == j, j == k, k == i) {
+            (true, true, _) => corners[i],
             (true, ..) => beside(i, k),
             (_, true, _) => beside(j, i),
             (.., true) => beside(k, j),
             _ => {
-                let [a, b, c] = self.corners;
-                middle((a + b + c) / 3.0, self.sides.as_flattened().iter().sum())
+                let [a, b, c] = corners;
+                middle((a + b + c) / 3.0, sides.as_flattened().iter().sum())
             }
-        }
+        };
+        Self([0, 1, 2].map(|i| [0, 1, 2].map(|j| [0, 1, 2].map(|k| control([i, j, k])))))
+    }
+
+    /// The same in other units of length.
+    #[must_use]
+    pub fn in_units_of(self, length: f64) -> Self {
+        Self(self.0.map(|rows| rows.map(|row| row.map(|point| point / length))))
     }
 
     /// The farthest that it is from the plane piece between three of its points, by their weights, at most: by
@@ -75,8 +79,7 @@ impl Cubic {
             |weights: [f64; 3], of: [DVec3; 3]| of[0] * weights[0] + of[1] * weights[1] + of[2] * weights[2];
         let all = [0, 1, 2];
         // A part's control points are those of the whole, mixed by the weights of three corners of the piece.
-        let once = pieces
-            .map(|weights| all.map(|i| all.map(|j| sum(weights, all.map(|k| self.control([i, j, k]))))));
+        let once = pieces.map(|weights| self.0.map(|rows| rows.map(|row| sum(weights, row))));
         let twice = |a: usize, b: usize| all.map(|i| sum(pieces[b], once[a][i]));
         let control = |a: usize, b: usize, c: usize| sum(pieces[c], twice(a, b));
         let points = all.map(|a| control(a, a, a));
@@ -130,7 +133,7 @@ mod tests {
             [DVec3::new(1.0, 0.1, 0.0), DVec3::new(0.2, 1.0, 0.1), DVec3::new(0.1, 0.3, 1.0)].map(corner);
         let sides = [0, 1, 2].map(|k| bent([corners[k], corners[(k + 1) % 3]]));
         let corners = corners.map(|corner| corner.position);
-        let cubic = Cubic { corners, sides };
+        let cubic = Cubic::new(corners, sides);
         for piece in [
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
             [[0.5, 0.3, 0.2], [0.4, 0.5, 0.1], [0.6, 0.1, 0.3]],

@@ -164,6 +164,24 @@ pub enum MesherError {
         /// The most texels of a side.
         texels: u32,
     },
+    /// One side of what is folded over.
+    #[error(
+        "the mesh folds over where it is displaced, or nearly, at {:.4}, {:.4}, {:.4}: nothing is on one side \
+         of it there", at_m[0], at_m[1], at_m[2]
+    )]
+    SideOfFold {
+        /// The middle of a triangle where it does, in metres.
+        at_m: [f64; 3],
+    },
+    /// One side where two that meet see other heights.
+    #[error(
+        "the two sides of a seam see heights of the map that are {seams_m} m apart: what bridges them is on \
+         both sides"
+    )]
+    SideOfSeams {
+        /// How far they are apart at most, in metres.
+        seams_m: f64,
+    },
     /// A solid with holes.
     #[error("a solid has no holes: there are no walls around them")]
     SolidOfHoles,

@@ -52,6 +52,15 @@ impl Seen {
     }
 }
 
+/// The map under a triangle.
+#[derive(Clone, Copy, Debug)]
+pub struct Under {
+    /// The least and the greatest height.
+    pub heights: [f64; 2],
+    /// The greatest rise from a texel to the next one, along both axes.
+    pub steepest: [f64; 2],
+}
+
 /// The base's frame at a point, to shade it by: numbers of its corners, interpolated.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
@@ -226,6 +235,30 @@ impl Relief {
     /// The displacement at height 0, in metres.
     pub fn zero_m(&self) -> f64 {
         self.map.displacement_m(0.0)
+    }
+
+    /// The map under a triangle whose corners have those places, counted from the centre of the first texel, and
+    /// around it as far as a rectangle goes.
+    pub fn under(&self, places: [[f64; 2]; 3]) -> Under {
+        let range = [0, 1].map(|axis| {
+            let all = places.map(|place| place[axis]);
+            let least = all.into_iter().fold(f64::INFINITY, f64::min).floor();
+            let greatest = all.into_iter().fold(f64::NEG_INFINITY, f64::max).floor() + 1.0;
+            // More than the whole map repeats itself; mirrored, twice of it does.
+            let most = 2.0 * f64::from([self.map.width(), self.map.height()][axis]) + 1.0;
+            (least as i64, greatest.min(least + most) as i64)
+        });
+        let [(from_i, to_i), (from_j, to_j)] = range;
+        let mut under = Under { heights: [f64::INFINITY, f64::NEG_INFINITY], steepest: [0.0; 2] };
+        for j in from_j..=to_j {
+            for i in from_i..=to_i {
+                let [h00, h10, h01, _] = self.map.cell(i, j).map(f64::from);
+                under.heights = [under.heights[0].min(h00), under.heights[1].max(h00)];
+                let rises = [h10 - h00, h01 - h00];
+                under.steepest = [0, 1].map(|axis| under.steepest[axis].max(rises[axis].abs()));
+            }
+        }
+        under
     }
 
     /// The greatest twist of all cells.

@@ -173,6 +173,114 @@ fn smooth_bases_and_unit_directions_keep_to_the_bound() {
     }
 }
 
+/// The least and the greatest displacement at which lines along the direction of displacement, through samples
+/// of the relief, cross the mesh, less the relief's own; how many samples there are, and how many of them have
+/// no crossing. Crossings farther than `most_m` belong to something else.
+fn crossings(base: &Mesh, map: &HeightMap, mesh: &Mesh, n: u32, most_m: f64) -> ([f64; 2], [usize; 2]) {
+    let corners: Vec<[DVec3; 3]> = (0..mesh.triangles().len() as u32)
+        .map(|triangle| mesh.corners(triangle).map(|corner| corner.position.as_dvec3()))
+        .collect();
+    // Pieces by the cells of a grid that their boxes touch.
+    let reach_m = 0.05;
+    let cell = |at: f64| (at / reach_m).floor() as i32;
+    let mut grid: std::collections::HashMap<[i32; 3], Vec<u32>> = std::collections::HashMap::new();
+    for (number, points) in corners.iter().enumerate() {
+        let least = (points[0].min(points[1]).min(points[2]) - most_m).to_array().map(cell);
+        let greatest = (points[0].max(points[1]).max(points[2]) + most_m).to_array().map(cell);
+        for x in least[0]..=greatest[0] {
+            for y in least[1]..=greatest[1] {
+                for z in least[2]..=greatest[2] {
+                    grid.entry([x, y, z]).or_default().push(number as u32);
+                }
+            }
+        }
+    }
+    let of_base = |triangle: u32| -> ([f64; 2], [usize; 2]) {
+        let base = base.corners(triangle).map(BasePoint::from);
+        let (mut range, mut counts) = ([f64::INFINITY, f64::NEG_INFINITY], [0; 2]);
+        for i in 0..n {
+            for j in 0..n - i {
+                // Inside of the triangle.
+                let of = [i, j, n - 1 - i - j].map(|part| (f64::from(part) + 1.0 / 3.0) / f64::from(n));
+                let point = BasePoint::weighted(base, of);
+                let metres = map.displacement_m(map.height_at(point.uv.x, point.uv.y));
+                let (origin, along) = (point.displaced(metres), point.normal);
+                let near = grid.get(&origin.to_array().map(cell)).map_or(&[][..], Vec::as_slice);
+                let crossed = near.iter().filter_map(|&piece| {
+                    let [a, b, c] = corners[piece as usize];
+                    let (ab, ac) = (b - a, c - a);
+                    let across = along.cross(ac);
+                    let scale = across.dot(ab);
+                    let from = origin - a;
+                    let of_b = from.dot(across) / scale;
+                    let of_c = along.dot(from.cross(ab)) / scale;
+                    let t = ac.dot(from.cross(ab)) / scale;
+                    let is_in = of_b >= -1e-9 && of_c >= -1e-9 && of_b + of_c <= 1.0 + 1e-9;
+                    (is_in && t.abs() <= most_m).then_some(t)
+                });
+                let crossed: Vec<f64> = crossed.collect();
+                counts[0] += 1;
+                counts[1] += usize::from(crossed.is_empty());
+                range = crossed.into_iter().fold(range, |[low, high], t| [low.min(t), high.max(t)]);
+            }
+        }
+        (range, counts)
+    };
+    let all: Vec<_> = (0..base.triangles().len() as u32).into_par_iter().map(of_base).collect();
+    all.into_iter().fold(([f64::INFINITY, f64::NEG_INFINITY], [0; 2]), |(range, counts), (of, more)| {
+        ([range[0].min(of[0]), range[1].max(of[1])], [counts[0] + more[0], counts[1] + more[1]])
+    })
+}
+
+#[test]
+fn on_one_side_nothing_of_the_relief_is_on_the_other() {
+    let mut turn = 0;
+    for (name, base, _) in smooth_bases() {
+        if name == "coarse torus" {
+            // It folds over.
+            continue;
+        }
+        for (map_name, wrap) in [
+            ("natural 101x67", Wrap::Repeat),
+            ("white noise 37x53", Wrap::Repeat),
+            ("single spike 33x31", Wrap::Repeat),
+            ("steps 61x40", Wrap::Mirror),
+        ] {
+            // Seams fit where a map repeats itself along both sides.
+            let map = map(map_name, wrap);
+            for side in [Side::Above, Side::Below] {
+                let error_m = [0.05, 0.1][turn % 2] * SCALE_M;
+                let fit = Fit::ALL[turn / 2 % 2];
+                turn += 1;
+                let settings = MeshSettings { side, fit, ..MeshSettings::within(error_m) };
+                let mesher = match Mesher::new(&base, &map, &settings) {
+                    Err(MesherError::SideOfSeams { .. }) => {
+                        println!("{name}, {map_name}: seams");
+                        continue;
+                    }
+                    mesher => mesher.unwrap_or_else(|error| panic!("{name}, {map_name}, {side}: {error}")),
+                };
+                let mesh = mesher.mesh().expect("finite");
+                let certificate = mesher.certificate().expect("made to an error");
+                let about = format!("{name}, {map_name}, {side}, {fit}: {certificate:?}");
+                assert!(certificate.error_m <= error_m, "{about}");
+                let (found, _) = farthest(&base, &map, &mesh, 6);
+                let rounding = ROUNDING * SCALE_M;
+                assert!(found <= certificate.error_m + rounding, "{about}: {found}");
+                let (range, [samples, missed]) = crossings(&base, &map, &mesh, 12, 3.0 * error_m);
+                let [low, high] = if side == Side::Above { range } else { [-range[1], -range[0]] };
+                println!("{about}: {} triangles, from {low} to {high}", mesh.triangles().len());
+                assert!(low >= -rounding && high <= 3.0 * error_m, "{about}: {range:?}");
+                assert!(missed * 1000 <= samples, "{about}: {missed} of {samples}");
+                // A mesh on both sides is not on one, and the test would say so.
+                let both = made(&base, &map, &MeshSettings { side: Side::Both, ..settings }).0;
+                let (range, _) = crossings(&base, &map, &both, 12, 3.0 * error_m);
+                assert!(range[0] < -0.1 * error_m && range[1] > 0.1 * error_m, "{about}: {range:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn smooth_bases_are_closed_where_they_are() {
     let bases = [cube(2), cylinder(16, 2), sphere(24, 12), torus(24, 10)];
@@ -354,7 +462,8 @@ fn what_cannot_be_made_is_refused() {
     let refused = |settings: MeshSettings| Mesher::new(&base, &map, &settings).expect_err("refused");
     for settings in [
         MeshSettings { directions: Directions::Angle, ..within },
-        MeshSettings { side: Side::Above, ..within },
+        MeshSettings { side: Side::Above, directions: Directions::Unit, ..within },
+        MeshSettings { side: Side::Below, base: BaseSurface::Lift, ..within },
     ] {
         assert!(matches!(refused(settings), MesherError::OnPlanesAlone { .. }));
     }
@@ -364,6 +473,13 @@ fn what_cannot_be_made_is_refused() {
     let fine = refused(MeshSettings::within(1e-9 * SCALE_M));
     let MesherError::TooFine { least_m, .. } = fine else { panic!("{fine}") };
     assert!(least_m > 1e-9 * SCALE_M && least_m < 0.1 * SCALE_M);
+    // What bridges other heights at a seam is on both sides, and so is what folds over.
+    let below = MeshSettings { side: Side::Below, ..within };
+    let noisy = Mesher::new(&cube(2).expect("a mesh"), &map, &below);
+    assert!(matches!(noisy, Err(MesherError::SideOfSeams { .. })), "{:?}", noisy.err());
+    let deep = map.clone().with_displacement(0.3, 0.0).expect("lengths");
+    let folded = Mesher::new(&base, &deep, &MeshSettings { error_m: 0.03, ..below });
+    assert!(matches!(folded, Err(MesherError::SideOfFold { .. })), "{:?}", folded.err());
     // Sides of 350 texels would be halved.
     let large =
         displaced(&HeightMap::from_fn(1050, 700, Wrap::Repeat, |i, _| i as f32 / 1050.0).expect("a map"));

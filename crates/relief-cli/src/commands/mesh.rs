@@ -119,8 +119,8 @@ pub struct Arguments {
     /// enough, or none, those of the relief [default: heights]
     #[arg(long, value_name = "heights|none", help_heading = "Triangles", hide_short_help = true)]
     fit: Option<Fit>,
-    /// On which side of a plane's relief the triangles of --error and --triangles lie: both; above, so that
-    /// nothing that stands on them sinks into it; or below [default: both]
+    /// On which side of the relief the triangles of --error and --triangles lie: both; above, so that nothing
+    /// that stands on them sinks into it; or below [default: both]
     #[arg(long, value_name = "both|above|below", help_heading = "Triangles")]
     side: Option<Side>,
     /// Close an open mesh with walls and an underside, at least so many millimetres of the file thick, or
@@ -574,6 +574,10 @@ fn of_mesher(error: MesherError) -> Failure {
         MesherError::OnPlanesAlone { .. } => {
             Failure::Work(format!("{error}: leave it out, or --texels N divides the mesh's edges evenly"))
         }
+        MesherError::SideOfFold { .. } => Failure::Work(format!("--side: {error}: a smaller --scale helps")),
+        MesherError::SideOfSeams { .. } => Failure::Work(format!(
+            "--side: {error}: a map that repeats itself (--wrap, --tile) fits, and --seams keep leaves gaps"
+        )),
         MesherError::SmoothOfLarge { .. } => {
             Failure::Work(format!("--base: {error}: a finer mesh, --tile with fewer texels, or --base flat"))
         }

@@ -13,7 +13,7 @@ use crate::error::MOST;
 use crate::filling::{Filling, Room, least_tolerance};
 use crate::interior::{Filled, Gap, STEPS, Seen, Window};
 use crate::surface::{Relief, twist_of};
-use crate::{Certificate, Judge, MeshSettings, MesherError, Side, Watch};
+use crate::{Certificate, Judge, MeshSettings, MesherError, Watch};
 
 /// Bytes that a tile of two triangles takes, with its sides.
 const BYTES_PER_TILE: u64 = 400;
@@ -52,14 +52,11 @@ impl Adapted {
         // A height of the map in metres.
         let metres = relief.map().scale_m() * relief.reach(rectangle.reach());
         let tolerance = relief.tolerance(settings.error_m, rectangle.reach());
-        // Above alone is the same as on both sides of a surface that is higher by half of the tolerance.
-        let (whole, tolerance) = match settings.side {
-            Side::Both => (tolerance, tolerance),
-            Side::Above | Side::Below => (tolerance, 0.5 * tolerance),
-        };
+        let part = settings.side.part();
+        let tolerance = part * tolerance;
         let least = least_tolerance(relief, settings.judge);
         if tolerance < least {
-            let (error_m, least_m) = (settings.error_m, least * metres * whole / tolerance);
+            let (error_m, least_m) = (settings.error_m, least * metres / part);
             return Err(MesherError::TooFine { error_m, least_m });
         }
         let mut adapted = Self {

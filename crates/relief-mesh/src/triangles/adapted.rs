@@ -10,13 +10,16 @@ use super::{Triangles, counted};
 use crate::cubic::Cubic;
 use crate::error::MOST;
 use crate::filling::{Filling, Room};
-use crate::interior::{Cut, Facet, Filled, Ground};
+use crate::interior::{Cut, Facet, Filled, Gap, Ground, Turning};
 use crate::patch::PatchPoint;
 use crate::surface::Relief;
 use crate::{BaseSurface, Certificate, Directions, MeshSettings, MesherError, Side, Watch, cubic};
 
 /// Patches that are filled one after the other.
 const TOGETHER: usize = 64;
+
+/// How far heights may be apart at a seam that are the same but for rounding, as a part of the tolerance.
+const SEAMS: f64 = 1e-3;
 
 /// A base of triangles that are filled.
 #[derive(Debug)]
@@ -73,8 +76,12 @@ impl Adapted {
         watch: &Watch,
     ) -> Result<Self, MesherError> {
         let refused = [
-            ("one side of the relief", settings.side != Side::Both),
             ("directions by their angles", settings.directions == Directions::Angle),
+            (
+                "one side, over a smooth base or along directions of length 1,",
+                settings.side != Side::Both
+                    && (settings.base != BaseSurface::Flat || settings.directions != Directions::Raw),
+            ),
         ];
         if let Some((what, _)) = refused.into_iter().find(|(_, is_asked)| *is_asked) {
             return Err(MesherError::OnPlanesAlone { what });
@@ -128,6 +135,9 @@ impl Adapted {
             return Err(MesherError::TooLarge { vertices, triangles });
         }
         let Errors { error_m, uv, sum_m, count, seams_m } = errors;
+        if adapted.base.one_side.is_some() && seams_m > SEAMS * settings.error_m {
+            return Err(MesherError::SideOfSeams { seams_m });
+        }
         let mean_m = sum_m / count.max(1) as f64;
         adapted.certificate = Certificate { error_m, uv, mean_m, seams_m, ..adapted.certificate };
         adapted.certificate.check(settings.error_m)?;
@@ -231,7 +241,7 @@ impl Triangles {
         let corners = self.triangles[patch as usize].map(|vertex| self.corners.base(vertex));
         let sides = || [0, 1, 2].map(|k| cubic::bent([corners[k], corners[(k + 1) % 3]]));
         let is_cubic = self.base == BaseSurface::Pn;
-        is_cubic.then(|| Cubic { corners: corners.map(|corner| corner.position), sides: sides() })
+        is_cubic.then(|| Cubic::new(corners.map(|corner| corner.position), sides()))
     }
 
     /// A patch as triangles are laid over it, and the length of its longest direction of displacement.
@@ -240,10 +250,16 @@ impl Triangles {
         let places = corners.map(|corner| relief.place(corner.uv));
         let map = relief.map();
         let normals = corners.map(|corner| corner.normal);
-        let longest = normals.iter().map(|normal| normal.length()).fold(0.0, f64::max);
+        let longest = match self.one_side {
+            // All are as far from the relief on one side.
+            Some(_) => self.corners.longest(),
+            None => normals.iter().map(|normal| normal.length()).fold(0.0, f64::max),
+        };
         let height_m = relief.height_m(error_m, longest);
         let lifts_m = self.edges.sides(patch).map(|side| self.lift(self.seen(side)));
-        let turning = turning(relief, normals, longest, height_m, (lifts_m, self.cubic(patch)));
+        let factor = self.one_side.as_ref().map_or(1.0, |side| side.of_patch(patch));
+        let turning =
+            Turning { factor, ..turning(relief, normals, longest, height_m, (lifts_m, self.cubic(patch))) };
         let facet = Facet::new(self.size(patch), places, turning, |[i, j]| map.texel(i, j));
         let facet = if relief.has_holes() { facet.with_holes(|[i, j]| map.is_hole(i, j)) } else { facet };
         (facet, longest)
@@ -275,7 +291,8 @@ impl Triangles {
         (filling, room): (&Filling, &Room),
         into: &mut Several,
     ) -> Result<(), MesherError> {
-        let (facet, longest) = self.facet(relief, patch, settings.error_m);
+        let error_m = settings.side.part() * settings.error_m;
+        let (facet, longest) = self.facet(relief, patch, error_m);
         let mut seams_m = 0.0_f64;
         let border: Vec<([i32; 2], f32)> = self
             .border_of(patch)
@@ -286,11 +303,15 @@ impl Triangles {
                 (at, height as f32)
             })
             .collect();
-        let tolerance = relief.tolerance(settings.error_m, longest);
+        let tolerance = relief.tolerance(error_m, longest);
         let filled = room.taken((filling.fill.facet)(&facet, &border, room.wanted(tolerance)))?;
         let Filled { points, heights, triangles, seen } = filled;
-        let metres = relief.height_m(settings.error_m, longest);
-        let gap = if seen.above.height >= -seen.below.height { seen.above } else { seen.below };
+        let metres = relief.height_m(error_m, longest);
+        let raise = self.raise_m() * longest / metres;
+        let gap = [seen.above, seen.below].map(|gap| Gap { height: gap.height - raise, ..gap });
+        let gap = if gap[0].height.abs() >= gap[1].height.abs() { gap[0] } else { gap[1] };
+        // On one side all distances have the same sign.
+        let sum = if raise == 0.0 { seen.sum } else { (raise * seen.count as f64 - seen.signed).abs() };
         let uv = {
             let corners = self.triangles[patch as usize].map(|vertex| self.corners.base(vertex).uv);
             let [a, b, c] = facet.weights(gap.place);
@@ -299,7 +320,7 @@ impl Triangles {
         into.error = into.error.with(Errors {
             error_m: gap.height.abs() * metres,
             uv,
-            sum_m: seen.sum * metres,
+            sum_m: sum * metres,
             count: seen.count,
             seams_m,
         });

@@ -11,6 +11,8 @@ use crate::{BaseSurface, cubic, point};
 #[derive(Debug)]
 pub struct AlongEdge<'a> {
     corners: &'a Corners,
+    /// By how much all points are displaced farther.
+    raise_m: f64,
     /// The ends as the displacement sees them.
     ends: [BasePoint; 2],
     shares: [f64; 2],
@@ -41,6 +43,7 @@ impl<'a> AlongEdge<'a> {
         };
         Self {
             corners: &base.corners,
+            raise_m: base.raise_m(),
             ends: ends.map(|end| base.corners.base(end)),
             shares: base.edges.ends(edge).map(|end| base.share(end)),
             smooth: match base.base {
@@ -79,7 +82,7 @@ impl<'a> AlongEdge<'a> {
             }
         };
         let level = self.footprints.map_or(0.0, |[depths, texels]| level(depths, texels, parts));
-        Placed { base, lift_m, level }
+        Placed { base, lift_m: lift_m + self.raise_m, level }
     }
 
     /// The position of a point.

@@ -16,6 +16,8 @@ pub struct Inside {
     /// Whether directions between the corners are found by angles.
     is_by_angle: bool,
     frames: [Frame; 3],
+    /// By how much all points are displaced farther.
+    raise_m: f64,
     /// What the corners count in the picture, where sides go by that.
     shares: Option<[f64; 3]>,
     smooth: Smooth,
@@ -56,6 +58,7 @@ impl Inside {
         Self {
             bases: corners.map(|vertex| base.corners.base(vertex)),
             is_by_angle: base.corners.is_by_angle(),
+            raise_m: base.raise_m(),
             frames: corners.map(|vertex| base.corners.frame(vertex)),
             shares: (!base.voxels.is_empty()).then_some(shares),
             smooth,
@@ -95,7 +98,7 @@ impl Inside {
             None => 0.0,
             Some([depths, texels]) => super::level(*depths, *texels, weights),
         };
-        Placed { base, lift_m, level }
+        Placed { base, lift_m: lift_m + self.raise_m, level }
     }
 
     /// The direction of displacement at a point, of any length.

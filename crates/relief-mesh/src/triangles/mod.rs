@@ -10,6 +10,7 @@ mod edges;
 mod halves;
 mod inside;
 mod near;
+mod one_side;
 mod patch_border;
 mod profile;
 mod solid;
@@ -27,6 +28,7 @@ use self::creases::Creases;
 use self::edges::{Division, Edges};
 use self::halves::{Halves, Limits};
 pub use self::inside::Inside;
+use self::one_side::OneSide;
 pub use self::patch_border::PatchBorder;
 use self::profile::Bent;
 pub use self::solid::Solid;
@@ -37,7 +39,7 @@ use crate::error::MOST;
 use crate::patch::{Patch, PatchPoint};
 use crate::surface::{Placed, Relief};
 use crate::view::{Voxel, log2};
-use crate::{BaseSurface, MeshSettings, MesherError, Seams, Watch, Weights, cubic, point};
+use crate::{BaseSurface, MeshSettings, MesherError, Seams, Side, Watch, Weights, cubic, point};
 
 /// A base of triangles, with the points of its sides counted.
 #[derive(Debug)]
@@ -51,6 +53,8 @@ pub struct Triangles {
     /// level is seen.
     footprints: Vec<f64>,
     base: BaseSurface,
+    /// What keeps triangles on one side of the relief.
+    one_side: Option<OneSide>,
     is_welded: bool,
     can_fold: bool,
     /// The triangle of the whole mesh that each is a part of; empty where they are these.
@@ -91,10 +95,12 @@ impl Triangles {
         let mut corners = Corners::new(mesh, &point_of, is_welded, settings.directions);
         let limits = Limits { most, max_bytes: settings.max_bytes, watch: *watch };
         let (mut creases, mut halved) = (None, None);
+        let part = settings.side.part();
+        let error_m = part * settings.error_m;
         if let Divides::Along(_) = settings.edges.divides {
-            let tolerance = relief.tolerance(settings.error_m, corners.longest());
+            let tolerance = relief.tolerance(error_m, corners.longest());
             let found = Creases::new(relief, tolerance)?;
-            found.check(relief, settings, corners.longest())?;
+            found.check(relief, settings, corners.longest() / part)?;
             halves::check(mesh, relief, &limits)?;
             let long = |halves: &Halves, triangles: &[[u32; 3]]| halves.beyond(&found, triangles);
             halved = halves::halved(mesh, relief, &limits, long)?;
@@ -114,6 +120,9 @@ impl Triangles {
         let mesh = halved.as_ref().map_or(mesh, |halved| &halved.mesh);
         // Before sides are divided, which may take long.
         let border = settings.solid_m.map(|_| Border::new(mesh, &point_of, is_welded)).transpose()?;
+        let is_sided = matches!(settings.edges.divides, Divides::Along(_)) && settings.side != Side::Both;
+        let side = (settings.side, settings.error_m);
+        let one_side = is_sided.then(|| OneSide::new(mesh, &point_of, &corners, relief, side)).transpose()?;
         let (mut voxels, mut footprints) = (Vec::new(), Vec::new());
         let most = |parts: &mut dyn Iterator<Item = u64>| Ok(Division::Even(parts.max().unwrap_or(1)));
         let edges = match settings.edges.divides {
@@ -152,15 +161,18 @@ impl Triangles {
                     let edge = |ends: &[u32; 2]| {
                         let [a, b] = ends.map(|end| reaches[end as usize]);
                         let vertices = ends.map(|end| corners.vertex(end));
+                        let points = ends.map(|end| point_of[end as usize]);
                         let ends = ends.map(|end| corners.base(end));
                         profile::Edge {
                             ends,
                             bent: Bent::new(settings.base, ends, vertices),
-                            reach: a.min(b),
+                            factor: one_side.as_ref().map_or(1.0, |side| side.of_side(points)),
+                            // All are as far from the relief on one side.
+                            reach: if is_sided { corners.longest() } else { a.min(b) },
                         }
                     };
                     let edges: Vec<profile::Edge> = all.iter().map(edge).collect();
-                    Ok(profile::division(relief, creases, &edges, along, settings))
+                    Ok(profile::division(relief, creases, &edges, along, error_m))
                 })?
             }
         };
@@ -176,6 +188,7 @@ impl Triangles {
             voxels,
             footprints,
             base,
+            one_side,
             is_welded,
             can_fold,
             whole,
@@ -237,7 +250,13 @@ impl Triangles {
     /// A corner as the displacement sees it: in a welded mesh all sides see the same.
     fn at_corner(&self, vertex: u32) -> Placed {
         let seen = self.corners.seen(vertex);
-        Placed { level: self.level([seen], [1.0]), ..Placed::new(self.corners.base(seen)) }
+        let level = self.level([seen], [1.0]);
+        Placed { level, lift_m: self.raise_m(), ..Placed::new(self.corners.base(seen)) }
+    }
+
+    /// By how much all points are displaced farther, in metres.
+    fn raise_m(&self) -> f64 {
+        self.one_side.as_ref().map_or(0.0, |side| side.raise_m)
     }
 
     /// A point along an edge as the displacement sees it: in a welded mesh all sides see the same.

@@ -9,7 +9,7 @@ use crate::cubic::{self, Cubic};
 use crate::edge::{Along, Knot, LONGEST, divided};
 use crate::interior::{Gap, Turning, along};
 use crate::surface::{Relief, twist_of};
-use crate::{BaseSurface, Directions, MeshSettings};
+use crate::{BaseSurface, Directions};
 
 /// The part of the tolerance that the points of sides are chosen by.
 const CHOSEN: f64 = 0.8;
@@ -31,6 +31,8 @@ pub struct Edge {
     pub ends: [BasePoint; 2],
     /// How a smooth base is bent along it.
     pub bent: Bent,
+    /// What counts for what it is bent by: see [`OneSide`](super::one_side::OneSide).
+    pub factor: f64,
     /// No triangle that has it has a longer direction of displacement.
     pub reach: f64,
 }
@@ -69,35 +71,32 @@ struct Profile {
 }
 
 /// Where the edges of a seam have points.
-pub fn division(
-    relief: &Relief,
-    creases: &Creases,
-    edges: &[Edge],
-    choose: Along,
-    settings: &MeshSettings,
-) -> Division {
+pub fn division(relief: &Relief, creases: &Creases, edges: &[Edge], choose: Along, error_m: f64) -> Division {
     let longest = edges.iter().map(|edge| edge.reach).fold(0.0, f64::max);
     if longest == 0.0 {
         return Division::WHOLE;
     }
-    let height_m = relief.height_m(settings.error_m, longest);
+    let height_m = relief.height_m(error_m, longest);
     // A welded mesh has what one of its edges at a seam says.
     let lift_m = edges.iter().map(|edge| if let Bent::Lift(lift_m) = edge.bent { lift_m.abs() } else { 0.0 });
     let lift_m = lift_m.fold(0.0, f64::max);
-    let profile = |Edge { ends: [a, b], bent, .. }: &Edge| {
+    let profile = |Edge { ends: [a, b], bent, factor, .. }: &Edge| {
         let cubic = |inner: [DVec3; 2]| {
             let far = b.position;
-            Cubic { corners: [a.position, far, far], sides: [inner, [far; 2], [far, a.position]] }
+            Cubic::new([a.position, far, far], [inner, [far; 2], [far, a.position]])
         };
         let cubic = if let Bent::Cubic(inner) = *bent { Some(cubic(inner)) } else { None };
         let normals = [a.normal, b.normal, b.normal];
         Profile {
             places: [a, b].map(|end| relief.place(end.uv)),
-            turning: turning(relief, normals, longest, height_m, ([lift_m, 0.0, 0.0], cubic)),
+            turning: Turning {
+                factor: *factor,
+                ..turning(relief, normals, longest, height_m, ([lift_m, 0.0, 0.0], cubic))
+            },
         }
     };
     let profiles: Vec<Profile> = edges.iter().map(profile).collect();
-    let tolerance = relief.tolerance(settings.error_m, longest);
+    let tolerance = relief.tolerance(error_m, longest);
     let length = profiles.iter().map(Profile::length).fold(0.0, f64::max);
     let steps = |profile: &Profile| creases.steps(profile.places).max(profile.steps(tolerance));
     let size = profiles.iter().map(steps).fold(1, u32::max);
@@ -131,10 +130,8 @@ pub fn turning(
         is_unit,
         at_zero: relief.zero_m() / height_m,
         lifts: lifts_m.map(|lift_m| lift_m / height_m),
-        cubic: cubic.map(|Cubic { corners, sides }| Cubic {
-            corners: corners.map(|point| point / height_m),
-            sides: sides.map(|side| side.map(|point| point / height_m)),
-        }),
+        cubic: cubic.map(|cubic| cubic.in_units_of(height_m)),
+        factor: 1.0,
     }
 }
 

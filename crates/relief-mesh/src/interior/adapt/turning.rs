@@ -32,6 +32,8 @@ pub struct Turning {
     pub lifts: [f64; 3],
     /// A cubic base.
     pub cubic: Option<Cubic>,
+    /// What counts for each length that a piece is bent by: more than 1 where that is kept on one side.
+    pub factor: f64,
 }
 
 /// A corner of a piece: its weights in the triangle, and the height of the map that it lies at.
@@ -41,7 +43,7 @@ impl Turning {
     /// One that is flat, with interpolated directions.
     #[cfg(test)]
     pub fn flat(directions: [DVec3; 3]) -> Self {
-        Self { directions, is_unit: false, at_zero: 0.0, lifts: [0.0; 3], cubic: None }
+        Self { directions, is_unit: false, at_zero: 0.0, lifts: [0.0; 3], cubic: None, factor: 1.0 }
     }
 
     /// The interpolated direction, not normalised.
@@ -55,8 +57,12 @@ impl Turning {
         along(0) + along(1) + along(2)
     }
 
-    /// The most that a piece is bent by.
+    /// The most that a piece is bent by, as it counts.
     pub fn bend(&self, corners: [PieceCorner; 3]) -> f64 {
+        self.factor * self.bend_itself(corners)
+    }
+
+    fn bend_itself(&self, corners: [PieceCorner; 3]) -> f64 {
         let raw = corners.map(|(weights, _)| self.raw(weights));
         let along = if self.is_unit { raw.map(DVec3::normalize_or_zero) } else { raw };
         let heights = corners.map(|(weights, height)| height + self.lift(weights));

@@ -1,0 +1,136 @@
+//! What keeps triangles on one side of the relief where directions of displacement turn.
+//!
+//! A point of a piece is `P(w) + d N(w) + ρ`: over the base point `w`, displaced by `d`, which is interpolated
+//! between the piece's corners, and beside that by no more than the piece is bent by (see `Turning`). To
+//! which base point it belongs, and by how much that is displaced, follows it from `ρ = 0` on: where it goes
+//! by `dx` the base point moves by `J⁻¹ dx` and the displacement changes by as much, with
+//! `J = (E₁ + d N₁, E₂ + d N₂, N)` by the sides `E` of the base triangle and the differences `N₁`, `N₂` of the
+//! directions at its corners. So the piece stays above the relief if it is raised by what the relief is above
+//! it over the same base points, and by `|ρ|` times the greatest of
+//!
+//! ```text
+//! (|J₁ × J₂| + G₁ |J₂ × N| + G₂ |J₁ × N|) / det J
+//! ```
+//!
+//! with the greatest slopes `G` of the relief along both sides: in its own triangle and, since it may lead out
+//! of that, in those around.
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+use rayon::prelude::*;
+use relief_core::mesh::{BasePoint, Mesh};
+
+use super::corners::Corners;
+use crate::surface::Relief;
+use crate::{MesherError, Side};
+
+/// What the pieces of triangles are to be raised by, in what they are bent by: at least 1.
+#[derive(Debug)]
+pub struct OneSide {
+    /// In each triangle of the base.
+    patches: Vec<f64>,
+    /// In the triangles at each side, by the positions at its ends.
+    sides: HashMap<[u32; 2], f64>,
+    /// By how much all vertices are displaced farther, in metres.
+    pub raise_m: f64,
+}
+
+impl OneSide {
+    /// What it takes on a side of a relief over a flat base, along interpolated directions.
+    pub fn new(
+        mesh: &Mesh,
+        point_of: &[u32],
+        corners: &Corners,
+        relief: &Relief,
+        (side, error_m): (Side, f64),
+    ) -> Result<Self, MesherError> {
+        let longest = corners.longest();
+        let points = |triangle: &[u32; 3]| triangle.map(|vertex| point_of[vertex as usize]);
+        let own: Vec<f64> = mesh
+            .triangles()
+            .par_iter()
+            .map(|triangle| factor(relief, triangle.map(|vertex| corners.base(vertex)), error_m / longest))
+            .collect();
+        // Around each position.
+        let mut around = vec![0.0_f64; mesh.vertices().len()];
+        for (triangle, factor) in mesh.triangles().iter().zip(&own) {
+            for point in points(triangle) {
+                around[point as usize] = around[point as usize].max(*factor);
+            }
+        }
+        let patches = mesh.triangles().iter().map(|triangle| {
+            let around = points(triangle).map(|point| around[point as usize]);
+            // In heights: what it is bent by is one of the longest direction's.
+            (longest * around.into_iter().fold(0.0, f64::max)).max(1.0)
+        });
+        let patches: Vec<f64> = patches.collect();
+        if let Some(folded) = own.iter().position(|factor| factor.is_infinite()) {
+            let middle = mesh.triangles()[folded].map(|vertex| corners.base(vertex).position);
+            let at_m = ((middle[0] + middle[1] + middle[2]) / 3.0).to_array();
+            return Err(MesherError::SideOfFold { at_m });
+        }
+        let mut sides: HashMap<[u32; 2], f64> = HashMap::new();
+        for (triangle, factor) in mesh.triangles().iter().zip(&patches) {
+            let points = points(triangle);
+            for k in 0..3 {
+                let most = sides.entry(sorted([points[k], points[(k + 1) % 3]])).or_insert(1.0);
+                *most = most.max(*factor);
+            }
+        }
+        Ok(Self { patches, sides, raise_m: side.sign() * 0.5 * error_m / longest })
+    }
+
+    /// Of a triangle.
+    pub fn of_patch(&self, patch: u32) -> f64 {
+        self.patches[patch as usize]
+    }
+
+    /// Of the triangles at a side, by the positions at its ends.
+    pub fn of_side(&self, points: [u32; 2]) -> f64 {
+        self.sides.get(&sorted(points)).copied().unwrap_or(1.0)
+    }
+}
+
+fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
+}
+
+/// What displacement it takes, in what a piece is beside where it is interpolated, within a base triangle that
+/// is displaced by the heights under it and by as much beside them. Infinite where that may fold over.
+fn factor(relief: &Relief, corners: [BasePoint; 3], beside_m: f64) -> f64 {
+    let places = corners.map(|corner| relief.place(corner.uv));
+    let ground = relief.under(places);
+    let [low, high] = ground.heights.map(|height| relief.metres(height));
+    let displaced = [low.min(high) - beside_m, low.max(high) + beside_m];
+    let from_first = |of: fn(&BasePoint) -> DVec3| [1, 2].map(|k| of(&corners[k]) - of(&corners[0]));
+    let [sides, turns] = [from_first(|corner| corner.position), from_first(|corner| corner.normal)];
+    let slopes = [1, 2].map(|k| {
+        let [across, down] = [0, 1].map(|axis| (places[k][axis] - places[0][axis]).abs());
+        relief.map().scale_m().abs() * (across * ground.steepest[0] + down * ground.steepest[1])
+    });
+    let along = |axis: usize| displaced.map(|metres| sides[axis] + turns[axis] * metres);
+    let [first, second] = [along(0), along(1)];
+    // Quadratic in the displacement: within the hull of its control points.
+    let mixed = (first[0].cross(second[1]) + first[1].cross(second[0])) * 0.5;
+    let across = [first[0].cross(second[0]), mixed, first[1].cross(second[1])];
+    let up = corners.map(|corner| corner.normal);
+    let each_up = |of: DVec3| up.map(|up| of.dot(up)).into_iter();
+    // Facing one way or the other.
+    let sign = if each_up(across[0]).sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
+    let least = across.iter().flat_map(|&of| each_up(of * sign)).fold(f64::INFINITY, f64::min);
+    let greatest = |of: &mut dyn Iterator<Item = f64>| of.fold(0.0, f64::max);
+    let area = greatest(&mut across.iter().map(|of| of.length()));
+    let wall =
+        |side: [DVec3; 2]| greatest(&mut side.iter().flat_map(|side| up.map(|up| side.cross(up).length())));
+    if area == 0.0 {
+        // Without an area it has no pieces with one.
+        return 0.0;
+    }
+    // NaN is no number of a triangle that can be used, either.
+    if least > 0.0 {
+        (area + slopes[0] * wall(second) + slopes[1] * wall(first)) / least
+    } else {
+        f64::INFINITY
+    }
+}
