@@ -155,15 +155,6 @@ pub enum MesherError {
         "what is made for a view is not made solid: a point every so many texels, or a tolerance, can be"
     )]
     SolidOfView,
-    /// A smooth base whose triangles are too large to be filled at once.
-    #[error(
-        "the mesh has sides of more than {texels} texels, or such over rough ground: with a tolerance these \
-         are halved, which a smooth base is not"
-    )]
-    SmoothOfLarge {
-        /// The most texels of a side.
-        texels: u32,
-    },
     /// One side of what is folded over.
     #[error(
         "the mesh folds over where it is displaced, or nearly, at {:.4}, {:.4}, {:.4}: nothing is on one side \

@@ -578,9 +578,6 @@ fn of_mesher(error: MesherError) -> Failure {
         MesherError::SideOfSeams { .. } => Failure::Work(format!(
             "--side: {error}: a map that repeats itself (--wrap, --tile) fits, and --seams keep leaves gaps"
         )),
-        MesherError::SmoothOfLarge { .. } => {
-            Failure::Work(format!("--base: {error}: a finer mesh, --tile with fewer texels, or --base flat"))
-        }
         MesherError::PartOfNoPlane | MesherError::TooManyParts { .. } => {
             Failure::Work(format!("--tiles: {error}"))
         }

@@ -7,13 +7,12 @@ use relief_core::mesh::Mesh;
 
 use super::profile::turning;
 use super::{Triangles, counted};
-use crate::cubic::Cubic;
 use crate::error::MOST;
 use crate::filling::{Filling, Room};
 use crate::interior::{Cut, Facet, Filled, Gap, Ground, Turning};
 use crate::patch::PatchPoint;
 use crate::surface::Relief;
-use crate::{BaseSurface, Certificate, Directions, MeshSettings, MesherError, Side, Watch, cubic};
+use crate::{BaseSurface, Certificate, Directions, MeshSettings, MesherError, Side, Watch};
 
 /// Patches that are filled one after the other.
 const TOGETHER: usize = 64;
@@ -236,14 +235,6 @@ impl Triangles {
         }
     }
 
-    /// A patch of a cubic base.
-    fn cubic(&self, patch: u32) -> Option<Cubic> {
-        let corners = self.triangles[patch as usize].map(|vertex| self.corners.base(vertex));
-        let sides = || [0, 1, 2].map(|k| cubic::bent([corners[k], corners[(k + 1) % 3]]));
-        let is_cubic = self.base == BaseSurface::Pn;
-        is_cubic.then(|| Cubic::new(corners.map(|corner| corner.position), sides()))
-    }
-
     /// A patch as triangles are laid over it, and the length of its longest direction of displacement.
     fn facet(&self, relief: &Relief, patch: u32, error_m: f64) -> (Facet, f64) {
         let corners = self.triangles[patch as usize].map(|vertex| self.corners.base(vertex));
@@ -256,10 +247,10 @@ impl Triangles {
             None => normals.iter().map(|normal| normal.length()).fold(0.0, f64::max),
         };
         let height_m = relief.height_m(error_m, longest);
-        let lifts_m = self.edges.sides(patch).map(|side| self.lift(self.seen(side)));
+        let (shape, part) = self.shape(patch);
         let factor = self.one_side.as_ref().map_or(1.0, |side| side.of_patch(patch));
-        let turning =
-            Turning { factor, ..turning(relief, normals, longest, height_m, (lifts_m, self.cubic(patch))) };
+        let turning = turning(relief, normals, (longest, height_m), shape);
+        let turning = Turning { factor, part: part.unwrap_or(turning.part), ..turning };
         let facet = Facet::new(self.size(patch), places, turning, |[i, j]| map.texel(i, j));
         let facet = if relief.has_holes() { facet.with_holes(|[i, j]| map.is_hole(i, j)) } else { facet };
         (facet, longest)

@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3, Vec3};
 use relief_core::mesh::{BasePoint, Vertex};
 
+use super::shape::Shape;
 use super::{Corners, Numbered, Triangles, level};
 use crate::surface::{Frame, Placed, Relief};
 use crate::{BaseSurface, cubic, point};
@@ -30,6 +31,8 @@ enum Smooth {
     Lift(f64),
     /// As a cubic with those inner control points.
     Cubic([DVec3; 2]),
+    /// As a part of that shape, by the weights of the ends in it.
+    Part(Box<(Shape, [[f64; 3]; 2])>),
 }
 
 impl<'a> AlongEdge<'a> {
@@ -46,10 +49,11 @@ impl<'a> AlongEdge<'a> {
             raise_m: base.raise_m(),
             ends: ends.map(|end| base.corners.base(end)),
             shares: base.edges.ends(edge).map(|end| base.share(end)),
-            smooth: match base.base {
-                BaseSurface::Flat => Smooth::Flat,
-                BaseSurface::Lift => Smooth::Lift(base.lift(seen)),
-                BaseSurface::Pn => Smooth::Cubic(base.bent(edge)),
+            smooth: match (&base.parts, base.base) {
+                (Some(parts), _) => Smooth::Part(Box::new(parts.of_side(ends))),
+                (None, BaseSurface::Flat) => Smooth::Flat,
+                (None, BaseSurface::Lift) => Smooth::Lift(base.lift(seen)),
+                (None, BaseSurface::Pn) => Smooth::Cubic(base.bent(edge)),
             },
             footprints,
         }
@@ -73,12 +77,18 @@ impl<'a> AlongEdge<'a> {
         let [of_a, of_b] = weights;
         let sum = of_a + of_b;
         let parts = [of_a / sum, of_b / sum];
-        let lift_m = match self.smooth {
+        let lift_m = match &self.smooth {
             Smooth::Flat => 0.0,
             Smooth::Lift(lift_m) => lift_m * (of_b * of_a / (sum * sum)),
             Smooth::Cubic(bent) => {
-                base.position = cubic::on_side([a.position, b.position], bent, parts);
+                base.position = cubic::on_side([a.position, b.position], *bent, parts);
                 0.0
+            }
+            Smooth::Part(part) => {
+                let (shape, [from, to]) = &**part;
+                let weights = [0, 1, 2].map(|k| from[k] * parts[0] + to[k] * parts[1]);
+                base.position = shape.position(weights).unwrap_or(base.position);
+                shape.lift_m(weights)
             }
         };
         let level = self.footprints.map_or(0.0, |[depths, texels]| level(depths, texels, parts));

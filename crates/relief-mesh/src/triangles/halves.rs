@@ -44,6 +44,13 @@ impl Limits<'_> {
 /// Two positions of a mesh.
 type Ends = [u32; 2];
 
+/// The barycentric weights of the corners of a part in the whole triangle: powers of a half and sums of them,
+/// and so exact.
+pub type Weights = [[f64; 3]; 3];
+
+/// A triangle that no side of is halved.
+const WHOLE: Weights = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
 /// A mesh whose sides are halved.
 #[derive(Debug)]
 pub struct Halved {
@@ -52,6 +59,8 @@ pub struct Halved {
     pub parents: Vec<[u32; 2]>,
     /// The triangle of the whole mesh that each triangle is a part of. They rise.
     pub whole: Vec<u32>,
+    /// Which part of that it is.
+    pub weights: Vec<Weights>,
 }
 
 /// A mesh while it is halved.
@@ -95,6 +104,7 @@ pub fn halved(
     };
     let mut triangles = mesh.triangles().to_vec();
     let mut whole: Vec<u32> = (0..triangles.len() as u32).collect();
+    let mut weights = vec![WHOLE; triangles.len()];
     loop {
         let long = long(&halves, &triangles);
         if long.is_empty() {
@@ -106,24 +116,27 @@ pub fn halved(
         limits.check(count)?;
         let mut finer = Vec::with_capacity(count as usize);
         let mut parts = Vec::with_capacity(count as usize);
-        for (at, (corners, whole)) in triangles.into_iter().zip(whole).enumerate() {
+        let mut finer_weights = Vec::with_capacity(count as usize);
+        for (at, ((corners, whole), weights)) in triangles.into_iter().zip(whole).zip(weights).enumerate() {
             if at % BETWEEN_LOOKS == 0 {
                 limits.look()?;
             }
+            let first = finer.len();
             halves.cut(corners, &long, &mut finer);
             parts.resize(finer.len(), whole);
+            finer_weights.extend(finer[first..].iter().map(|part| halves.weights(corners, weights, *part)));
         }
-        (triangles, whole) = (finer, parts);
+        (triangles, whole, weights) = (finer, parts, finer_weights);
     }
     if halves.parents.is_empty() {
         return Ok(None);
     }
     let Halves { vertices, parents, .. } = halves;
-    Ok(Some(Halved { mesh: Mesh::new(vertices, triangles)?, parents, whole }))
+    Ok(Some(Halved { mesh: Mesh::new(vertices, triangles)?, parents, whole, weights }))
 }
 
 /// Two numbers, the lower one first.
-fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
+pub fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 
@@ -187,6 +200,25 @@ impl Halves<'_> {
     /// Which sides of a triangle are long.
     fn are_long(&self, [a, b, c]: [u32; 3], long: &HashSet<Ends>) -> [bool; 3] {
         [[a, b], [b, c], [c, a]].map(|ends| long.contains(&self.points_of(ends)))
+    }
+
+    /// The weights of the corners of a part that was cut out of a triangle, whose own are known.
+    fn weights(&self, corners: [u32; 3], weights: Weights, part: [u32; 3]) -> Weights {
+        part.map(|vertex| {
+            let corner = |vertex: u32| corners.iter().position(|&corner| corner == vertex);
+            if let Some(corner) = corner(vertex) {
+                return weights[corner];
+            }
+            // It lies in the middle of a side.
+            let middle = (0..3).find(|&k| {
+                let ends = sorted([corners[k], corners[(k + 1) % 3]]);
+                self.middles.get(&ends) == Some(&vertex)
+            });
+            middle.map_or([0.0; 3], |k| {
+                let [a, b] = [weights[k], weights[(k + 1) % 3]];
+                [0, 1, 2].map(|of| 0.5 * a[of] + 0.5 * b[of])
+            })
+        })
     }
 
     /// Cuts a triangle at the middles of its long sides.

@@ -4,9 +4,11 @@ use glam::{DVec2, DVec3, Vec3};
 use relief_core::mesh::{BasePoint, Vertex};
 
 use super::Triangles;
+use super::halves::Weights;
+use super::shape::{Shape, in_whole};
 use crate::patch::PatchPoint;
 use crate::surface::{Frame, Placed, Relief};
-use crate::{BaseSurface, cubic, direction, point};
+use crate::{direction, point};
 
 /// A patch as its inner points are made of it: what belongs to its corners and sides, looked up once for all
 /// of them.
@@ -20,35 +22,18 @@ pub struct Inside {
     raise_m: f64,
     /// What the corners count in the picture, where sides go by that.
     shares: Option<[f64; 3]>,
-    smooth: Smooth,
+    /// How a smooth base leaves the triangle, and which part of it this is; none where it is all of it.
+    shape: Shape,
+    part: Option<Weights>,
     /// The corners' depths in the picture, and texels of the map in a voxel where the depth is 1; none where
     /// no coarser level is seen.
     footprints: Option<[[f64; 3]; 2]>,
 }
 
-/// How the base surface leaves the flat triangle.
-#[derive(Debug)]
-enum Smooth {
-    Flat,
-    /// By so much for each side, in metres: see [`Mesh::lifts`](relief_core::mesh::Mesh::lifts).
-    Lift([f64; 3]),
-    /// As a cubic with those inner control points on each side.
-    Cubic([[DVec3; 2]; 3]),
-}
-
 impl Inside {
     pub fn new(base: &Triangles, patch: u32) -> Self {
         let corners = base.triangles[patch as usize];
-        let sides = base.edges.sides(patch);
-        let smooth = match base.base {
-            BaseSurface::Flat => Smooth::Flat,
-            BaseSurface::Lift => Smooth::Lift(sides.map(|side| base.lift(base.seen(side)))),
-            BaseSurface::Pn => Smooth::Cubic([0, 1, 2].map(|k| {
-                let [first, second] = base.bent(sides[k]);
-                let is_forth = base.edges.ends(sides[k])[0] == corners[k];
-                if is_forth { [first, second] } else { [second, first] }
-            })),
-        };
+        let (shape, part) = base.shape(patch);
         let shares = corners.map(|vertex| base.share(vertex));
         let texels = |vertex: u32| base.footprints.get(vertex as usize).copied();
         let footprints = match corners.map(texels) {
@@ -61,7 +46,8 @@ impl Inside {
             raise_m: base.raise_m(),
             frames: corners.map(|vertex| base.corners.frame(vertex)),
             shares: (!base.voxels.is_empty()).then_some(shares),
-            smooth,
+            shape,
+            part,
             footprints,
         }
     }
@@ -83,17 +69,9 @@ impl Inside {
     #[inline(always)]
     fn placed(&self, weights: [f64; 3]) -> Placed {
         let mut base = self.base(weights);
-        let lift_m = match &self.smooth {
-            Smooth::Flat => 0.0,
-            Smooth::Lift(lifts) => {
-                let lift = |k: usize| lifts[k] * weights[k] * weights[(k + 1) % 3];
-                lift(0) + lift(1) + lift(2)
-            }
-            Smooth::Cubic(bent) => {
-                base.position = cubic::inside(self.bases.map(|base| base.position), *bent, weights);
-                0.0
-            }
-        };
+        let in_whole = self.part.as_ref().map_or(weights, |part| in_whole(part, weights));
+        let lift_m = self.shape.lift_m(in_whole);
+        base.position = self.shape.position(in_whole).unwrap_or(base.position);
         let level = match &self.footprints {
             None => 0.0,
             Some([depths, texels]) => super::level(*depths, *texels, weights),

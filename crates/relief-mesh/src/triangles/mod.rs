@@ -13,6 +13,7 @@ mod near;
 mod one_side;
 mod patch_border;
 mod profile;
+mod shape;
 mod solid;
 mod tables;
 
@@ -26,11 +27,11 @@ use self::border::Border;
 use self::corners::Corners;
 use self::creases::Creases;
 use self::edges::{Division, Edges};
-use self::halves::{Halves, Limits};
+use self::halves::{Halves, Limits, Weights as PartWeights};
 pub use self::inside::Inside;
 use self::one_side::OneSide;
 pub use self::patch_border::PatchBorder;
-use self::profile::Bent;
+use self::shape::{Parts, Shape, WholeEdge};
 pub use self::solid::Solid;
 pub use self::tables::{BaseTables, TableEdge, TablePatch, TableVertex};
 use crate::cull::Everything;
@@ -53,6 +54,8 @@ pub struct Triangles {
     /// level is seen.
     footprints: Vec<f64>,
     base: BaseSurface,
+    /// Of what its triangles are parts, where a smooth base was halved.
+    parts: Option<Parts>,
     /// What keeps triangles on one side of the relief.
     one_side: Option<OneSide>,
     is_welded: bool,
@@ -104,15 +107,17 @@ impl Triangles {
             halves::check(mesh, relief, &limits)?;
             let long = |halves: &Halves, triangles: &[[u32; 3]]| halves.beyond(&found, triangles);
             halved = halves::halved(mesh, relief, &limits, long)?;
-            if halved.is_some() && settings.base != BaseSurface::Flat {
-                return Err(MesherError::SmoothOfLarge { texels: creases::LONGEST as u32 });
-            }
             creases = Some(found);
         }
         if let Divides::Voxels(parts) = settings.edges.divides {
             halved = near::halved(mesh, relief, parts, settings, &limits)?;
         }
+        let mut parts = None;
         if let Some(halved) = &halved {
+            if settings.base != BaseSurface::Flat {
+                let whole = (is_welded, settings.base);
+                parts = Some(Parts::new(mesh, &point_of, &corners, whole, halved)?);
+            }
             point_of = halved.mesh.welded();
             corners = Corners::new(&halved.mesh, &point_of, is_welded, settings.directions)
                 .between(&corners, &halved.parents);
@@ -160,12 +165,18 @@ impl Triangles {
                     let Some(creases) = &creases else { return Ok(Division::WHOLE) };
                     let edge = |ends: &[u32; 2]| {
                         let [a, b] = ends.map(|end| reaches[end as usize]);
-                        let vertices = ends.map(|end| corners.vertex(end));
+                        // A welded mesh is where the first edge at a seam is.
+                        let seen = if is_welded { all[0] } else { *ends };
+                        let (shape, part) = match &parts {
+                            Some(parts) => parts.of_side(seen),
+                            None => (along_whole(&corners, seen, settings.base), ENDS),
+                        };
                         let points = ends.map(|end| point_of[end as usize]);
                         let ends = ends.map(|end| corners.base(end));
                         profile::Edge {
                             ends,
-                            bent: Bent::new(settings.base, ends, vertices),
+                            shape,
+                            part,
                             factor: one_side.as_ref().map_or(1.0, |side| side.of_side(points)),
                             // All are as far from the relief on one side.
                             reach: if is_sided { corners.longest() } else { a.min(b) },
@@ -188,6 +199,7 @@ impl Triangles {
             voxels,
             footprints,
             base,
+            parts,
             one_side,
             is_welded,
             can_fold,
@@ -251,7 +263,35 @@ impl Triangles {
     fn at_corner(&self, vertex: u32) -> Placed {
         let seen = self.corners.seen(vertex);
         let level = self.level([seen], [1.0]);
-        Placed { level, lift_m: self.raise_m(), ..Placed::new(self.corners.base(seen)) }
+        let mut base = self.corners.base(seen);
+        let mut lift_m = self.raise_m();
+        if let Some((shape, weights)) = self.parts.as_ref().and_then(|parts| parts.of_vertex(seen)) {
+            base.position = shape.position(weights).unwrap_or(base.position);
+            lift_m += shape.lift_m(weights);
+        }
+        Placed { level, lift_m, ..Placed::new(base) }
+    }
+
+    /// How a smooth base leaves a patch, and which part of that the patch is; none where it is all of it.
+    fn shape(&self, patch: u32) -> (Shape, Option<PartWeights>) {
+        if let Some(parts) = &self.parts {
+            let (shape, weights) = parts.of_patch(patch);
+            return (shape, Some(weights));
+        }
+        let (corners, sides) = (self.triangles[patch as usize], self.edges.sides(patch));
+        let shape = match self.base {
+            BaseSurface::Flat => Shape::Flat,
+            BaseSurface::Lift => Shape::Lift(sides.map(|side| self.lift(self.seen(side)))),
+            BaseSurface::Pn => {
+                let bent = [0, 1, 2].map(|k| {
+                    let [first, second] = self.bent(sides[k]);
+                    let is_forth = self.edges.ends(sides[k])[0] == corners[k];
+                    if is_forth { [first, second] } else { [second, first] }
+                });
+                Shape::Cubic(corners.map(|vertex| self.corners.base(vertex).position), bent)
+            }
+        };
+        (shape, None)
     }
 
     /// By how much all points are displaced farther, in metres.
@@ -351,6 +391,17 @@ impl Triangles {
         let [a, b, c] = self.triangles[patch as usize].map(|vertex| self.corners.base(vertex).position);
         (a + b + c) / 3.0
     }
+}
+
+/// The weights of the ends of an edge along itself.
+const ENDS: [[f64; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+
+/// How a smooth base goes along an edge of a mesh that is not halved.
+fn along_whole(corners: &Corners, ends: [u32; 2], base: BaseSurface) -> Shape {
+    let [a, b] = ends.map(|end| corners.vertex(end));
+    let [along, turn] = [a.position - b.position, a.normal - b.normal].map(|of| of.as_dvec3());
+    let edge = WholeEdge { ends: ends.map(|end| corners.base(end)), lift_m: 0.5 * along.dot(turn) };
+    Shape::along(&edge, base)
 }
 
 /// The level whose texels are as wide as a voxel, where corners lie at those depths in the picture and have

@@ -1,15 +1,16 @@
 //! Sides of base triangles by what lies along them.
 
 use glam::DVec3;
-use relief_core::mesh::{BasePoint, Vertex};
+use relief_core::mesh::BasePoint;
 
 use super::creases::{Creases, MOST_STEPS};
 use super::edges::Division;
-use crate::cubic::{self, Cubic};
+use super::shape::Shape;
+use crate::Directions;
+use crate::cubic::Cubic;
 use crate::edge::{Along, Knot, LONGEST, divided};
 use crate::interior::{Gap, Turning, along};
 use crate::surface::{Relief, twist_of};
-use crate::{BaseSurface, Directions};
 
 /// The part of the tolerance that the points of sides are chosen by.
 const CHOSEN: f64 = 0.8;
@@ -29,37 +30,13 @@ const BENT_BY_A_STEP: f64 = 0.1;
 #[derive(Clone, Copy, Debug)]
 pub struct Edge {
     pub ends: [BasePoint; 2],
-    /// How a smooth base is bent along it.
-    pub bent: Bent,
+    /// How a smooth base is bent along it, and the weights of its ends there.
+    pub shape: Shape,
+    pub part: [[f64; 3]; 2],
     /// What counts for what it is bent by: see [`OneSide`](super::one_side::OneSide).
     pub factor: f64,
     /// No triangle that has it has a longer direction of displacement.
     pub reach: f64,
-}
-
-/// How a smooth base is bent along an edge.
-#[derive(Clone, Copy, Debug)]
-pub enum Bent {
-    /// Not at all.
-    Straight,
-    /// By so many metres: see [`Mesh::lifts`](relief_core::mesh::Mesh::lifts).
-    Lift(f64),
-    /// As a cubic with those inner control points.
-    Cubic([DVec3; 2]),
-}
-
-impl Bent {
-    pub fn new(base: BaseSurface, ends: [BasePoint; 2], vertices: [&Vertex; 2]) -> Self {
-        match base {
-            BaseSurface::Flat => Self::Straight,
-            BaseSurface::Lift => {
-                let [a, b] = vertices;
-                let [along, turn] = [a.position - b.position, a.normal - b.normal].map(|of| of.as_dvec3());
-                Self::Lift(0.5 * along.dot(turn))
-            }
-            BaseSurface::Pn => Self::Cubic(cubic::bent(ends)),
-        }
-    }
 }
 
 /// What a side is on the map, once for each of its edges.
@@ -77,22 +54,12 @@ pub fn division(relief: &Relief, creases: &Creases, edges: &[Edge], choose: Alon
         return Division::WHOLE;
     }
     let height_m = relief.height_m(error_m, longest);
-    // A welded mesh has what one of its edges at a seam says.
-    let lift_m = edges.iter().map(|edge| if let Bent::Lift(lift_m) = edge.bent { lift_m.abs() } else { 0.0 });
-    let lift_m = lift_m.fold(0.0, f64::max);
-    let profile = |Edge { ends: [a, b], bent, factor, .. }: &Edge| {
-        let cubic = |inner: [DVec3; 2]| {
-            let far = b.position;
-            Cubic::new([a.position, far, far], [inner, [far; 2], [far, a.position]])
-        };
-        let cubic = if let Bent::Cubic(inner) = *bent { Some(cubic(inner)) } else { None };
+    let profile = |Edge { ends: [a, b], shape, part: [from, to], factor, .. }: &Edge| {
         let normals = [a.normal, b.normal, b.normal];
+        let turning = turning(relief, normals, (longest, height_m), *shape);
         Profile {
             places: [a, b].map(|end| relief.place(end.uv)),
-            turning: Turning {
-                factor: *factor,
-                ..turning(relief, normals, longest, height_m, ([lift_m, 0.0, 0.0], cubic))
-            },
+            turning: Turning { factor: *factor, part: [*from, *to, *to], ..turning },
         }
     };
     let profiles: Vec<Profile> = edges.iter().map(profile).collect();
@@ -115,23 +82,23 @@ pub fn division(relief: &Relief, creases: &Creases, edges: &[Edge], choose: Alon
     Division::Steps { size: side.size, steps: steps.into_iter().map(|step| step as u16).collect() }
 }
 
-/// How a triangle turns whose corners have those directions of displacement, in heights of so many metres, and
-/// how a smooth base is bent over it: by lifts, or as a cubic.
+/// How a triangle turns whose corners have those directions of displacement, of which the longest has that
+/// length, in heights of so many metres, and whose base has that shape.
 pub fn turning(
     relief: &Relief,
     directions: [DVec3; 3],
-    longest: f64,
-    height_m: f64,
-    (lifts_m, cubic): ([f64; 3], Option<Cubic>),
+    (longest, height_m): (f64, f64),
+    shape: Shape,
 ) -> Turning {
     let is_unit = relief.directions() != Directions::Raw;
-    Turning {
-        directions: if is_unit { directions } else { directions.map(|along| along / longest) },
-        is_unit,
-        at_zero: relief.zero_m() / height_m,
-        lifts: lifts_m.map(|lift_m| lift_m / height_m),
-        cubic: cubic.map(|cubic| cubic.in_units_of(height_m)),
-        factor: 1.0,
+    let directions = if is_unit { directions } else { directions.map(|along| along / longest) };
+    let flat = Turning { is_unit, at_zero: relief.zero_m() / height_m, ..Turning::flat(directions) };
+    match shape {
+        Shape::Flat => flat,
+        Shape::Lift(lifts_m) => Turning { lifts: lifts_m.map(|lift_m| lift_m / height_m), ..flat },
+        Shape::Cubic(corners, sides) => {
+            Turning { cubic: Some(Cubic::new(corners, sides).in_units_of(height_m)), ..flat }
+        }
     }
 }
 

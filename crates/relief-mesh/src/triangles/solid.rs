@@ -3,6 +3,7 @@
 use glam::{DVec3, Vec3};
 use relief_core::mesh::Vertex;
 
+use super::shape::WholeEdge;
 use super::{Numbered, PatchBorder, Triangles, counted};
 use crate::plane::Faces;
 use crate::surface::Relief;
@@ -247,17 +248,27 @@ impl Triangles {
     /// How far the smooth base lies below its triangles, at most, in metres of displacement along directions
     /// that are as long at least.
     fn hollow(&self, patches: &[u32], shortest: f64) -> f64 {
-        let sides = || patches.iter().flat_map(|&patch| self.edges.sides(patch));
+        let own = patches.iter().flat_map(|&patch| self.edges.sides(patch)).map(|edge| {
+            let seen = self.seen(edge);
+            WholeEdge {
+                ends: self.edges.ends(seen).map(|end| self.corners.base(end)),
+                lift_m: self.lift(seen),
+            }
+        });
+        let sides: Vec<WholeEdge> = match &self.parts {
+            Some(parts) => parts.edges().to_vec(),
+            None => own.collect(),
+        };
         let deepest = |depths: &mut dyn Iterator<Item = f64>| depths.fold(0.0, f64::max);
         match self.base {
             BaseSurface::Flat => 0.0,
             // Of three weights the products of two are a third together, at most.
-            BaseSurface::Lift => deepest(&mut sides().map(|edge| -self.lift(self.seen(edge)))) / 3.0,
+            BaseSurface::Lift => deepest(&mut sides.iter().map(|side| -side.lift_m)) / 3.0,
             // It lies within the hull of its control points, which are off along the normals of the ends:
             // these are as far from directions between as those are short.
             BaseSurface::Pn => {
-                let depths = sides().flat_map(|edge| {
-                    let [a, b] = self.edges.ends(self.seen(edge)).map(|end| self.corners.base(end));
+                let depths = sides.iter().flat_map(|side| {
+                    let [a, b] = side.ends;
                     let along = (b.position - a.position) / 3.0;
                     [along.dot(a.normal.normalize_or_zero()), -along.dot(b.normal.normalize_or_zero())]
                 });

@@ -128,6 +128,7 @@ impl BaseTables {
             voxels: Vec::new(),
             footprints: Vec::new(),
             base: BaseSurface::Flat,
+            parts: None,
             one_side: None,
             is_welded: true,
             can_fold: false,

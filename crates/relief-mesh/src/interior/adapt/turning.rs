@@ -28,7 +28,9 @@ pub struct Turning {
     pub is_unit: bool,
     /// The displacement at height 0.
     pub at_zero: f64,
-    /// What a smooth base has for its sides, side `k` from corner `k` to the next.
+    /// Which part it is of what its smooth base belongs to: the weights of its corners there.
+    pub part: [[f64; 3]; 3],
+    /// What a smooth base has for the sides of that, side `k` from corner `k` to the next.
     pub lifts: [f64; 3],
     /// A cubic base.
     pub cubic: Option<Cubic>,
@@ -41,14 +43,19 @@ pub type PieceCorner = ([f64; 3], f64);
 
 impl Turning {
     /// One that is flat, with interpolated directions.
-    #[cfg(test)]
     pub fn flat(directions: [DVec3; 3]) -> Self {
-        Self { directions, is_unit: false, at_zero: 0.0, lifts: [0.0; 3], cubic: None, factor: 1.0 }
+        let part = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        Self { directions, is_unit: false, at_zero: 0.0, part, lifts: [0.0; 3], cubic: None, factor: 1.0 }
     }
 
     /// The interpolated direction, not normalised.
     fn raw(&self, [a, b, c]: [f64; 3]) -> DVec3 {
         self.directions[0] * a + self.directions[1] * b + self.directions[2] * c
+    }
+
+    /// The weights in the whole of those in the part.
+    fn in_whole(&self, weights: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|k| (0..3).map(|corner| self.part[corner][k] * weights[corner]).sum())
     }
 
     /// The quadratic form of the lift, at weights or at differences of them.
@@ -65,7 +72,8 @@ impl Turning {
     fn bend_itself(&self, corners: [PieceCorner; 3]) -> f64 {
         let raw = corners.map(|(weights, _)| self.raw(weights));
         let along = if self.is_unit { raw.map(DVec3::normalize_or_zero) } else { raw };
-        let heights = corners.map(|(weights, height)| height + self.lift(weights));
+        let whole = corners.map(|(weights, _)| self.in_whole(weights));
+        let heights = [0, 1, 2].map(|k| corners[k].1 + self.lift(whole[k]));
         let each_pair =
             |between: &dyn Fn(usize, usize) -> f64| pairs([between(0, 1), between(1, 2), between(2, 0)]);
         let mut bend = each_pair(&|a, b| (heights[a] - heights[b]).abs() * along[a].distance(along[b]));
@@ -73,11 +81,11 @@ impl Turning {
             let most = heights.iter().map(|height| (height + self.at_zero).abs()).fold(0.0, f64::max);
             bend += most * Self::off_chord(along, raw.map(DVec3::length));
         }
-        let apart = |a: usize, b: usize| [0, 1, 2].map(|k| corners[a].0[k] - corners[b].0[k]);
+        let apart = |a: usize, b: usize| [0, 1, 2].map(|k| whole[a][k] - whole[b][k]);
         if self.lifts != [0.0; 3] {
             bend += each_pair(&|a, b| self.lift(apart(a, b)).abs());
         }
-        bend + self.cubic.map_or(0.0, |cubic| cubic.off_piece(corners.map(|(weights, _)| weights)))
+        bend + self.cubic.map_or(0.0, |cubic| cubic.off_piece(whole))
     }
 
     /// How far a direction that is interpolated and normalised is from the one interpolated between those at
@@ -115,7 +123,7 @@ mod tests {
         let displaced = |weights: [f64; 3], height: f64| {
             let raw = turning.raw(weights);
             let along = if turning.is_unit { raw.normalize() } else { raw };
-            along * (turning.at_zero + height + turning.lift(weights))
+            along * (turning.at_zero + height + turning.lift(turning.in_whole(weights)))
         };
         let mut most = 0.0_f64;
         for of in points(60) {
