@@ -33,7 +33,8 @@ fn a_mesh_of_one_has_holes_where_they_are_asked_for() {
         let about = json_of(&folder.relief(&format!("mesh {line} -o out.glb --json")).fine().stdout);
         ["triangles", "open_edges"].map(|key| about[key].as_u64().expect("a number"))
     };
-    // Two texels beside each other are at the corners of six cells: two triangles each, ten sides around them.
+    // Two texels beside each other are at the corners of six cells: two triangles each, ten sides around
+    // them.
     let [filled, holes] = ["", " --holes"].map(|flag| count(&format!("dem.tif --texels 1{flag}")));
     assert_eq!(holes, [filled[0] - 12, filled[1] + 10]);
     let [filled, holes] = ["", " --holes"].map(|flag| count(&format!("dem.tif --error 1%{flag}")));

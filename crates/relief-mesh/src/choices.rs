@@ -81,8 +81,8 @@ choice! {
     /// The same without what the direction of displacement turns by: equation 9 of Szirmay-Kalos and
     /// Umenhoffer 2008. It is off by as much as the relief is high beside the radius of a curved base.
     Derivative = "derivative",
-    /// The interpolated normal, turned by two angles whose tangents are the slopes of the relief along `u` and
-    /// `v`, as Kugler stores them in a map (Gumhold and Hüttner 1999, sections 1 and 2.1): exact on level
+    /// The interpolated normal, turned by two angles whose tangents are the slopes of the relief along `u`
+    /// and `v`, as Kugler stores them in a map (Gumhold and Hüttner 1999, sections 1 and 2.1): exact on level
     /// ground whose texture has right angles, and off by what the base turns by and by how much the texture
     /// is sheared.
     Rotation = "rotation",
@@ -134,8 +134,8 @@ choice! {
 }
 
 impl Side {
-    /// The part of a tolerance that triangles are made to: above alone is the same as on both sides of a surface
-    /// that is higher by half of it.
+    /// The part of a tolerance that triangles are made to: above alone is the same as on both sides of a
+    /// surface that is higher by half of it.
     pub(crate) fn part(self) -> f64 {
         if self == Self::Both { 1.0 } else { 0.5 }
     }

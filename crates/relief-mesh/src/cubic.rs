@@ -72,8 +72,8 @@ impl Cubic {
         Self(self.0.map(|rows| rows.map(|row| row.map(|point| point / length))))
     }
 
-    /// The farthest that it is from the plane piece between three of its points, by their weights, at most: by
-    /// the control points of the part of it that is over the piece, since it is a mean of these.
+    /// The farthest that it is from the plane piece between three of its points, by their weights, at most:
+    /// by the control points of the part of it that is over the piece, since it is a mean of these.
     pub fn off_piece(&self, pieces: [[f64; 3]; 3]) -> f64 {
         let sum =
             |weights: [f64; 3], of: [DVec3; 3]| of[0] * weights[0] + of[1] * weights[1] + of[2] * weights[2];

@@ -1,8 +1,8 @@
 //! Directions between others, by angles: where each turns as fast as the one before, from end to end.
 //!
 //! Sources: Kuijk and Blake 1989, Faster Phong Shading via Angular Interpolation, of sides; between three
-//! directions the mean on the sphere of Buss and Fillmore 2001, Spherical Averages (section 2), which on a side
-//! is the same.
+//! directions the mean on the sphere of Buss and Fillmore 2001, Spherical Averages (section 2), which on a
+//! side is the same.
 
 use glam::DVec3;
 

@@ -226,8 +226,8 @@ impl Relief {
         (error_m / (self.map.scale_m() * self.reach(normal))).min(MOST_TOLERANCE)
     }
 
-    /// What a height of the map counts in metres, where a tolerance is as [`tolerance`](Self::tolerance) has it
-    /// and a direction of displacement has that length.
+    /// What a height of the map counts in metres, where a tolerance is as [`tolerance`](Self::tolerance) has
+    /// it and a direction of displacement has that length.
     pub fn height_m(&self, error_m: f64, normal: f64) -> f64 {
         (self.map.scale_m() * self.reach(normal)).max(error_m / MOST_TOLERANCE)
     }
@@ -237,8 +237,8 @@ impl Relief {
         self.map.displacement_m(0.0)
     }
 
-    /// The map under a triangle whose corners have those places, counted from the centre of the first texel, and
-    /// around it as far as a rectangle goes.
+    /// The map under a triangle whose corners have those places, counted from the centre of the first texel,
+    /// and around it as far as a rectangle goes.
     pub fn under(&self, places: [[f64; 2]; 3]) -> Under {
         let range = [0, 1].map(|axis| {
             let all = places.map(|place| place[axis]);
@@ -335,8 +335,8 @@ impl Relief {
     ///
     /// With the displacement `D` along `M` they are `T + D_u M + D M_u`, and the same for `v`: equation 9 of
     /// Szirmay-Kalos and Umenhoffer 2008 without its last simplification, that `M` does not turn; the shading
-    /// `derivative` has that, too, and `rotation` turns `M` by the slopes alone. `T` is the base's derivative in the plane at right angles to its normal,
-    /// so that where there is no relief the normal is the base's.
+    /// `derivative` has that, too, and `rotation` turns `M` by the slopes alone. `T` is the base's derivative
+    /// in the plane at right angles to its normal, so that where there is no relief the normal is the base's.
     #[inline(always)]
     fn shaded(&self, position: DVec3, base: &BasePoint, seen: Seen, frame: &Frame) -> Vertex {
         let up = frame.normal.normalize_or_zero();

@@ -33,8 +33,8 @@ pub fn lift_m(vertices: &[Vertex; 3], w: [f64; 3]) -> f64 {
     [[0, 1], [1, 2], [2, 0]].map(of_side).iter().sum()
 }
 
-/// The mean of unit directions on the sphere: along the sum of them, each weighted by its angle over the sine of
-/// that, too.
+/// The mean of unit directions on the sphere: along the sum of them, each weighted by its angle over the sine
+/// of that, too.
 pub fn mean_on_sphere(corners: [DVec3; 3], w: [f64; 3]) -> DVec3 {
     let mut mean = DVec3::ZERO;
     for _ in 0..200 {

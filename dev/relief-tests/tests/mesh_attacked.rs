@@ -1,6 +1,6 @@
-//! Meshes to an error over random bases: slivers, sheared and huge textures, normals that turn far, on maps of
-//! all kinds, smooth or flat, on one side or both, with holes and without. What cannot be made is refused; what
-//! is made keeps what it says.
+//! Meshes to an error over random bases: slivers, sheared and huge textures, normals that turn far, on maps
+//! of all kinds, smooth or flat, on one side or both, with holes and without. What cannot be made is refused;
+//! what is made keeps what it says.
 
 use glam::{DVec3, Vec2, Vec3};
 use rayon::prelude::*;
@@ -37,8 +37,8 @@ fn map(rng: &mut Rng) -> HeightMap {
         .expect("of its size")
 }
 
-/// Two triangles that share a side, each on a chart of its own: the second one's lies far from the first one's,
-/// or goes on where that ends.
+/// Two triangles that share a side, each on a chart of its own: the second one's lies far from the first
+/// one's, or goes on where that ends.
 fn base(rng: &mut Rng) -> Mesh {
     let flat = rng.pick(&[1.0, 0.1, 1e-3]);
     let turn = rng.pick(&[0.0, 0.2, 1.0]);
@@ -94,8 +94,8 @@ fn relief(corners: &[Vertex; 3], at: [f64; 3], map: &HeightMap, settings: &MeshS
     point.displaced(metres)
 }
 
-/// Of samples of a piece the displacement that each has over its own base point, less that of the relief there:
-/// the least and the greatest. Those over no point of the triangle are left out.
+/// Of samples of a piece the displacement that each has over its own base point, less that of the relief
+/// there: the least and the greatest. Those over no point of the triangle are left out.
 fn above(base: &[Vertex; 3], corners: [&Vertex; 3], map: &HeightMap) -> [f64; 2] {
     let point = |at: [f64; 3]| BasePoint::weighted(base.map(|corner| (&corner).into()), at);
     let [p, n] = [0, 1].map(|of| {

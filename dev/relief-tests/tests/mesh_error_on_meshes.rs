@@ -173,9 +173,9 @@ fn smooth_bases_and_unit_directions_keep_to_the_bound() {
     }
 }
 
-/// The least and the greatest displacement at which lines along the direction of displacement, through samples
-/// of the relief, cross the mesh, less the relief's own; how many samples there are, and how many of them have
-/// no crossing. Crossings farther than `most_m` belong to something else.
+/// The least and the greatest displacement at which lines along the direction of displacement, through
+/// samples of the relief, cross the mesh, less the relief's own; how many samples there are, and how many of
+/// them have no crossing. Crossings farther than `most_m` belong to something else.
 fn crossings(base: &Mesh, map: &HeightMap, mesh: &Mesh, n: u32, most_m: f64) -> ([f64; 2], [usize; 2]) {
     let corners: Vec<[DVec3; 3]> = (0..mesh.triangles().len() as u32)
         .map(|triangle| mesh.corners(triangle).map(|corner| corner.position.as_dvec3()))

@@ -137,7 +137,8 @@ fn outlines_are_within_a_texel_where_triangles_are_made_to_an_error() {
                         assert_eq!(is_covered, !is_own, "{about}: cell {i}, {j}");
                     }
                 }
-                // On flat ground there would be far fewer triangles than cells, and around holes there are few.
+                // On flat ground there would be far fewer triangles than cells, and around holes there are
+                // few.
                 let whole = Mesher::new(base, &map, &settings).expect("a mesh").triangles();
                 println!("{about}: {} triangles, {whole} without holes", mesh.triangles().len());
             }

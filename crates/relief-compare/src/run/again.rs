@@ -12,8 +12,8 @@ const FRAMES: u32 = 3;
 impl Comparison {
     /// Times those methods once more, with more frames, between which a [`Goal`] was decided by too little:
     /// so few that they stay close in time to each other. Their times become those of this look, but that an
-    /// upper end is the greater one of both looks: so a budget is kept whether the machine is as quick as then
-    /// or as now. Says how many methods were timed.
+    /// upper end is the greater one of both looks: so a budget is kept whether the machine is as quick as
+    /// then or as now. Says how many methods were timed.
     ///
     /// # Errors
     ///

@@ -214,8 +214,8 @@ impl Mesher {
         (pieces > 0).then(|| FoldedBase { triangle: base.whole(patch), pieces, middle_m: base.middle(patch) })
     }
 
-    /// Leaves out the triangles whose middle lies over a hole, by the places of points, counted from the centre
-    /// of the first texel.
+    /// Leaves out the triangles whose middle lies over a hole, by the places of points, counted from the
+    /// centre of the first texel.
     fn leave_out(&self, cut: &mut Cut, place: impl Fn(&PatchPoint) -> [f64; 2]) {
         let Cut { points, triangles } = cut;
         self.leave_out_of(triangles, |at| place(&points[at as usize]));

@@ -1,10 +1,10 @@
 //! What keeps triangles on one side of the relief where directions of displacement turn.
 //!
-//! A point of a piece is `P(w) + d N(w) + ρ`: over the base point `w`, displaced by `d`, which is interpolated
-//! between the piece's corners, and beside that by no more than the piece is bent by (see `Turning`). To
-//! which base point it belongs, and by how much that is displaced, follows it from `ρ = 0` on: where it goes
-//! by `dx` the base point moves by `J⁻¹ dx` and the displacement changes by as much, with
-//! `J = (E₁ + d N₁, E₂ + d N₂, N)` by the sides `E` of the base triangle and the differences `N₁`, `N₂` of the
+//! A point of a piece is `P(w) + d N(w) + ρ`: over the base point `w`, displaced by `d`, which is
+//! interpolated between the piece's corners, and beside that by no more than the piece is bent by (see
+//! `Turning`). To which base point it belongs, and by how much that is displaced, follows it from `ρ = 0` on:
+//! where it goes by `dx` the base point moves by `J⁻¹ dx` and the displacement changes by as much, with `J =
+//! (E₁ + d N₁, E₂ + d N₂, N)` by the sides `E` of the base triangle and the differences `N₁`, `N₂` of the
 //! directions at its corners. So the piece stays above the relief if it is raised by what the relief is above
 //! it over the same base points, and by `|ρ|` times the greatest of
 //!
@@ -12,8 +12,8 @@
 //! (|J₁ × J₂| + G₁ |J₂ × N| + G₂ |J₁ × N|) / det J
 //! ```
 //!
-//! with the greatest slopes `G` of the relief along both sides: in its own triangle and, since it may lead out
-//! of that, in those around.
+//! with the greatest slopes `G` of the relief along both sides: in its own triangle and, since it may lead
+//! out of that, in those around.
 
 use std::collections::HashMap;
 
@@ -96,8 +96,8 @@ fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// What displacement it takes, in what a piece is beside where it is interpolated, within a base triangle that
-/// is displaced by the heights under it and by as much beside them. Infinite where that may fold over.
+/// What displacement it takes, in what a piece is beside where it is interpolated, within a base triangle
+/// that is displaced by the heights under it and by as much beside them. Infinite where that may fold over.
 fn factor(relief: &Relief, corners: [BasePoint; 3], beside_m: f64) -> f64 {
     let places = corners.map(|corner| relief.place(corner.uv));
     let ground = relief.under(places);

@@ -157,8 +157,8 @@ impl Side<'_> {
         self.relief.height_at(profile.place(self.part(step)))
     }
 
-    /// The knots between which and the next ones there is a hole, and before which there is none, or the other
-    /// way round.
+    /// The knots between which and the next ones there is a hole, and before which there is none, or the
+    /// other way round.
     fn ends_of_holes(&self, steps: &[u32]) -> Vec<usize> {
         if !self.relief.has_holes() {
             return Vec::new();

@@ -1,8 +1,8 @@
 //! Smooth bases over triangles, and over parts of them.
 //!
-//! A triangle with sides of too many texels is halved before it is filled. Halves of a smooth base are parts of
-//! the whole one, not smooth bases of their own: whatever lies on them is looked up in the whole triangle, or
-//! on the whole side that it lies on, which follows from that side's ends alone.
+//! A triangle with sides of too many texels is halved before it is filled. Halves of a smooth base are parts
+//! of the whole one, not smooth bases of their own: whatever lies on them is looked up in the whole triangle,
+//! or on the whole side that it lies on, which follows from that side's ends alone.
 
 use std::collections::HashMap;
 
@@ -60,8 +60,8 @@ pub struct WholeEdge {
     pub lift_m: f64,
 }
 
-/// Where something lies: on an edge of the whole mesh, by the weights of its two ends and 0, or in a triangle,
-/// by those of its corners.
+/// Where something lies: on an edge of the whole mesh, by the weights of its two ends and 0, or in a
+/// triangle, by those of its corners.
 #[derive(Clone, Copy, Debug)]
 pub enum On {
     Edge(u32),

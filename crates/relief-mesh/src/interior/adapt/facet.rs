@@ -2,9 +2,9 @@
 //! map are anywhere.
 //!
 //! Within the triangle the place in the map is linear. With the height `h` of the map, and heights `g` of the
-//! corners of a piece, the relief and the piece differ at a base point by `(h - g) N`, `g` interpolated and `N`
-//! the direction of displacement, and by what the piece is *bent* by, because `N` varies over it, or the base
-//! is smooth. The first is judged exactly: `h - g` is harmonic in a cell. The second is bounded, see
+//! corners of a piece, the relief and the piece differ at a base point by `(h - g) N`, `g` interpolated and
+//! `N` the direction of displacement, and by what the piece is *bent* by, because `N` varies over it, or the
+//! base is smooth. The first is judged exactly: `h - g` is harmonic in a cell. The second is bounded, see
 //! [`Turning`].
 
 use super::delaunay::{Delaunay, MOST_BENT, MOST_METRIC, Metric};

@@ -1,15 +1,15 @@
-//! What a displaced base triangle is bent by: how far it leaves the plane pieces between its points, besides by
-//! what the heights of the map do.
+//! What a displaced base triangle is bent by: how far it leaves the plane pieces between its points, besides
+//! by what the heights of the map do.
 //!
 //! A point of the triangle is `P + H N`: `P` the base, `N` the direction of displacement, `H` the height of
-//! the map and what a smooth base lies above it. Over a piece whose corners have the weights `w`, that differs
-//! from what is interpolated by at most the sum of
+//! the map and what a smooth base lies above it. Over a piece whose corners have the weights `w`, that
+//! differs from what is interpolated by at most the sum of
 //!
 //! * `Σ w w' |H - H'| |N - N'|` over the pairs of corners, because `H` and `N` both vary;
 //! * `|H| |N - N̄|`, `N̄` interpolated: nothing where `N` is, and for directions of length 1 see
 //!   [`Turning::off_chord`];
-//! * what a quadratic lift leaves of itself, `Σ w w' |Q(p - p')|`, `Q` its quadratic form and `p` the corners'
-//!   places in the triangle;
+//! * what a quadratic lift leaves of itself, `Σ w w' |Q(p - p')|`, `Q` its quadratic form and `p` the
+//!   corners' places in the triangle;
 //! * what a cubic `P` leaves, by the control points of its part over the piece: see
 //!   [`Cubic::off_piece`].
 
