@@ -165,9 +165,9 @@ fn what_cannot_be_made_is_refused() {
             ["--side", "--scale"],
         ),
         (
-            "hills.png --error 1% --mesh ring.obj --side above --base lift -o out/a.glb",
+            "hills.png --error 1% --mesh ring.obj --side above --base pn -o out/a.glb",
             1,
-            ["one side", "smooth"],
+            ["one side", "cubic"],
         ),
         ("hills.png --error 1% --mesh cube --directions angle -o out/a.glb", 1, ["angle", "--texels"]),
         ("hills.png --edges error --interior dice -o out/a.glb", 2, ["dice", "evenly"]),

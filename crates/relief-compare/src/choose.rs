@@ -37,7 +37,9 @@ pub struct Candidate {
     pub p99_texels: f64,
     /// Milliseconds of a frame: the median, at the worst scale, level and distance.
     pub frame_ms: f64,
-    /// The upper end of that median's 95 % interval, at the worst of these.
+    /// The lower end of that median's 95 % interval, at the worst of these.
+    pub frame_low_ms: f64,
+    /// Its upper end.
     pub frame_high_ms: f64,
 }
 
@@ -117,6 +119,7 @@ pub fn choose(records: &Records, goal: Goal) -> Tried {
         };
         if let Some(known) = candidates.iter_mut().find(|known| is_same(known)) {
             known.frame_ms = known.frame_ms.max(times.frame_ms);
+            known.frame_low_ms = known.frame_low_ms.max(times.frame_low_ms);
             known.frame_high_ms = known.frame_high_ms.max(times.frame_high_ms);
             continue;
         }
@@ -135,6 +138,7 @@ pub fn choose(records: &Records, goal: Goal) -> Tried {
             sampling: picture.sampling.clone(),
             p99_texels: of_rays.unwrap_or_else(of_pictures),
             frame_ms: times.frame_ms,
+            frame_low_ms: times.frame_low_ms,
             frame_high_ms: times.frame_high_ms,
         });
     }

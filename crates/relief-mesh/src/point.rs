@@ -4,6 +4,9 @@ use std::ops::{Add, Div, Mul};
 
 use glam::{DVec3, Vec3};
 
+/// The barycentric weights of a triangle's corners.
+pub const CORNERS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
 /// Point `k` of `n` between two ends, as weights of the ends: `[n - k, k]`, each times the end's share.
 /// Points at equal distances have shares of 1, those that look so in perspective the inverse depths.
 pub fn weights([a, b]: [f64; 2], k: u32, n: u32) -> [f64; 2] {

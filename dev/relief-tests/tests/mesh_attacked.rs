@@ -96,7 +96,7 @@ fn relief(corners: &[Vertex; 3], at: [f64; 3], map: &HeightMap, settings: &MeshS
 
 /// Of samples of a piece the displacement that each has over its own base point, less that of the relief
 /// there: the least and the greatest. Those over no point of the triangle are left out.
-fn above(base: &[Vertex; 3], corners: [&Vertex; 3], map: &HeightMap) -> [f64; 2] {
+fn above(base: &[Vertex; 3], corners: [&Vertex; 3], map: &HeightMap, is_lifted: bool) -> [f64; 2] {
     let point = |at: [f64; 3]| BasePoint::weighted(base.map(|corner| (&corner).into()), at);
     let [p, n] = [0, 1].map(|of| {
         base.map(|corner| if of == 0 { corner.position.as_dvec3() } else { corner.normal.as_dvec3() })
@@ -123,7 +123,8 @@ fn above(base: &[Vertex; 3], corners: [&Vertex; 3], map: &HeightMap) -> [f64; 2]
                 at.iter().all(|weight| *weight >= 0.0) && point(at).displaced(metres).distance(there) < 1e-9;
             if is_over {
                 let uv = point(at).uv;
-                let above = metres - map.displacement_m(map.height_at(uv.x, uv.y));
+                let lift_m = if is_lifted { lift_m(base, at) } else { 0.0 };
+                let above = metres - map.displacement_m(map.height_at(uv.x, uv.y)) - lift_m;
                 range = [range[0].min(above), range[1].max(above)];
             }
         }
@@ -209,7 +210,7 @@ fn attack(round: u64) -> Outcome {
         assert!(nearest <= bound, "{nearest} beyond {bound}, {certificate:?}, {}", about());
         worst = worst.max(nearest / bound);
         if let (Side::Above | Side::Below, [base]) = (settings.side, &possible[..]) {
-            let [low, high] = above(base, corners, &map);
+            let [low, high] = above(base, corners, &map, settings.base == BaseSurface::Lift);
             let is_there = if settings.side == Side::Above { low >= -rounding } else { high <= rounding };
             assert!(is_there, "{low} to {high} {}: {}", settings.side, about());
         }

@@ -475,7 +475,7 @@ fn what_cannot_be_made_is_refused() {
     for settings in [
         MeshSettings { directions: Directions::Angle, ..within },
         MeshSettings { side: Side::Above, directions: Directions::Unit, ..within },
-        MeshSettings { side: Side::Below, base: BaseSurface::Lift, ..within },
+        MeshSettings { side: Side::Below, base: BaseSurface::Pn, ..within },
     ] {
         assert!(matches!(refused(settings), MesherError::OnPlanesAlone { .. }));
     }

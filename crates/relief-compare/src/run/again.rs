@@ -12,8 +12,8 @@ const FRAMES: u32 = 3;
 impl Comparison {
     /// Times those methods once more, with more frames, between which a [`Goal`] was decided by too little:
     /// so few that they stay close in time to each other. Their times become those of this look, but that an
-    /// upper end is the greater one of both looks: so a budget is kept whether the machine is as quick as
-    /// then or as now. Says how many methods were timed.
+    /// upper end is no less than the median of the look before: so a budget is kept whether the machine is as
+    /// quick as then or as now. Says how many methods were timed.
     ///
     /// # Errors
     ///
@@ -46,7 +46,7 @@ impl Comparison {
         for record in &mut records.pictures {
             let second = seen.iter().find(|other| is_same(record, other));
             let Some(second) = second.and_then(|other| other.times.clone()) else { continue };
-            let first = record.times.as_ref().map_or(0.0, |times| times.frame_high_ms);
+            let first = record.times.as_ref().map_or(0.0, |times| times.frame_ms);
             let frame_high_ms = second.frame_high_ms.max(first);
             record.times = Some(TimeRecord { frame_high_ms, ..second });
         }

@@ -77,9 +77,9 @@ impl Adapted {
         let refused = [
             ("directions by their angles", settings.directions == Directions::Angle),
             (
-                "one side, over a smooth base or along directions of length 1,",
+                "one side, over a cubic base or along directions of length 1,",
                 settings.side != Side::Both
-                    && (settings.base != BaseSurface::Flat || settings.directions != Directions::Raw),
+                    && (settings.base == BaseSurface::Pn || settings.directions != Directions::Raw),
             ),
         ];
         if let Some((what, _)) = refused.into_iter().find(|(_, is_asked)| *is_asked) {

@@ -8,7 +8,7 @@ use relief_core::mesh::{Mesh, Vertex};
 use super::creases::Creases;
 use crate::error::MOST;
 use crate::surface::Relief;
-use crate::{Mesher, MesherError, Watch};
+use crate::{Mesher, MesherError, Watch, point};
 
 /// Triangles that are cut before it is looked whether that is still wanted.
 const BETWEEN_LOOKS: usize = 1 << 16;
@@ -46,10 +46,7 @@ type Ends = [u32; 2];
 
 /// The barycentric weights of the corners of a part in the whole triangle: powers of a half and sums of them,
 /// and so exact.
-pub type Weights = [[f64; 3]; 3];
-
-/// A triangle that no side of is halved.
-const WHOLE: Weights = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+pub type PartWeights = [[f64; 3]; 3];
 
 /// A mesh whose sides are halved.
 #[derive(Debug)]
@@ -60,7 +57,7 @@ pub struct Halved {
     /// The triangle of the whole mesh that each triangle is a part of. They rise.
     pub whole: Vec<u32>,
     /// Which part of that it is.
-    pub weights: Vec<Weights>,
+    pub weights: Vec<PartWeights>,
 }
 
 /// A mesh while it is halved.
@@ -104,7 +101,7 @@ pub fn halved(
     };
     let mut triangles = mesh.triangles().to_vec();
     let mut whole: Vec<u32> = (0..triangles.len() as u32).collect();
-    let mut weights = vec![WHOLE; triangles.len()];
+    let mut weights = vec![point::CORNERS; triangles.len()];
     loop {
         let long = long(&halves, &triangles);
         if long.is_empty() {
@@ -203,7 +200,7 @@ impl Halves<'_> {
     }
 
     /// The weights of the corners of a part that was cut out of a triangle, whose own are known.
-    fn weights(&self, corners: [u32; 3], weights: Weights, part: [u32; 3]) -> Weights {
+    fn weights(&self, corners: [u32; 3], weights: PartWeights, part: [u32; 3]) -> PartWeights {
         part.map(|vertex| {
             let corner = |vertex: u32| corners.iter().position(|&corner| corner == vertex);
             if let Some(corner) = corner(vertex) {

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3, Vec3};
 use relief_core::mesh::{BasePoint, Vertex};
 
 use super::Triangles;
-use super::halves::Weights;
+use super::halves::PartWeights;
 use super::shape::{Shape, in_whole};
 use crate::patch::PatchPoint;
 use crate::surface::{Frame, Placed, Relief};
@@ -24,7 +24,7 @@ pub struct Inside {
     shares: Option<[f64; 3]>,
     /// How a smooth base leaves the triangle, and which part of it this is; none where it is all of it.
     shape: Shape,
-    part: Option<Weights>,
+    part: Option<PartWeights>,
     /// The corners' depths in the picture, and texels of the map in a voxel where the depth is 1; none where
     /// no coarser level is seen.
     footprints: Option<[[f64; 3]; 2]>,

@@ -27,7 +27,7 @@ use self::border::Border;
 use self::corners::Corners;
 use self::creases::Creases;
 use self::edges::{Division, Edges};
-use self::halves::{Halves, Limits, Weights as PartWeights};
+use self::halves::{Halves, Limits, PartWeights};
 pub use self::inside::Inside;
 use self::one_side::OneSide;
 pub use self::patch_border::PatchBorder;
@@ -127,7 +127,14 @@ impl Triangles {
         let border = settings.solid_m.map(|_| Border::new(mesh, &point_of, is_welded)).transpose()?;
         let is_sided = matches!(settings.edges.divides, Divides::Along(_)) && settings.side != Side::Both;
         let side = (settings.side, settings.error_m);
-        let one_side = is_sided.then(|| OneSide::new(mesh, &point_of, &corners, relief, side)).transpose()?;
+        let lifts_m = match (&parts, settings.base) {
+            (_, BaseSurface::Flat | BaseSurface::Pn) => Vec::new(),
+            (Some(parts), BaseSurface::Lift) => parts.lifts_m(),
+            (None, BaseSurface::Lift) => shape::lifts_m(mesh, &point_of),
+        };
+        let lift_m = |triangle: usize| lifts_m.get(triangle).copied().unwrap_or(0.0);
+        let one_side =
+            is_sided.then(|| OneSide::new(mesh, &point_of, &corners, relief, lift_m, side)).transpose()?;
         let (mut voxels, mut footprints) = (Vec::new(), Vec::new());
         let most = |parts: &mut dyn Iterator<Item = u64>| Ok(Division::Even(parts.max().unwrap_or(1)));
         let edges = match settings.edges.divides {
@@ -169,7 +176,10 @@ impl Triangles {
                         let seen = if is_welded { all[0] } else { *ends };
                         let (shape, part) = match &parts {
                             Some(parts) => parts.of_side(seen),
-                            None => (along_whole(&corners, seen, settings.base), ENDS),
+                            None => (
+                                along_whole(&corners, seen, settings.base),
+                                [point::CORNERS[0], point::CORNERS[1]],
+                            ),
                         };
                         let points = ends.map(|end| point_of[end as usize]);
                         let ends = ends.map(|end| corners.base(end));
@@ -392,9 +402,6 @@ impl Triangles {
         (a + b + c) / 3.0
     }
 }
-
-/// The weights of the ends of an edge along itself.
-const ENDS: [[f64; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
 /// How a smooth base goes along an edge of a mesh that is not halved.
 fn along_whole(corners: &Corners, ends: [u32; 2], base: BaseSurface) -> Shape {

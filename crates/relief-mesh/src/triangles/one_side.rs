@@ -3,9 +3,9 @@
 //! A point of a piece is `P(w) + d N(w) + ρ`: over the base point `w`, displaced by `d`, which is
 //! interpolated between the piece's corners, and beside that by no more than the piece is bent by (see
 //! `Turning`). To which base point it belongs, and by how much that is displaced, follows it from `ρ = 0` on:
-//! where it goes by `dx` the base point moves by `J⁻¹ dx` and the displacement changes by as much, with `J =
-//! (E₁ + d N₁, E₂ + d N₂, N)` by the sides `E` of the base triangle and the differences `N₁`, `N₂` of the
-//! directions at its corners. So the piece stays above the relief if it is raised by what the relief is above
+//! where it goes by `dx` the base point moves by `J⁻¹ dx` and the displacement changes by as much, with
+//! `J = (E₁ + d N₁, E₂ + d N₂, N)` by the sides `E` of the base triangle and the differences `N₁`, `N₂` of
+//! the directions at its corners. So the piece stays above the relief if it is raised by what the relief is above
 //! it over the same base points, and by `|ρ|` times the greatest of
 //!
 //! ```text
@@ -13,7 +13,7 @@
 //! ```
 //!
 //! with the greatest slopes `G` of the relief along both sides: in its own triangle and, since it may lead
-//! out of that, in those around.
+//! out of that, in those around. What a lift has above flat triangles is a part of the relief.
 
 use std::collections::HashMap;
 
@@ -22,6 +22,7 @@ use rayon::prelude::*;
 use relief_core::mesh::{BasePoint, Mesh};
 
 use super::corners::Corners;
+use super::halves::sorted;
 use crate::surface::Relief;
 use crate::{MesherError, Side};
 
@@ -37,12 +38,14 @@ pub struct OneSide {
 }
 
 impl OneSide {
-    /// What it takes on a side of a relief over a flat base, along interpolated directions.
+    /// What it takes on a side of a relief over a base that is flat or lifted, along interpolated directions.
+    /// `lift_m` says by how much each triangle is lifted at most, as the sum of that for its sides.
     pub fn new(
         mesh: &Mesh,
         point_of: &[u32],
         corners: &Corners,
         relief: &Relief,
+        lift_m: impl Fn(usize) -> f64 + Sync,
         (side, error_m): (Side, f64),
     ) -> Result<Self, MesherError> {
         let longest = corners.longest();
@@ -50,7 +53,13 @@ impl OneSide {
         let own: Vec<f64> = mesh
             .triangles()
             .par_iter()
-            .map(|triangle| factor(relief, triangle.map(|vertex| corners.base(vertex)), error_m / longest))
+            .enumerate()
+            .map(|(number, triangle)| {
+                let base = triangle.map(|vertex| corners.base(vertex));
+                // Farther than that no piece is moved and raised.
+                let beside_m = 2.0 * error_m / longest;
+                factor(relief, base, [beside_m, lift_m(number)])
+            })
             .collect();
         // Around each position.
         let mut around = vec![0.0_f64; mesh.vertices().len()];
@@ -92,22 +101,19 @@ impl OneSide {
     }
 }
 
-fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
-}
-
 /// What displacement it takes, in what a piece is beside where it is interpolated, within a base triangle
-/// that is displaced by the heights under it and by as much beside them. Infinite where that may fold over.
-fn factor(relief: &Relief, corners: [BasePoint; 3], beside_m: f64) -> f64 {
+/// that is displaced by the heights under it and by as much beside them, over a base that is lifted by so much
+/// at most. Infinite where that may fold over.
+fn factor(relief: &Relief, corners: [BasePoint; 3], [beside_m, lift_m]: [f64; 2]) -> f64 {
     let places = corners.map(|corner| relief.place(corner.uv));
     let ground = relief.under(places);
     let [low, high] = ground.heights.map(|height| relief.metres(height));
-    let displaced = [low.min(high) - beside_m, low.max(high) + beside_m];
+    let displaced = [low.min(high) - beside_m - lift_m, low.max(high) + beside_m + lift_m];
     let from_first = |of: fn(&BasePoint) -> DVec3| [1, 2].map(|k| of(&corners[k]) - of(&corners[0]));
     let [sides, turns] = [from_first(|corner| corner.position), from_first(|corner| corner.normal)];
     let slopes = [1, 2].map(|k| {
         let [across, down] = [0, 1].map(|axis| (places[k][axis] - places[0][axis]).abs());
-        relief.map().scale_m().abs() * (across * ground.steepest[0] + down * ground.steepest[1])
+        relief.map().scale_m().abs() * (across * ground.steepest[0] + down * ground.steepest[1]) + lift_m
     });
     let along = |axis: usize| displaced.map(|metres| sides[axis] + turns[axis] * metres);
     let [first, second] = [along(0), along(1)];

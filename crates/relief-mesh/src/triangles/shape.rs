@@ -11,7 +11,7 @@ use relief_core::mesh::{BasePoint, Mesh};
 
 use super::corners::Corners;
 use super::edges::{Division, Edges};
-use super::halves::{Halved, Weights, sorted};
+use super::halves::{Halved, PartWeights, sorted};
 use crate::{BaseSurface, MesherError, cubic};
 
 /// How a base leaves a flat triangle. Side `k` goes from corner `k` to the next.
@@ -77,7 +77,7 @@ pub struct Parts {
     /// Its triangles.
     shapes: Vec<Shape>,
     /// The triangle of each patch, and the weights of the patch's corners in it.
-    patches: Vec<(u32, Weights)>,
+    patches: Vec<(u32, PartWeights)>,
     /// The sides of patches, by their vertices, the lower one first.
     sides: HashMap<[u32; 2], (On, [[f64; 3]; 2])>,
     /// Vertices that are no corners of the whole mesh.
@@ -162,7 +162,7 @@ impl Parts {
     }
 
     /// The shape of the triangle that a patch is a part of, and the weights of its corners there.
-    pub fn of_patch(&self, patch: u32) -> (Shape, Weights) {
+    pub fn of_patch(&self, patch: u32) -> (Shape, PartWeights) {
         let (triangle, weights) = self.patches[patch as usize];
         (self.shapes[triangle as usize], weights)
     }
@@ -180,15 +180,44 @@ impl Parts {
         Some((self.shape(on), weights))
     }
 
+    /// How much each patch is lifted at most, as the sum of what its whole triangle is for its sides.
+    pub fn lifts_m(&self) -> Vec<f64> {
+        let lift_m = |(triangle, _): &(u32, PartWeights)| match self.shapes[*triangle as usize] {
+            Shape::Lift(lifts_m) => lifts_m.map(f64::abs).iter().sum(),
+            Shape::Flat | Shape::Cubic(..) => 0.0,
+        };
+        self.patches.iter().map(lift_m).collect()
+    }
+
     /// The edges of the whole mesh.
     pub fn edges(&self) -> &[WholeEdge] {
         &self.edges
     }
 }
 
+/// How much each triangle is lifted at most, as the sum of that for its sides: of those at one seam the most.
+pub fn lifts_m(mesh: &Mesh, point_of: &[u32]) -> Vec<f64> {
+    let lifts = mesh.lifts();
+    let points = |triangle: &[u32; 3], side: usize| {
+        sorted([0, 1].map(|end| point_of[triangle[(side + end) % 3] as usize]))
+    };
+    let mut most: HashMap<[u32; 2], f64> = HashMap::new();
+    for (triangle, lifts) in mesh.triangles().iter().zip(&lifts) {
+        for side in 0..3 {
+            // It is listed by the corner that the side has not.
+            let lift_m = f64::from(lifts[(side + 2) % 3]).abs();
+            let known = most.entry(points(triangle, side)).or_default();
+            *known = known.max(lift_m);
+        }
+    }
+    let of_side = |triangle: &[u32; 3], side: usize| most.get(&points(triangle, side)).copied();
+    let sum = |triangle: &[u32; 3]| (0..3).filter_map(|side| of_side(triangle, side)).sum();
+    mesh.triangles().iter().map(sum).collect()
+}
+
 /// The weights in a whole triangle of a point with those weights in a part of it, whose corners have these.
 #[inline(always)]
-pub fn in_whole(corners: &Weights, weights: [f64; 3]) -> [f64; 3] {
+pub fn in_whole(corners: &PartWeights, weights: [f64; 3]) -> [f64; 3] {
     let [a, b, c] = corners;
     [0, 1, 2].map(|k| a[k] * weights[0] + b[k] * weights[1] + c[k] * weights[2])
 }

@@ -43,7 +43,7 @@ fn choice(tried: &Tried, scene: &str, out: &mut dyn Write) -> Result<(), Failure
         "p99 texels",
     ]);
     for (place, candidate) in tried.candidates.iter().enumerate() {
-        let Candidate { method, backend, sampling, p99_texels, frame_ms, frame_high_ms } = candidate;
+        let Candidate { method, backend, sampling, p99_texels, frame_ms, frame_high_ms, .. } = candidate;
         table.add_row([
             if place < tried.keep { "keeps it" } else { "" }.to_owned(),
             method.label(),

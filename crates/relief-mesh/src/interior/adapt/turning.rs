@@ -17,6 +17,7 @@ use glam::DVec3;
 
 use super::facet::pairs;
 use crate::cubic::Cubic;
+use crate::point;
 
 /// A base triangle as it turns and bends. Lengths are in heights of the map.
 #[derive(Clone, Copy, Debug)]
@@ -44,7 +45,7 @@ pub type PieceCorner = ([f64; 3], f64);
 impl Turning {
     /// One that is flat, with interpolated directions.
     pub fn flat(directions: [DVec3; 3]) -> Self {
-        let part = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let part = point::CORNERS;
         Self { directions, is_unit: false, at_zero: 0.0, part, lifts: [0.0; 3], cubic: None, factor: 1.0 }
     }
 
