@@ -2,11 +2,11 @@
 //!
 //! A point of a piece is `P(w) + d N(w) + ρ`: over the base point `w`, displaced by `d`, which is
 //! interpolated between the piece's corners, and beside that by no more than the piece is bent by (see
-//! `Turning`). To which base point it belongs, and by how much that is displaced, follows it from `ρ = 0` on:
-//! where it goes by `dx` the base point moves by `J⁻¹ dx` and the displacement changes by as much, with
+//! `Turning`). To which base point it belongs, and by how much that is displaced, follows it from `ρ = 0`
+//! on: where it goes by `dx` the base point moves by `J⁻¹ dx` and the displacement changes by as much, with
 //! `J = (E₁ + d N₁, E₂ + d N₂, N)` by the sides `E` of the base triangle and the differences `N₁`, `N₂` of
-//! the directions at its corners. So the piece stays above the relief if it is raised by what the relief is above
-//! it over the same base points, and by `|ρ|` times the greatest of
+//! the directions at its corners. So the piece stays above the relief if it is raised by what the relief is
+//! above it over the same base points, and by `|ρ|` times the greatest of
 //!
 //! ```text
 //! (|J₁ × J₂| + G₁ |J₂ × N| + G₂ |J₁ × N|) / det J
@@ -102,8 +102,8 @@ impl OneSide {
 }
 
 /// What displacement it takes, in what a piece is beside where it is interpolated, within a base triangle
-/// that is displaced by the heights under it and by as much beside them, over a base that is lifted by so much
-/// at most. Infinite where that may fold over.
+/// that is displaced by the heights under it and by as much beside them, over a base that is lifted by so
+/// much at most. Infinite where that may fold over.
 fn factor(relief: &Relief, corners: [BasePoint; 3], [beside_m, lift_m]: [f64; 2]) -> f64 {
     let places = corners.map(|corner| relief.place(corner.uv));
     let ground = relief.under(places);
