@@ -30,6 +30,7 @@ fn along(from: DVec3, way: DVec3) -> DVec3 {
 }
 
 /// The unit direction between two others of any length that has those weights of them.
+#[inline(never)]
 pub fn between([a, b]: [DVec3; 2], [of_a, of_b]: [f64; 2]) -> DVec3 {
     let [a, b] = [a, b].map(DVec3::normalize_or_zero);
     along(a, toward(a, b) * (of_b / (of_a + of_b)))
@@ -37,6 +38,7 @@ pub fn between([a, b]: [DVec3; 2], [of_a, of_b]: [f64; 2]) -> DVec3 {
 
 /// The unit direction between three others of any length that has those weights of them, whose sum is 1: that
 /// from which the ways to them cancel each other out.
+#[inline(never)]
 pub fn mean(corners: [DVec3; 3], weights: [f64; 3]) -> DVec3 {
     let corners = corners.map(DVec3::normalize_or_zero);
     let sum = |of: [DVec3; 3]| of[0] * weights[0] + of[1] * weights[1] + of[2] * weights[2];

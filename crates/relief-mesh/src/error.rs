@@ -157,8 +157,8 @@ pub enum MesherError {
     SolidOfView,
     /// One side of what is folded over.
     #[error(
-        "the mesh folds over where it is displaced, or nearly, at {:.4}, {:.4}, {:.4}: nothing is on one side \
-         of it there", at_m[0], at_m[1], at_m[2]
+        "the mesh folds over where it is displaced, or nearly, at {:.4}, {:.4}, {:.4}: nothing is on one \
+         side of it there", at_m[0], at_m[1], at_m[2]
     )]
     SideOfFold {
         /// The middle of a triangle where it does, in metres.

@@ -3,6 +3,7 @@
 mod accuracy;
 mod made;
 mod parts;
+mod refused;
 mod report;
 mod seen;
 
@@ -20,6 +21,7 @@ use relief_mesh::{
 use relief_render::scene::{MeshChoice, Scene, SceneSpec, Surface, SurfaceSpec, read_scene};
 
 use self::accuracy::Tolerance;
+use self::refused::{COARSER, of_mesher};
 use self::seen::{LevelFilter, Seen};
 use super::maps::{self, HeightArguments};
 use super::placed::PlacedArguments;
@@ -552,50 +554,4 @@ impl Arguments {
 fn bytes_of(surface: &Surface) -> u64 {
     let map = surface.height_map();
     size_of::<f32>() as u64 * u64::from(map.width()) * u64::from(map.height())
-}
-
-/// What helps where a mesh is too large.
-const COARSER: &str = "a larger --error, --texels or --pixels makes the mesh coarser, --tiles cuts it";
-
-/// What there can be no mesh of.
-fn of_mesher(error: MesherError) -> Failure {
-    match error {
-        MesherError::NoTexels => Failure::Usage(format!("--texels: {error}")),
-        MesherError::Pair { .. } => Failure::usage(error),
-        MesherError::NoView { .. } => Failure::Usage(format!("{error}: --view SCENE.toml names one")),
-        MesherError::BadWeights { .. } | MesherError::Weighted { .. } => {
-            Failure::Usage(format!("--weights: {error}"))
-        }
-        MesherError::BadView { .. } => Failure::Work(format!("--view: {error}")),
-        MesherError::BadTolerance { .. } => Failure::Usage(format!("--error: {error}")),
-        MesherError::TooFine { .. } | MesherError::NotReached { .. } => {
-            Failure::Work(format!("--error: {error} (a larger one, or --texels 1)"))
-        }
-        MesherError::OnPlanesAlone { .. } => {
-            Failure::Work(format!("{error}: leave it out, or --texels N divides the mesh's edges evenly"))
-        }
-        MesherError::SideOfFold { .. } => Failure::Work(format!("--side: {error}: a smaller --scale helps")),
-        MesherError::SideOfSeams { .. } => Failure::Work(format!(
-            "--side: {error}: a map that repeats itself (--wrap, --tile) fits, and --seams keep leaves gaps"
-        )),
-        MesherError::PartOfNoPlane | MesherError::TooManyParts { .. } => {
-            Failure::Work(format!("--tiles: {error}"))
-        }
-        MesherError::BadSolid { .. }
-        | MesherError::SolidOfClosed
-        | MesherError::SolidOfView
-        | MesherError::SolidOfHoles
-        | MesherError::SolidBranches { .. }
-        | MesherError::SolidTouches { .. } => Failure::Work(format!("--solid: {error}")),
-        MesherError::SolidOfSeams { .. } => Failure::Work(format!("--solid: {error}: --seams weld does")),
-        MesherError::AllHoles => Failure::Work(format!("--holes: {error}")),
-        MesherError::MoreThan { .. } => Failure::Work(format!("--triangles: {error}")),
-        MesherError::NoMemory { limit } => Failure::Work(format!(
-            "the mesh takes more than the {} allowed: --max-memory raises it, {COARSER}",
-            ByteSize(limit)
-        )),
-        MesherError::TooLarge { .. } => Failure::Work(format!("{error}: {COARSER}")),
-        MesherError::Cancelled => interrupt::cancelled(),
-        other => Failure::work(other),
-    }
 }

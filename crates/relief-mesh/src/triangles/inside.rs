@@ -69,9 +69,14 @@ impl Inside {
     #[inline(always)]
     fn placed(&self, weights: [f64; 3]) -> Placed {
         let mut base = self.base(weights);
-        let in_whole = self.part.as_ref().map_or(weights, |part| in_whole(part, weights));
-        let lift_m = self.shape.lift_m(in_whole);
-        base.position = self.shape.position(in_whole).unwrap_or(base.position);
+        let lift_m = match &self.shape {
+            Shape::Flat => 0.0,
+            shape => {
+                let in_whole = self.part.as_ref().map_or(weights, |part| in_whole(part, weights));
+                base.position = shape.position(in_whole).unwrap_or(base.position);
+                shape.lift_m(in_whole)
+            }
+        };
         let level = match &self.footprints {
             None => 0.0,
             Some([depths, texels]) => super::level(*depths, *texels, weights),

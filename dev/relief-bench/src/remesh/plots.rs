@@ -168,7 +168,8 @@ fn simplified() -> Result<Plot<'static>, String> {
 pub fn svg() -> Result<String, String> {
     let [width, height] = SIZE;
     let mut svg = format!(
-        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {} {}' font-family='sans-serif' font-size='11'>\n\
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {} {}' \
+         font-family='sans-serif' font-size='11'>\n\
          <rect width='100%' height='100%' fill='white'/>\n",
         2.0 * width,
         2.0 * height

@@ -9,9 +9,10 @@ use relief_core::mesh::PositionGrid;
 use relief_io::{GlbLayout, GlbLevel, MeshCounts, MeshFormat, MeshSink, Quantization, write_glb, write_mesh};
 use relief_mesh::{Bounds, Certificate, Mesher, Stream, StreamError, Streamed, Watch};
 
+use super::Arguments;
 use super::parts::PartFile;
+use super::refused::{COARSER, of_mesher};
 use super::seen::Seen;
-use super::{Arguments, COARSER, of_mesher};
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::interrupt::cancelled;

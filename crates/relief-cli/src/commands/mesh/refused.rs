@@ -1,0 +1,53 @@
+//! Why there is no mesh, with the flag that mends it.
+
+use relief_core::ByteSize;
+use relief_mesh::MesherError;
+
+use crate::failure::Failure;
+use crate::interrupt;
+
+/// What helps where a mesh is too large.
+pub const COARSER: &str = "a larger --error, --texels or --pixels makes the mesh coarser, --tiles cuts it";
+
+/// What there can be no mesh of.
+pub fn of_mesher(error: MesherError) -> Failure {
+    match error {
+        MesherError::NoTexels => Failure::Usage(format!("--texels: {error}")),
+        MesherError::Pair { .. } => Failure::usage(error),
+        MesherError::NoView { .. } => Failure::Usage(format!("{error}: --view SCENE.toml names one")),
+        MesherError::BadWeights { .. } | MesherError::Weighted { .. } => {
+            Failure::Usage(format!("--weights: {error}"))
+        }
+        MesherError::BadView { .. } => Failure::Work(format!("--view: {error}")),
+        MesherError::BadTolerance { .. } => Failure::Usage(format!("--error: {error}")),
+        MesherError::TooFine { .. } | MesherError::NotReached { .. } => {
+            Failure::Work(format!("--error: {error} (a larger one, or --texels 1)"))
+        }
+        MesherError::OnPlanesAlone { .. } => {
+            Failure::Work(format!("{error}: leave it out, or --texels N divides the mesh's edges evenly"))
+        }
+        MesherError::SideOfFold { .. } => Failure::Work(format!("--side: {error}: a smaller --scale helps")),
+        MesherError::SideOfSeams { .. } => Failure::Work(format!(
+            "--side: {error}: a map that repeats itself (--wrap, --tile) fits, and --seams keep leaves gaps"
+        )),
+        MesherError::PartOfNoPlane | MesherError::TooManyParts { .. } => {
+            Failure::Work(format!("--tiles: {error}"))
+        }
+        MesherError::BadSolid { .. }
+        | MesherError::SolidOfClosed
+        | MesherError::SolidOfView
+        | MesherError::SolidOfHoles
+        | MesherError::SolidBranches { .. }
+        | MesherError::SolidTouches { .. } => Failure::Work(format!("--solid: {error}")),
+        MesherError::SolidOfSeams { .. } => Failure::Work(format!("--solid: {error}: --seams weld does")),
+        MesherError::AllHoles => Failure::Work(format!("--holes: {error}")),
+        MesherError::MoreThan { .. } => Failure::Work(format!("--triangles: {error}")),
+        MesherError::NoMemory { limit } => Failure::Work(format!(
+            "the mesh takes more than the {} allowed: --max-memory raises it, {COARSER}",
+            ByteSize(limit)
+        )),
+        MesherError::TooLarge { .. } => Failure::Work(format!("{error}: {COARSER}")),
+        MesherError::Cancelled => interrupt::cancelled(),
+        other => Failure::work(other),
+    }
+}
