@@ -13,7 +13,7 @@ use relief_mesh::{
 };
 use relief_shaders::Selection;
 use relief_shaders::cpu::{Corner, Shell};
-use relief_shaders::geometry::Geometry;
+use relief_shaders::geometry::{Geometry, Tessellated};
 
 use crate::light::Light;
 use crate::light_views;
@@ -21,7 +21,7 @@ use crate::raycast::RayCaster;
 use crate::renderer::RenderError;
 use crate::scene::{Scene, Surface};
 use crate::sliced;
-use crate::tessellation::{Room, TessellatedBase, Tessellation};
+use crate::tessellation::{Division, Room, TessellatedBase, Tessellation};
 use crate::triangles::Triangles;
 
 /// Memory that a vertex takes: as the shaders have it, on its way to a GPU, and as what lights see is laid
@@ -81,8 +81,8 @@ enum Cut {
     Texels(u32),
     /// By the voxels of a view; of so many levels of the height map, without what is not seen.
     Seen(View, u32, Option<Cull>),
-    /// The same, by the backend itself.
-    Tessellated(View, u32, Cull),
+    /// The same, or by texels, by the backend itself.
+    Tessellated(View, u32, Cull, Tessellated),
     /// By slices through the relief.
     Sliced(SliceSettings),
     /// By slices through the box around an object, and the camera to which they come from front to back where
@@ -100,10 +100,12 @@ impl DisplacedOf {
                 let view = view(pixels, surface, scene);
                 Cut::Seen(view, selection.levels_of(map), cull(scene, surface, &view))
             }
-            Geometry::Tessellated(pixels) => {
-                let view = view(pixels, surface, scene);
+            Geometry::Tessellated(by) => {
+                let view = view(by.pixels, surface, scene);
                 let cull = cull(scene, surface, &view).unwrap_or_default();
-                Cut::Tessellated(view, selection.levels_of(map), cull)
+                // Vertices a number of texels apart have the heights of these.
+                let levels = if by.texels.is_some() { 1 } else { selection.levels_of(map) };
+                Cut::Tessellated(view, levels, cull, by)
             }
             Geometry::Slices(slices) => Cut::Sliced(sliced::settings(slices, scene)),
             Geometry::ObjectSlices(slices, is_in_order) => {
@@ -120,7 +122,7 @@ impl DisplacedOf {
 
     /// Whether both are of the same base, as backends tessellate it.
     fn has_base_of(&self, other: &Self) -> bool {
-        let levels = |cut: &Cut| if let Cut::Tessellated(_, levels, _) = cut { Some(*levels) } else { None };
+        let levels = |cut: &Cut| if let Cut::Tessellated(_, levels, ..) = cut { Some(*levels) } else { None };
         Arc::ptr_eq(&self.mesh, &other.mesh)
             && Arc::ptr_eq(&self.map, &other.map)
             && levels(&self.cut).is_some_and(|own| levels(&other.cut) == Some(own))
@@ -129,7 +131,9 @@ impl DisplacedOf {
     /// What makes them fewer.
     fn setting(&self) -> &'static str {
         match self.cut {
-            Cut::Texels(_) => "a larger 'geometry.texels'",
+            Cut::Texels(_) | Cut::Tessellated(.., Tessellated { texels: Some(_), .. }) => {
+                "a larger 'geometry.texels'"
+            }
             Cut::Seen(..) | Cut::Tessellated(..) => "a larger 'geometry.pixels'",
             Cut::Sliced(_) | Cut::SlicedBox(..) => sliced::FEWER,
         }
@@ -258,7 +262,7 @@ impl Displaced {
                     }
                     None => Err(Some(GeometryError::Slices(SliceError::Together))),
                 },
-                Cut::Tessellated(view, levels, cull) => {
+                Cut::Tessellated(view, levels, cull, by) => {
                     let known = self.bases.iter().find(|known| known.of.has_base_of(&of));
                     let base = match known.map(|known| Arc::clone(&known.base)) {
                         Some(base) => Ok(base),
@@ -271,7 +275,7 @@ impl Displaced {
                         }
                     };
                     base.map_err(|error| of.error(error))
-                        .and_then(|base| to_be_made(&of, base, (&view, levels, &cull), left))
+                        .and_then(|base| to_be_made(&of, base, (&view, levels, &cull), by, left))
                 }
             };
             let (triangles, bytes) = made.map_err(|why| match why {
@@ -291,21 +295,38 @@ fn to_be_made(
     of: &DisplacedOf,
     base: Arc<TessellatedBase>,
     (view, levels, cull): (&View, u32, &Cull),
+    by: Tessellated,
     left: u64,
 ) -> Result<(Arc<Triangles>, u64), Option<GeometryError>> {
     let of_base = base.vertices.len() as u64 * BYTES_PER_VERTEX;
-    let each = BYTES_PER_TRIANGLE + BYTES_PER_VERTEX * 5 / 8;
-    let (patches, room) = (base.patches.len() as u64, left.saturating_sub(of_base) / each);
-    if room < patches {
-        let needed = of_base.saturating_add(patches.saturating_mul(each));
-        return Err(Some(GeometryError::Memory { triangles: patches, needed, left, setting: of.setting() }));
-    }
+    let bytes = |room: Room| {
+        u64::from(room.triangles) * BYTES_PER_TRIANGLE + u64::from(room.points) * BYTES_PER_VERTEX
+    };
     // The numbers of three corners each fit 32 bits.
-    let most = base.triangles_of(view).min(room).min(u64::from(u32::MAX / 3)) as u32;
-    let grid = base.grid(view, cull, levels, Room::of_triangles(most)).map_err(|error| of.error(error))?;
+    let most = Room::of_triangles(u32::MAX / 3);
+    let parts_of_uv = by.texels.map(|texels| {
+        let size = [of.map.width(), of.map.height()];
+        size.map(|texels_of_map| f64::from(texels_of_map) / f64::from(texels))
+    });
+    let division = Division { parts_of_uv, is_swept: by.is_swept };
+    let wanted = base.room(view, &division);
+    let least = Room::of_triangles(u32::try_from(base.patches.len()).unwrap_or(u32::MAX));
+    let for_them = left.saturating_sub(of_base);
+    if for_them < bytes(least) {
+        let (triangles, setting) = (base.patches.len() as u64, of.setting());
+        let needed = of_base.saturating_add(bytes(least));
+        return Err(Some(GeometryError::Memory { triangles, needed, left, setting }));
+    }
+    let each = bytes(most) as f64 / f64::from(most.triangles);
+    let room = if bytes(wanted.within(most)) <= for_them {
+        wanted.within(most)
+    } else {
+        wanted.within(Room::of_triangles((for_them as f64 / each) as u32)).within(most)
+    };
+    let grid = base.grid(view, cull, levels, &division, room).map_err(|error| of.error(error))?;
     let everything = base.everything(view);
     let triangles = Triangles::to_be_made(Tessellation { base, grid }, everything);
-    Ok((Arc::new(triangles), of_base + u64::from(most) * each))
+    Ok((Arc::new(triangles), of_base + bytes(room)))
 }
 
 /// Displaced triangles and the memory that they take; the error is none where it was cancelled.

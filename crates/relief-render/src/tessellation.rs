@@ -30,6 +30,20 @@ impl Room {
     pub fn of_triangles(triangles: u32) -> Self {
         Self { triangles, points: triangles / 2 + triangles / 8 }
     }
+
+    /// As much of it as there is in another one.
+    pub fn within(self, other: Self) -> Self {
+        Self { triangles: self.triangles.min(other.triangles), points: self.points.min(other.points) }
+    }
+}
+
+/// How the triangles of a base are divided.
+#[derive(Clone, Copy, Debug)]
+pub struct Division {
+    /// Parts of sides for a unit of u and of v; none where voxels divide them.
+    pub parts_of_uv: Option<[f64; 2]>,
+    /// Whether voxels say what is inside, too.
+    pub is_swept: bool,
 }
 
 /// The tables of a base as the shaders have them.
@@ -80,16 +94,48 @@ impl TessellatedBase {
         self.tables.everything(view)
     }
 
-    /// How many triangles of a view are not too many.
-    pub fn triangles_of(&self, view: &View) -> u64 {
-        let [width, height] = view.size.map(f64::from);
-        let voxels = width * height / (view.pixels * view.pixels);
-        // A float that is too large becomes the greatest number.
-        (TRIANGLES_PER_VOXEL * voxels) as u64 + TRIANGLES_PER_PATCH * self.patches.len() as u64
+    /// Room for the triangles of a view that are not too many.
+    pub fn room(&self, view: &View, division: &Division) -> Room {
+        match division.parts_of_uv {
+            Some(parts_of_uv) => self.room_for_all(parts_of_uv),
+            None => {
+                let [width, height] = view.size.map(f64::from);
+                let voxels = width * height / (view.pixels * view.pixels);
+                // A float that is too large becomes the greatest number.
+                let triangles = (TRIANGLES_PER_VOXEL * voxels) as u64;
+                let triangles = triangles.saturating_add(TRIANGLES_PER_PATCH * self.patches.len() as u64);
+                Room::of_triangles(u32::try_from(triangles).unwrap_or(u32::MAX))
+            }
+        }
+    }
+
+    /// Room for all triangles whose sides have so many parts for a unit of u and of v.
+    fn room_for_all(&self, parts_of_uv: [f64; 2]) -> Room {
+        let parts = self.edges.iter().map(|edge| {
+            let [along, down] = [edge.along.x, edge.along.y].map(f64::from);
+            (along * parts_of_uv[0]).max(down * parts_of_uv[1]).ceil().max(1.0)
+        });
+        let parts: Vec<f64> = parts.collect();
+        let on_edges: f64 = parts.iter().map(|parts| parts - 1.0).sum();
+        // Each row of a pattern has at most twice its parts, and one more on either side of it.
+        let triangles = self.patches.iter().map(|patch| {
+            let mut parts = [patch.edges.x, patch.edges.y, patch.edges.z].map(|edge| parts[edge as usize]);
+            parts.sort_by(f64::total_cmp);
+            parts[2] * (parts[0] + 2.0)
+        });
+        let triangles: f64 = triangles.sum();
+        Room { triangles: triangles as u32, points: (on_edges + triangles / 2.0) as u32 }
     }
 
     /// The view as the shaders have it, with that room.
-    pub fn grid(&self, view: &View, cull: &Cull, levels: u32, room: Room) -> Result<Grid, MesherError> {
+    pub fn grid(
+        &self,
+        view: &View,
+        cull: &Cull,
+        levels: u32,
+        division: &Division,
+        room: Room,
+    ) -> Result<Grid, MesherError> {
         let space = view.grid_space()?;
         let camera = &view.camera;
         let [eye, right, up, forward] = [camera.eye(), camera.right(), camera.up(), camera.forward()]
@@ -112,6 +158,8 @@ impl TessellatedBase {
             patches: self.patches.len() as u32,
             most_points: room.points,
             most_triangles: room.triangles,
+            parts_of_uv: division.parts_of_uv.unwrap_or_default().map(|parts| parts as f32).into(),
+            is_swept: u32::from(division.is_swept),
         })
     }
 }
@@ -135,7 +183,8 @@ fn vertex(of: &TableVertex) -> BaseVertex {
 
 fn edge(of: &TableEdge) -> BaseEdge {
     let patches = of.patches.unwrap_or([COUNTLESS; 2]);
-    BaseEdge { ends: of.ends.into(), seen: of.seen.into(), patches: patches.into() }
+    let along = of.along.to_array().into();
+    BaseEdge { ends: of.ends.into(), seen: of.seen.into(), along, patches: patches.into() }
 }
 
 fn patch(of: &TablePatch) -> BasePatch {

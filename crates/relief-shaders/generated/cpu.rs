@@ -1088,6 +1088,106 @@ impl SurfaceSettings {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// A triangle as it is swept. Coordinates are those along the sweep and along the side, counted from the first
+/// end of the primary edge, and such that the third corner lies above it.
+pub struct Sweep {
+    /// The ends of the primary edge and the third corner, as numbers of the triangle's corners.
+    pub corners: rt::Vec3<u32>,
+    /// The end of the primary edge; its first coordinate is the number of strips between columns, 0 where all
+    /// corners lie in one voxel.
+    pub end: rt::Vec2<i32>,
+    /// The third corner.
+    pub apex: rt::Vec2<i32>,
+    /// Parts of the sides from the first end to the third corner, and from there to the other end.
+    pub parts: rt::Vec2<i32>,
+    /// 1 where pieces are turned over, as seen from the triangle.
+    pub is_turned: u32,
+}
+impl Sweep {
+    pub fn new(
+        corners: impl rt::Into<rt::Vec3<u32>>,
+        end: impl rt::Into<rt::Vec2<i32>>,
+        apex: impl rt::Into<rt::Vec2<i32>>,
+        parts: impl rt::Into<rt::Vec2<i32>>,
+        is_turned: impl rt::Into<u32>,
+    ) -> Self {
+        Self { corners: rt::into(corners), end: rt::into(end), apex: rt::into(apex), parts: rt::into(parts), is_turned: rt::into(is_turned) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A column of points: that of the primary edge, those inside from below, those of the top along the sweep.
+pub struct SweptColumn {
+    pub column: i32,
+    /// The lowest point inside, how many there are, and the number of the first.
+    pub inside: i32,
+    pub inner: i32,
+    pub first: u32,
+    /// The first point of the top, how many there are, and what they are zipped with.
+    pub from_top: i32,
+    pub of_top: i32,
+    pub top: u32,
+}
+impl SweptColumn {
+    pub fn new(
+        column: impl rt::Into<i32>,
+        inside: impl rt::Into<i32>,
+        inner: impl rt::Into<i32>,
+        first: impl rt::Into<u32>,
+        from_top: impl rt::Into<i32>,
+        of_top: impl rt::Into<i32>,
+        top: impl rt::Into<u32>,
+    ) -> Self {
+        Self { column: rt::into(column), inside: rt::into(inside), inner: rt::into(inner), first: rt::into(first), from_top: rt::into(from_top), of_top: rt::into(of_top), top: rt::into(top) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// Some of a column's points, from below.
+pub struct SweptChain {
+    pub column: SweptColumn,
+    /// What they are zipped with.
+    pub way: u32,
+    pub count: i32,
+}
+impl SweptChain {
+    pub fn new(
+        column: impl rt::Into<SweptColumn>,
+        way: impl rt::Into<u32>,
+        count: impl rt::Into<i32>,
+    ) -> Self {
+        Self { column: rt::into(column), way: rt::into(way), count: rt::into(count) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A point of a triangle.
+pub struct SweptPoint {
+    /// Of the triangle's sides the one that it lies on, and how many parts lie before it there, fewer than there
+    /// are; or `SWEPT_INSIDE`, and its number among those inside.
+    pub side: u32,
+    pub at: u32,
+    /// It lies at (x / w, y / w).
+    pub x: i32,
+    pub y: i32,
+    pub w: i32,
+    /// The sides that it lies on.
+    pub sides: u32,
+}
+impl SweptPoint {
+    pub fn new(
+        side: impl rt::Into<u32>,
+        at: impl rt::Into<u32>,
+        x: impl rt::Into<i32>,
+        y: impl rt::Into<i32>,
+        w: impl rt::Into<i32>,
+        sides: impl rt::Into<u32>,
+    ) -> Self {
+        Self { side: rt::into(side), at: rt::into(at), x: rt::into(x), y: rt::into(y), w: rt::into(w), sides: rt::into(sides) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// What is the same for all of a tessellated base: the view, and how much there is.
 pub struct Tessellation {
     /// The eye, and unit vectors of the camera.
@@ -1116,6 +1216,10 @@ pub struct Tessellation {
     /// The most points besides the base's vertices, and the most triangles: with more the grid is coarser.
     pub most_points: u32,
     pub most_triangles: u32,
+    /// Parts for a unit of u and of v; 0 where sides are divided by voxels.
+    pub parts_of_uv: rt::Vec2<f32>,
+    /// 1 where voxels say what is inside, too.
+    pub is_swept: u32,
 }
 impl Tessellation {
     pub fn new(
@@ -1135,8 +1239,10 @@ impl Tessellation {
         patches: impl rt::Into<u32>,
         most_points: impl rt::Into<u32>,
         most_triangles: impl rt::Into<u32>,
+        parts_of_uv: impl rt::Into<rt::Vec2<f32>>,
+        is_swept: impl rt::Into<u32>,
     ) -> Self {
-        Self { eye: rt::into(eye), right: rt::into(right), up: rt::into(up), forward: rt::into(forward), planes: rt::into(planes), middle: rt::into(middle), per_m: rt::into(per_m), per_doubling: rt::into(per_doubling), near_m: rt::into(near_m), is_parallel: rt::into(is_parallel), levels: rt::into(levels), vertices: rt::into(vertices), edges: rt::into(edges), patches: rt::into(patches), most_points: rt::into(most_points), most_triangles: rt::into(most_triangles) }
+        Self { eye: rt::into(eye), right: rt::into(right), up: rt::into(up), forward: rt::into(forward), planes: rt::into(planes), middle: rt::into(middle), per_m: rt::into(per_m), per_doubling: rt::into(per_doubling), near_m: rt::into(near_m), is_parallel: rt::into(is_parallel), levels: rt::into(levels), vertices: rt::into(vertices), edges: rt::into(edges), patches: rt::into(patches), most_points: rt::into(most_points), most_triangles: rt::into(most_triangles), parts_of_uv: rt::into(parts_of_uv), is_swept: rt::into(is_swept) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -1190,7 +1296,8 @@ impl Toward {
 pub struct Voxel {
     /// The voxel that it lies in: right, down and away from the eye.
     pub at: rt::Vec3<i32>,
-    /// What it counts where points are divided in the picture: the inverse of its depth in perspective.
+    /// What it counts where points are divided in the picture: the inverse of its depth in perspective. 1 where
+    /// they are divided on the base.
     pub share: f32,
 }
 impl Voxel {
@@ -1257,6 +1364,38 @@ impl WayPoint {
         Self { point: rt::into(point), t: rt::into(t), beside: rt::into(beside), volume: rt::into(volume) }
     }
 }
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// Two chains that are zipped, the first one to the left: where it stands, and what comes next on each.
+pub struct Zip {
+    pub left: SweptChain,
+    pub right: SweptChain,
+    pub at_left: SweptPoint,
+    pub at_right: SweptPoint,
+    pub next_left: SweptPoint,
+    pub next_right: SweptPoint,
+    pub i: i32,
+    pub j: i32,
+    /// 1 where the end of that chain comes last, as it lies on the side on which the other chain ends.
+    pub keeps_left: u32,
+    pub keeps_right: u32,
+}
+impl Zip {
+    pub fn new(
+        left: impl rt::Into<SweptChain>,
+        right: impl rt::Into<SweptChain>,
+        at_left: impl rt::Into<SweptPoint>,
+        at_right: impl rt::Into<SweptPoint>,
+        next_left: impl rt::Into<SweptPoint>,
+        next_right: impl rt::Into<SweptPoint>,
+        i: impl rt::Into<i32>,
+        j: impl rt::Into<i32>,
+        keeps_left: impl rt::Into<u32>,
+        keeps_right: impl rt::Into<u32>,
+    ) -> Self {
+        Self { left: rt::into(left), right: rt::into(right), at_left: rt::into(at_left), at_right: rt::into(at_right), next_left: rt::into(next_left), next_right: rt::into(next_right), i: rt::into(i), j: rt::into(j), keeps_left: rt::into(keeps_left), keeps_right: rt::into(keeps_right) }
+    }
+}
 #[allow(non_upper_case_globals)]
 pub const CELLS_BILINEAR: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
@@ -1267,8 +1406,6 @@ pub const CELLS_MASK: rt::Scalar<u32> = rt::Scalar(4u32);
 pub const CELLS_NEAREST: rt::Scalar<u32> = rt::Scalar(3u32);
 #[allow(non_upper_case_globals)]
 pub const CELLS_STEP: rt::Scalar<u32> = rt::Scalar(1u32);
-#[allow(non_upper_case_globals)]
-pub const COARSEST: rt::Scalar<u32> = rt::Scalar(20u32);
 #[allow(non_upper_case_globals)]
 pub const DICE_INSIDE: rt::Scalar<u32> = rt::Scalar(3u32);
 #[allow(non_upper_case_globals)]
@@ -1318,6 +1455,12 @@ pub const NEWTON_STEPS: rt::Scalar<u32> = rt::Scalar(6u32);
 #[allow(non_upper_case_globals)]
 pub const NO_COST: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(0u32), rt::Scalar(0u32), rt::Scalar(0u32));
 #[allow(non_upper_case_globals)]
+pub const ON_FIRST: rt::Scalar<u32> = rt::Scalar(2u32);
+#[allow(non_upper_case_globals)]
+pub const ON_PRIMARY: rt::Scalar<u32> = rt::Scalar(1u32);
+#[allow(non_upper_case_globals)]
+pub const ON_SECOND: rt::Scalar<u32> = rt::Scalar(4u32);
+#[allow(non_upper_case_globals)]
 pub const PARTS_OF_FOUR: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0.45412415f32), rt::Scalar(0.45412415f32), rt::Scalar(0.04587585f32), rt::Scalar(0.04587585f32));
 #[allow(non_upper_case_globals)]
 pub const POLISH_STEPS: rt::Scalar<u32> = rt::Scalar(3u32);
@@ -1325,6 +1468,10 @@ pub const POLISH_STEPS: rt::Scalar<u32> = rt::Scalar(3u32);
 pub const RAY_SHADOW: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
 pub const RAY_VIEW: rt::Scalar<u32> = rt::Scalar(0u32);
+#[allow(non_upper_case_globals)]
+pub const ROOF_DOWN: rt::Scalar<u32> = rt::Scalar(4u32);
+#[allow(non_upper_case_globals)]
+pub const ROOF_UP: rt::Scalar<u32> = rt::Scalar(3u32);
 #[allow(non_upper_case_globals)]
 pub const SEEN_AZIMUTHS: rt::Scalar<u32> = rt::Scalar(8u32);
 #[allow(non_upper_case_globals)]
@@ -1353,6 +1500,14 @@ pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(3u32);
 pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
 pub const STAGES: rt::Scalar<u32> = rt::Scalar(11u32);
+#[allow(non_upper_case_globals)]
+pub const SWEPT_INSIDE: rt::Scalar<u32> = rt::Scalar(3u32);
+#[allow(non_upper_case_globals)]
+pub const TOP_BEFORE: rt::Scalar<u32> = rt::Scalar(1u32);
+#[allow(non_upper_case_globals)]
+pub const TOP_NEXT: rt::Scalar<u32> = rt::Scalar(0u32);
+#[allow(non_upper_case_globals)]
+pub const TOP_ROOF: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
 pub const TURN_STEPS: rt::Scalar<u32> = rt::Scalar(12u32);
 #[allow(non_upper_case_globals)]
@@ -1449,20 +1604,20 @@ impl<'g> Resources<'g> {
         ray_2: Across,
         t_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let c_12 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
+        let c_19 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
         let _e7 = self.v_across_discriminant(ray_2, t_1);
         if rt::Scalar::into_branch_condition((!_e7.elementwise_ge(rt::Scalar(0f32)))) {
-            return c_12;
+            return c_19;
         }
-        let b_18 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
+        let b_28 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
         let root = _e7.sqrt();
-        if rt::Scalar::into_branch_condition(b_18.elementwise_lt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(2f32) * c_12) / (root - b_18));
+        if rt::Scalar::into_branch_condition(b_28.elementwise_lt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(2f32) * c_19) / (root - b_28));
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(ray_2.across).elementwise_ne(rt::Scalar(0f32))) {
-            return (((rt::Scalar(0f32) - b_18) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
+            return (((rt::Scalar(0f32) - b_28) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
         }
-        return c_12;
+        return c_19;
     }
     pub(crate) fn traced_scale_m(&self) -> f32 {
         rt::into(self.v_traced_scale_m())
@@ -1691,9 +1846,9 @@ impl<'g> Resources<'g> {
             b = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
             let _e49 = a;
             let _e50 = b;
-            let first_7 = _e49.min(_e50);
-            if rt::Scalar::into_branch_condition(first_7.elementwise_le(span)) {
-                return first_7;
+            let first_9 = _e49.min(_e50);
+            if rt::Scalar::into_branch_condition(first_9.elementwise_le(span)) {
+                return first_9;
             }
         }
         let _e53 = self.v_quadratic(c_1, span);
@@ -2218,14 +2373,14 @@ impl<'g> Resources<'g> {
         let last_2 = ((_e5 >> level_6).to_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
         let point_22 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
         let most_3 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
-        let corner_3 = point_22.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_3, most_3));
-        let texel_5 = corner_3.to_i32();
+        let corner_4 = point_22.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_3, most_3));
+        let texel_5 = corner_4.to_i32();
         let k_42 = level_6.to_i32();
         let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_42);
         let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_42);
         let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_42);
         let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_42);
-        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_22 - corner_3));
+        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_22 - corner_4));
         return _e55.xyz();
     }
     pub(crate) fn environment_in_lobe(
@@ -2293,8 +2448,8 @@ impl<'g> Resources<'g> {
         let eta = (rt::Scalar(1f32) / ior);
         let inside_4 = (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine_3 * cosine_3)))).max(rt::Scalar(0f32)).sqrt();
         let across_1 = ((cosine_3 - (ior * inside_4)) / (cosine_3 + (ior * inside_4)).max(rt::Scalar(0.000001f32)));
-        let along_19 = (((ior * cosine_3) - inside_4) / ((ior * cosine_3) + inside_4).max(rt::Scalar(0.000001f32)));
-        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_19);
+        let along_21 = (((ior * cosine_3) - inside_4) / ((ior * cosine_3) + inside_4).max(rt::Scalar(0.000001f32)));
+        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_21);
         let reflected = (rt::Scalar(0.5f32) * waves.dot(waves));
         let _e47 = rt::Scalar(self.surface_settings.shininess);
         let lean = ((rt::Scalar(2f32) / (_e47.to_f32() + rt::Scalar(2f32))) + (rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_2).max(rt::Scalar(0f32)))).sqrt();
@@ -2424,14 +2579,14 @@ impl<'g> Resources<'g> {
     fn v_turn_of(&self, v: rt::Vec2<f32>) -> rt::Scalar<f32> {
         let mut turn: rt::Scalar<f32>;
 
-        let x_3 = v.x().abs();
-        let y = v.y().abs();
-        if rt::Scalar::into_branch_condition((!(x_3 + y).elementwise_gt(rt::Scalar(0f32)))) {
+        let x_4 = v.x().abs();
+        let y_1 = v.y().abs();
+        if rt::Scalar::into_branch_condition((!(x_4 + y_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let _e13 = self.v_eighth_turn((x_3.min(y) / x_3.max(y)));
+        let _e13 = self.v_eighth_turn((x_4.min(y_1) / x_4.max(y_1)));
         turn = _e13;
-        if rt::Scalar::into_branch_condition(y.elementwise_gt(x_3)) {
+        if rt::Scalar::into_branch_condition(y_1.elementwise_gt(x_4)) {
             let _e16 = turn;
             turn = (rt::Scalar(0.25f32) - _e16);
         }
@@ -2611,21 +2766,53 @@ impl<'g> Resources<'g> {
         let off_1 = (_e12.z() - _e37).abs();
         return (_e10 + rt::Scalar(2f32).select(rt::Scalar(0f32), ((off_1 * width_1) * (deeper / wider)).elementwise_le(rt::Scalar(2f32))));
     }
+    pub(crate) fn around_corners(
+        &self,
+        corner: impl rt::Into<rt::Scalar<u32>>,
+        on: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_around_corners(rt::into(corner), rt::into(on)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_around_corners(
+        &self,
+        corner: rt::Scalar<u32>,
+        on: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        return ((corner + on) % rt::Scalar(3u32));
+    }
     pub(crate) fn around_three(
         &self,
         place_2: impl rt::Into<rt::Scalar<u32>>,
-        on: impl rt::Into<rt::Scalar<u32>>,
+        on_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_around_three(rt::into(place_2), rt::into(on)))
+        rt::into(self.v_around_three(rt::into(place_2), rt::into(on_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_around_three(
         &self,
         place_2: rt::Scalar<u32>,
-        on: rt::Scalar<u32>,
+        on_1: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        return ((place_2 + on) % rt::Scalar(3u32));
+        return ((place_2 + on_1) % rt::Scalar(3u32));
+    }
+    pub(crate) fn axis_of(
+        &self,
+        at_10: impl rt::Into<rt::Vec3<i32>>,
+        axis: impl rt::Into<rt::Scalar<u32>>,
+    ) -> i32 {
+        rt::into(self.v_axis_of(rt::into(at_10), rt::into(axis)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_axis_of(
+        &self,
+        at_10: rt::Vec3<i32>,
+        axis: rt::Scalar<u32>,
+    ) -> rt::Scalar<i32> {
+        return at_10.z().select(at_10.y(), axis.elementwise_eq(rt::Scalar(1u32))).select(at_10.x(), axis.elementwise_eq(rt::Scalar(0u32)));
     }
     pub(crate) fn base_height(&self) -> f32 {
         rt::into(self.v_base_height())
@@ -2676,15 +2863,15 @@ impl<'g> Resources<'g> {
         let _e16 = self.v_quadratic(way.first, offset);
         let _e18 = self.v_quadratic(way.second, offset);
         let _e20 = self.v_quadratic(way.third, offset);
-        let parts_3 = <rt::Vec3<f32>>::from_scalars(_e16, _e18, _e20);
-        let limited = parts_3.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
+        let parts_4 = <rt::Vec3<f32>>::from_scalars(_e16, _e18, _e20);
+        let limited = parts_4.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
         let w_3 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
         let normal_20 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
         let place_23 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_20 * offset));
         let t_35 = place_23.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let second_1 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
-        let third = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
-        let volume = (second_1.cross(third).dot(normal_20) * rt::Scalar(way.turn));
+        let third_1 = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
+        let volume = (second_1.cross(third_1).dot(normal_20) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
         let height_14 = (((offset - low_1) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
         return <WayPoint>::new(<ShellPoint>::new(w_3, height_14), t_35, (place_23 - (along * t_35)).length(), volume);
@@ -2731,12 +2918,12 @@ impl<'g> Resources<'g> {
                     step = (_e28 + rt::Scalar(1u32));
                     let _e31 = inner;
                     let _e32 = outer;
-                    let between_1 = (rt::Scalar(0.5f32) * (_e31 + _e32));
-                    let _e36 = self.v_way_point(prism_1, along_1, way_1, between_1);
+                    let between_2 = (rt::Scalar(0.5f32) * (_e31 + _e32));
+                    let _e36 = self.v_way_point(prism_1, along_1, way_1, between_2);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e36.volume).elementwise_gt(rt::Scalar(0f32))) {
-                        inner = between_1;
+                        inner = between_2;
                     } else {
-                        outer = between_1;
+                        outer = between_2;
                     }
                 }
             }
@@ -2863,11 +3050,11 @@ impl<'g> Resources<'g> {
         pixel: PixelIn,
         place_3: rt::Scalar<u32>,
     ) -> Corner {
-        let corner_4 = ((rt::Scalar(pixel.shell.order) >> (rt::Scalar(2u32) * place_3)) & rt::Scalar(3u32));
-        if rt::Scalar::into_branch_condition(corner_4.elementwise_eq(rt::Scalar(0u32))) {
+        let corner_5 = ((rt::Scalar(pixel.shell.order) >> (rt::Scalar(2u32) * place_3)) & rt::Scalar(3u32));
+        if rt::Scalar::into_branch_condition(corner_5.elementwise_eq(rt::Scalar(0u32))) {
             return pixel.a;
         }
-        if rt::Scalar::into_branch_condition(corner_4.elementwise_eq(rt::Scalar(1u32))) {
+        if rt::Scalar::into_branch_condition(corner_5.elementwise_eq(rt::Scalar(1u32))) {
             return pixel.b;
         }
         return pixel.c;
@@ -2897,10 +3084,10 @@ impl<'g> Resources<'g> {
         a_1: ShellPoint,
         m: ShellPoint,
         b_1: ShellPoint,
-        at_10: ShellPoint,
+        at_11: ShellPoint,
         part_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_beside_chord(pixel_2, a_1, m, b_1, at_10, rt::into(part_1)))
+        rt::into(self.v_beside_chord(pixel_2, a_1, m, b_1, at_11, rt::into(part_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -2910,17 +3097,17 @@ impl<'g> Resources<'g> {
         a_1: ShellPoint,
         m: ShellPoint,
         b_1: ShellPoint,
-        at_10: ShellPoint,
+        at_11: ShellPoint,
         part_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let line = (a_1.weights + ((b_1.weights - a_1.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_1));
-        let _e19 = self.v_uv_of(pixel_2, (at_10.weights - line));
+        let _e19 = self.v_uv_of(pixel_2, (at_11.weights - line));
         let _e21 = self.v_height_size(rt::Scalar(0u32));
         let apart = (_e19 * _e21).abs();
         let bend_3 = (rt::Scalar(2f32) * ((rt::Scalar(a_1.height) + rt::Scalar(b_1.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
         let slope_5 = ((rt::Scalar(b_1.height) - rt::Scalar(a_1.height)) - bend_3);
         let height_15 = (rt::Scalar(a_1.height) + (part_1 * (slope_5 + (part_1 * bend_3))));
-        return apart.x().max(apart.y()).max(((rt::Scalar(at_10.height) - height_15).abs() / rt::Scalar(0.0625f32)));
+        return apart.x().max(apart.y()).max(((rt::Scalar(at_11.height) - height_15).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn beside_way(
         &self,
@@ -2928,9 +3115,9 @@ impl<'g> Resources<'g> {
         a_2: WayPoint,
         b_2: WayPoint,
         bend_1: impl rt::Into<rt::Scalar<f32>>,
-        at_11: WayPoint,
+        at_12: WayPoint,
     ) -> f32 {
-        rt::into(self.v_beside_way(pixel_3, a_2, b_2, rt::into(bend_1), at_11))
+        rt::into(self.v_beside_way(pixel_3, a_2, b_2, rt::into(bend_1), at_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -2940,16 +3127,16 @@ impl<'g> Resources<'g> {
         a_2: WayPoint,
         b_2: WayPoint,
         bend_1: rt::Scalar<f32>,
-        at_11: WayPoint,
+        at_12: WayPoint,
     ) -> rt::Scalar<f32> {
-        let part_8 = ((rt::Scalar(at_11.t) - rt::Scalar(a_2.t)) / (rt::Scalar(b_2.t) - rt::Scalar(a_2.t)));
+        let part_8 = ((rt::Scalar(at_12.t) - rt::Scalar(a_2.t)) / (rt::Scalar(b_2.t) - rt::Scalar(a_2.t)));
         let line_1 = (a_2.point.weights + ((b_2.point.weights - a_2.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_8));
-        let _e29 = self.v_uv_of(pixel_3, (at_11.point.weights - line_1));
+        let _e29 = self.v_uv_of(pixel_3, (at_12.point.weights - line_1));
         let _e31 = self.v_height_size(rt::Scalar(0u32));
         let apart_1 = (_e29 * _e31).abs();
         let slope_6 = ((rt::Scalar(b_2.point.height) - rt::Scalar(a_2.point.height)) - bend_1);
         let height_16 = (rt::Scalar(a_2.point.height) + (part_8 * (slope_6 + (part_8 * bend_1))));
-        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_11.point.height) - height_16).abs() / rt::Scalar(0.0625f32)));
+        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_12.point.height) - height_16).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn between(&self, a_3: ShellPoint, b_3: ShellPoint) -> ShellPoint {
         rt::into(self.v_between(a_3, b_3))
@@ -2974,8 +3161,8 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_bitangent_of_image(&self, image_7: Image) -> rt::Vec3<f32> {
-        let along_20 = (image_7.v.xyz() - (rt::Scalar(0.5f32) * image_7.depth.xyz()));
-        return (along_20 / rt::Vec3::splat_from_scalar((along_20.dot(along_20) * image_7.extent.y())));
+        let along_22 = (image_7.v.xyz() - (rt::Scalar(0.5f32) * image_7.depth.xyz()));
+        return (along_22 / rt::Vec3::splat_from_scalar((along_22.dot(along_22) * image_7.extent.y())));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -3138,12 +3325,12 @@ impl<'g> Resources<'g> {
         t_10: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let bx = (h_1.y() - h_1.x());
-        let by_1 = (h_1.z() - h_1.x());
+        let by_3 = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_138 = ((grid_1.origin - cell_2) + (grid_1.step * t_10));
+        let at_143 = ((grid_1.origin - cell_2) + (grid_1.step * t_10));
         let z_1 = (path_6.h.x() + (t_10 * (path_6.h.y() + (t_10 * path_6.h.z()))));
         let dz = (path_6.h.y() + ((rt::Scalar(2f32) * t_10) * path_6.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_138.x())) + (by_1 * at_138.y())) + ((twist * at_138.x()) * at_138.y()))), (dz - (((bx * grid_1.step.x()) + (by_1 * grid_1.step.y())) + (twist * ((at_138.x() * grid_1.step.y()) + (at_138.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_143.x())) + (by_3 * at_143.y())) + ((twist * at_143.x()) * at_143.y()))), (dz - (((bx * grid_1.step.x()) + (by_3 * grid_1.step.y())) + (twist * ((at_143.x() * grid_1.step.y()) + (at_143.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn object_none_cell(
         &self,
@@ -3199,7 +3386,7 @@ impl<'g> Resources<'g> {
         let _e41 = self.v_height_cell(dual, level_11);
         let most_5 = _e41.x().max(_e41.y()).max(_e41.z().max(_e41.w()));
         let least_1 = _e41.x().min(_e41.y()).min(_e41.z().min(_e41.w()));
-        let right = ((cell_4.x() - dual.x()) - dual.x()).elementwise_eq(rt::Scalar(1i32));
+        let right_1 = ((cell_4.x() - dual.x()) - dual.x()).elementwise_eq(rt::Scalar(1i32));
         let lower = ((cell_4.y() - dual.y()) - dual.y()).elementwise_eq(rt::Scalar(1i32));
         let _e72 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition((!_e72.elementwise_eq(CELLS_NEAREST))) {
@@ -3210,15 +3397,15 @@ impl<'g> Resources<'g> {
         }
         let _e84 = local_9;
         if rt::Scalar::into_branch_condition(_e84) {
-            let nearest_1 = _e41.x().select(_e41.y(), right).select(_e41.z().select(_e41.w(), right), lower);
+            let nearest_1 = _e41.x().select(_e41.y(), right_1).select(_e41.z().select(_e41.w(), right_1), lower);
             return <rt::Vec4<f32>>::from_scalars(nearest_1, nearest_1, nearest_1, nearest_1);
         }
         let top_3 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.y()));
         let bottom_2 = (rt::Scalar(0.5f32) * (_e41.z() + _e41.w()));
-        let left_1 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.z()));
+        let left_2 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.z()));
         let side_4 = (rt::Scalar(0.5f32) * (_e41.y() + _e41.w()));
         let middle_10 = (rt::Scalar(0.5f32) * (top_3 + bottom_2));
-        return <rt::Vec4<f32>>::from_scalars(_e41.x().select(top_3, right).select(left_1.select(middle_10, right), lower), top_3.select(_e41.y(), right).select(middle_10.select(side_4, right), lower), left_1.select(middle_10, right).select(_e41.z().select(bottom_2, right), lower), middle_10.select(side_4, right).select(bottom_2.select(_e41.w(), right), lower));
+        return <rt::Vec4<f32>>::from_scalars(_e41.x().select(top_3, right_1).select(left_2.select(middle_10, right_1), lower), top_3.select(_e41.y(), right_1).select(middle_10.select(side_4, right_1), lower), left_2.select(middle_10, right_1).select(_e41.z().select(bottom_2, right_1), lower), middle_10.select(side_4, right_1).select(bottom_2.select(_e41.w(), right_1), lower));
     }
     pub(crate) fn object_depth_cell(
         &self,
@@ -3425,25 +3612,149 @@ impl<'g> Resources<'g> {
         part_2: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let top_4 = (h_2.y() - h_2.x());
-        let left_2 = (h_2.z() - h_2.x());
+        let left_3 = (h_2.z() - h_2.x());
         let twist_1 = ((h_2.w() - h_2.z()) - top_4);
-        return <rt::Vec2<f32>>::from_scalars((top_4 + (twist_1 * part_2.y())), (left_2 + (twist_1 * part_2.x())));
+        return <rt::Vec2<f32>>::from_scalars((top_4 + (twist_1 * part_2.y())), (left_3 + (twist_1 * part_2.x())));
+    }
+    pub(crate) fn swept_border(
+        &self,
+        sweep: Sweep,
+        start: impl rt::Into<rt::Scalar<u32>>,
+        to: impl rt::Into<rt::Scalar<u32>>,
+        at_13: impl rt::Into<rt::Scalar<i32>>,
+        parts: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec2<u32> {
+        rt::into(self.v_swept_border(sweep, rt::into(start), rt::into(to), rt::into(at_13), rt::into(parts)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_swept_border(
+        &self,
+        sweep: Sweep,
+        start: rt::Scalar<u32>,
+        to: rt::Scalar<u32>,
+        at_13: rt::Scalar<i32>,
+        parts: rt::Scalar<i32>,
+    ) -> rt::Vec2<u32> {
+        if rt::Scalar::into_branch_condition(at_13.elementwise_eq(rt::Scalar(0i32))) {
+            return <rt::Vec2<u32>>::from_scalars(start, rt::Scalar(0u32));
+        }
+        if rt::Scalar::into_branch_condition(at_13.elementwise_eq(parts)) {
+            return <rt::Vec2<u32>>::from_scalars(to, rt::Scalar(0u32));
+        }
+        let _e13 = self.v_around_corners(start, rt::Scalar(1u32));
+        if rt::Scalar::into_branch_condition(to.elementwise_eq(_e13)) {
+            return <rt::Vec2<u32>>::from_scalars(start, at_13.to_u32());
+        }
+        return <rt::Vec2<u32>>::from_scalars(to, (parts - at_13).to_u32());
+    }
+    pub(crate) fn top_point(
+        &self,
+        sweep_1: Sweep,
+        number: impl rt::Into<rt::Scalar<i32>>,
+    ) -> SweptPoint {
+        rt::into(self.v_top_point(sweep_1, rt::into(number)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_top_point(
+        &self,
+        sweep_1: Sweep,
+        number: rt::Scalar<i32>,
+    ) -> SweptPoint {
+        let n_10 = sweep_1.parts.x();
+        let m_4 = sweep_1.parts.y();
+        let apex_1 = sweep_1.apex;
+        if rt::Scalar::into_branch_condition(number.elementwise_le(n_10)) {
+            let _e12 = self.v_swept_border(sweep_1, sweep_1.corners.x(), sweep_1.corners.z(), number, n_10);
+            let sides = ON_FIRST.select(rt::Scalar(6u32), number.elementwise_eq(n_10));
+            return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number), (apex_1.y() * number), n_10, sides);
+        }
+        let k_44 = (number - n_10);
+        let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_44, m_4);
+        let x_5 = ((apex_1.x() * (m_4 - k_44)) + (sweep_1.end.x() * k_44));
+        let y_2 = ((apex_1.y() * (m_4 - k_44)) + (sweep_1.end.y() * k_44));
+        return <SweptPoint>::new(_e29.x(), _e29.y(), x_5, y_2, m_4, ON_SECOND);
+    }
+    pub(crate) fn low_point(
+        &self,
+        sweep_2: Sweep,
+        column: SweptColumn,
+        at_14: impl rt::Into<rt::Scalar<i32>>,
+    ) -> SweptPoint {
+        rt::into(self.v_low_point(sweep_2, column, rt::into(at_14)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_low_point(
+        &self,
+        sweep_2: Sweep,
+        column: SweptColumn,
+        at_14: rt::Scalar<i32>,
+    ) -> SweptPoint {
+        let x_6 = rt::Scalar(column.column);
+        if rt::Scalar::into_branch_condition(at_14.elementwise_gt(rt::Scalar(0i32))) {
+            let y_3 = ((rt::Scalar(column.inside) + at_14) - rt::Scalar(1i32));
+            return <SweptPoint>::new(SWEPT_INSIDE, (rt::Scalar(column.first) + (at_14 - rt::Scalar(1i32)).to_u32()), x_6, y_3, rt::Scalar(1i32), rt::Scalar(0u32));
+        }
+        let columns = sweep_2.end.x();
+        let _e25 = self.v_swept_border(sweep_2, sweep_2.corners.x(), sweep_2.corners.y(), x_6, columns);
+        let sides_1 = ((ON_PRIMARY + rt::Scalar(0u32).select(ON_FIRST, x_6.elementwise_eq(rt::Scalar(0i32)))) + rt::Scalar(0u32).select(ON_SECOND, x_6.elementwise_eq(columns)));
+        return <SweptPoint>::new(_e25.x(), _e25.y(), (x_6 * columns), (sweep_2.end.y() * x_6), columns, sides_1);
+    }
+    pub(crate) fn chain_point(
+        &self,
+        sweep_3: Sweep,
+        chain: SweptChain,
+        number_1: impl rt::Into<rt::Scalar<i32>>,
+    ) -> SweptPoint {
+        rt::into(self.v_chain_point(sweep_3, chain, rt::into(number_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_chain_point(
+        &self,
+        sweep_3: Sweep,
+        chain: SweptChain,
+        number_1: rt::Scalar<i32>,
+    ) -> SweptPoint {
+        let column_9 = chain.column;
+        let last_3 = ((rt::Scalar(column_9.from_top) + rt::Scalar(column_9.of_top)) - rt::Scalar(1i32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(chain.way).elementwise_eq(ROOF_DOWN)) {
+            let _e13 = self.v_top_point(sweep_3, (last_3 - number_1));
+            return _e13;
+        }
+        if rt::Scalar::into_branch_condition(rt::Scalar(chain.way).elementwise_eq(ROOF_UP)) {
+            if rt::Scalar::into_branch_condition(number_1.elementwise_eq(rt::Scalar(0i32))) {
+                let _e20 = self.v_low_point(sweep_3, column_9, rt::Scalar(column_9.inner));
+                return _e20;
+            }
+            let _e25 = self.v_top_point(sweep_3, ((rt::Scalar(column_9.from_top) + number_1) - rt::Scalar(1i32)));
+            return _e25;
+        }
+        if rt::Scalar::into_branch_condition(number_1.elementwise_le(rt::Scalar(column_9.inner))) {
+            let _e28 = self.v_low_point(sweep_3, column_9, number_1);
+            return _e28;
+        }
+        let on_2 = ((number_1 - rt::Scalar(column_9.inner)) - rt::Scalar(1i32));
+        let is_from_behind = rt::Scalar(chain.way).elementwise_eq(TOP_BEFORE).elementwise_eq(rt::Scalar(column_9.top).elementwise_eq(rt::Scalar(chain.way)));
+        let _e44 = self.v_top_point(sweep_3, (rt::Scalar(column_9.from_top) + on_2).select((last_3 - on_2), is_from_behind));
+        return _e44;
     }
     pub(crate) fn chord_end(
         &self,
-        at_12: Entered,
+        at_15: Entered,
         k: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_chord_end(at_12, rt::into(k)))
+        rt::into(self.v_chord_end(at_15, rt::into(k)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_chord_end(
         &self,
-        at_12: Entered,
+        at_15: Entered,
         k: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        return (at_12.span.x() + ((at_12.span.y() - at_12.span.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * (k.to_f32() / rt::Scalar(at_12.segments).to_f32())));
+        return (at_15.span.x() + ((at_15.span.y() - at_15.span.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * (k.to_f32() / rt::Scalar(at_15.segments).to_f32())));
     }
     pub(crate) fn shell_slack(
         &self,
@@ -3518,9 +3829,9 @@ impl<'g> Resources<'g> {
             }
             return interval_1;
         }
-        let a_18 = ((rt::Scalar(0f32) - x0_) / dx);
-        let b_19 = ((rt::Scalar(1f32) - x0_) / dx);
-        return <rt::Vec2<f32>>::from_scalars(interval_1.x().max(a_18.min(b_19)), interval_1.y().min(a_18.max(b_19)));
+        let a_28 = ((rt::Scalar(0f32) - x0_) / dx);
+        let b_29 = ((rt::Scalar(1f32) - x0_) / dx);
+        return <rt::Vec2<f32>>::from_scalars(interval_1.x().max(a_28.min(b_29)), interval_1.y().min(a_28.max(b_29)));
     }
     pub(crate) fn path_from(
         &self,
@@ -3666,8 +3977,8 @@ impl<'g> Resources<'g> {
     fn v_grid_of(&self, path_9: Path) -> Grid {
         let _e2 = self.v_height_size(rt::Scalar(path_9.level));
         let _e4 = self.v_object_parts_stage(rt::Scalar(path_9.level));
-        let parts_4 = _e4.to_f32();
-        return <Grid>::new((((path_9.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * parts_4), ((path_9.duv * _e2) * parts_4));
+        let parts_5 = _e4.to_f32();
+        return <Grid>::new((((path_9.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * parts_5), ((path_9.duv * _e2) * parts_5));
     }
     pub(crate) fn rounded_gap(
         &self,
@@ -3748,7 +4059,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e38 = cell_13;
                     let _e39 = self.v_cell_leave(_e3, _e38);
-                    let end_2 = _e39.x().min(_e39.y()).min(rt::Scalar(path_11.exit));
+                    let end_3 = _e39.x().min(_e39.y()).min(rt::Scalar(path_11.exit));
                     let _e48 = cell_13;
                     let _e49 = t_13;
                     let _e50 = self.v_cell_gap(path_11, _e3, _e48, _e49);
@@ -3758,7 +4069,7 @@ impl<'g> Resources<'g> {
                         return _e56;
                     }
                     let _e57 = t_13;
-                    let span_5 = (end_2 - _e57).max(rt::Scalar(0f32));
+                    let span_5 = (end_3 - _e57).max(rt::Scalar(0f32));
                     let _e61 = self.v_first_root(below_3, span_5);
                     if rt::Scalar::into_branch_condition(_e61.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e64 = t_13;
@@ -3778,7 +4089,7 @@ impl<'g> Resources<'g> {
                     let _e75 = self.v_cell_next(_e3, _e74, _e39);
                     cell_13 = _e75;
                     let _e76 = t_13;
-                    t_13 = _e76.max(end_2);
+                    t_13 = _e76.max(end_3);
                 }
             }
         }
@@ -3787,7 +4098,7 @@ impl<'g> Resources<'g> {
     pub(crate) fn chord_path(
         &self,
         pixel_5: PixelIn,
-        at_13: Entered,
+        at_16: Entered,
         middle_1: impl rt::Into<rt::Scalar<f32>>,
         params_13: impl rt::Into<rt::Vec4<f32>>,
         a_4: ShellPoint,
@@ -3796,13 +4107,13 @@ impl<'g> Resources<'g> {
         ends: impl rt::Into<rt::Vec2<f32>>,
         beyond: impl rt::Into<rt::Vec3<f32>>,
     ) -> Path {
-        rt::into(self.v_chord_path(pixel_5, at_13, rt::into(middle_1), rt::into(params_13), a_4, b_4, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
+        rt::into(self.v_chord_path(pixel_5, at_16, rt::into(middle_1), rt::into(params_13), a_4, b_4, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_chord_path(
         &self,
         pixel_5: PixelIn,
-        at_13: Entered,
+        at_16: Entered,
         middle_1: rt::Scalar<f32>,
         params_13: rt::Vec4<f32>,
         a_4: ShellPoint,
@@ -3815,7 +4126,7 @@ impl<'g> Resources<'g> {
         let mut path_12: Path;
 
         let heights_1 = pixel_5.shell.heights;
-        let first_8 = ends.x();
+        let first_10 = ends.x();
         let long = (ends.y() - ends.x());
         let _e16 = self.v_uv_of(pixel_5, a_4.weights);
         let _e18 = self.v_uv_of(pixel_5, b_4.weights);
@@ -3823,7 +4134,7 @@ impl<'g> Resources<'g> {
         let slope_7 = ((rt::Scalar(b_4.height) - rt::Scalar(a_4.height)) - bend_2);
         let _e26 = self.v_shell_slack(pixel_5, middle_1);
         let change_3 = ((b_4.weights - a_4.weights) / rt::Vec3::splat_from_scalar(long));
-        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_8)), long);
+        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_10)), long);
         let _e39 = inside;
         let _e44 = self.v_where_positive(_e39, a_4.weights.x(), change_3.x(), beyond.x());
         inside = _e44;
@@ -3843,7 +4154,7 @@ impl<'g> Resources<'g> {
             inside = _e69;
         }
         let _e76 = inside.y();
-        path_12 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_4.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_13.metric, RAY_VIEW, rt::Scalar(at_13.level), (middle_1 + first_8), (rt::Scalar(1f32) / rt::Scalar(at_13.segments).to_f32()), rt::Scalar(0f32));
+        path_12 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_4.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_16.metric, RAY_VIEW, rt::Scalar(at_16.level), (middle_1 + first_10), (rt::Scalar(1f32) / rt::Scalar(at_16.segments).to_f32()), rt::Scalar(0f32));
         let _e90 = inside.y();
         let _e92 = inside.x();
         if rt::Scalar::into_branch_condition((!_e90.elementwise_gt(_e92))) {
@@ -3881,24 +4192,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn chord_reach(
         &self,
         pixel_6: PixelIn,
-        at_14: Entered,
+        at_17: Entered,
         middle_2: impl rt::Into<rt::Scalar<f32>>,
         params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_chord_reach(pixel_6, at_14, rt::into(middle_2), rt::into(params_14)))
+        rt::into(self.v_chord_reach(pixel_6, at_17, rt::into(middle_2), rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_chord_reach(
         &self,
         pixel_6: PixelIn,
-        at_14: Entered,
+        at_17: Entered,
         middle_2: rt::Scalar<f32>,
         params_14: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e11 = self.v_height_size(rt::Scalar(0u32));
         let _e14 = self.v_height_size(rt::Scalar(0u32));
-        let texel_6 = (at_14.metric.x().max(at_14.metric.z()).sqrt() / _e11.x().max(_e14.y()));
+        let texel_6 = (at_17.metric.x().max(at_17.metric.z()).sqrt() / _e11.x().max(_e14.y()));
         let _e18 = self.v_shell_slack(pixel_6, middle_2);
         return (_e18 + ((rt::Scalar(2f32) * params_14.x()) * texel_6));
     }
@@ -4021,28 +4332,44 @@ impl<'g> Resources<'g> {
         let most_6 = _e102.max(quarters);
         return (most_6 / tolerance).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(16f32)).to_u32();
     }
+    pub(crate) fn coarser_voxel(
+        &self,
+        at_18: impl rt::Into<rt::Vec3<i32>>,
+        level_22: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec3<i32> {
+        rt::into(self.v_coarser_voxel(rt::into(at_18), rt::into(level_22)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_coarser_voxel(
+        &self,
+        at_18: rt::Vec3<i32>,
+        level_22: rt::Scalar<u32>,
+    ) -> rt::Vec3<i32> {
+        return <rt::Vec3<i32>>::from_scalars((at_18.x() >> level_22), (at_18.y() >> level_22), (at_18.z() >> level_22));
+    }
     pub(crate) fn color_at(
         &self,
         uv_3: impl rt::Into<rt::Vec2<f32>>,
-        level_22: impl rt::Into<rt::Scalar<u32>>,
+        level_23: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_color_at(rt::into(uv_3), rt::into(level_22)))
+        rt::into(self.v_color_at(rt::into(uv_3), rt::into(level_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_color_at(
         &self,
         uv_3: rt::Vec2<f32>,
-        level_22: rt::Scalar<u32>,
+        level_23: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.surface_settings.color_size;
-        let _e5 = self.v_level_texels(_e4, level_22);
+        let _e5 = self.v_level_texels(_e4, level_23);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_44 = level_22.to_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_44));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_44));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_44));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_44));
+        let k_45 = level_23.to_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -4068,16 +4395,16 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_8));
         let _e10 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_8));
         let _e13 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_8));
-        let last_3 = (_e7.w() - rt::Scalar(1f32)).max(rt::Scalar(1f32));
+        let last_4 = (_e7.w() - rt::Scalar(1f32)).max(rt::Scalar(1f32));
         let is_hemi = _e10.w().elementwise_gt(rt::Scalar(0f32));
         let up_2 = _e10.xyz().dot(toward);
-        let y_1 = up_2.select(up_2.max(rt::Scalar(0f32)), is_hemi);
-        let right_1 = _e7.xyz().dot(toward);
+        let y_4 = up_2.select(up_2.max(rt::Scalar(0f32)), is_hemi);
+        let right_2 = _e7.xyz().dot(toward);
         let front = _e13.xyz().dot(toward);
-        let sum_6 = ((right_1.abs() + y_1.abs()) + front.abs()).max(rt::Scalar(0.000001f32));
-        x_1 = (right_1 / sum_6);
+        let sum_6 = ((right_2.abs() + y_4.abs()) + front.abs()).max(rt::Scalar(0.000001f32));
+        x_1 = (right_2 / sum_6);
         z = (front / sum_6);
-        if rt::Scalar::into_branch_condition(y_1.elementwise_lt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(y_4.elementwise_lt(rt::Scalar(0f32))) {
             let _e44 = z;
             let _e48 = x_1;
             let folded_x = ((rt::Scalar(1f32) - _e44.abs()) * rt::Scalar(-1f32).select(rt::Scalar(1f32), _e48.elementwise_ge(rt::Scalar(0f32))));
@@ -4090,30 +4417,30 @@ impl<'g> Resources<'g> {
         let _e66 = x_1;
         let _e69 = x_1;
         let _e70 = z;
-        let across_3 = ((_e66 + rt::Scalar(1f32)).select(((_e69 + _e70) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_3));
+        let across_3 = ((_e66 + rt::Scalar(1f32)).select(((_e69 + _e70) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_4));
         let _e78 = z;
         let _e81 = z;
         let _e82 = x_1;
-        let along_21 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_3));
-        let place_24 = <rt::Vec2<f32>>::from_scalars(across_3, along_21).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_3, last_3));
-        let cell_27 = place_24.floor().min(<rt::Vec2<f32>>::from_scalars((last_3 - rt::Scalar(1f32)), (last_3 - rt::Scalar(1f32))));
+        let along_23 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_4));
+        let place_24 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
+        let cell_27 = place_24.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
         let part_9 = (place_24 - cell_27);
-        let side_5 = (last_3.to_u32() + rt::Scalar(1u32));
-        let first_9 = ((cell_27.y().to_u32() * side_5) + cell_27.x().to_u32());
-        let beside_4 = (first_9 + side_5).select((first_9 + rt::Scalar(1u32)), part_9.x().elementwise_gt(part_9.y()));
+        let side_5 = (last_4.to_u32() + rt::Scalar(1u32));
+        let first_11 = ((cell_27.y().to_u32() * side_5) + cell_27.x().to_u32());
+        let beside_4 = (first_11 + side_5).select((first_11 + rt::Scalar(1u32)), part_9.x().elementwise_gt(part_9.y()));
         let least_2 = part_9.x().min(part_9.y());
         let most_7 = part_9.x().max(part_9.y());
-        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_9, beside_4, ((first_9 + side_5) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_2), least_2));
+        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_11, beside_4, ((first_11 + side_5) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_2), least_2));
     }
-    pub(crate) fn image_of_object(&self, number: impl rt::Into<rt::Scalar<u32>>) -> Image {
-        rt::into(self.v_image_of_object(rt::into(number)))
+    pub(crate) fn image_of_object(&self, number_2: impl rt::Into<rt::Scalar<u32>>) -> Image {
+        rt::into(self.v_image_of_object(rt::into(number_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_image_of_object(&self, number: rt::Scalar<u32>) -> Image {
+    fn v_image_of_object(&self, number_2: rt::Scalar<u32>) -> Image {
         let mut depth_5: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(1f32));
         let mut eye_1: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
 
-        let row_9 = number.to_i32();
+        let row_9 = number_2.to_i32();
         let _e4 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(3i32), row_9));
         let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_9));
         let has_eye = _e7.w().elementwise_eq(rt::Scalar(1f32));
@@ -4165,15 +4492,15 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn color_of_frames(
         &self,
-        at_15: Entered,
+        at_19: Entered,
         view_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_color_of_frames(at_15, rt::into(view_7)))
+        rt::into(self.v_color_of_frames(at_19, rt::into(view_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_color_of_frames(
         &self,
-        at_15: Entered,
+        at_19: Entered,
         view_7: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let mut sum_1: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
@@ -4192,7 +4519,7 @@ impl<'g> Resources<'g> {
                     let _e14 = self.v_frame_number(_e2, _e13);
                     let _e15 = self.v_image_of_object(_e14);
                     let _e16 = sum_1;
-                    let _e18 = self.v_place_in_image(_e15, at_15.point);
+                    let _e18 = self.v_place_in_image(_e15, at_19.point);
                     let _e21 = self.v_color_at(_e18.xy(), rt::Scalar(0u32));
                     let _e23 = k_3;
                     let _e24 = self.v_frame_weight(_e2, _e23);
@@ -4207,16 +4534,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_color(
         &self,
-        at_16: Entered,
+        at_20: Entered,
         view_8: impl rt::Into<rt::Vec3<f32>>,
         asked_1: impl rt::Into<rt::Scalar<bool>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color(at_16, rt::into(view_8), rt::into(asked_1)))
+        rt::into(self.v_object_color(at_20, rt::into(view_8), rt::into(asked_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_color(
         &self,
-        at_16: Entered,
+        at_20: Entered,
         view_8: rt::Vec3<f32>,
         asked_1: rt::Scalar<bool>,
     ) -> rt::Vec3<f32> {
@@ -4243,7 +4570,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e24 = k_4;
                     let _e25 = self.v_image_of_object(_e24);
-                    let _e27 = self.v_angle_to_image(_e25, at_16.point, view_8, asked_1);
+                    let _e27 = self.v_angle_to_image(_e25, at_20.point, view_8, asked_1);
                     let _e28 = angle1_;
                     if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e28)) {
                         let _e30 = angle3_;
@@ -4295,13 +4622,13 @@ impl<'g> Resources<'g> {
         let _e51 = angle1_;
         let less = rt::Scalar(0f32).select(rt::Scalar(2f32), _e51.elementwise_ge(rt::Scalar(2f32)));
         let _e57 = angle4_;
-        let last_4 = (_e57 - less).min(rt::Scalar(0.5f32));
+        let last_5 = (_e57 - less).min(rt::Scalar(0.5f32));
         let _e61 = angle1_;
-        weight1_ = (rt::Scalar(1f32) - ((_e61 - less) / last_4)).max(rt::Scalar(0f32));
+        weight1_ = (rt::Scalar(1f32) - ((_e61 - less) / last_5)).max(rt::Scalar(0f32));
         let _e69 = angle2_;
-        weight2_ = (rt::Scalar(1f32) - ((_e69 - less) / last_4)).max(rt::Scalar(0f32));
+        weight2_ = (rt::Scalar(1f32) - ((_e69 - less) / last_5)).max(rt::Scalar(0f32));
         let _e77 = angle3_;
-        weight3_ = (rt::Scalar(1f32) - ((_e77 - less) / last_4)).max(rt::Scalar(0f32));
+        weight3_ = (rt::Scalar(1f32) - ((_e77 - less) / last_5)).max(rt::Scalar(0f32));
         let _e85 = weight1_;
         let _e86 = weight2_;
         let _e88 = weight3_;
@@ -4316,24 +4643,24 @@ impl<'g> Resources<'g> {
         }
         let _e106 = image1_;
         let _e107 = self.v_image_of_object(_e106);
-        let _e109 = self.v_place_in_image(_e107, at_16.point);
+        let _e109 = self.v_place_in_image(_e107, at_20.point);
         let uv1_ = _e109.xy();
         let _e111 = image2_;
         let _e112 = self.v_image_of_object(_e111);
-        let _e114 = self.v_place_in_image(_e112, at_16.point);
+        let _e114 = self.v_place_in_image(_e112, at_20.point);
         let uv2_ = _e114.xy();
         let _e116 = image3_;
         let _e117 = self.v_image_of_object(_e116);
-        let _e119 = self.v_place_in_image(_e117, at_16.point);
+        let _e119 = self.v_place_in_image(_e117, at_20.point);
         let uv3_ = _e119.xy();
         let _e122 = self.v_color_at(uv1_, rt::Scalar(0u32));
         let _e124 = weight1_;
-        let first_10 = (_e122.xyz() * _e124);
+        let first_12 = (_e122.xyz() * _e124);
         let _e127 = self.v_color_at(uv2_, rt::Scalar(0u32));
         let _e129 = weight2_;
         let _e133 = self.v_color_at(uv3_, rt::Scalar(0u32));
         let _e135 = weight3_;
-        let sum_7 = ((first_10 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
+        let sum_7 = ((first_12 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
         let _e138 = weight1_;
         let _e139 = weight2_;
         let _e141 = weight3_;
@@ -4341,16 +4668,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn color_of_object(
         &self,
-        at_17: Entered,
+        at_21: Entered,
         view_9: impl rt::Into<rt::Vec3<f32>>,
         how: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_color_of_object(at_17, rt::into(view_9), rt::into(how)))
+        rt::into(self.v_color_of_object(at_21, rt::into(view_9), rt::into(how)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_color_of_object(
         &self,
-        at_17: Entered,
+        at_21: Entered,
         view_9: rt::Vec3<f32>,
         how: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
@@ -4367,10 +4694,10 @@ impl<'g> Resources<'g> {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         }
         if rt::Scalar::into_branch_condition(how.elementwise_eq(rt::Scalar(3f32))) {
-            let _e21 = self.v_color_of_frames(at_17, view_9);
+            let _e21 = self.v_color_of_frames(at_21, view_9);
             return _e21;
         }
-        let _e24 = self.v_object_color(at_17, view_9, how.elementwise_eq(rt::Scalar(1f32)));
+        let _e24 = self.v_object_color(at_21, view_9, how.elementwise_eq(rt::Scalar(1f32)));
         return _e24;
     }
     pub(crate) fn color_or_white(
@@ -4418,6 +4745,52 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<u32> {
         return rt::Scalar(0u32).select(rt::Scalar(1u32), a_6.x().elementwise_le(b_6.x()));
     }
+    pub(crate) fn wide_product(
+        &self,
+        a_7: impl rt::Into<rt::Scalar<u32>>,
+        b_7: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec2<u32> {
+        rt::into(self.v_wide_product(rt::into(a_7), rt::into(b_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_wide_product(
+        &self,
+        a_7: rt::Scalar<u32>,
+        b_7: rt::Scalar<u32>,
+    ) -> rt::Vec2<u32> {
+        let a_high = (a_7 >> rt::Scalar(16u32));
+        let a_low = (a_7 & rt::Scalar(65535u32));
+        let b_high = (b_7 >> rt::Scalar(16u32));
+        let b_low = (b_7 & rt::Scalar(65535u32));
+        let low_2 = (a_low * b_low);
+        let one = ((a_low * b_high) + (low_2 >> rt::Scalar(16u32)));
+        let two = ((a_high * b_low) + (one & rt::Scalar(65535u32)));
+        return <rt::Vec2<u32>>::from_scalars((((a_high * b_high) + (one >> rt::Scalar(16u32))) + (two >> rt::Scalar(16u32))), ((two << rt::Scalar(16u32)) | (low_2 & rt::Scalar(65535u32))));
+    }
+    pub(crate) fn compared(
+        &self,
+        a_8: impl rt::Into<rt::Scalar<u32>>,
+        b_8: impl rt::Into<rt::Scalar<u32>>,
+        c_3: impl rt::Into<rt::Scalar<u32>>,
+        d_1: impl rt::Into<rt::Scalar<u32>>,
+    ) -> i32 {
+        rt::into(self.v_compared(rt::into(a_8), rt::into(b_8), rt::into(c_3), rt::into(d_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_compared(
+        &self,
+        a_8: rt::Scalar<u32>,
+        b_8: rt::Scalar<u32>,
+        c_3: rt::Scalar<u32>,
+        d_1: rt::Scalar<u32>,
+    ) -> rt::Scalar<i32> {
+        let _e4 = self.v_wide_product(a_8, b_8);
+        let _e5 = self.v_wide_product(c_3, d_1);
+        let by_low = rt::Scalar(0i32).select(rt::Scalar(1i32), _e4.y().elementwise_gt(_e5.y())).select(rt::Scalar(-1i32), _e4.y().elementwise_lt(_e5.y()));
+        return by_low.select(rt::Scalar(1i32), _e4.x().elementwise_gt(_e5.x())).select(rt::Scalar(-1i32), _e4.x().elementwise_lt(_e5.x()));
+    }
     pub(crate) fn slope_of(&self, value: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_slope_of(rt::into(value)))
     }
@@ -4435,9 +4808,9 @@ impl<'g> Resources<'g> {
         path_13: Path,
         place_5: impl rt::Into<rt::Vec2<i32>>,
         layer_1: impl rt::Into<rt::Scalar<i32>>,
-        level_23: impl rt::Into<rt::Scalar<i32>>,
+        level_24: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel(path_13, rt::into(place_5), rt::into(layer_1), rt::into(level_23)))
+        rt::into(self.v_search_texel(path_13, rt::into(place_5), rt::into(layer_1), rt::into(level_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4446,15 +4819,15 @@ impl<'g> Resources<'g> {
         path_13: Path,
         place_5: rt::Vec2<i32>,
         layer_1: rt::Scalar<i32>,
-        level_23: rt::Scalar<i32>,
+        level_24: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_13.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_5, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_23));
+            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_5, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_24));
             let _e12 = self.surface_settings.maps[2usize];
             let _e13 = self.v_decoded(texel_7, _e12);
             return _e13;
         }
-        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_5, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_23));
+        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_5, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_24));
         let _e19 = self.surface_settings.maps[1usize];
         let _e20 = self.v_decoded(_e15, _e19);
         return _e20;
@@ -4485,20 +4858,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn corner_height(
         &self,
         heights: impl rt::Into<rt::Vec4<f32>>,
-        corner: impl rt::Into<rt::Vec2<f32>>,
+        corner_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_corner_height(rt::into(heights), rt::into(corner)))
+        rt::into(self.v_corner_height(rt::into(heights), rt::into(corner_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_corner_height(
         &self,
         heights: rt::Vec4<f32>,
-        corner: rt::Vec2<f32>,
+        corner_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let above_5 = heights.x().select(heights.y(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
-        let below_4 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
-        return above_5.select(below_4, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
+        let above_5 = heights.x().select(heights.y(), corner_1.x().elementwise_gt(rt::Scalar(0.5f32)));
+        let below_4 = heights.z().select(heights.w(), corner_1.x().elementwise_gt(rt::Scalar(0.5f32)));
+        return above_5.select(below_4, corner_1.y().elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn plane_distance(
         &self,
@@ -4516,13 +4889,13 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return (normal_7.dot((pixel_8.a.position - pixel_8.origin)) / normal_7.dot(pixel_8.direction));
     }
-    pub(crate) fn depth_in_samples(&self, pixel_9: PixelIn, at_18: Entered) -> f32 {
-        rt::into(self.v_depth_in_samples(pixel_9, at_18))
+    pub(crate) fn depth_in_samples(&self, pixel_9: PixelIn, at_22: Entered) -> f32 {
+        rt::into(self.v_depth_in_samples(pixel_9, at_22))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_depth_in_samples(&self, pixel_9: PixelIn, at_18: Entered) -> rt::Scalar<f32> {
-        let _e3 = self.v_plane_distance(pixel_9, at_18.facing);
+    fn v_depth_in_samples(&self, pixel_9: PixelIn, at_22: Entered) -> rt::Scalar<f32> {
+        let _e3 = self.v_plane_distance(pixel_9, at_22.facing);
         let _e6 = self.frame.eye_right;
         let _e10 = self.frame.right;
         let _e17 = rt::Scalar(self.frame.sample_width);
@@ -4541,54 +4914,54 @@ impl<'g> Resources<'g> {
     pub(crate) fn footprint_axis(
         &self,
         pixel_11: PixelIn,
-        at_19: Entered,
+        at_23: Entered,
         normal_8: impl rt::Into<rt::Vec3<f32>>,
         t_14: impl rt::Into<rt::Scalar<f32>>,
         origin: impl rt::Into<rt::Vec3<f32>>,
         direction_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_footprint_axis(pixel_11, at_19, rt::into(normal_8), rt::into(t_14), rt::into(origin), rt::into(direction_4)))
+        rt::into(self.v_footprint_axis(pixel_11, at_23, rt::into(normal_8), rt::into(t_14), rt::into(origin), rt::into(direction_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_footprint_axis(
         &self,
         pixel_11: PixelIn,
-        at_19: Entered,
+        at_23: Entered,
         normal_8: rt::Vec3<f32>,
         t_14: rt::Scalar<f32>,
         origin: rt::Vec3<f32>,
         direction_4: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
         let aside_3 = (origin + (direction_4 * t_14));
-        let along_22 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
-        let _e15 = self.v_climb(at_19, (aside_3 - (pixel_11.direction * along_22)));
+        let along_24 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
+        let _e15 = self.v_climb(at_23, (aside_3 - (pixel_11.direction * along_24)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.to_f32());
     }
     pub(crate) fn footprint_of(
         &self,
         pixel_12: PixelIn,
-        at_20: Entered,
+        at_24: Entered,
         anisotropy: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_footprint_of(pixel_12, at_20, rt::into(anisotropy)))
+        rt::into(self.v_footprint_of(pixel_12, at_24, rt::into(anisotropy)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_of(
         &self,
         pixel_12: PixelIn,
-        at_20: Entered,
+        at_24: Entered,
         anisotropy: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let normal_21 = at_20.facing;
+        let normal_21 = at_24.facing;
         let _e4 = self.v_plane_distance(pixel_12, normal_21);
         let _e7 = self.frame.eye_right;
         let _e11 = self.frame.right;
-        let _e13 = self.v_footprint_axis(pixel_12, at_20, normal_21, _e4, _e7.xyz(), _e11.xyz());
+        let _e13 = self.v_footprint_axis(pixel_12, at_24, normal_21, _e4, _e7.xyz(), _e11.xyz());
         let _e16 = self.frame.eye_down;
         let _e20 = self.frame.down;
-        let _e22 = self.v_footprint_axis(pixel_12, at_20, normal_21, _e4, _e16.xyz(), _e20.xyz());
+        let _e22 = self.v_footprint_axis(pixel_12, at_24, normal_21, _e4, _e16.xyz(), _e20.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
         let sum_8 = both.dot(both);
         let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
@@ -4602,45 +4975,45 @@ impl<'g> Resources<'g> {
     pub(crate) fn detail_fade(
         &self,
         pixel_13: PixelIn,
-        at_21: Entered,
+        at_25: Entered,
         params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_fade(pixel_13, at_21, rt::into(params_15)))
+        rt::into(self.v_detail_fade(pixel_13, at_25, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_fade(
         &self,
         pixel_13: PixelIn,
-        at_21: Entered,
+        at_25: Entered,
         params_15: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_13, at_21, params_15.x());
+        let _e4 = self.v_footprint_of(pixel_13, at_25, params_15.x());
         let begin_4 = (params_15.z() * params_15.w());
-        let _e8 = self.v_depth_in_samples(pixel_13, at_21);
+        let _e8 = self.v_depth_in_samples(pixel_13, at_25);
         let part_10 = ((begin_4 - _e8) / (begin_4 - params_15.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_15.y()), _e19);
-        let level_39 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_39, _e4, part_10.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        let level_44 = rt::Scalar(_e20.fine);
+        return <Detail>::new(level_44, _e4, part_10.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
         pixel_14: PixelIn,
-        at_22: Entered,
+        at_26: Entered,
         params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_14, at_22, rt::into(params_16)))
+        rt::into(self.v_detail_footprint(pixel_14, at_26, rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_footprint(
         &self,
         pixel_14: PixelIn,
-        at_22: Entered,
+        at_26: Entered,
         params_16: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_14, at_22, params_16.x());
+        let _e4 = self.v_footprint_of(pixel_14, at_26, params_16.x());
         let _e9 = rt::Scalar(self.surface_settings.height_levels);
         let _e10 = self.v_levels_of((_e4 / params_16.y()), _e9);
         return <Detail>::new(rt::Scalar(_e10.fine), _e4, rt::Scalar(0f32));
@@ -4648,41 +5021,41 @@ impl<'g> Resources<'g> {
     pub(crate) fn detail_none(
         &self,
         pixel_15: PixelIn,
-        at_23: Entered,
+        at_27: Entered,
         params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_15, at_23, rt::into(params_17)))
+        rt::into(self.v_detail_none(pixel_15, at_27, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_none(
         &self,
         pixel_15: PixelIn,
-        at_23: Entered,
+        at_27: Entered,
         params_17: rt::Vec4<f32>,
     ) -> Detail {
         return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn detail_stage(&self, pixel_16: PixelIn, at_24: Entered) -> Detail {
-        rt::into(self.v_detail_stage(pixel_16, at_24))
+    pub(crate) fn detail_stage(&self, pixel_16: PixelIn, at_28: Entered) -> Detail {
+        rt::into(self.v_detail_stage(pixel_16, at_28))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_detail_stage(&self, pixel_16: PixelIn, at_24: Entered) -> Detail {
+    fn v_detail_stage(&self, pixel_16: PixelIn, at_28: Entered) -> Detail {
         let _e6 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[4usize].params;
-                let _e12 = self.v_detail_none(pixel_16, at_24, _e11);
+                let _e12 = self.v_detail_none(pixel_16, at_28, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[4usize].params;
-                let _e18 = self.v_detail_footprint(pixel_16, at_24, _e17);
+                let _e18 = self.v_detail_footprint(pixel_16, at_28, _e17);
                 return _e18;
             }
             _ => {
                 let _e23 = self.surface_settings.choices[4usize].params;
-                let _e24 = self.v_detail_fade(pixel_16, at_24, _e23);
+                let _e24 = self.v_detail_fade(pixel_16, at_28, _e23);
                 return _e24;
             }
         }
@@ -4691,9 +5064,9 @@ impl<'g> Resources<'g> {
         &self,
         place_6: impl rt::Into<rt::Vec2<i32>>,
         layer_2: impl rt::Into<rt::Scalar<i32>>,
-        level_24: impl rt::Into<rt::Scalar<i32>>,
+        level_25: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel(rt::into(place_6), rt::into(layer_2), rt::into(level_24)))
+        rt::into(self.v_detail_texel(rt::into(place_6), rt::into(layer_2), rt::into(level_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4701,9 +5074,9 @@ impl<'g> Resources<'g> {
         &self,
         place_6: rt::Vec2<i32>,
         layer_2: rt::Scalar<i32>,
-        level_24: rt::Scalar<i32>,
+        level_25: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_6, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_24));
+        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_6, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_25));
         let _e8 = self.surface_settings.maps[0usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -4712,9 +5085,9 @@ impl<'g> Resources<'g> {
         &self,
         uv_5: impl rt::Into<rt::Vec2<f32>>,
         layer_3: impl rt::Into<rt::Scalar<i32>>,
-        level_25: impl rt::Into<rt::Scalar<u32>>,
+        level_26: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel_between(rt::into(uv_5), rt::into(layer_3), rt::into(level_25)))
+        rt::into(self.v_detail_texel_between(rt::into(uv_5), rt::into(layer_3), rt::into(level_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4722,15 +5095,15 @@ impl<'g> Resources<'g> {
         &self,
         uv_5: rt::Vec2<f32>,
         layer_3: rt::Scalar<i32>,
-        level_25: rt::Scalar<u32>,
+        level_26: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_25);
+        let _e3 = self.v_height_texels(level_26);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_45 = (level_25 - SEEN_FIRST_LEVEL).to_i32();
-        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_45);
-        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_45);
-        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_45);
-        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_45);
+        let k_46 = (level_26 - SEEN_FIRST_LEVEL).to_i32();
+        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_46);
+        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_46);
+        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_46);
+        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_46);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
         return _e33;
     }
@@ -4754,9 +5127,9 @@ impl<'g> Resources<'g> {
         &self,
         rows: DiceRows,
         side: impl rt::Into<rt::Scalar<u32>>,
-        at_25: impl rt::Into<rt::Scalar<u32>>,
+        at_29: impl rt::Into<rt::Scalar<u32>>,
     ) -> DicePoint {
-        rt::into(self.v_dice_border(rows, rt::into(side), rt::into(at_25)))
+        rt::into(self.v_dice_border(rows, rt::into(side), rt::into(at_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4764,11 +5137,11 @@ impl<'g> Resources<'g> {
         &self,
         rows: DiceRows,
         side: rt::Scalar<u32>,
-        at_25: rt::Scalar<u32>,
+        at_29: rt::Scalar<u32>,
     ) -> DicePoint {
         let _e4 = self.v_one_of(rows.sides, side);
         let _e6 = self.v_one_of(rows.parts, side);
-        let on_side = at_25.select((_e6 - at_25), side.elementwise_eq(rt::Scalar(2u32)));
+        let on_side = at_29.select((_e6 - at_29), side.elementwise_eq(rt::Scalar(2u32)));
         let no_weights = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(on_side.elementwise_eq(_e6)) {
             let _e17 = self.v_around_three(_e4, rt::Scalar(1u32));
@@ -4814,14 +5187,14 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<u32> {
         let mut n_3: rt::Scalar<u32>;
         let mut m_2: rt::Scalar<u32>;
-        let mut a_7: rt::Scalar<u32>;
-        let mut b_7: rt::Scalar<u32>;
+        let mut a_9: rt::Scalar<u32>;
+        let mut b_9: rt::Scalar<u32>;
         let mut sum_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
         n_3 = count_2;
         m_2 = by;
-        a_7 = slope;
-        b_7 = offset_1;
+        a_9 = slope;
+        b_9 = offset_1;
         'naga_break: loop {
             'naga_continue: {
                 let _e10 = n_3;
@@ -4833,30 +5206,30 @@ impl<'g> Resources<'g> {
                     let _e13 = sum_2;
                     let _e14 = n_3;
                     let _e15 = n_3;
-                    let _e21 = a_7;
+                    let _e21 = a_9;
                     let _e22 = m_2;
                     let _e26 = n_3;
-                    let _e27 = b_7;
+                    let _e27 = b_9;
                     let _e28 = m_2;
                     sum_2 = ((_e13 + (((_e14 * (_e15 - rt::Scalar(1u32))) / rt::Scalar(2u32)) * (_e21 / _e22))) + (_e26 * (_e27 / _e28)));
-                    let _e32 = a_7;
+                    let _e32 = a_9;
                     let _e33 = m_2;
-                    a_7 = (_e32 % _e33);
-                    let _e35 = b_7;
+                    a_9 = (_e32 % _e33);
+                    let _e35 = b_9;
                     let _e36 = m_2;
-                    b_7 = (_e35 % _e36);
-                    let _e38 = a_7;
+                    b_9 = (_e35 % _e36);
+                    let _e38 = a_9;
                     let _e39 = n_3;
-                    let _e41 = b_7;
-                    let last_5 = ((_e38 * _e39) + _e41);
+                    let _e41 = b_9;
+                    let last_6 = ((_e38 * _e39) + _e41);
                     let _e43 = m_2;
-                    n_3 = (last_5 / _e43);
+                    n_3 = (last_6 / _e43);
                     let _e45 = m_2;
-                    b_7 = (last_5 % _e45);
+                    b_9 = (last_6 % _e45);
                     let swapped = m_2;
-                    let _e48 = a_7;
+                    let _e48 = a_9;
                     m_2 = _e48.max(rt::Scalar(1u32));
-                    a_7 = swapped;
+                    a_9 = swapped;
                 }
             }
         }
@@ -4909,26 +5282,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_row_of_point(
         &self,
         rows_5: DiceRows,
-        number_1: impl rt::Into<rt::Scalar<u32>>,
+        number_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_row_of_point(rows_5, rt::into(number_1)))
+        rt::into(self.v_dice_row_of_point(rows_5, rt::into(number_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_dice_row_of_point(
         &self,
         rows_5: DiceRows,
-        number_1: rt::Scalar<u32>,
+        number_3: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let mut row_1: rt::Scalar<u32>;
 
         let _e2 = self.v_dice_points(rows_5);
-        let _e3 = self.v_dice_guess(rows_5, number_1, _e2);
+        let _e3 = self.v_dice_guess(rows_5, number_3, _e2);
         row_1 = _e3.max(rt::Scalar(1u32));
         'naga_break: loop {
             'naga_continue: {
                 let _e7 = row_1;
                 let _e8 = self.v_dice_points_before(rows_5, _e7);
-                if rt::Scalar::into_branch_condition(_e8.elementwise_gt(number_1)) {
+                if rt::Scalar::into_branch_condition(_e8.elementwise_gt(number_3)) {
                 } else {
                     break 'naga_break;
                 }
@@ -4942,7 +5315,7 @@ impl<'g> Resources<'g> {
             'naga_continue: {
                 let _e13 = row_1;
                 let _e16 = self.v_dice_points_before(rows_5, (_e13 + rt::Scalar(1u32)));
-                if rt::Scalar::into_branch_condition(_e16.elementwise_le(number_1)) {
+                if rt::Scalar::into_branch_condition(_e16.elementwise_le(number_3)) {
                 } else {
                     break 'naga_break;
                 }
@@ -4958,28 +5331,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_place(
         &self,
         rows_6: DiceRows,
-        number_2: impl rt::Into<rt::Scalar<u32>>,
+        number_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> DicePlace {
-        rt::into(self.v_dice_place(rows_6, rt::into(number_2)))
+        rt::into(self.v_dice_place(rows_6, rt::into(number_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_place(
         &self,
         rows_6: DiceRows,
-        number_2: rt::Scalar<u32>,
+        number_4: rt::Scalar<u32>,
     ) -> DicePlace {
-        let _e2 = self.v_dice_row_of_point(rows_6, number_2);
+        let _e2 = self.v_dice_row_of_point(rows_6, number_4);
         let _e3 = self.v_dice_points_before(rows_6, _e2);
-        return <DicePlace>::new(_e2, ((number_2 - _e3) + rt::Scalar(1u32)));
+        return <DicePlace>::new(_e2, ((number_4 - _e3) + rt::Scalar(1u32)));
     }
     pub(crate) fn dice_share(
         &self,
         rows_7: DiceRows,
         row_2: impl rt::Into<rt::Scalar<u32>>,
-        parts: impl rt::Into<rt::Scalar<u32>>,
+        parts_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_share(rows_7, rt::into(row_2), rt::into(parts)))
+        rt::into(self.v_dice_share(rows_7, rt::into(row_2), rt::into(parts_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4987,9 +5360,9 @@ impl<'g> Resources<'g> {
         &self,
         rows_7: DiceRows,
         row_2: rt::Scalar<u32>,
-        parts: rt::Scalar<u32>,
+        parts_1: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        return ((((row_2 * parts) + rt::Scalar(rows_7.count)) - rt::Scalar(1u32)) / rt::Scalar(rows_7.count));
+        return ((((row_2 * parts_1) + rt::Scalar(rows_7.count)) - rt::Scalar(1u32)) / rt::Scalar(rows_7.count));
     }
     pub(crate) fn dice_row_parts(
         &self,
@@ -5035,12 +5408,12 @@ impl<'g> Resources<'g> {
         let on_short = (((_e15 - rt::Scalar(place_8.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_9.parts.x().to_f32()));
         let on_other = ((rt::Scalar(place_8.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_9.parts.z().to_f32()));
         let on_corner = ((rt::Scalar(1f32) - on_short) - on_other);
-        let x_4 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(0u32)));
-        let y_2 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(1u32)));
+        let x_7 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(0u32)));
+        let y_5 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(1u32)));
         let z_2 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(2u32)));
         let _e88 = self.v_dice_points_before(rows_9, rt::Scalar(place_8.row));
-        let number_19 = ((_e88 + rt::Scalar(place_8.at)) - rt::Scalar(1u32));
-        return <DicePoint>::new(DICE_INSIDE, number_19, <rt::Vec3<f32>>::from_scalars(x_4, y_2, z_2));
+        let number_23 = ((_e88 + rt::Scalar(place_8.at)) - rt::Scalar(1u32));
+        return <DicePoint>::new(DICE_INSIDE, number_23, <rt::Vec3<f32>>::from_scalars(x_7, y_5, z_2));
     }
     pub(crate) fn dice_triangles_before(
         &self,
@@ -5075,26 +5448,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_row_of_triangle(
         &self,
         rows_12: DiceRows,
-        number_3: impl rt::Into<rt::Scalar<u32>>,
+        number_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_row_of_triangle(rows_12, rt::into(number_3)))
+        rt::into(self.v_dice_row_of_triangle(rows_12, rt::into(number_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_dice_row_of_triangle(
         &self,
         rows_12: DiceRows,
-        number_3: rt::Scalar<u32>,
+        number_5: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let mut row_5: rt::Scalar<u32>;
 
         let _e2 = self.v_dice_triangles(rows_12);
-        let _e3 = self.v_dice_guess(rows_12, number_3, _e2);
+        let _e3 = self.v_dice_guess(rows_12, number_5, _e2);
         row_5 = _e3;
         'naga_break: loop {
             'naga_continue: {
                 let _e5 = row_5;
                 let _e6 = self.v_dice_triangles_before(rows_12, _e5);
-                if rt::Scalar::into_branch_condition(_e6.elementwise_gt(number_3)) {
+                if rt::Scalar::into_branch_condition(_e6.elementwise_gt(number_5)) {
                 } else {
                     break 'naga_break;
                 }
@@ -5108,7 +5481,7 @@ impl<'g> Resources<'g> {
             'naga_continue: {
                 let _e11 = row_5;
                 let _e14 = self.v_dice_triangles_before(rows_12, (_e11 + rt::Scalar(1u32)));
-                if rt::Scalar::into_branch_condition(_e14.elementwise_le(number_3)) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_le(number_5)) {
                 } else {
                     break 'naga_break;
                 }
@@ -5121,16 +5494,16 @@ impl<'g> Resources<'g> {
         let _e19 = row_5;
         return (_e19 + rt::Scalar(1u32));
     }
-    pub(crate) fn dice_rows(&self, parts_1: impl rt::Into<rt::Vec3<u32>>) -> DiceRows {
-        rt::into(self.v_dice_rows(rt::into(parts_1)))
+    pub(crate) fn dice_rows(&self, parts_2: impl rt::Into<rt::Vec3<u32>>) -> DiceRows {
+        rt::into(self.v_dice_rows(rt::into(parts_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_dice_rows(&self, parts_1: rt::Vec3<u32>) -> DiceRows {
+    fn v_dice_rows(&self, parts_2: rt::Vec3<u32>) -> DiceRows {
         let mut local_24: rt::Scalar<bool>;
 
-        let of_last = rt::Scalar(2u32).select(rt::Scalar(1u32), parts_1.y().elementwise_le(parts_1.z()));
-        if rt::Scalar::into_branch_condition(parts_1.x().elementwise_le(parts_1.y())) {
-            local_24 = parts_1.x().elementwise_le(parts_1.z());
+        let of_last = rt::Scalar(2u32).select(rt::Scalar(1u32), parts_2.y().elementwise_le(parts_2.z()));
+        if rt::Scalar::into_branch_condition(parts_2.x().elementwise_le(parts_2.y())) {
+            local_24 = parts_2.x().elementwise_le(parts_2.z());
         } else {
             local_24 = rt::Scalar(false);
         }
@@ -5138,12 +5511,12 @@ impl<'g> Resources<'g> {
         let short = of_last.select(rt::Scalar(0u32), _e17);
         let _e20 = self.v_around_three(short, rt::Scalar(2u32));
         let _e22 = self.v_around_three(short, rt::Scalar(1u32));
-        let sides = <rt::Vec3<u32>>::from_scalars(_e20, short, _e22);
-        let _e25 = self.v_one_of(parts_1, sides.x());
-        let _e27 = self.v_one_of(parts_1, sides.y());
-        let _e29 = self.v_one_of(parts_1, sides.z());
+        let sides_2 = <rt::Vec3<u32>>::from_scalars(_e20, short, _e22);
+        let _e25 = self.v_one_of(parts_2, sides_2.x());
+        let _e27 = self.v_one_of(parts_2, sides_2.y());
+        let _e29 = self.v_one_of(parts_2, sides_2.z());
         let sorted = <rt::Vec3<u32>>::from_scalars(_e25, _e27, _e29);
-        return <DiceRows>::new(sides, sorted, sorted.x().max(sorted.z()));
+        return <DiceRows>::new(sides_2, sorted, sorted.x().max(sorted.z()));
     }
     pub(crate) fn dice_steps_below(
         &self,
@@ -5215,19 +5588,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_triangle(
         &self,
         rows_13: DiceRows,
-        number_4: impl rt::Into<rt::Scalar<u32>>,
+        number_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> DiceTriangle {
-        rt::into(self.v_dice_triangle(rows_13, rt::into(number_4)))
+        rt::into(self.v_dice_triangle(rows_13, rt::into(number_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_dice_triangle(
         &self,
         rows_13: DiceRows,
-        number_4: rt::Scalar<u32>,
+        number_6: rt::Scalar<u32>,
     ) -> DiceTriangle {
         let mut local_27: rt::Scalar<bool>;
 
-        let _e2 = self.v_dice_row_of_triangle(rows_13, number_4);
+        let _e2 = self.v_dice_row_of_triangle(rows_13, number_6);
         let _e5 = self.v_dice_row_parts(rows_13, (_e2 - rt::Scalar(1u32)));
         let _e6 = self.v_dice_row_parts(rows_13, _e2);
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(1u32))) {
@@ -5239,13 +5612,13 @@ impl<'g> Resources<'g> {
         }
         let is_shared = local_27;
         let _e24 = self.v_dice_triangles_before(rows_13, (_e2 - rt::Scalar(1u32)));
-        let step_5 = ((number_4 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
+        let step_5 = ((number_6 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
         let _e30 = self.v_dice_steps_below(_e5, _e6, step_5);
         let i_2 = (step_5 - _e30);
         let _e34 = self.v_dice_steps_below(_e5, _e6, (step_5 + rt::Scalar(1u32)));
         let goes_below = _e34.elementwise_gt(_e30);
-        let next_7 = <DicePlace>::new((_e2 - rt::Scalar(1u32)).select(_e2, goes_below), (i_2 + rt::Scalar(1u32)).select((_e30 + rt::Scalar(1u32)), goes_below));
-        return <DiceTriangle>::new(<DicePlace>::new((_e2 - rt::Scalar(1u32)), i_2), <DicePlace>::new(_e2, _e30), next_7);
+        let next_9 = <DicePlace>::new((_e2 - rt::Scalar(1u32)).select(_e2, goes_below), (i_2 + rt::Scalar(1u32)).select((_e30 + rt::Scalar(1u32)), goes_below));
+        return <DiceTriangle>::new(<DicePlace>::new((_e2 - rt::Scalar(1u32)), i_2), <DicePlace>::new(_e2, _e30), next_9);
     }
     pub(crate) fn displaced_derivative(
         &self,
@@ -5267,15 +5640,15 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec3<f32> {
         return (((along_3 - (up * up.dot(along_3))) + rise) + turned);
     }
-    pub(crate) fn log2_of(&self, number_5: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_log2_of(rt::into(number_5)))
+    pub(crate) fn log2_of(&self, number_7: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_log2_of(rt::into(number_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_log2_of(&self, number_5: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    fn v_log2_of(&self, number_7: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let mut rest_1: rt::Scalar<f32>;
         let mut exponent: rt::Scalar<f32> = rt::Scalar(0f32);
 
-        rest_1 = number_5;
+        rest_1 = number_7;
         'naga_break: loop {
             'naga_continue: {
                 let _e4 = rest_1;
@@ -5330,44 +5703,44 @@ impl<'g> Resources<'g> {
     pub(crate) fn height_and_slope(
         &self,
         uv_6: impl rt::Into<rt::Vec2<f32>>,
-        level_26: impl rt::Into<rt::Scalar<u32>>,
+        level_27: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_6), rt::into(level_26)))
+        rt::into(self.v_height_and_slope(rt::into(uv_6), rt::into(level_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_height_and_slope(
         &self,
         uv_6: rt::Vec2<f32>,
-        level_26: rt::Scalar<u32>,
+        level_27: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_height_size(level_26);
+        let _e2 = self.v_height_size(level_27);
         let point_24 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_24);
         let f_1 = (point_24 - _e8);
-        let _e11 = self.v_height_cell(_e8.to_i32(), level_26);
+        let _e11 = self.v_height_cell(_e8.to_i32(), level_27);
         let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_3 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
-        let left_3 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
-        let right_2 = (_e11.y() + ((_e11.w() - _e11.y()) * f_1.y()));
-        return <rt::Vec3<f32>>::from_scalars((top_5 + ((bottom_3 - top_5) * f_1.y())), ((right_2 - left_3) * _e2.x()), ((bottom_3 - top_5) * _e2.y()));
+        let left_4 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
+        let right_3 = (_e11.y() + ((_e11.w() - _e11.y()) * f_1.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_5 + ((bottom_3 - top_5) * f_1.y())), ((right_3 - left_4) * _e2.x()), ((bottom_3 - top_5) * _e2.y()));
     }
     pub(crate) fn relief_between_levels(
         &self,
         uv_7: impl rt::Into<rt::Vec2<f32>>,
-        level_27: impl rt::Into<rt::Scalar<f32>>,
+        level_28: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_relief_between_levels(rt::into(uv_7), rt::into(level_27)))
+        rt::into(self.v_relief_between_levels(rt::into(uv_7), rt::into(level_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_relief_between_levels(
         &self,
         uv_7: rt::Vec2<f32>,
-        level_27: rt::Scalar<f32>,
+        level_28: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let finer = level_27.to_u32();
-        let part_13 = (level_27 - finer.to_f32());
+        let finer = level_28.to_u32();
+        let part_13 = (level_28 - finer.to_f32());
         let _e5 = self.v_height_and_slope(uv_7, finer);
         if rt::Scalar::into_branch_condition(part_13.elementwise_eq(rt::Scalar(0f32))) {
             return _e5;
@@ -5437,11 +5810,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e4 = self.v_height_texels(rt::Scalar(path_16.level));
         let _e5 = self.v_texels_around(uv_8, _e4);
-        let level_40 = rt::Scalar(path_16.level).to_i32();
-        let _e13 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_40);
-        let _e19 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_40);
-        let _e25 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_40);
-        let _e31 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_40);
+        let level_45 = rt::Scalar(path_16.level).to_i32();
+        let _e13 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_45);
+        let _e19 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_45);
+        let _e25 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_45);
+        let _e31 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_45);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
@@ -5471,39 +5844,56 @@ impl<'g> Resources<'g> {
         let upper = _e21.x();
         return (lower_1 + ((upper - lower_1) * (place_26 - below_5)));
     }
+    pub(crate) fn ends_on(&self, sweep_4: Sweep, chain_1: SweptChain, other: SweptChain) -> bool {
+        rt::into(self.v_ends_on(sweep_4, chain_1, other))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_ends_on(&self, sweep_4: Sweep, chain_1: SweptChain, other: SweptChain) -> rt::Scalar<bool> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(other.count).elementwise_lt(rt::Scalar(2i32))) {
+            return rt::Scalar(false);
+        }
+        let _e10 = self.v_chain_point(sweep_4, chain_1, (rt::Scalar(chain_1.count) - rt::Scalar(1i32)));
+        let end_4 = rt::Scalar(_e10.sides);
+        let _e15 = self.v_chain_point(sweep_4, other, (rt::Scalar(other.count) - rt::Scalar(1i32)));
+        let last_7 = rt::Scalar(_e15.sides);
+        let _e20 = self.v_chain_point(sweep_4, other, (rt::Scalar(other.count) - rt::Scalar(2i32)));
+        let before_2 = rt::Scalar(_e20.sides);
+        return ((end_4 & last_7) & before_2).elementwise_ne(rt::Scalar(0u32));
+    }
     pub(crate) fn plane_normal(&self, pixel_17: PixelIn) -> rt::Vec3<f32> {
         rt::into(self.v_plane_normal(pixel_17))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_normal(&self, pixel_17: PixelIn) -> rt::Vec3<f32> {
-        let a_19 = pixel_17.a.position;
-        return (pixel_17.b.position - a_19).cross((pixel_17.c.position - a_19));
+        let a_29 = pixel_17.a.position;
+        return (pixel_17.b.position - a_29).cross((pixel_17.c.position - a_29));
     }
     pub(crate) fn weights_of(
         &self,
-        a_8: impl rt::Into<rt::Vec3<f32>>,
-        b_8: impl rt::Into<rt::Vec3<f32>>,
-        c_3: impl rt::Into<rt::Vec3<f32>>,
+        a_10: impl rt::Into<rt::Vec3<f32>>,
+        b_10: impl rt::Into<rt::Vec3<f32>>,
+        c_4: impl rt::Into<rt::Vec3<f32>>,
         normal_10: impl rt::Into<rt::Vec3<f32>>,
         point_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_of(rt::into(a_8), rt::into(b_8), rt::into(c_3), rt::into(normal_10), rt::into(point_7)))
+        rt::into(self.v_weights_of(rt::into(a_10), rt::into(b_10), rt::into(c_4), rt::into(normal_10), rt::into(point_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_weights_of(
         &self,
-        a_8: rt::Vec3<f32>,
-        b_8: rt::Vec3<f32>,
-        c_3: rt::Vec3<f32>,
+        a_10: rt::Vec3<f32>,
+        b_10: rt::Vec3<f32>,
+        c_4: rt::Vec3<f32>,
         normal_10: rt::Vec3<f32>,
         point_7: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let nn = normal_10.dot(normal_10);
-        let from_a = (point_7 - a_8);
-        let wb = (from_a.cross((c_3 - a_8)).dot(normal_10) / nn);
-        let wc = ((b_8 - a_8).cross(from_a).dot(normal_10) / nn);
+        let from_a = (point_7 - a_10);
+        let wb = (from_a.cross((c_4 - a_10)).dot(normal_10) / nn);
+        let wc = ((b_10 - a_10).cross(from_a).dot(normal_10) / nn);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - wb) - wc), wb, wc);
     }
     pub(crate) fn plane_weights(
@@ -5672,17 +6062,17 @@ impl<'g> Resources<'g> {
         pixel_24: PixelIn,
         along_7: rt::Vec3<f32>,
     ) -> Entered {
-        let mut at_26: Entered;
+        let mut at_30: Entered;
 
-        let third_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
+        let third_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
         let uv_33 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_24, along_7);
         let point_26 = (pixel_24.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_7);
-        let _e21 = self.v_frame_at(pixel_24, third_1, point_26, uv_33, _e20);
-        at_26 = _e21;
-        rt::Scalar(at_26.segments) = rt::Scalar(0u32);
-        let _e25 = at_26;
+        let _e21 = self.v_frame_at(pixel_24, third_2, point_26, uv_33, _e20);
+        at_30 = _e21;
+        rt::Scalar(at_30.segments) = rt::Scalar(0u32);
+        let _e25 = at_30;
         return _e25;
     }
     pub(crate) fn way_weight(
@@ -5725,9 +6115,9 @@ impl<'g> Resources<'g> {
         prism_3: Prism,
         along_9: rt::Vec3<f32>,
     ) -> Way {
-        let first_11 = (rt::Scalar(pixel_25.shell.order) & rt::Scalar(3u32));
+        let first_13 = (rt::Scalar(pixel_25.shell.order) & rt::Scalar(3u32));
         let second_2 = ((rt::Scalar(pixel_25.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
-        let is_turned = (((second_2 + rt::Scalar(3u32)) - first_11) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
+        let is_turned = (((second_2 + rt::Scalar(3u32)) - first_13) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
         let _e24 = self.v_way_weight(along_9, prism_3.p1_, prism_3.n1_, prism_3.p2_, prism_3.n2_);
         let _e29 = self.v_way_weight(along_9, prism_3.p2_, prism_3.n2_, prism_3.p0_, prism_3.n0_);
         let _e34 = self.v_way_weight(along_9, prism_3.p0_, prism_3.n0_, prism_3.p1_, prism_3.n1_);
@@ -5790,10 +6180,10 @@ impl<'g> Resources<'g> {
         prism_5: Prism,
         offset_2: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let a_20 = ((prism_5.p2_ - prism_5.p1_) + ((prism_5.n2_ - prism_5.n1_) * offset_2));
-        let b_20 = ((prism_5.p0_ - prism_5.p2_) + ((prism_5.n0_ - prism_5.n2_) * offset_2));
-        let c_13 = ((prism_5.p1_ - prism_5.p0_) + ((prism_5.n1_ - prism_5.n0_) * offset_2));
-        return (<rt::Vec3<f32>>::from_scalars(a_20.length(), b_20.length(), c_13.length()) / rt::Vec3::splat_from_scalar(b_20.cross(c_13).length().max(rt::Scalar(0.000000000000000000000000000001f32))));
+        let a_30 = ((prism_5.p2_ - prism_5.p1_) + ((prism_5.n2_ - prism_5.n1_) * offset_2));
+        let b_30 = ((prism_5.p0_ - prism_5.p2_) + ((prism_5.n0_ - prism_5.n2_) * offset_2));
+        let c_20 = ((prism_5.p1_ - prism_5.p0_) + ((prism_5.n1_ - prism_5.n0_) * offset_2));
+        return (<rt::Vec3<f32>>::from_scalars(a_30.length(), b_30.length(), c_20.length()) / rt::Vec3::splat_from_scalar(b_30.cross(c_20).length().max(rt::Scalar(0.000000000000000000000000000001f32))));
     }
     pub(crate) fn way_beyond(
         &self,
@@ -5834,23 +6224,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn root_behind(
         &self,
-        c_4: impl rt::Into<rt::Vec3<f32>>,
+        c_5: impl rt::Into<rt::Vec3<f32>>,
         place_9: impl rt::Into<rt::Scalar<f32>>,
         end: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_root_behind(rt::into(c_4), rt::into(place_9), rt::into(end)))
+        rt::into(self.v_root_behind(rt::into(c_5), rt::into(place_9), rt::into(end)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_root_behind(
         &self,
-        c_4: rt::Vec3<f32>,
+        c_5: rt::Vec3<f32>,
         place_9: rt::Scalar<f32>,
         end: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut first: rt::Scalar<f32>;
 
-        let _e3 = self.v_both_roots(c_4);
+        let _e3 = self.v_both_roots(c_5);
         first = end;
         if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_9)) {
             let _e7 = first;
@@ -5899,9 +6289,9 @@ impl<'g> Resources<'g> {
         offsets_1: impl rt::Into<rt::Vec2<f32>>,
         beyond_2: impl rt::Into<rt::Vec3<f32>>,
         tolerance_1: impl rt::Into<rt::Scalar<f32>>,
-        number_6: impl rt::Into<rt::Scalar<u32>>,
+        number_8: impl rt::Into<rt::Scalar<u32>>,
     ) -> WayChord {
-        rt::into(self.v_way_chord(pixel_27, prism_7, rt::into(along_10), way_5, rt::into(offsets_1), rt::into(beyond_2), rt::into(tolerance_1), rt::into(number_6)))
+        rt::into(self.v_way_chord(pixel_27, prism_7, rt::into(along_10), way_5, rt::into(offsets_1), rt::into(beyond_2), rt::into(tolerance_1), rt::into(number_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_way_chord(
@@ -5913,7 +6303,7 @@ impl<'g> Resources<'g> {
         offsets_1: rt::Vec2<f32>,
         beyond_2: rt::Vec3<f32>,
         tolerance_1: rt::Scalar<f32>,
-        number_6: rt::Scalar<u32>,
+        number_8: rt::Scalar<u32>,
     ) -> WayChord {
         let mut chosen: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let mut count_4: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -5947,35 +6337,35 @@ impl<'g> Resources<'g> {
                     let _e39 = self.v_root_behind(_e8.second, _e37, offsets_1.y());
                     let _e42 = begin;
                     let _e44 = self.v_root_behind(_e8.third, _e42, offsets_1.y());
-                    let end_3 = _e35.min(_e39).min(_e44);
+                    let end_5 = _e35.min(_e39).min(_e44);
                     let _e46 = begin;
-                    let _e50 = self.v_is_inside(_e8, (rt::Scalar(0.5f32) * (_e46 + end_3)));
+                    let _e50 = self.v_is_inside(_e8, (rt::Scalar(0.5f32) * (_e46 + end_5)));
                     if rt::Scalar::into_branch_condition(_e50) {
                         let _e51 = begin;
-                        let _e53 = self.v_chords_of_piece(pixel_27, prism_7, along_10, way_5, <rt::Vec2<f32>>::from_scalars(_e51, end_3), tolerance_1);
+                        let _e53 = self.v_chords_of_piece(pixel_27, prism_7, along_10, way_5, <rt::Vec2<f32>>::from_scalars(_e51, end_5), tolerance_1);
                         let _e54 = count_4;
-                        if rt::Scalar::into_branch_condition(number_6.elementwise_ge(_e54)) {
+                        if rt::Scalar::into_branch_condition(number_8.elementwise_ge(_e54)) {
                             let _e58 = count_4;
-                            local_31 = number_6.elementwise_lt((_e58 + _e53));
+                            local_31 = number_8.elementwise_lt((_e58 + _e53));
                         } else {
                             local_31 = rt::Scalar(false);
                         }
                         let _e62 = local_31;
                         if rt::Scalar::into_branch_condition(_e62) {
                             let _e63 = begin;
-                            let long_2 = (end_3 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
+                            let long_2 = (end_5 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
                             let _e67 = count_4;
-                            let part_14 = ((number_6 - _e67).to_f32() / _e53.to_f32());
+                            let part_14 = ((number_8 - _e67).to_f32() / _e53.to_f32());
                             let _e72 = count_4;
-                            let next_8 = (((number_6 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
+                            let next_10 = (((number_8 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
                             let _e79 = begin;
                             let _e82 = begin;
-                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_14)), (_e82 + (long_2 * next_8)));
+                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_14)), (_e82 + (long_2 * next_10)));
                         }
                         let _e86 = count_4;
                         count_4 = (_e86 + _e53);
                     }
-                    begin = end_3;
+                    begin = end_5;
                 }
             }
         }
@@ -5996,36 +6386,36 @@ impl<'g> Resources<'g> {
         pixel_28: PixelIn,
         params_20: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_27: Entered;
+        let mut at_31: Entered;
 
-        let along_23 = pixel_28.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_28, along_23);
-        let _e5 = self.v_prism_of(pixel_28, along_23, _e4, params_20);
-        let _e6 = self.v_shell_middle(pixel_28, along_23);
-        at_27 = _e6;
-        let _e8 = self.v_way_of(pixel_28, _e5, along_23);
+        let along_25 = pixel_28.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_28, along_25);
+        let _e5 = self.v_prism_of(pixel_28, along_25, _e4, params_20);
+        let _e6 = self.v_shell_middle(pixel_28, along_25);
+        at_31 = _e6;
+        let _e8 = self.v_way_of(pixel_28, _e5, along_25);
         let _e9 = self.v_shell_slack(pixel_28, _e4);
         let _e10 = self.v_way_offsets(pixel_28, _e5, _e9);
-        let _e11 = at_27;
+        let _e11 = at_31;
         let _e12 = self.v_chord_reach(pixel_28, _e11, _e4, params_20);
         let _e13 = self.v_way_beyond(_e5, _e10, _e12);
-        let _e17 = self.v_way_chord(pixel_28, _e5, along_23, _e8, _e10, _e13, params_20.x(), rt::Scalar(0u32));
-        rt::Scalar(at_27.segments) = rt::Scalar(_e17.count);
-        let _e19 = at_27;
+        let _e17 = self.v_way_chord(pixel_28, _e5, along_25, _e8, _e10, _e13, params_20.x(), rt::Scalar(0u32));
+        rt::Scalar(at_31.segments) = rt::Scalar(_e17.count);
+        let _e19 = at_31;
         return _e19;
     }
     pub(crate) fn in_slab(
         &self,
         interval_2: impl rt::Into<rt::Vec2<f32>>,
         normal_12: impl rt::Into<rt::Vec3<f32>>,
-        a_9: impl rt::Into<rt::Vec3<f32>>,
-        b_9: impl rt::Into<rt::Vec3<f32>>,
-        c_5: impl rt::Into<rt::Vec3<f32>>,
-        d_1: impl rt::Into<rt::Vec3<f32>>,
+        a_11: impl rt::Into<rt::Vec3<f32>>,
+        b_11: impl rt::Into<rt::Vec3<f32>>,
+        c_6: impl rt::Into<rt::Vec3<f32>>,
+        d_2: impl rt::Into<rt::Vec3<f32>>,
         along_11: impl rt::Into<rt::Vec3<f32>>,
         slack_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_in_slab(rt::into(interval_2), rt::into(normal_12), rt::into(a_9), rt::into(b_9), rt::into(c_5), rt::into(d_1), rt::into(along_11), rt::into(slack_4)))
+        rt::into(self.v_in_slab(rt::into(interval_2), rt::into(normal_12), rt::into(a_11), rt::into(b_11), rt::into(c_6), rt::into(d_2), rt::into(along_11), rt::into(slack_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6033,14 +6423,14 @@ impl<'g> Resources<'g> {
         &self,
         interval_2: rt::Vec2<f32>,
         normal_12: rt::Vec3<f32>,
-        a_9: rt::Vec3<f32>,
-        b_9: rt::Vec3<f32>,
-        c_5: rt::Vec3<f32>,
-        d_1: rt::Vec3<f32>,
+        a_11: rt::Vec3<f32>,
+        b_11: rt::Vec3<f32>,
+        c_6: rt::Vec3<f32>,
+        d_2: rt::Vec3<f32>,
         along_11: rt::Vec3<f32>,
         slack_4: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let far_6 = <rt::Vec4<f32>>::from_scalars(normal_12.dot(a_9), normal_12.dot(b_9), normal_12.dot(c_5), normal_12.dot(d_1));
+        let far_6 = <rt::Vec4<f32>>::from_scalars(normal_12.dot(a_11), normal_12.dot(b_11), normal_12.dot(c_6), normal_12.dot(d_2));
         let least_4 = far_6.x().min(far_6.y()).min(far_6.z().min(far_6.w()));
         let most_10 = far_6.x().max(far_6.y()).max(far_6.z().max(far_6.w()));
         let beyond_3 = (slack_4 * normal_12.length());
@@ -6144,9 +6534,9 @@ impl<'g> Resources<'g> {
         let mut h_3: rt::Scalar<f32>;
         let mut step_1: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let low_2 = self.surface_settings.shell_m.x();
+        let low_3 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let width_5 = (_e10 - low_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let width_5 = (_e10 - low_3).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let l = prism_9.lift;
         w_1 = from_point.weights;
         h_3 = rt::Scalar(from_point.height);
@@ -6163,7 +6553,7 @@ impl<'g> Resources<'g> {
                     let _e27 = h_3;
                     let _e30 = w_1;
                     let _e31 = self.v_lift_of(l, _e30);
-                    let offset_7 = ((low_2 + (width_5 * _e27)) + _e31);
+                    let offset_7 = ((low_3 + (width_5 * _e27)) + _e31);
                     let _e35 = w_1.x();
                     let _e39 = w_1.y();
                     let _e44 = w_1.z();
@@ -6180,15 +6570,15 @@ impl<'g> Resources<'g> {
                     let _e80 = w_1.x();
                     let _e82 = w_1.z();
                     let _e86 = w_1.y();
-                    let third_2 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
-                    let a_21 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_24 * second_3));
-                    let b_21 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_24 * third_2));
-                    let c_14 = (normal_24 * width_5);
-                    let across_4 = b_21.cross(c_14);
-                    let one_over = (rt::Scalar(1f32) / a_21.dot(across_4));
+                    let third_3 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
+                    let a_31 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_24 * second_3));
+                    let b_31 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_24 * third_3));
+                    let c_21 = (normal_24 * width_5);
+                    let across_4 = b_31.cross(c_21);
+                    let one_over = (rt::Scalar(1f32) / a_31.dot(across_4));
                     let db = (rest_3.dot(across_4) * one_over);
-                    let dc = (rest_3.dot(c_14.cross(a_21)) * one_over);
-                    let dh = (rest_3.dot(a_21.cross(b_21)) * one_over);
+                    let dc = (rest_3.dot(c_21.cross(a_31)) * one_over);
+                    let dh = (rest_3.dot(a_31.cross(b_31)) * one_over);
                     let _e126 = w_1.x();
                     let _e130 = w_1.y();
                     let _e133 = w_1.z();
@@ -6238,16 +6628,16 @@ impl<'g> Resources<'g> {
         params_22: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_32: rt::Scalar<bool>;
-        let mut at_28: Entered;
+        let mut at_32: Entered;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_30.shell.order).elementwise_ge(SHELL_FOLDED)) {
             let _e6 = self.v_folded_enter(pixel_30, params_22);
             return _e6;
         }
-        let along_24 = pixel_30.direction.normalize();
-        let _e9 = self.v_middle_of(pixel_30, along_24);
-        let _e10 = self.v_prism_of(pixel_30, along_24, _e9, params_22);
-        let _e11 = self.v_span_of(pixel_30, _e10, along_24, _e9, params_22);
+        let along_26 = pixel_30.direction.normalize();
+        let _e9 = self.v_middle_of(pixel_30, along_26);
+        let _e10 = self.v_prism_of(pixel_30, along_26, _e9, params_22);
+        let _e11 = self.v_span_of(pixel_30, _e10, along_26, _e9, params_22);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
             local_32 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
@@ -6259,30 +6649,30 @@ impl<'g> Resources<'g> {
             let _e28 = self.v_passed_by();
             return _e28;
         }
-        let _e29 = self.v_shell_middle(pixel_30, along_24);
-        at_28 = _e29;
-        at_28.span = _e11;
+        let _e29 = self.v_shell_middle(pixel_30, along_26);
+        at_32 = _e29;
+        at_32.span = _e11;
         let height_17 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
-        let _e43 = at_28.span.x();
-        let _e45 = self.v_shell_point(_e10, (along_24 * _e43), height_17);
-        let _e48 = at_28.span.y();
-        let _e50 = self.v_shell_point(_e10, (along_24 * _e48), height_17);
-        let _e53 = at_28.span.x();
+        let _e43 = at_32.span.x();
+        let _e45 = self.v_shell_point(_e10, (along_26 * _e43), height_17);
+        let _e48 = at_32.span.y();
+        let _e50 = self.v_shell_point(_e10, (along_26 * _e48), height_17);
+        let _e53 = at_32.span.x();
         let _e58 = self.v_between(_e45, _e50);
-        let _e59 = self.v_shell_point_from(_e10, (along_24 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
-        let _e62 = at_28.span.x();
+        let _e59 = self.v_shell_point_from(_e10, (along_26 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
+        let _e62 = at_32.span.x();
         let _e67 = self.v_between(_e45, _e59);
-        let _e68 = self.v_shell_point_from(_e10, (along_24 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
-        let _e71 = at_28.span.x();
+        let _e68 = self.v_shell_point_from(_e10, (along_26 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
+        let _e71 = at_32.span.x();
         let _e76 = self.v_between(_e59, _e50);
-        let _e77 = self.v_shell_point_from(_e10, (along_24 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
+        let _e77 = self.v_shell_point_from(_e10, (along_26 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
         let _e79 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e68, rt::Scalar(0.25f32));
         let _e81 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e77, rt::Scalar(0.75f32));
         let quarters_1 = _e79.max(_e81);
         let _e84 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e59, rt::Scalar(0.5f32));
         let most_11 = _e84.max(quarters_1);
-        rt::Scalar(at_28.segments) = (most_11 / params_22.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
-        let _e95 = at_28;
+        rt::Scalar(at_32.segments) = (most_11 / params_22.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
+        let _e95 = at_32;
         return _e95;
     }
     pub(crate) fn weight_at(
@@ -6299,8 +6689,8 @@ impl<'g> Resources<'g> {
         order: rt::Scalar<u32>,
         weights_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let corner_5 = (order & rt::Scalar(3u32));
-        return weights_2.z().select(weights_2.y(), corner_5.elementwise_eq(rt::Scalar(1u32))).select(weights_2.x(), corner_5.elementwise_eq(rt::Scalar(0u32)));
+        let corner_6 = (order & rt::Scalar(3u32));
+        return weights_2.z().select(weights_2.y(), corner_6.elementwise_eq(rt::Scalar(1u32))).select(weights_2.x(), corner_6.elementwise_eq(rt::Scalar(0u32)));
     }
     pub(crate) fn ordered_weights(
         &self,
@@ -6369,20 +6759,20 @@ impl<'g> Resources<'g> {
         pixel_32: PixelIn,
         params_23: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_29: Entered;
+        let mut at_33: Entered;
 
         let _e2 = self.v_surface_plane_enter(pixel_32, params_23);
-        at_29 = _e2;
-        let _e6 = at_29.point;
+        at_33 = _e2;
+        let _e6 = at_33.point;
         let _e8 = self.v_quadric_of(pixel_32, _e6, params_23.y());
-        at_29.of_surface = _e8;
-        let _e11 = at_29.metric.x();
-        let _e14 = at_29.metric.z();
-        let _e18 = at_29.metric.y();
-        let _e21 = at_29.metric.y();
+        at_33.of_surface = _e8;
+        let _e11 = at_33.metric.x();
+        let _e14 = at_33.metric.z();
+        let _e18 = at_33.metric.y();
+        let _e21 = at_33.metric.y();
         let area_3 = ((_e11 * _e14) - (_e18 * _e21));
-        rt::Scalar(at_29.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
-        let _e30 = at_29;
+        rt::Scalar(at_33.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
+        let _e30 = at_33;
         return _e30;
     }
     pub(crate) fn surface_quadric_perpendicular_enter(
@@ -6398,62 +6788,62 @@ impl<'g> Resources<'g> {
         pixel_33: PixelIn,
         params_24: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_30: Entered;
+        let mut at_34: Entered;
 
         let _e2 = self.v_surface_quadric_vertical_enter(pixel_33, params_24);
-        at_30 = _e2;
-        let along_25 = pixel_33.direction.length();
-        let _e6 = at_30;
-        let _e10 = self.v_across_of(_e6, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_25)));
+        at_34 = _e2;
+        let along_27 = pixel_33.direction.length();
+        let _e6 = at_34;
+        let _e10 = self.v_across_of(_e6, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_27)));
         let _e11 = self.v_plane_normal(pixel_33);
         let _e12 = self.v_plane_distance(pixel_33, _e11);
-        let eye_2 = (rt::Scalar(0f32) - (_e12 * along_25));
-        let _e17 = at_30;
+        let eye_2 = (rt::Scalar(0f32) - (_e12 * along_27));
+        let _e17 = at_34;
         let _e18 = self.v_across_span(_e17, _e10, eye_2);
-        at_30.span = _e18;
-        let _e22 = rt::Scalar(at_30.segments);
-        let _e28 = at_30.span.y();
-        let _e31 = at_30.span.x();
-        rt::Scalar(at_30.segments) = rt::Scalar(0u32).select((_e22 * params_24.z().to_u32()), _e28.elementwise_gt(_e31));
-        let _e34 = at_30;
+        at_34.span = _e18;
+        let _e22 = rt::Scalar(at_34.segments);
+        let _e28 = at_34.span.y();
+        let _e31 = at_34.span.x();
+        rt::Scalar(at_34.segments) = rt::Scalar(0u32).select((_e22 * params_24.z().to_u32()), _e28.elementwise_gt(_e31));
+        let _e34 = at_34;
         return _e34;
     }
     pub(crate) fn moved_out(
         &self,
-        corner_1: Corner,
+        corner_2: Corner,
         side_1: impl rt::Into<rt::Scalar<f32>>,
         offset_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_moved_out(corner_1, rt::into(side_1), rt::into(offset_4)))
+        rt::into(self.v_moved_out(corner_2, rt::into(side_1), rt::into(offset_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_moved_out(
         &self,
-        corner_1: Corner,
+        corner_2: Corner,
         side_1: rt::Scalar<f32>,
         offset_4: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        return (corner_1.position + (corner_1.normal * (side_1 * offset_4)));
+        return (corner_2.position + (corner_2.normal * (side_1 * offset_4)));
     }
     pub(crate) fn raised(
         &self,
-        corner_2: Corner,
+        corner_3: Corner,
         side_2: impl rt::Into<rt::Scalar<f32>>,
         height_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_raised(corner_2, rt::into(side_2), rt::into(height_4)))
+        rt::into(self.v_raised(corner_3, rt::into(side_2), rt::into(height_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_raised(
         &self,
-        corner_2: Corner,
+        corner_3: Corner,
         side_2: rt::Scalar<f32>,
         height_4: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let shell_5 = self.surface_settings.shell_m;
-        let _e14 = self.v_moved_out(corner_2, side_2, (shell_5.x() + ((shell_5.y() - shell_5.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_4)));
+        let _e14 = self.v_moved_out(corner_3, side_2, (shell_5.x() + ((shell_5.y() - shell_5.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_4)));
         return _e14;
     }
     pub(crate) fn tetrahedron(
@@ -6461,9 +6851,9 @@ impl<'g> Resources<'g> {
         pixel_34: PixelIn,
         along_13: impl rt::Into<rt::Vec3<f32>>,
         middle_5: impl rt::Into<rt::Scalar<f32>>,
-        number_7: impl rt::Into<rt::Scalar<u32>>,
+        number_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> Tetrahedron {
-        rt::into(self.v_tetrahedron(pixel_34, rt::into(along_13), rt::into(middle_5), rt::into(number_7)))
+        rt::into(self.v_tetrahedron(pixel_34, rt::into(along_13), rt::into(middle_5), rt::into(number_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_tetrahedron(
@@ -6471,14 +6861,14 @@ impl<'g> Resources<'g> {
         pixel_34: PixelIn,
         along_13: rt::Vec3<f32>,
         middle_5: rt::Scalar<f32>,
-        number_7: rt::Scalar<u32>,
+        number_9: rt::Scalar<u32>,
     ) -> Tetrahedron {
         let mut inside_1: rt::Vec2<f32>;
         let mut local_33: rt::Scalar<bool>;
 
         let origin_5 = (pixel_34.origin + (along_13 * middle_5));
-        let is_first_1 = number_7.elementwise_eq(rt::Scalar(0u32));
-        let is_last_1 = number_7.elementwise_eq(rt::Scalar(2u32));
+        let is_first_1 = number_9.elementwise_eq(rt::Scalar(0u32));
+        let is_last_1 = number_9.elementwise_eq(rt::Scalar(2u32));
         let _e12 = self.v_ordered(pixel_34, rt::Scalar(0u32));
         let _e15 = self.v_raised(_e12, rt::Scalar(pixel_34.side), rt::Scalar(0f32));
         let q0_ = (_e15 - origin_5);
@@ -6549,9 +6939,9 @@ impl<'g> Resources<'g> {
         pixel_35: PixelIn,
         along_14: impl rt::Into<rt::Vec3<f32>>,
         middle_6: impl rt::Into<rt::Scalar<f32>>,
-        number_8: impl rt::Into<rt::Scalar<u32>>,
+        number_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_met(pixel_35, rt::into(along_14), rt::into(middle_6), rt::into(number_8)))
+        rt::into(self.v_is_met(pixel_35, rt::into(along_14), rt::into(middle_6), rt::into(number_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6560,9 +6950,9 @@ impl<'g> Resources<'g> {
         pixel_35: PixelIn,
         along_14: rt::Vec3<f32>,
         middle_6: rt::Scalar<f32>,
-        number_8: rt::Scalar<u32>,
+        number_10: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
-        let _e4 = self.v_tetrahedron(pixel_35, along_14, middle_6, number_8);
+        let _e4 = self.v_tetrahedron(pixel_35, along_14, middle_6, number_10);
         let inside_5 = _e4.inside;
         return inside_5.y().elementwise_gt(inside_5.x());
     }
@@ -6581,20 +6971,20 @@ impl<'g> Resources<'g> {
     ) -> Entered {
         let mut local_34: rt::Scalar<bool>;
         let mut local_35: rt::Scalar<bool>;
-        let mut at_31: Entered;
+        let mut at_35: Entered;
 
-        let along_26 = pixel_36.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_36, along_26);
-        let _e6 = self.v_is_met(pixel_36, along_26, _e4, rt::Scalar(0u32));
+        let along_28 = pixel_36.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_36, along_28);
+        let _e6 = self.v_is_met(pixel_36, along_28, _e4, rt::Scalar(0u32));
         if rt::Scalar::into_branch_condition((!_e6)) {
-            let _e11 = self.v_is_met(pixel_36, along_26, _e4, rt::Scalar(1u32));
+            let _e11 = self.v_is_met(pixel_36, along_28, _e4, rt::Scalar(1u32));
             local_34 = (!_e11);
         } else {
             local_34 = rt::Scalar(false);
         }
         let _e14 = local_34;
         if rt::Scalar::into_branch_condition(_e14) {
-            let _e18 = self.v_is_met(pixel_36, along_26, _e4, rt::Scalar(2u32));
+            let _e18 = self.v_is_met(pixel_36, along_28, _e4, rt::Scalar(2u32));
             local_35 = (!_e18);
         } else {
             local_35 = rt::Scalar(false);
@@ -6604,10 +6994,10 @@ impl<'g> Resources<'g> {
             let _e22 = self.v_passed_by();
             return _e22;
         }
-        let _e23 = self.v_shell_middle(pixel_36, along_26);
-        at_31 = _e23;
-        rt::Scalar(at_31.segments) = rt::Scalar(3u32);
-        let _e27 = at_31;
+        let _e23 = self.v_shell_middle(pixel_36, along_28);
+        at_35 = _e23;
+        rt::Scalar(at_35.segments) = rt::Scalar(3u32);
+        let _e27 = at_35;
         return _e27;
     }
     pub(crate) fn triangle_distance(
@@ -6624,18 +7014,18 @@ impl<'g> Resources<'g> {
         pixel_37: PixelIn,
         normal_13: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let a_22 = (pixel_37.a.position - pixel_37.origin);
-        let b_22 = (pixel_37.b.position - pixel_37.origin);
-        let c_15 = (pixel_37.c.position - pixel_37.origin);
-        let along_27 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
-        let places_1 = <rt::Vec3<f32>>::from_scalars(a_22.dot(along_27), b_22.dot(along_27), c_15.dot(along_27));
+        let a_32 = (pixel_37.a.position - pixel_37.origin);
+        let b_32 = (pixel_37.b.position - pixel_37.origin);
+        let c_22 = (pixel_37.c.position - pixel_37.origin);
+        let along_29 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
+        let places_1 = <rt::Vec3<f32>>::from_scalars(a_32.dot(along_29), b_32.dot(along_29), c_22.dot(along_29));
         let least_5 = places_1.x().min(places_1.y()).min(places_1.z());
         let most_12 = places_1.x().max(places_1.y()).max(places_1.z());
         let across_5 = normal_13.dot(pixel_37.direction);
         if rt::Scalar::into_branch_condition(across_5.elementwise_eq(rt::Scalar(0f32))) {
             return least_5;
         }
-        return (normal_13.dot(a_22) / across_5).clamp(least_5, most_12);
+        return (normal_13.dot(a_32) / across_5).clamp(least_5, most_12);
     }
     pub(crate) fn triangle_weights(
         &self,
@@ -6781,14 +7171,14 @@ impl<'g> Resources<'g> {
         pixel_41: PixelIn,
         params_28: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_32: Entered;
+        let mut at_36: Entered;
 
         let _e2 = self.v_passed_by();
-        at_32 = _e2;
+        at_36 = _e2;
         let _e7 = rt::Scalar(self.surface_settings.solids);
-        rt::Scalar(at_32.segments) = _e7;
-        at_32.point = pixel_41.origin;
-        let _e10 = at_32;
+        rt::Scalar(at_36.segments) = _e7;
+        at_36.point = pixel_41.origin;
+        let _e10 = at_36;
         return _e10;
     }
     pub(crate) fn surface_frames_enter(
@@ -6805,13 +7195,13 @@ impl<'g> Resources<'g> {
         pixel_42: PixelIn,
         params_29: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_33: Entered;
+        let mut at_37: Entered;
 
         let _e2 = self.v_passed_by();
-        at_33 = _e2;
-        rt::Scalar(at_33.segments) = FRAMES;
-        at_33.point = pixel_42.origin;
-        let _e8 = at_33;
+        at_37 = _e2;
+        rt::Scalar(at_37.segments) = FRAMES;
+        at_37.point = pixel_42.origin;
+        let _e8 = at_37;
         return _e8;
     }
     pub(crate) fn surface_object_slices_enter(
@@ -6828,16 +7218,16 @@ impl<'g> Resources<'g> {
         pixel_43: PixelIn,
         params_30: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_34: Entered;
+        let mut at_38: Entered;
 
         let _e2 = self.v_plane_normal(pixel_43);
         let _e3 = self.v_passed_by();
-        at_34 = _e3;
-        rt::Scalar(at_34.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
+        at_38 = _e3;
+        rt::Scalar(at_38.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
         let _e15 = self.v_triangle_distance(pixel_43, _e2);
-        at_34.point = (pixel_43.origin + (pixel_43.direction * _e15));
-        at_34.normal = (_e2.normalize() * rt::Scalar(1f32).select(rt::Scalar(-1f32), _e2.dot(pixel_43.direction).elementwise_gt(rt::Scalar(0f32))));
-        let _e28 = at_34;
+        at_38.point = (pixel_43.origin + (pixel_43.direction * _e15));
+        at_38.normal = (_e2.normalize() * rt::Scalar(1f32).select(rt::Scalar(-1f32), _e2.dot(pixel_43.direction).elementwise_gt(rt::Scalar(0f32))));
+        let _e28 = at_38;
         return _e28;
     }
     pub(crate) fn surface_enter_stage(&self, pixel_44: PixelIn) -> Entered {
@@ -6904,21 +7294,21 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_enter_relief(&self, pixel_45: PixelIn) -> Entered {
-        let mut at_35: Entered;
+        let mut at_39: Entered;
 
         let _e1 = self.v_surface_enter_stage(pixel_45);
-        at_35 = _e1;
-        let _e4 = rt::Scalar(at_35.segments);
+        at_39 = _e1;
+        let _e4 = rt::Scalar(at_39.segments);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0u32))) {
-            let _e7 = at_35;
+            let _e7 = at_39;
             return _e7;
         }
-        let _e8 = at_35;
+        let _e8 = at_39;
         let _e9 = self.v_detail_stage(pixel_45, _e8);
-        rt::Scalar(at_35.level) = rt::Scalar(_e9.level);
-        rt::Scalar(at_35.footprint) = rt::Scalar(_e9.footprint);
-        rt::Scalar(at_35.fade) = rt::Scalar(_e9.fade);
-        let _e16 = at_35;
+        rt::Scalar(at_39.level) = rt::Scalar(_e9.level);
+        rt::Scalar(at_39.footprint) = rt::Scalar(_e9.footprint);
+        rt::Scalar(at_39.fade) = rt::Scalar(_e9.fade);
+        let _e16 = at_39;
         return _e16;
     }
     pub(crate) fn entered_once(
@@ -7018,17 +7408,17 @@ impl<'g> Resources<'g> {
         along_15: rt::Scalar<f32>,
         across: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let x_5 = (along_15 * rt::Scalar(1.7320508f32));
-        let y_3 = (across * rt::Scalar(1.7320508f32));
-        return <rt::Vec4<f32>>::from_scalars((middle_7 + x_5), (middle_7 - x_5), (middle_7 + y_3), (middle_7 - y_3)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+        let x_8 = (along_15 * rt::Scalar(1.7320508f32));
+        let y_6 = (across * rt::Scalar(1.7320508f32));
+        return <rt::Vec4<f32>>::from_scalars((middle_7 + x_8), (middle_7 - x_8), (middle_7 + y_6), (middle_7 - y_6)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
     }
     pub(crate) fn normal_at(
         &self,
         uv_12: impl rt::Into<rt::Vec2<f32>>,
         layer_5: impl rt::Into<rt::Scalar<i32>>,
-        level_28: impl rt::Into<rt::Scalar<u32>>,
+        level_29: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_12), rt::into(layer_5), rt::into(level_28)))
+        rt::into(self.v_normal_at(rt::into(uv_12), rt::into(layer_5), rt::into(level_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7036,16 +7426,16 @@ impl<'g> Resources<'g> {
         &self,
         uv_12: rt::Vec2<f32>,
         layer_5: rt::Scalar<i32>,
-        level_28: rt::Scalar<u32>,
+        level_29: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.normal_size;
-        let _e6 = self.v_level_texels(_e5, level_28);
+        let _e6 = self.v_level_texels(_e5, level_29);
         let _e7 = self.v_texels_around(uv_12, _e6);
-        let k_46 = level_28.to_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_46));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_46));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_46));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_46));
+        let k_47 = level_29.to_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -7065,30 +7455,30 @@ impl<'g> Resources<'g> {
         beside: rt::Scalar<f32>,
         rate: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let a_23 = (own * rate);
-        let b_23 = (beside * rate);
-        let along_28 = (rt::Scalar(1f32) + (a_23 * b_23));
-        let apart_3 = (a_23 - b_23).abs();
-        if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_28))) {
+        let a_33 = (own * rate);
+        let b_33 = (beside * rate);
+        let along_30 = (rt::Scalar(1f32) + (a_33 * b_33));
+        let apart_3 = (a_33 - b_33).abs();
+        if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_30))) {
             return beside;
         }
-        if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_28))) {
+        if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_30))) {
             return own;
         }
-        let part_15 = (((apart_3 / along_28) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
+        let part_15 = (((apart_3 / along_30) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
         return (beside + ((own - beside) * part_15));
     }
     pub(crate) fn slopes_between_creases(
         &self,
-        at_36: Entered,
+        at_40: Entered,
         uv_13: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_36, rt::into(uv_13)))
+        rt::into(self.v_slopes_between_creases(at_40, rt::into(uv_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slopes_between_creases(
         &self,
-        at_36: Entered,
+        at_40: Entered,
         uv_13: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
@@ -7111,58 +7501,58 @@ impl<'g> Resources<'g> {
         let _e45 = self.v_cell_slopes(_e44, part_16);
         let behind_v = _e45.y();
         let _e50 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_u = ((_e3.x() * _e50) / at_36.tangent.length());
+        let rate_u = ((_e3.x() * _e50) / at_40.tangent.length());
         let _e58 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_v = ((_e3.y() * _e58) / at_36.bitangent.length());
+        let rate_v = ((_e3.y() * _e58) / at_40.bitangent.length());
         let _e64 = self.v_slope_beside(_e14.x(), before_u, rate_u);
         let _e66 = self.v_slope_beside(_e14.y(), before_v, rate_v);
-        let before_2 = <rt::Vec2<f32>>::from_scalars(_e64, _e66);
+        let before_3 = <rt::Vec2<f32>>::from_scalars(_e64, _e66);
         let _e69 = self.v_slope_beside(_e14.x(), behind_u, rate_u);
         let _e71 = self.v_slope_beside(_e14.y(), behind_v, rate_v);
         let behind_1 = <rt::Vec2<f32>>::from_scalars(_e69, _e71);
-        return (rt::Scalar(0.5f32) * ((_e14 + before_2) + ((behind_1 - before_2) * part_16)));
+        return (rt::Scalar(0.5f32) * ((_e14 + before_3) + ((behind_1 - before_3) * part_16)));
     }
     pub(crate) fn normal_of_slopes(
         &self,
-        at_37: Entered,
+        at_41: Entered,
         slope_u: impl rt::Into<rt::Scalar<f32>>,
         slope_v: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_slopes(at_37, rt::into(slope_u), rt::into(slope_v)))
+        rt::into(self.v_normal_of_slopes(at_41, rt::into(slope_u), rt::into(slope_v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_of_slopes(
         &self,
-        at_37: Entered,
+        at_41: Entered,
         slope_u: rt::Scalar<f32>,
         slope_v: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_1 = (at_37.tangent + (at_37.normal * slope_u));
-        let along_v_1 = (at_37.bitangent + (at_37.normal * slope_v));
+        let along_u_1 = (at_41.tangent + (at_41.normal * slope_u));
+        let along_v_1 = (at_41.bitangent + (at_41.normal * slope_v));
         let across_6 = along_v_1.cross(along_u_1).normalize();
-        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_37.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_41.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_38: Entered,
+        at_42: Entered,
         uv_14: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_38, rt::into(uv_14)))
+        rt::into(self.v_normal_from_height(at_42, rt::into(uv_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
-        at_38: Entered,
+        at_42: Entered,
         uv_14: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_38, uv_14);
+            let _e9 = self.v_slopes_between_creases(at_42, uv_14);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
-            let _e17 = self.v_normal_of_slopes(at_38, slopes.x(), slopes.y());
+            let _e17 = self.v_normal_of_slopes(at_42, slopes.x(), slopes.y());
             return _e17;
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
@@ -7177,30 +7567,30 @@ impl<'g> Resources<'g> {
         let slope_u_1 = (rise_u_1 * ((rt::Scalar(0.5f32) * _e3.x()) * _e47));
         let _e55 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v_1 = (rise_v_1 * ((rt::Scalar(0.5f32) * _e3.y()) * _e55));
-        let _e58 = self.v_normal_of_slopes(at_38, slope_u_1, slope_v_1);
+        let _e58 = self.v_normal_of_slopes(at_42, slope_u_1, slope_v_1);
         return _e58;
     }
     pub(crate) fn finest_normal(
         &self,
-        at_39: Entered,
+        at_43: Entered,
         uv_15: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_39, rt::into(uv_15)))
+        rt::into(self.v_finest_normal(at_43, rt::into(uv_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_finest_normal(
         &self,
-        at_39: Entered,
+        at_43: Entered,
         uv_15: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
             let _e9 = self.v_normal_at(uv_15, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_39, _e9.xyz());
+            let _e11 = self.v_from_tangent_space(at_43, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_39, uv_15);
+        let _e13 = self.v_normal_from_height(at_43, uv_15);
         return _e13;
     }
     pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
@@ -7214,17 +7604,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_segment(
         &self,
         pixel_46: PixelIn,
-        at_40: Entered,
+        at_44: Entered,
         k_5: impl rt::Into<rt::Scalar<u32>>,
         params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_46, at_40, rt::into(k_5), rt::into(params_31)))
+        rt::into(self.v_surface_plane_segment(pixel_46, at_44, rt::into(k_5), rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
         &self,
         pixel_46: PixelIn,
-        at_40: Entered,
+        at_44: Entered,
         k_5: rt::Scalar<u32>,
         params_31: rt::Vec4<f32>,
     ) -> Path {
@@ -7232,17 +7622,17 @@ impl<'g> Resources<'g> {
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_3: rt::Vec2<f32>;
 
-        let along_29 = pixel_46.direction.length();
-        let direction_6 = (pixel_46.direction / rt::Vec3::splat_from_scalar(along_29));
-        let _e9 = self.v_climb(at_40, direction_6);
+        let along_31 = pixel_46.direction.length();
+        let direction_6 = (pixel_46.direction / rt::Vec3::splat_from_scalar(along_31));
+        let _e9 = self.v_climb(at_44, direction_6);
         let duv_5 = _e9.xy();
-        let descent_3 = (rt::Scalar(0f32) - at_40.normal.dot(direction_6));
+        let descent_3 = (rt::Scalar(0f32) - at_44.normal.dot(direction_6));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
         let slope_8 = ((rt::Scalar(0f32) - descent_3) / _e15);
         let _e20 = self.v_plane_normal(pixel_46);
         let _e21 = self.v_plane_distance(pixel_46, _e20);
-        let distance = (_e21 * along_29);
+        let distance = (_e21 * along_31);
         let eye_3 = (rt::Scalar(0f32) - distance);
         let top_6 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
         enter = top_6.max(eye_3);
@@ -7254,10 +7644,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
             let _e49 = leave_4;
-            let _e51 = self.v_inside_unit(at_40.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
+            let _e51 = self.v_inside_unit(at_44.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
             interval_3 = _e51;
             let _e56 = interval_3;
-            let _e57 = self.v_inside_unit(at_40.uv.y(), duv_5.y(), _e56);
+            let _e57 = self.v_inside_unit(at_44.uv.y(), duv_5.y(), _e56);
             interval_3 = _e57;
             let _e59 = interval_3.x();
             enter = _e59;
@@ -7273,69 +7663,69 @@ impl<'g> Resources<'g> {
         let _e81 = leave_4;
         let _e82 = enter;
         let _e87 = enter;
-        return <Path>::new((at_40.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_40.metric, RAY_VIEW, rt::Scalar(at_40.level), (distance + _e87), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new((at_44.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_44.metric, RAY_VIEW, rt::Scalar(at_44.level), (distance + _e87), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn folded_segment(
         &self,
         pixel_47: PixelIn,
-        at_41: Entered,
+        at_45: Entered,
         k_6: impl rt::Into<rt::Scalar<u32>>,
         params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_folded_segment(pixel_47, at_41, rt::into(k_6), rt::into(params_32)))
+        rt::into(self.v_folded_segment(pixel_47, at_45, rt::into(k_6), rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_folded_segment(
         &self,
         pixel_47: PixelIn,
-        at_41: Entered,
+        at_45: Entered,
         k_6: rt::Scalar<u32>,
         params_32: rt::Vec4<f32>,
     ) -> Path {
-        let mut a_10: WayPoint;
-        let mut b_10: WayPoint;
+        let mut a_12: WayPoint;
+        let mut b_12: WayPoint;
         let mut path_19: Path;
         let mut local_42: rt::Scalar<bool>;
 
-        let along_30 = pixel_47.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_47, along_30);
-        let _e7 = self.v_prism_of(pixel_47, along_30, _e6, params_32);
+        let along_32 = pixel_47.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_47, along_32);
+        let _e7 = self.v_prism_of(pixel_47, along_32, _e6, params_32);
         let _e8 = self.v_shell_slack(pixel_47, _e6);
-        let _e9 = self.v_way_of(pixel_47, _e7, along_30);
+        let _e9 = self.v_way_of(pixel_47, _e7, along_32);
         let _e10 = self.v_way_offsets(pixel_47, _e7, _e8);
-        let _e11 = self.v_chord_reach(pixel_47, at_41, _e6, params_32);
+        let _e11 = self.v_chord_reach(pixel_47, at_45, _e6, params_32);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_47, _e7, along_30, _e9, _e10, _e12, params_32.x(), k_6);
-        let _e16 = self.v_before_turn(_e7, along_30, _e9, _e14.offsets);
-        let _e18 = self.v_way_point(_e7, along_30, _e9, _e16.x());
-        a_10 = _e18;
-        let _e25 = self.v_way_point(_e7, along_30, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
-        let _e27 = self.v_way_point(_e7, along_30, _e9, _e16.y());
-        b_10 = _e27;
-        let _e30 = rt::Scalar(b_10.t);
-        let _e32 = rt::Scalar(a_10.t);
+        let _e14 = self.v_way_chord(pixel_47, _e7, along_32, _e9, _e10, _e12, params_32.x(), k_6);
+        let _e16 = self.v_before_turn(_e7, along_32, _e9, _e14.offsets);
+        let _e18 = self.v_way_point(_e7, along_32, _e9, _e16.x());
+        a_12 = _e18;
+        let _e25 = self.v_way_point(_e7, along_32, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
+        let _e27 = self.v_way_point(_e7, along_32, _e9, _e16.y());
+        b_12 = _e27;
+        let _e30 = rt::Scalar(b_12.t);
+        let _e32 = rt::Scalar(a_12.t);
         if rt::Scalar::into_branch_condition(_e30.elementwise_lt(_e32)) {
-            let turned_2 = b_10;
-            let _e35 = a_10;
-            b_10 = _e35;
-            a_10 = turned_2;
+            let turned_2 = b_12;
+            let _e35 = a_12;
+            b_12 = _e35;
+            a_12 = turned_2;
         }
-        let _e38 = rt::Scalar(a_10.t);
-        let _e41 = rt::Scalar(b_10.t);
-        let _e43 = rt::Scalar(a_10.t);
+        let _e38 = rt::Scalar(a_12.t);
+        let _e41 = rt::Scalar(b_12.t);
+        let _e43 = rt::Scalar(a_12.t);
         let part_17 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
-        let _e48 = rt::Scalar(a_10.point.height);
-        let _e53 = rt::Scalar(b_10.point.height);
+        let _e48 = rt::Scalar(a_12.point.height);
+        let _e53 = rt::Scalar(b_12.point.height);
         let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_17);
-        let _e56 = a_10.point;
-        let _e58 = b_10.point;
-        let _e60 = rt::Scalar(a_10.t);
-        let _e62 = rt::Scalar(b_10.t);
-        let _e64 = self.v_chord_path(pixel_47, at_41, _e6, params_32, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        let _e56 = a_12.point;
+        let _e58 = b_12.point;
+        let _e60 = rt::Scalar(a_12.t);
+        let _e62 = rt::Scalar(b_12.t);
+        let _e64 = self.v_chord_path(pixel_47, at_45, _e6, params_32, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
         path_19 = _e64;
-        let _e67 = rt::Scalar(a_10.beside);
+        let _e67 = rt::Scalar(a_12.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
-            let _e76 = rt::Scalar(b_10.beside);
+            let _e76 = rt::Scalar(b_12.beside);
             local_42 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
         } else {
             local_42 = rt::Scalar(true);
@@ -7350,55 +7740,55 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_segment(
         &self,
         pixel_48: PixelIn,
-        at_42: Entered,
+        at_46: Entered,
         k_7: impl rt::Into<rt::Scalar<u32>>,
         params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_48, at_42, rt::into(k_7), rt::into(params_33)))
+        rt::into(self.v_surface_prism_segment(pixel_48, at_46, rt::into(k_7), rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_segment(
         &self,
         pixel_48: PixelIn,
-        at_42: Entered,
+        at_46: Entered,
         k_7: rt::Scalar<u32>,
         params_33: rt::Vec4<f32>,
     ) -> Path {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_48.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_folded_segment(pixel_48, at_42, k_7, params_33);
+            let _e8 = self.v_folded_segment(pixel_48, at_46, k_7, params_33);
             return _e8;
         }
-        let along_31 = pixel_48.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_48, along_31);
-        let _e12 = self.v_prism_of(pixel_48, along_31, _e11, params_33);
+        let along_33 = pixel_48.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_48, along_33);
+        let _e12 = self.v_prism_of(pixel_48, along_33, _e11, params_33);
         let heights_2 = pixel_48.shell.heights;
         let mean_3 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
-        let _e20 = self.v_chord_end(at_42, k_7);
-        let _e23 = self.v_chord_end(at_42, (k_7 + rt::Scalar(1u32)));
-        let _e25 = self.v_shell_point(_e12, (along_31 * _e20), mean_3);
-        let _e27 = self.v_shell_point(_e12, (along_31 * _e23), mean_3);
+        let _e20 = self.v_chord_end(at_46, k_7);
+        let _e23 = self.v_chord_end(at_46, (k_7 + rt::Scalar(1u32)));
+        let _e25 = self.v_shell_point(_e12, (along_33 * _e20), mean_3);
+        let _e27 = self.v_shell_point(_e12, (along_33 * _e23), mean_3);
         let _e32 = self.v_between(_e25, _e27);
-        let _e33 = self.v_shell_point_from(_e12, (along_31 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
+        let _e33 = self.v_shell_point_from(_e12, (along_33 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
-        let _e56 = self.v_chord_reach(pixel_48, at_42, _e11, params_33);
+        let _e56 = self.v_chord_reach(pixel_48, at_46, _e11, params_33);
         let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_48, at_42, _e11, params_33, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
+        let _e68 = self.v_chord_path(pixel_48, at_46, _e11, params_33, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
         pixel_49: PixelIn,
-        at_43: Entered,
+        at_47: Entered,
         k_8: impl rt::Into<rt::Scalar<u32>>,
         params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_49, at_43, rt::into(k_8), rt::into(params_34)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_49, at_47, rt::into(k_8), rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_segment(
         &self,
         pixel_49: PixelIn,
-        at_43: Entered,
+        at_47: Entered,
         k_8: rt::Scalar<u32>,
         params_34: rt::Vec4<f32>,
     ) -> Path {
@@ -7408,26 +7798,26 @@ impl<'g> Resources<'g> {
         let mut path_20: Path;
         let mut inside_2: rt::Vec2<f32>;
 
-        let along_32 = pixel_49.direction.length();
-        let _e9 = self.v_across_of(at_43, (pixel_49.direction / rt::Vec3::splat_from_scalar(along_32)));
+        let along_34 = pixel_49.direction.length();
+        let _e9 = self.v_across_of(at_47, (pixel_49.direction / rt::Vec3::splat_from_scalar(along_34)));
         let _e10 = self.v_traced_scale_m();
         let _e11 = self.v_plane_normal(pixel_49);
         let _e12 = self.v_plane_distance(pixel_49, _e11);
-        let distance_1 = (_e12 * along_32);
-        let whole = (at_43.span.y() - at_43.span.x());
-        let first_12 = (at_43.span.x() + (whole * (k_8.to_f32() / params_34.z())));
-        let last_6 = (at_43.span.x() + (whole * ((k_8 + rt::Scalar(1u32)).to_f32() / params_34.z())));
-        let long_4 = (last_6 - first_12);
-        let _e38 = self.v_across_depth(_e9, first_12);
-        begin_1 = (at_43.of_surface.w() - (_e38 / _e10));
+        let distance_1 = (_e12 * along_34);
+        let whole = (at_47.span.y() - at_47.span.x());
+        let first_14 = (at_47.span.x() + (whole * (k_8.to_f32() / params_34.z())));
+        let last_8 = (at_47.span.x() + (whole * ((k_8 + rt::Scalar(1u32)).to_f32() / params_34.z())));
+        let long_4 = (last_8 - first_14);
+        let _e38 = self.v_across_depth(_e9, first_14);
+        begin_1 = (at_47.of_surface.w() - (_e38 / _e10));
         if rt::Scalar::into_branch_condition(k_8.elementwise_eq(rt::Scalar(0u32))) {
             let _e44 = begin_1;
             begin_1 = _e44.min(rt::Scalar(1f32));
         }
-        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_12 + last_6)));
-        let middle_13 = (at_43.of_surface.w() - (_e52 / _e10));
-        let _e57 = self.v_across_depth(_e9, last_6);
-        end_1 = (at_43.of_surface.w() - (_e57 / _e10));
+        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_14 + last_8)));
+        let middle_13 = (at_47.of_surface.w() - (_e52 / _e10));
+        let _e57 = self.v_across_depth(_e9, last_8);
+        end_1 = (at_47.of_surface.w() - (_e57 / _e10));
         if rt::Scalar::into_branch_condition((k_8 + rt::Scalar(1u32)).elementwise_eq(params_34.z().to_u32())) {
             let _e68 = end_1;
             local_43 = _e68.elementwise_lt(rt::Scalar(0.5f32));
@@ -7445,9 +7835,9 @@ impl<'g> Resources<'g> {
         let _e84 = end_1;
         let _e85 = begin_1;
         let slope_9 = ((_e84 - _e85) - bend_5);
-        let base_3 = (rt::Scalar(0f32) - first_12).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let base_3 = (rt::Scalar(0f32) - first_14).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin_1;
-        path_20 = <Path>::new((at_43.uv + (_e9.duv * first_12)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_43.metric, RAY_VIEW, rt::Scalar(at_43.level), (distance_1 + first_12), (rt::Scalar(1f32) / params_34.z()), rt::Scalar(0f32));
+        path_20 = <Path>::new((at_47.uv + (_e9.duv * first_14)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_47.metric, RAY_VIEW, rt::Scalar(at_47.level), (distance_1 + first_14), (rt::Scalar(1f32) / params_34.z()), rt::Scalar(0f32));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e118 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e118.elementwise_eq(WRAP_CLAMP)) {
@@ -7476,17 +7866,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
         pixel_50: PixelIn,
-        at_44: Entered,
+        at_48: Entered,
         k_9: impl rt::Into<rt::Scalar<u32>>,
         params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_50, at_44, rt::into(k_9), rt::into(params_35)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_50, at_48, rt::into(k_9), rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_segment(
         &self,
         pixel_50: PixelIn,
-        at_44: Entered,
+        at_48: Entered,
         k_9: rt::Scalar<u32>,
         params_35: rt::Vec4<f32>,
     ) -> Path {
@@ -7498,19 +7888,19 @@ impl<'g> Resources<'g> {
         let mut path_21: Path;
         let mut local_46: rt::Scalar<bool>;
 
-        let along_33 = pixel_50.direction.length();
-        let direction_7 = (pixel_50.direction / rt::Vec3::splat_from_scalar(along_33));
-        let _e9 = self.v_climb(at_44, direction_7);
+        let along_35 = pixel_50.direction.length();
+        let direction_7 = (pixel_50.direction / rt::Vec3::splat_from_scalar(along_35));
+        let _e9 = self.v_climb(at_48, direction_7);
         let duv_6 = _e9.xy();
-        let descent_4 = (rt::Scalar(0f32) - at_44.normal.dot(direction_7));
+        let descent_4 = (rt::Scalar(0f32) - at_48.normal.dot(direction_7));
         let _e15 = self.v_traced_scale_m();
-        let height_18 = at_44.of_surface.w();
+        let height_18 = at_48.of_surface.w();
         let slope_10 = ((rt::Scalar(0f32) - descent_4) / _e15);
-        let _e23 = self.v_quadric_at(at_44.of_surface.xyz(), duv_6);
+        let _e23 = self.v_quadric_at(at_48.of_surface.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
         let _e27 = self.v_plane_normal(pixel_50);
         let _e28 = self.v_plane_distance(pixel_50, _e27);
-        let distance_2 = (_e28 * along_33);
+        let distance_2 = (_e28 * along_35);
         let eye_4 = (rt::Scalar(0f32) - distance_2);
         let _e35 = self.v_bent_descent(((height_18 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
@@ -7544,10 +7934,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e85.elementwise_eq(WRAP_CLAMP)) {
             let _e91 = enter_1;
             let _e92 = leave_5;
-            let _e94 = self.v_inside_unit(at_44.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
+            let _e94 = self.v_inside_unit(at_48.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
             interval_4 = _e94;
             let _e99 = interval_4;
-            let _e100 = self.v_inside_unit(at_44.uv.y(), duv_6.y(), _e99);
+            let _e100 = self.v_inside_unit(at_48.uv.y(), duv_6.y(), _e99);
             interval_4 = _e100;
             let _e102 = interval_4.x();
             enter_1 = _e102;
@@ -7565,7 +7955,7 @@ impl<'g> Resources<'g> {
         let _e131 = leave_5;
         let _e132 = enter_1;
         let _e137 = enter_1;
-        path_21 = <Path>::new((at_44.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_44.metric, RAY_VIEW, rt::Scalar(at_44.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
+        path_21 = <Path>::new((at_48.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_48.metric, RAY_VIEW, rt::Scalar(at_48.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e148 = rt::Scalar(path_21.exit);
             local_46 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
@@ -7582,17 +7972,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_segment(
         &self,
         pixel_51: PixelIn,
-        at_45: Entered,
+        at_49: Entered,
         k_10: impl rt::Into<rt::Scalar<u32>>,
         params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_51, at_45, rt::into(k_10), rt::into(params_36)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_51, at_49, rt::into(k_10), rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_segment(
         &self,
         pixel_51: PixelIn,
-        at_45: Entered,
+        at_49: Entered,
         k_10: rt::Scalar<u32>,
         params_36: rt::Vec4<f32>,
     ) -> Path {
@@ -7600,11 +7990,11 @@ impl<'g> Resources<'g> {
         let mut inside_3: rt::Vec2<f32>;
         let mut path_22: Path;
 
-        let along_34 = pixel_51.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_51, along_34);
-        let _e8 = self.v_tetrahedron(pixel_51, along_34, _e6, rt::Scalar(0u32));
-        let _e10 = self.v_tetrahedron(pixel_51, along_34, _e6, rt::Scalar(1u32));
-        let _e12 = self.v_tetrahedron(pixel_51, along_34, _e6, rt::Scalar(2u32));
+        let along_36 = pixel_51.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_51, along_36);
+        let _e8 = self.v_tetrahedron(pixel_51, along_36, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_51, along_36, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_51, along_36, _e6, rt::Scalar(2u32));
         let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
@@ -7649,7 +8039,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_22 = <Path>::new((uv_37 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_45.metric, RAY_VIEW, rt::Scalar(at_45.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
+        path_22 = <Path>::new((uv_37 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_49.metric, RAY_VIEW, rt::Scalar(at_49.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
         let _e159 = rt::Scalar(path_22.exit);
         if rt::Scalar::into_branch_condition(_e159.elementwise_gt(rt::Scalar(0f32))) {
             let _e162 = path_22;
@@ -7664,28 +8054,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_facets_segment(
         &self,
         pixel_52: PixelIn,
-        at_46: Entered,
+        at_50: Entered,
         k_11: impl rt::Into<rt::Scalar<u32>>,
         params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_facets_segment(pixel_52, at_46, rt::into(k_11), rt::into(params_37)))
+        rt::into(self.v_surface_facets_segment(pixel_52, at_50, rt::into(k_11), rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_segment(
         &self,
         pixel_52: PixelIn,
-        at_46: Entered,
+        at_50: Entered,
         k_11: rt::Scalar<u32>,
         params_37: rt::Vec4<f32>,
     ) -> Path {
         let _e4 = self.v_plane_normal(pixel_52);
         let _e5 = self.v_triangle_distance(pixel_52, _e4);
-        let start_2 = (_e5 * pixel_52.direction.length());
-        let _e11 = self.v_height_at(at_46.uv, rt::Scalar(at_46.level));
+        let start_5 = (_e5 * pixel_52.direction.length());
+        let _e11 = self.v_height_at(at_50.uv, rt::Scalar(at_50.level));
         let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let h_5 = <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Path>::new(at_46.uv, duv_8, h_5, rt::Scalar(1f32), rt::Scalar(0f32), at_46.metric, RAY_VIEW, rt::Scalar(at_46.level), start_2, rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new(at_50.uv, duv_8, h_5, rt::Scalar(1f32), rt::Scalar(0f32), at_50.metric, RAY_VIEW, rt::Scalar(at_50.level), start_5, rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn slice_inside(
         &self,
@@ -7783,29 +8173,29 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slice_spacing(
         &self,
-        at_47: Entered,
-        axis: impl rt::Into<rt::Scalar<u32>>,
+        at_51: Entered,
+        axis_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_slice_spacing(at_47, rt::into(axis)))
+        rt::into(self.v_slice_spacing(at_51, rt::into(axis_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_slice_spacing(
         &self,
-        at_47: Entered,
-        axis: rt::Scalar<u32>,
+        at_51: Entered,
+        axis_1: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let step_6 = at_47.of_surface.y();
-        if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_HEIGHT)) {
+        let step_6 = at_51.of_surface.y();
+        if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_HEIGHT)) {
             return step_6;
         }
-        if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_U)) {
+        if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_U)) {
             let _e12 = self.v_traced_scale_m();
-            return ((step_6 * at_47.metric.x().sqrt()) / _e12);
+            return ((step_6 * at_51.metric.x().sqrt()) / _e12);
         }
-        if rt::Scalar::into_branch_condition(axis.elementwise_eq(SLICES_ALONG_V)) {
+        if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_V)) {
             let _e20 = self.v_traced_scale_m();
-            return ((step_6 * at_47.metric.z().sqrt()) / _e20);
+            return ((step_6 * at_51.metric.z().sqrt()) / _e20);
         }
         let _e22 = self.v_traced_scale_m();
         return (step_6 / _e22);
@@ -7813,30 +8203,30 @@ impl<'g> Resources<'g> {
     pub(crate) fn slice_above(
         &self,
         pixel_53: PixelIn,
-        at_48: Entered,
+        at_52: Entered,
         along_16: impl rt::Into<rt::Scalar<f32>>,
         far_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_above(pixel_53, at_48, rt::into(along_16), rt::into(far_2)))
+        rt::into(self.v_slice_above(pixel_53, at_52, rt::into(along_16), rt::into(far_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_above(
         &self,
         pixel_53: PixelIn,
-        at_48: Entered,
+        at_52: Entered,
         along_16: rt::Scalar<f32>,
         far_2: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut local_47: rt::Scalar<bool>;
 
-        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_53.direction.dot(at_48.normal).elementwise_lt(rt::Scalar(0f32))) * at_48.of_surface.y());
+        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_53.direction.dot(at_52.normal).elementwise_lt(rt::Scalar(0f32))) * at_52.of_surface.y());
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
         let step_m = (upward * _e17);
-        let a_24 = (pixel_53.a.position + (pixel_53.a.normal * step_m));
-        let b_24 = (pixel_53.b.position + (pixel_53.b.normal * step_m));
-        let c_16 = (pixel_53.c.position + (pixel_53.c.normal * step_m));
-        let n_10 = (b_24 - a_24).cross((c_16 - a_24));
-        let t_37 = (n_10.dot((a_24 - pixel_53.origin)) / n_10.dot(pixel_53.direction));
+        let a_34 = (pixel_53.a.position + (pixel_53.a.normal * step_m));
+        let b_34 = (pixel_53.b.position + (pixel_53.b.normal * step_m));
+        let c_23 = (pixel_53.c.position + (pixel_53.c.normal * step_m));
+        let n_11 = (b_34 - a_34).cross((c_23 - a_34));
+        let t_37 = (n_11.dot((a_34 - pixel_53.origin)) / n_11.dot(pixel_53.direction));
         let lead = (far_2 - (t_37 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
             local_47 = t_37.abs().elementwise_le(rt::Scalar(1000000000f32));
@@ -7847,30 +8237,30 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e68 = self.v_weights_of(a_24, b_24, c_16, n_10, (pixel_53.origin + (pixel_53.direction * t_37)));
-        let aside_4 = ((((pixel_53.a.uv * _e68.x()) + (pixel_53.b.uv * _e68.y())) + (pixel_53.c.uv * _e68.z())) - at_48.uv);
+        let _e68 = self.v_weights_of(a_34, b_34, c_23, n_11, (pixel_53.origin + (pixel_53.direction * t_37)));
+        let aside_4 = ((((pixel_53.a.uv * _e68.x()) + (pixel_53.b.uv * _e68.y())) + (pixel_53.c.uv * _e68.z())) - at_52.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_4, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
     pub(crate) fn slice_beside(
         &self,
-        at_49: Entered,
+        at_53: Entered,
         climbs: impl rt::Into<rt::Vec3<f32>>,
         pace: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_beside(at_49, rt::into(climbs), rt::into(pace)))
+        rt::into(self.v_slice_beside(at_53, rt::into(climbs), rt::into(pace)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_slice_beside(
         &self,
-        at_49: Entered,
+        at_53: Entered,
         climbs: rt::Vec3<f32>,
         pace: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut local_48: rt::Scalar<bool>;
 
-        let up_3 = (at_49.of_surface.x().select((rt::Scalar(1f32) - at_49.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
-        let lead_1 = (at_49.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_3, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
+        let up_3 = (at_53.of_surface.x().select((rt::Scalar(1f32) - at_53.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
+        let lead_1 = (at_53.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_3, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
         if rt::Scalar::into_branch_condition(lead_1.elementwise_gt(rt::Scalar(0f32))) {
             local_48 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
         } else {
@@ -7885,68 +8275,68 @@ impl<'g> Resources<'g> {
     pub(crate) fn slice_before(
         &self,
         pixel_54: PixelIn,
-        at_50: Entered,
-        axis_1: impl rt::Into<rt::Scalar<u32>>,
+        at_54: Entered,
+        axis_2: impl rt::Into<rt::Scalar<u32>>,
         along_17: impl rt::Into<rt::Scalar<f32>>,
         far_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_before(pixel_54, at_50, rt::into(axis_1), rt::into(along_17), rt::into(far_3)))
+        rt::into(self.v_slice_before(pixel_54, at_54, rt::into(axis_2), rt::into(along_17), rt::into(far_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_before(
         &self,
         pixel_54: PixelIn,
-        at_50: Entered,
-        axis_1: rt::Scalar<u32>,
+        at_54: Entered,
+        axis_2: rt::Scalar<u32>,
         along_17: rt::Scalar<f32>,
         far_3: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_HEIGHT)) {
-            let _e7 = self.v_slice_above(pixel_54, at_50, along_17, far_3);
+        if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_HEIGHT)) {
+            let _e7 = self.v_slice_above(pixel_54, at_54, along_17, far_3);
             return _e7;
         }
-        let _e11 = self.v_climb(at_50, (pixel_54.direction / rt::Vec3::splat_from_scalar(along_17)));
-        if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_U)) {
-            let _e16 = self.v_slice_beside(at_50, _e11, _e11.x().abs());
+        let _e11 = self.v_climb(at_54, (pixel_54.direction / rt::Vec3::splat_from_scalar(along_17)));
+        if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_U)) {
+            let _e16 = self.v_slice_beside(at_54, _e11, _e11.x().abs());
             return _e16;
         }
-        if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_V)) {
-            let _e21 = self.v_slice_beside(at_50, _e11, _e11.y().abs());
+        if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_V)) {
+            let _e21 = self.v_slice_beside(at_54, _e11, _e11.y().abs());
             return _e21;
         }
-        let _e24 = self.v_slice_beside(at_50, _e11, (rt::Scalar(1f32) / along_17));
+        let _e24 = self.v_slice_beside(at_54, _e11, (rt::Scalar(1f32) / along_17));
         return _e24;
     }
     pub(crate) fn surface_slices_segment(
         &self,
         pixel_55: PixelIn,
-        at_51: Entered,
+        at_55: Entered,
         k_12: impl rt::Into<rt::Scalar<u32>>,
         params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_slices_segment(pixel_55, at_51, rt::into(k_12), rt::into(params_41)))
+        rt::into(self.v_surface_slices_segment(pixel_55, at_55, rt::into(k_12), rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_segment(
         &self,
         pixel_55: PixelIn,
-        at_51: Entered,
+        at_55: Entered,
         k_12: rt::Scalar<u32>,
         params_41: rt::Vec4<f32>,
     ) -> Path {
-        let along_35 = pixel_55.direction.length();
+        let along_37 = pixel_55.direction.length();
         let _e6 = self.v_plane_normal(pixel_55);
         let _e7 = self.v_triangle_distance(pixel_55, _e6);
-        let far_7 = (_e7 * along_35);
-        let axis_2 = pixel_55.a.of_surface.z().to_u32();
-        let height_19 = at_51.of_surface.x();
-        let _e17 = self.v_height_at(at_51.uv, rt::Scalar(at_51.level));
-        let _e18 = self.v_slice_spacing(at_51, axis_2);
+        let far_7 = (_e7 * along_37);
+        let axis_4 = pixel_55.a.of_surface.z().to_u32();
+        let height_19 = at_55.of_surface.x();
+        let _e17 = self.v_height_at(at_55.uv, rt::Scalar(at_55.level));
+        let _e18 = self.v_slice_spacing(at_55, axis_4);
         let _e19 = self.v_slices_stage(_e17, height_19, _e18);
-        let _e20 = self.v_slice_before(pixel_55, at_51, axis_2, along_35, far_7);
+        let _e20 = self.v_slice_before(pixel_55, at_55, axis_4, along_37, far_7);
         let lead_2 = (far_7 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_7), _e20.w().elementwise_gt(rt::Scalar(0f32)));
-        return <Path>::new((at_51.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_19 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_51.metric, RAY_VIEW, rt::Scalar(at_51.level), (far_7 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new((at_55.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_19 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_55.metric, RAY_VIEW, rt::Scalar(at_55.level), (far_7 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn within_bounds(
         &self,
@@ -7981,9 +8371,9 @@ impl<'g> Resources<'g> {
             }
             return interval_5;
         }
-        let a_25 = ((low - x_2) / dx_1);
-        let b_25 = ((high - x_2) / dx_1);
-        return <rt::Vec2<f32>>::from_scalars(interval_5.x().max(a_25.min(b_25)), interval_5.y().min(a_25.max(b_25)));
+        let a_35 = ((low - x_2) / dx_1);
+        let b_35 = ((high - x_2) / dx_1);
+        return <rt::Vec2<f32>>::from_scalars(interval_5.x().max(a_35.min(b_35)), interval_5.y().min(a_35.max(b_35)));
     }
     pub(crate) fn metric_of_image(
         &self,
@@ -8024,9 +8414,9 @@ impl<'g> Resources<'g> {
         let mut interval_6: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let mut height_5: rt::Vec3<f32>;
 
-        let along_36 = pixel_56.direction.normalize();
+        let along_38 = pixel_56.direction.normalize();
         let _e4 = self.v_image_of_object(k_13);
-        let deepens = _e4.depth.xyz().dot(along_36);
+        let deepens = _e4.depth.xyz().dot(along_38);
         let _e9 = self.v_depth_in_image(_e4, pixel_56.origin);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e4.has_eye)) {
             let nearest_2 = (rt::Scalar(0.01f32) * rt::Scalar(_e4.nearest));
@@ -8042,15 +8432,15 @@ impl<'g> Resources<'g> {
             }
         }
         let _e30 = begin_2;
-        let origin_6 = (pixel_56.origin + (along_36 * _e30));
+        let origin_6 = (pixel_56.origin + (along_38 * _e30));
         let _e33 = self.v_depth_in_image(_e4, origin_6);
         let bend_6 = (deepens / _e33);
         let u_1 = ((_e4.u.xyz().dot(origin_6) + _e4.u.w()) / _e33);
         let v_3 = ((_e4.v.xyz().dot(origin_6) + _e4.v.w()) / _e33);
         let h_6 = ((_e4.height.xyz().dot(origin_6) + _e4.height.w()) / _e33);
-        let du_1 = ((_e4.u.xyz().dot(along_36) - (u_1 * deepens)) / _e33);
-        let dv_1 = ((_e4.v.xyz().dot(along_36) - (v_3 * deepens)) / _e33);
-        let dh_1 = ((_e4.height.xyz().dot(along_36) - (h_6 * deepens)) / _e33);
+        let du_1 = ((_e4.u.xyz().dot(along_38) - (u_1 * deepens)) / _e33);
+        let dv_1 = ((_e4.v.xyz().dot(along_38) - (v_3 * deepens)) / _e33);
+        let dh_1 = ((_e4.height.xyz().dot(along_38) - (h_6 * deepens)) / _e33);
         let _e74 = self.v_beyond_image(_e4);
         let _e85 = interval_6;
         let _e86 = self.v_within_bounds(u_1, du_1, (rt::Scalar(0f32) - _e74.x()), (rt::Scalar(1f32) + _e74.x()), _e85);
@@ -8061,10 +8451,10 @@ impl<'g> Resources<'g> {
         let _e97 = interval_6;
         let _e98 = self.v_within_bounds(h_6, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e97);
         interval_6 = _e98;
-        let start_3 = interval_6.x();
-        let nearer = (rt::Scalar(1f32) - (bend_6 * start_3));
+        let start_6 = interval_6.x();
+        let nearer = (rt::Scalar(1f32) - (bend_6 * start_6));
         let change_5 = (nearer * nearer);
-        height_5 = <rt::Vec3<f32>>::from_scalars((h_6 + (dh_1 * start_3)), (dh_1 * change_5), rt::Scalar(0f32));
+        height_5 = <rt::Vec3<f32>>::from_scalars((h_6 + (dh_1 * start_6)), (dh_1 * change_5), rt::Scalar(0f32));
         let _e113 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e113.elementwise_eq(CELLS_MASK)) {
             height_5 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0f32), rt::Scalar(0f32));
@@ -8073,23 +8463,23 @@ impl<'g> Resources<'g> {
         let _e135 = interval_6.y();
         let _e140 = self.v_metric_of_image(_e4, (_e33 / nearer));
         let _e143 = begin_2;
-        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_1 + (du_1 * start_3)), (v_3 + (dv_1 * start_3))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_5), _e133, ((_e135 - start_3) / change_5), k_13.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_3 / nearer)), rt::Scalar(1f32), (bend_6 * nearer));
+        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_1 + (du_1 * start_6)), (v_3 + (dv_1 * start_6))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_5), _e133, ((_e135 - start_6) / change_5), k_13.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_6 / nearer)), rt::Scalar(1f32), (bend_6 * nearer));
     }
     pub(crate) fn surface_object_segment(
         &self,
         pixel_57: PixelIn,
-        at_52: Entered,
+        at_56: Entered,
         k_14: impl rt::Into<rt::Scalar<u32>>,
         params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_segment(pixel_57, at_52, rt::into(k_14), rt::into(params_42)))
+        rt::into(self.v_surface_object_segment(pixel_57, at_56, rt::into(k_14), rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_segment(
         &self,
         pixel_57: PixelIn,
-        at_52: Entered,
+        at_56: Entered,
         k_14: rt::Scalar<u32>,
         params_42: rt::Vec4<f32>,
     ) -> Path {
@@ -8099,18 +8489,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_frames_segment(
         &self,
         pixel_58: PixelIn,
-        at_53: Entered,
+        at_57: Entered,
         k_15: impl rt::Into<rt::Scalar<u32>>,
         params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_frames_segment(pixel_58, at_53, rt::into(k_15), rt::into(params_43)))
+        rt::into(self.v_surface_frames_segment(pixel_58, at_57, rt::into(k_15), rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_frames_segment(
         &self,
         pixel_58: PixelIn,
-        at_53: Entered,
+        at_57: Entered,
         k_15: rt::Scalar<u32>,
         params_43: rt::Vec4<f32>,
     ) -> Path {
@@ -8145,9 +8535,9 @@ impl<'g> Resources<'g> {
         let uv_38 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_2, v_4)));
         let _e42 = self.v_height_size(rt::Scalar(0u32));
         let _e49 = self.v_object_parts_stage(rt::Scalar(0u32));
-        let at_139 = (((uv_38 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
-        let _e52 = self.v_cell_of(at_139);
-        let part_18 = (at_139 - _e52);
+        let at_144 = (((uv_38 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
+        let _e52 = self.v_cell_of(at_144);
+        let part_18 = (at_144 - _e52);
         let _e56 = self.v_object_cell_stage(_e52.to_i32(), rt::Scalar(0u32));
         let top_7 = (_e56.x() + ((_e56.y() - _e56.x()) * part_18.x()));
         let bottom_4 = (_e56.z() + ((_e56.w() - _e56.z()) * part_18.x()));
@@ -8173,16 +8563,16 @@ impl<'g> Resources<'g> {
         let _e97 = rt::Scalar(self.surface_settings.cells);
         return <OnImage>::new(uv_38, h_7.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_1);
     }
-    pub(crate) fn is_in_image(&self, at_54: OnImage) -> bool {
-        rt::into(self.v_is_in_image(at_54))
+    pub(crate) fn is_in_image(&self, at_58: OnImage) -> bool {
+        rt::into(self.v_is_in_image(at_58))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_is_in_image(&self, at_54: OnImage) -> rt::Scalar<bool> {
+    fn v_is_in_image(&self, at_58: OnImage) -> rt::Scalar<bool> {
         let mut local_54: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_54.is_inside)) {
-            let _e7 = self.v_slices_stage(rt::Scalar(at_54.map), rt::Scalar(at_54.height), rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_58.is_inside)) {
+            let _e7 = self.v_slices_stage(rt::Scalar(at_58.map), rt::Scalar(at_58.height), rt::Scalar(0f32));
             local_54 = _e7;
         } else {
             local_54 = rt::Scalar(false);
@@ -8193,25 +8583,25 @@ impl<'g> Resources<'g> {
     pub(crate) fn with_image(
         &self,
         slice_4: OnSlice,
-        number_9: impl rt::Into<rt::Scalar<u32>>,
+        number_11: impl rt::Into<rt::Scalar<u32>>,
         point_13: impl rt::Into<rt::Vec3<f32>>,
     ) -> OnSlice {
-        rt::into(self.v_with_image(slice_4, rt::into(number_9), rt::into(point_13)))
+        rt::into(self.v_with_image(slice_4, rt::into(number_11), rt::into(point_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_with_image(
         &self,
         slice_4: OnSlice,
-        number_9: rt::Scalar<u32>,
+        number_11: rt::Scalar<u32>,
         point_13: rt::Vec3<f32>,
     ) -> OnSlice {
-        let _e3 = self.v_image_of_object(number_9);
+        let _e3 = self.v_image_of_object(number_11);
         let _e4 = self.v_on_image(_e3, point_13);
         let over_1 = (rt::Scalar(_e4.map) - rt::Scalar(_e4.height));
         let _e8 = self.v_is_in_image(_e4);
         if rt::Scalar::into_branch_condition(over_1.elementwise_lt(rt::Scalar(slice_4.over))) {
-            return <OnSlice>::new(_e8, number_9, _e4, over_1);
+            return <OnSlice>::new(_e8, number_11, _e4, over_1);
         }
         return <OnSlice>::new(_e8, rt::Scalar(slice_4.number), slice_4.nearest, rt::Scalar(slice_4.over));
     }
@@ -8221,12 +8611,12 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_at(&self, point_14: rt::Vec3<f32>) -> OnSlice {
         let mut slice_5: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
-        let mut number_10: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut number_12: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_55: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e15 = number_10;
+                let _e15 = number_12;
                 let _e18 = rt::Scalar(self.surface_settings.solids);
                 if rt::Scalar::into_branch_condition(_e15.elementwise_lt(_e18)) {
                     let _e23 = rt::Scalar(slice_5.passes);
@@ -8241,11 +8631,11 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e26 = slice_5;
-                    let _e27 = number_10;
+                    let _e27 = number_12;
                     let _e28 = self.v_with_image(_e26, _e27, point_14);
                     slice_5 = _e28;
-                    let _e29 = number_10;
-                    number_10 = (_e29 + rt::Scalar(1u32));
+                    let _e29 = number_12;
+                    number_12 = (_e29 + rt::Scalar(1u32));
                 }
             }
         }
@@ -8255,94 +8645,94 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_segment(
         &self,
         pixel_59: PixelIn,
-        at_55: Entered,
+        at_59: Entered,
         k_16: impl rt::Into<rt::Scalar<u32>>,
         params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_slices_segment(pixel_59, at_55, rt::into(k_16), rt::into(params_44)))
+        rt::into(self.v_surface_object_slices_segment(pixel_59, at_59, rt::into(k_16), rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_slices_segment(
         &self,
         pixel_59: PixelIn,
-        at_55: Entered,
+        at_59: Entered,
         k_16: rt::Scalar<u32>,
         params_44: rt::Vec4<f32>,
     ) -> Path {
-        let _e5 = self.v_slice_at(at_55.point);
+        let _e5 = self.v_slice_at(at_59.point);
         let _e7 = self.v_image_of_object(rt::Scalar(_e5.number));
-        let far_8 = (at_55.point - pixel_59.origin).length();
+        let far_8 = (at_59.point - pixel_59.origin).length();
         let lead_3 = (far_8 * rt::Scalar(0.0000005f32));
-        let _e28 = self.v_depth_in_image(_e7, at_55.point);
+        let _e28 = self.v_depth_in_image(_e7, at_59.point);
         let _e29 = self.v_metric_of_image(_e7, _e28);
         return <Path>::new(_e5.nearest.uv, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e5.nearest.height), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_3, rt::Scalar(_e5.passes)), lead_3, _e29, RAY_VIEW, rt::Scalar(0u32), (far_8 - lead_3), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_segment_stage(
         &self,
         pixel_60: PixelIn,
-        at_56: Entered,
+        at_60: Entered,
         k_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_60, at_56, rt::into(k_17)))
+        rt::into(self.v_surface_segment_stage(pixel_60, at_60, rt::into(k_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
         pixel_60: PixelIn,
-        at_56: Entered,
+        at_60: Entered,
         k_17: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[1usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_60, at_56, k_17, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_60, at_60, k_17, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[1usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_60, at_56, k_17, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_60, at_60, k_17, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[1usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_60, at_56, k_17, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_60, at_60, k_17, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[1usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_60, at_56, k_17, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_60, at_60, k_17, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[1usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_60, at_56, k_17, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_60, at_60, k_17, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[1usize].params;
-                let _e43 = self.v_surface_facets_segment(pixel_60, at_56, k_17, _e42);
+                let _e43 = self.v_surface_facets_segment(pixel_60, at_60, k_17, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[1usize].params;
-                let _e49 = self.v_surface_slices_segment(pixel_60, at_56, k_17, _e48);
+                let _e49 = self.v_surface_slices_segment(pixel_60, at_60, k_17, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[1usize].params;
-                let _e55 = self.v_surface_object_segment(pixel_60, at_56, k_17, _e54);
+                let _e55 = self.v_surface_object_segment(pixel_60, at_60, k_17, _e54);
                 return _e55;
             }
             8u32 => {
                 let _e60 = self.surface_settings.choices[1usize].params;
-                let _e61 = self.v_surface_frames_segment(pixel_60, at_56, k_17, _e60);
+                let _e61 = self.v_surface_frames_segment(pixel_60, at_60, k_17, _e60);
                 return _e61;
             }
             _ => {
                 let _e66 = self.surface_settings.choices[1usize].params;
-                let _e67 = self.v_surface_object_slices_segment(pixel_60, at_56, k_17, _e66);
+                let _e67 = self.v_surface_object_slices_segment(pixel_60, at_60, k_17, _e66);
                 return _e67;
             }
         }
@@ -8362,7 +8752,7 @@ impl<'g> Resources<'g> {
         middle_8: rt::Scalar<f32>,
         part_4: rt::Scalar<f32>,
     ) -> Path {
-        let mut start: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut start_1: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let kept = (rt::Scalar(1f32) - part_4);
         let top_8 = (middle_8 + ((rt::Scalar(1f32) - middle_8) * kept));
@@ -8370,46 +8760,46 @@ impl<'g> Resources<'g> {
         let begins = above_6.elementwise_gt(rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(begins) {
             let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_6, path_23.h.y(), path_23.h.z()), rt::Scalar(path_23.exit));
-            start = _e22.min(rt::Scalar(path_23.exit));
+            start_1 = _e22.min(rt::Scalar(path_23.exit));
         }
         let height_20 = (middle_8 + ((path_23.h.x() - middle_8) / kept)).select(rt::Scalar(1f32), begins);
-        let _e32 = start;
+        let _e32 = start_1;
         let _e33 = self.v_path_slope(path_23, _e32);
         let h_8 = <rt::Vec3<f32>>::from_scalars(height_20, (_e33 / kept), (path_23.h.z() / kept));
-        let _e40 = start;
+        let _e40 = start_1;
         let rest_4 = (rt::Scalar(path_23.exit) - _e40);
         let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_8.x().max(rt::Scalar(0f32)), h_8.y(), h_8.z()), rest_4);
         let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_4);
-        let _e53 = start;
+        let _e53 = start_1;
         let base_5 = (rt::Scalar(path_23.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let _e58 = start;
+        let _e58 = start_1;
         let _e59 = self.v_path_uv(path_23, _e58);
-        let _e65 = start;
+        let _e65 = start_1;
         return <Path>::new(_e59, path_23.duv, h_8, exit_1, base_5, path_23.metric, rt::Scalar(path_23.ray), rt::Scalar(path_23.level), (rt::Scalar(path_23.start) + _e65), rt::Scalar(path_23.share), rt::Scalar(path_23.bend));
     }
     pub(crate) fn segment_of(
         &self,
         pixel_61: PixelIn,
-        at_57: Entered,
+        at_61: Entered,
         k_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_61, at_57, rt::into(k_18)))
+        rt::into(self.v_segment_of(pixel_61, at_61, rt::into(k_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
         pixel_61: PixelIn,
-        at_57: Entered,
+        at_61: Entered,
         k_18: rt::Scalar<u32>,
     ) -> Path {
         let mut path_24: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_61, at_57, k_18);
+        let _e3 = self.v_surface_segment_stage(pixel_61, at_61, k_18);
         path_24 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_57.fade).elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_61.fade).elementwise_gt(rt::Scalar(0f32))) {
             let _e8 = path_24;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_57.fade));
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_61.fade));
             path_24 = _e13;
             let _e16 = path_24.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
@@ -8422,19 +8812,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_polish(
         &self,
         pixel_62: PixelIn,
-        at_58: Entered,
+        at_62: Entered,
         path_25: Path,
         hit_7: Hit,
         params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_62, at_58, path_25, hit_7, rt::into(params_45)))
+        rt::into(self.v_surface_plane_polish(pixel_62, at_62, path_25, hit_7, rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_polish(
         &self,
         pixel_62: PixelIn,
-        at_58: Entered,
+        at_62: Entered,
         path_25: Path,
         hit_7: Hit,
         params_45: rt::Vec4<f32>,
@@ -8457,18 +8847,18 @@ impl<'g> Resources<'g> {
         place_12: rt::Vec3<f32>,
         offset_5: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let corner_6 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
-        let a_26 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
-        let b_26 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
-        let rest_5 = (place_12 - corner_6);
-        let across_7 = a_26.cross(b_26);
+        let corner_7 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
+        let a_36 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
+        let b_36 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
+        let rest_5 = (place_12 - corner_7);
+        let across_7 = a_36.cross(b_36);
         let square_2 = across_7.dot(across_7);
         if rt::Scalar::into_branch_condition((!square_2.elementwise_gt(rt::Scalar(0f32)))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
         }
-        let second_4 = (rest_5.cross(b_26).dot(across_7) / square_2);
-        let third_3 = (a_26.cross(rest_5).dot(across_7) / square_2);
-        return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_4) - third_3), second_4, third_3);
+        let second_4 = (rest_5.cross(b_36).dot(across_7) / square_2);
+        let third_4 = (a_36.cross(rest_5).dot(across_7) / square_2);
+        return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_4) - third_4), second_4, third_4);
     }
     pub(crate) fn shell_point_near(
         &self,
@@ -8486,9 +8876,9 @@ impl<'g> Resources<'g> {
         place_13: rt::Vec3<f32>,
         height_6: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let low_3 = self.surface_settings.shell_m.x();
+        let low_4 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let offset_8 = (low_3 + ((_e10 - low_3).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_6));
+        let offset_8 = (low_4 + ((_e10 - low_4).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_6));
         let _e16 = self.v_weights_at_offset(prism_12, place_13, offset_8);
         let _e18 = self.v_lift_of(prism_12.lift, _e16);
         let _e20 = self.v_weights_at_offset(prism_12, place_13, (offset_8 + _e18));
@@ -8529,18 +8919,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_polish(
         &self,
         pixel_64: PixelIn,
-        at_59: Entered,
+        at_63: Entered,
         path_26: Path,
         hit_8: Hit,
         params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_64, at_59, path_26, hit_8, rt::into(params_46)))
+        rt::into(self.v_surface_prism_polish(pixel_64, at_63, path_26, hit_8, rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
         &self,
         pixel_64: PixelIn,
-        at_59: Entered,
+        at_63: Entered,
         path_26: Path,
         hit_8: Hit,
         params_46: rt::Vec4<f32>,
@@ -8549,9 +8939,9 @@ impl<'g> Resources<'g> {
         let mut point_15: ShellPoint;
         let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let along_37 = pixel_64.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_64, along_37);
-        let _e8 = self.v_prism_of(pixel_64, along_37, _e7, params_46);
+        let along_39 = pixel_64.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_64, along_39);
+        let _e8 = self.v_prism_of(pixel_64, along_39, _e7, params_46);
         let _e10 = self.v_path_gap(path_26, rt::Scalar(hit_8.t));
         let _e11 = self.v_grid_of(path_26);
         let texels_5 = _e11.step.abs();
@@ -8560,7 +8950,7 @@ impl<'g> Resources<'g> {
         let _e30 = t_15;
         let _e34 = t_15;
         let _e35 = self.v_path_height(path_26, _e34);
-        let _e36 = self.v_point_of_way(pixel_64, _e8, (along_37 * ((rt::Scalar(path_26.start) + _e30) - _e7)), _e35);
+        let _e36 = self.v_point_of_way(pixel_64, _e8, (along_39 * ((rt::Scalar(path_26.start) + _e30) - _e7)), _e35);
         point_15 = _e36;
         'naga_break: loop {
             'naga_continue: {
@@ -8587,7 +8977,7 @@ impl<'g> Resources<'g> {
                         t_15 = (_e66 - (gap_1 / change_6)).clamp((rt::Scalar(hit_8.t) - most_13), (rt::Scalar(hit_8.t) + most_13));
                     }
                     let _e75 = t_15;
-                    let place_27 = (along_37 * ((rt::Scalar(path_26.start) + _e75) - _e7));
+                    let place_27 = (along_39 * ((rt::Scalar(path_26.start) + _e75) - _e7));
                     if rt::Scalar::into_branch_condition(rt::Scalar(pixel_64.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e83 = t_15;
                         let _e84 = self.v_path_height(path_26, _e83);
@@ -8610,19 +9000,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
         pixel_65: PixelIn,
-        at_60: Entered,
+        at_64: Entered,
         path_27: Path,
         hit_9: Hit,
         params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_65, at_60, path_27, hit_9, rt::into(params_47)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_65, at_64, path_27, hit_9, rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_polish(
         &self,
         pixel_65: PixelIn,
-        at_60: Entered,
+        at_64: Entered,
         path_27: Path,
         hit_9: Hit,
         params_47: rt::Vec4<f32>,
@@ -8632,19 +9022,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
         pixel_66: PixelIn,
-        at_61: Entered,
+        at_65: Entered,
         path_28: Path,
         hit_10: Hit,
         params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_66, at_61, path_28, hit_10, rt::into(params_48)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_66, at_65, path_28, hit_10, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_vertical_polish(
         &self,
         pixel_66: PixelIn,
-        at_61: Entered,
+        at_65: Entered,
         path_28: Path,
         hit_10: Hit,
         params_48: rt::Vec4<f32>,
@@ -8654,19 +9044,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_polish(
         &self,
         pixel_67: PixelIn,
-        at_62: Entered,
+        at_66: Entered,
         path_29: Path,
         hit_11: Hit,
         params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_67, at_62, path_29, hit_11, rt::into(params_49)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_67, at_66, path_29, hit_11, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_tetrahedra_polish(
         &self,
         pixel_67: PixelIn,
-        at_62: Entered,
+        at_66: Entered,
         path_29: Path,
         hit_11: Hit,
         params_49: rt::Vec4<f32>,
@@ -8676,19 +9066,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_facets_polish(
         &self,
         pixel_68: PixelIn,
-        at_63: Entered,
+        at_67: Entered,
         path_30: Path,
         hit_12: Hit,
         params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_68, at_63, path_30, hit_12, rt::into(params_50)))
+        rt::into(self.v_surface_facets_polish(pixel_68, at_67, path_30, hit_12, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_polish(
         &self,
         pixel_68: PixelIn,
-        at_63: Entered,
+        at_67: Entered,
         path_30: Path,
         hit_12: Hit,
         params_50: rt::Vec4<f32>,
@@ -8698,19 +9088,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_slices_polish(
         &self,
         pixel_69: PixelIn,
-        at_64: Entered,
+        at_68: Entered,
         path_31: Path,
         hit_13: Hit,
         params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_slices_polish(pixel_69, at_64, path_31, hit_13, rt::into(params_51)))
+        rt::into(self.v_surface_slices_polish(pixel_69, at_68, path_31, hit_13, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_polish(
         &self,
         pixel_69: PixelIn,
-        at_64: Entered,
+        at_68: Entered,
         path_31: Path,
         hit_13: Hit,
         params_51: rt::Vec4<f32>,
@@ -8755,19 +9145,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_polish(
         &self,
         pixel_70: PixelIn,
-        at_65: Entered,
+        at_69: Entered,
         path_34: Path,
         hit_15: Hit,
         params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_polish(pixel_70, at_65, path_34, hit_15, rt::into(params_52)))
+        rt::into(self.v_surface_object_polish(pixel_70, at_69, path_34, hit_15, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_polish(
         &self,
         pixel_70: PixelIn,
-        at_65: Entered,
+        at_69: Entered,
         path_34: Path,
         hit_15: Hit,
         params_52: rt::Vec4<f32>,
@@ -8778,19 +9168,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_frames_polish(
         &self,
         pixel_71: PixelIn,
-        at_66: Entered,
+        at_70: Entered,
         path_35: Path,
         hit_16: Hit,
         params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_frames_polish(pixel_71, at_66, path_35, hit_16, rt::into(params_53)))
+        rt::into(self.v_surface_frames_polish(pixel_71, at_70, path_35, hit_16, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_frames_polish(
         &self,
         pixel_71: PixelIn,
-        at_66: Entered,
+        at_70: Entered,
         path_35: Path,
         hit_16: Hit,
         params_53: rt::Vec4<f32>,
@@ -8801,19 +9191,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_polish(
         &self,
         pixel_72: PixelIn,
-        at_67: Entered,
+        at_71: Entered,
         path_36: Path,
         hit_17: Hit,
         params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_slices_polish(pixel_72, at_67, path_36, hit_17, rt::into(params_54)))
+        rt::into(self.v_surface_object_slices_polish(pixel_72, at_71, path_36, hit_17, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_slices_polish(
         &self,
         pixel_72: PixelIn,
-        at_67: Entered,
+        at_71: Entered,
         path_36: Path,
         hit_17: Hit,
         params_54: rt::Vec4<f32>,
@@ -8827,72 +9217,72 @@ impl<'g> Resources<'g> {
         let _e19 = counted_1;
         return _e19;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_73: PixelIn, at_68: Entered, path_37: Path, hit_18: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_73, at_68, path_37, hit_18))
+    pub(crate) fn surface_polish_stage(&self, pixel_73: PixelIn, at_72: Entered, path_37: Path, hit_18: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_73, at_72, path_37, hit_18))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_73: PixelIn, at_68: Entered, path_37: Path, hit_18: Hit) -> Hit {
+    fn v_surface_polish_stage(&self, pixel_73: PixelIn, at_72: Entered, path_37: Path, hit_18: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_73, at_68, path_37, hit_18, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_73, at_72, path_37, hit_18, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_73, at_68, path_37, hit_18, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_73, at_72, path_37, hit_18, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_73, at_68, path_37, hit_18, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_73, at_72, path_37, hit_18, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_73, at_68, path_37, hit_18, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_73, at_72, path_37, hit_18, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_73, at_68, path_37, hit_18, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_73, at_72, path_37, hit_18, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_73, at_68, path_37, hit_18, _e43);
+                let _e44 = self.v_surface_facets_polish(pixel_73, at_72, path_37, hit_18, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_polish(pixel_73, at_68, path_37, hit_18, _e49);
+                let _e50 = self.v_surface_slices_polish(pixel_73, at_72, path_37, hit_18, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_polish(pixel_73, at_68, path_37, hit_18, _e55);
+                let _e56 = self.v_surface_object_polish(pixel_73, at_72, path_37, hit_18, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_polish(pixel_73, at_68, path_37, hit_18, _e61);
+                let _e62 = self.v_surface_frames_polish(pixel_73, at_72, path_37, hit_18, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_polish(pixel_73, at_68, path_37, hit_18, _e67);
+                let _e68 = self.v_surface_object_slices_polish(pixel_73, at_72, path_37, hit_18, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_74: PixelIn, at_69: Entered, path_38: Path, hit_19: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_74, at_69, path_38, hit_19))
+    pub(crate) fn polish_hit(&self, pixel_74: PixelIn, at_73: Entered, path_38: Path, hit_19: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_74, at_73, path_38, hit_19))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_polish_hit(&self, pixel_74: PixelIn, at_69: Entered, path_38: Path, hit_19: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_74, at_69, path_38, hit_19);
+    fn v_polish_hit(&self, pixel_74: PixelIn, at_73: Entered, path_38: Path, hit_19: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_74, at_73, path_38, hit_19);
         return _e4;
     }
     pub(crate) fn key_of(&self, depth_7: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -8942,18 +9332,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn hit_on_segment(
         &self,
         pixel_75: PixelIn,
-        at_70: Entered,
+        at_74: Entered,
         path_39: Path,
         found: Hit,
         k_19: impl rt::Into<rt::Scalar<u32>>,
     ) -> FirstHit {
-        rt::into(self.v_hit_on_segment(pixel_75, at_70, path_39, found, rt::into(k_19)))
+        rt::into(self.v_hit_on_segment(pixel_75, at_74, path_39, found, rt::into(k_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_segment(
         &self,
         pixel_75: PixelIn,
-        at_70: Entered,
+        at_74: Entered,
         path_39: Path,
         found: Hit,
         k_19: rt::Scalar<u32>,
@@ -8962,7 +9352,7 @@ impl<'g> Resources<'g> {
 
         first_1 = <FirstHit>::new(found, k_19, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(rt::Scalar(found.found).elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_polish_hit(pixel_75, at_70, path_39, found);
+            let _e11 = self.v_polish_hit(pixel_75, at_74, path_39, found);
             let _e12 = self.v_depth_on_ray(pixel_75, path_39, _e11);
             let _e13 = self.v_key_of(_e12);
             first_1 = <FirstHit>::new(_e11, k_19, _e13);
@@ -9139,10 +9529,10 @@ impl<'g> Resources<'g> {
         path_45: Path,
         slope_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m_4 = path_45.metric;
-        let area_5 = ((m_4.x() * m_4.z()) - (m_4.y() * m_4.y()));
-        let squared_2 = (((((slope_1.x() * slope_1.x()) * m_4.z()) - (((rt::Scalar(2f32) * slope_1.x()) * slope_1.y()) * m_4.y())) + ((slope_1.y() * slope_1.y()) * m_4.x())) / area_5);
-        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_4.w() * m_4.w()) * squared_2)).sqrt());
+        let m_5 = path_45.metric;
+        let area_5 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
+        let squared_2 = (((((slope_1.x() * slope_1.x()) * m_5.z()) - (((rt::Scalar(2f32) * slope_1.x()) * slope_1.y()) * m_5.y())) + ((slope_1.y() * slope_1.y()) * m_5.x())) / area_5);
+        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_5.w() * m_5.w()) * squared_2)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
@@ -9602,9 +9992,9 @@ impl<'g> Resources<'g> {
                     cost_8 = (_e42 + STEP);
                     let _e45 = cell_14;
                     let _e46 = self.v_cell_leave(_e22, _e45);
-                    let end_4 = _e46.x().min(_e46.y()).min(rt::Scalar(found_11.far));
+                    let end_6 = _e46.x().min(_e46.y()).min(rt::Scalar(found_11.far));
                     let _e52 = t_22;
-                    let span_6 = (end_4 - _e52).max(rt::Scalar(0f32));
+                    let span_6 = (end_6 - _e52).max(rt::Scalar(0f32));
                     let _e56 = cell_14;
                     let _e57 = t_22;
                     let _e58 = self.v_cell_gap(path_51, _e22, _e56, _e57);
@@ -9623,7 +10013,7 @@ impl<'g> Resources<'g> {
                         let _e76 = self.v_hit_on_path(path_51, (_e72 + _e69), rt::Scalar(0u32), _e75);
                         return _e76;
                     }
-                    if rt::Scalar::into_branch_condition(end_4.elementwise_ge(rt::Scalar(found_11.far))) {
+                    if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(found_11.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_11.status).elementwise_eq(FOUND_BRACKET))) {
                             local_62 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
                         } else {
@@ -9643,7 +10033,7 @@ impl<'g> Resources<'g> {
                     let _e97 = self.v_cell_next(_e22, _e96, _e46);
                     cell_14 = _e97;
                     let _e98 = t_22;
-                    t_22 = _e98.max(end_4);
+                    t_22 = _e98.max(end_6);
                 }
             }
         }
@@ -9683,11 +10073,11 @@ impl<'g> Resources<'g> {
         let backward = (rt::Scalar(found_12.far) - half_1).max(rt::Scalar(0f32));
         let forward_2 = (rt::Scalar(found_12.far) + half_1).min(rt::Scalar(path_52.exit));
         let _e28 = self.v_path_gap(path_52, backward);
-        let before_3 = _e28.abs();
+        let before_4 = _e28.abs();
         let _e30 = self.v_path_gap(path_52, forward_2);
         let behind_2 = _e30.abs();
-        if rt::Scalar::into_branch_condition((before_3 + behind_2).elementwise_gt(rt::Scalar(0f32))) {
-            part_5 = (before_3 / (before_3 + behind_2));
+        if rt::Scalar::into_branch_condition((before_4 + behind_2).elementwise_gt(rt::Scalar(0f32))) {
+            part_5 = (before_4 / (before_4 + behind_2));
         }
         let cost_24 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
         let _e45 = part_5;
@@ -9835,37 +10225,37 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn least_at(
         &self,
-        c_6: impl rt::Into<rt::Vec3<f32>>,
+        c_7: impl rt::Into<rt::Vec3<f32>>,
         span_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_least_at(rt::into(c_6), rt::into(span_2)))
+        rt::into(self.v_least_at(rt::into(c_7), rt::into(span_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_least_at(
         &self,
-        c_6: rt::Vec3<f32>,
+        c_7: rt::Vec3<f32>,
         span_2: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(c_6.z().elementwise_gt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(0f32) - c_6.y()) / (rt::Scalar(2f32) * c_6.z())).clamp(rt::Scalar(0f32), span_2);
+        if rt::Scalar::into_branch_condition(c_7.z().elementwise_gt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(0f32) - c_7.y()) / (rt::Scalar(2f32) * c_7.z())).clamp(rt::Scalar(0f32), span_2);
         }
         return span_2;
     }
     pub(crate) fn found_in_cell(
         &self,
-        c_7: impl rt::Into<rt::Vec3<f32>>,
+        c_8: impl rt::Into<rt::Vec3<f32>>,
         t_23: impl rt::Into<rt::Scalar<f32>>,
         span_3: impl rt::Into<rt::Scalar<f32>>,
         first_2: impl rt::Into<rt::Scalar<bool>>,
         cost_10: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_found_in_cell(rt::into(c_7), rt::into(t_23), rt::into(span_3), rt::into(first_2), rt::into(cost_10)))
+        rt::into(self.v_found_in_cell(rt::into(c_8), rt::into(t_23), rt::into(span_3), rt::into(first_2), rt::into(cost_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_found_in_cell(
         &self,
-        c_7: rt::Vec3<f32>,
+        c_8: rt::Vec3<f32>,
         t_23: rt::Scalar<f32>,
         span_3: rt::Scalar<f32>,
         first_2: rt::Scalar<bool>,
@@ -9873,25 +10263,25 @@ impl<'g> Resources<'g> {
     ) -> Found {
         let mut local_63: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(c_7.x().elementwise_le(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(c_8.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_2) {
-                local_63 = c_7.x().elementwise_lt(rt::Scalar(0f32));
+                local_63 = c_8.x().elementwise_lt(rt::Scalar(0f32));
             } else {
                 local_63 = rt::Scalar(false);
             }
             let _e14 = local_63;
             if rt::Scalar::into_branch_condition(_e14) {
-                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_7.x(), c_7.x(), cost_10);
+                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_8.x(), c_8.x(), cost_10);
             }
-            return <Found>::new(FOUND_BRACKET, t_23, t_23, c_7.x(), c_7.x(), cost_10);
+            return <Found>::new(FOUND_BRACKET, t_23, t_23, c_8.x(), c_8.x(), cost_10);
         }
-        let _e25 = self.v_least_at(c_7, span_3);
-        let _e26 = self.v_quadratic(c_7, _e25);
+        let _e25 = self.v_least_at(c_8, span_3);
+        let _e26 = self.v_quadratic(c_8, _e25);
         if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
-            return <Found>::new(FOUND_BRACKET, t_23, (t_23 + _e25), c_7.x(), _e26, cost_10);
+            return <Found>::new(FOUND_BRACKET, t_23, (t_23 + _e25), c_8.x(), _e26, cost_10);
         }
-        let _e36 = self.v_quadratic(c_7, span_3);
-        return <Found>::new(FOUND_ABOVE, t_23, (t_23 + span_3), c_7.x(), _e36, cost_10);
+        let _e36 = self.v_quadratic(c_8, span_3);
+        return <Found>::new(FOUND_ABOVE, t_23, (t_23 + span_3), c_8.x(), _e36, cost_10);
     }
     pub(crate) fn search_cells(
         &self,
@@ -9926,14 +10316,14 @@ impl<'g> Resources<'g> {
                     cost_11 = (_e15 + STEP);
                     let _e18 = cell_15;
                     let _e19 = self.v_cell_leave(_e2, _e18);
-                    let end_5 = _e19.x().min(_e19.y()).min(rt::Scalar(path_56.exit));
+                    let end_7 = _e19.x().min(_e19.y()).min(rt::Scalar(path_56.exit));
                     let _e25 = cell_15;
                     let _e26 = t_24;
                     let _e27 = self.v_cell_gap(path_56, _e2, _e25, _e26);
                     let _e28 = cost_11;
                     cost_11 = (_e28 + HEIGHTS_READ);
                     let _e31 = t_24;
-                    let span_7 = (end_5 - _e31).max(rt::Scalar(0f32));
+                    let span_7 = (end_7 - _e31).max(rt::Scalar(0f32));
                     let _e35 = t_24;
                     let _e37 = cost_11.x();
                     let _e40 = cost_11;
@@ -9941,7 +10331,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e41.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e41;
                     }
-                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_56.exit))) {
+                    if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_56.exit))) {
                         let _e48 = t_24;
                         let _e52 = cost_11;
                         return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_56.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
@@ -9950,7 +10340,7 @@ impl<'g> Resources<'g> {
                     let _e55 = self.v_cell_next(_e2, _e54, _e19);
                     cell_15 = _e55;
                     let _e56 = t_24;
-                    t_24 = _e56.max(end_5);
+                    t_24 = _e56.max(end_7);
                 }
             }
         }
@@ -10030,9 +10420,9 @@ impl<'g> Resources<'g> {
             return rt::Scalar(-1f32);
         }
         let _e29 = self.v_search_texel(path_57, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_57.level).to_i32());
-        let right_3 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
+        let right_4 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
-        return _e29.w().select(_e29.z(), right_3).select(_e29.y().select(_e29.x(), right_3), down);
+        return _e29.w().select(_e29.z(), right_4).select(_e29.y().select(_e29.x(), right_4), down);
     }
     pub(crate) fn map_read(
         &self,
@@ -10125,16 +10515,16 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_12;
                     cost_12 = (_e20 + STEP);
                     let _e24 = cost_12.x();
-                    let first_13 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_15 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_18;
                     let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_59.level));
                     let _e31 = cost_12;
                     cost_12 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_18;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_59.exit));
+                    let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_59.exit));
                     let _e41 = t_25;
-                    let span_8 = (end_6 - _e41).max(rt::Scalar(0f32));
+                    let span_8 = (end_8 - _e41).max(rt::Scalar(0f32));
                     let top_9 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
                     let _e52 = t_25;
                     let _e53 = self.v_path_height(path_59, _e52);
@@ -10145,7 +10535,7 @@ impl<'g> Resources<'g> {
                     let _e67 = t_25;
                     let of_heights = (rt::Scalar(0.0000009536743f32) * (path_59.h.x().abs() + (_e63 * (path_59.h.y().abs() + (_e67 * path_59.h.z().abs())))));
                     let _e77 = t_25;
-                    next_1 = _e77.max(end_6);
+                    next_1 = _e77.max(end_8);
                     slope_3 = rt::Scalar(-1f32);
                     let _e82 = self.v_least_at(above_8, span_8);
                     let _e83 = self.v_quadratic(above_8, _e82);
@@ -10156,7 +10546,7 @@ impl<'g> Resources<'g> {
                     }
                     let _e90 = local_66;
                     if rt::Scalar::into_branch_condition(_e90) {
-                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_59.exit))) {
+                        if rt::Scalar::into_branch_condition(end_8.elementwise_lt(rt::Scalar(path_59.exit))) {
                             let _e93 = cell_18;
                             let _e95 = self.v_frustum_slope(path_59, _e93.to_i32(), forward_3);
                             slope_3 = _e95;
@@ -10173,7 +10563,7 @@ impl<'g> Resources<'g> {
                         let _e105 = self.v_gap_to(path_59, _e2, _e103, _e30, _e104);
                         let _e106 = t_25;
                         let _e107 = cost_12;
-                        let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_13, _e107);
+                        let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_15, _e107);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e108;
                         }
@@ -10182,8 +10572,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_18;
                         let _e119 = t_25;
-                        let at_140 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_4 = at_140.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_140), forward_3);
+                        let at_145 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_5 = at_145.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_145), forward_3);
                         let _e131 = t_25;
                         let far_9 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_3;
@@ -10191,9 +10581,9 @@ impl<'g> Resources<'g> {
                         let _e145 = t_25;
                         let rest_6 = (rt::Scalar(path_59.exit) - _e145);
                         let _e147 = slope_3;
-                        let _e152 = self.v_stays_above(above_8, _e147, left_4.x(), _e2.step.x(), lost_1.x(), rest_6);
+                        let _e152 = self.v_stays_above(above_8, _e147, left_5.x(), _e2.step.x(), lost_1.x(), rest_6);
                         let _e153 = slope_3;
-                        let _e158 = self.v_stays_above(above_8, _e153, left_4.y(), _e2.step.y(), lost_1.y(), rest_6);
+                        let _e158 = self.v_stays_above(above_8, _e153, left_5.y(), _e2.step.y(), lost_1.y(), rest_6);
                         let _e159 = next_1;
                         let _e160 = t_25;
                         next_1 = _e159.max((_e160 + _e152.min(_e158)));
@@ -10224,13 +10614,13 @@ impl<'g> Resources<'g> {
         let _e186 = cost_12;
         return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_71: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_71)))
+    pub(crate) fn nearest_corner(&self, at_75: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_nearest_corner(&self, at_71: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_71.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_75: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_75.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
@@ -10269,17 +10659,17 @@ impl<'g> Resources<'g> {
             most = _e34.min((height_21 / (rt::Scalar(0f32) - rise_4)));
         }
         let _e39 = most;
-        let end_7 = (t_26 + _e39);
+        let end_9 = (t_26 + _e39);
         let _e52 = self.v_height_size(rt::Scalar(path_60.level));
-        let far_10 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_7)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
-        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_60.h.x().abs() + (end_7 * (path_60.h.y().abs() + (end_7 * path_60.h.z().abs())))));
+        let far_10 = (((grid_8.origin.abs() + (grid_8.step.abs() * end_9)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_60.h.x().abs() + (end_9 * (path_60.h.y().abs() + (end_9 * path_60.h.z().abs())))));
         let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_4) * (far_10.x() + far_10.y())));
         let gap_3 = (height_21 - (rt::Scalar(2f32) * lost_2));
         let _e85 = self.v_height_size(rt::Scalar(path_60.level));
         let aside_5 = (((grid_8.origin - offset_6) + (grid_8.step * t_26)) / _e85);
-        let c_17 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
+        let c_24 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
         if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
-            local_67 = c_17.elementwise_ge(rt::Scalar(0f32));
+            local_67 = c_24.elementwise_ge(rt::Scalar(0f32));
         } else {
             local_67 = rt::Scalar(true);
         }
@@ -10287,16 +10677,16 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_27 = (((slope_4 * slope_4) * aside_5.dot(path_60.duv)) - (gap_3 * rise_4));
-        let a_27 = (((slope_4 * slope_4) * path_60.duv.dot(path_60.duv)) - (rise_4 * rise_4));
-        let discriminant_3 = ((b_27 * b_27) - (a_27 * c_17));
+        let b_37 = (((slope_4 * slope_4) * aside_5.dot(path_60.duv)) - (gap_3 * rise_4));
+        let a_37 = (((slope_4 * slope_4) * path_60.duv.dot(path_60.duv)) - (rise_4 * rise_4));
+        let discriminant_3 = ((b_37 * b_37) - (a_37 * c_24));
         if rt::Scalar::into_branch_condition(discriminant_3.elementwise_ge(rt::Scalar(0f32))) {
             let root_4 = discriminant_3.sqrt();
-            if rt::Scalar::into_branch_condition(b_27.elementwise_ge(rt::Scalar(0f32))) {
-                leave_6 = ((rt::Scalar(0f32) - c_17) / (b_27 + root_4));
+            if rt::Scalar::into_branch_condition(b_37.elementwise_ge(rt::Scalar(0f32))) {
+                leave_6 = ((rt::Scalar(0f32) - c_24) / (b_37 + root_4));
             } else {
-                if rt::Scalar::into_branch_condition(a_27.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_6 = ((root_4 - b_27) / a_27);
+                if rt::Scalar::into_branch_condition(a_37.elementwise_gt(rt::Scalar(0f32))) {
+                    leave_6 = ((root_4 - b_37) / a_37);
                 }
             }
         }
@@ -10345,20 +10735,20 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_13;
                     cost_13 = (_e20 + STEP);
                     let _e24 = cost_13.x();
-                    let first_14 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_16 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_19;
                     let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_61.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_19;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_61.exit));
+                    let end_10 = _e35.x().min(_e35.y()).min(rt::Scalar(path_61.exit));
                     let _e41 = t_27;
-                    let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
+                    let span_9 = (end_10 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_19;
                     let _e49 = t_27;
-                    let at_141 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_141);
+                    let at_146 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_146);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_27;
                     next_2 = _e54;
@@ -10379,18 +10769,18 @@ impl<'g> Resources<'g> {
                         }
                     }
                     let _e72 = next_2;
-                    if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_8)) {
+                    if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_10)) {
                         let _e74 = cell_19;
                         let _e75 = t_27;
                         let _e76 = self.v_gap_to(path_61, _e2, _e74, _e30, _e75);
                         let _e77 = t_27;
                         let _e78 = cost_13;
-                        let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_14, _e78);
+                        let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_16, _e78);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e79;
                         }
                         let _e83 = t_27;
-                        next_2 = _e83.max(end_8);
+                        next_2 = _e83.max(end_10);
                     }
                     let _e85 = next_2;
                     if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_61.exit))) {
@@ -10416,9 +10806,9 @@ impl<'g> Resources<'g> {
         cell_20: impl rt::Into<rt::Scalar<i32>>,
         image_10: impl rt::Into<rt::Vec2<i32>>,
         n_6: impl rt::Into<rt::Scalar<i32>>,
-        level_29: impl rt::Into<rt::Scalar<u32>>,
+        level_30: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_20), rt::into(image_10), rt::into(n_6), rt::into(level_29)))
+        rt::into(self.v_node_extent(rt::into(cell_20), rt::into(image_10), rt::into(n_6), rt::into(level_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
@@ -10426,21 +10816,21 @@ impl<'g> Resources<'g> {
         cell_20: rt::Scalar<i32>,
         image_10: rt::Vec2<i32>,
         n_6: rt::Scalar<i32>,
-        level_29: rt::Scalar<u32>,
+        level_30: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_68: rt::Scalar<bool>;
 
-        let first_15 = ((image_10.x() >> level_29) << level_29);
-        let side_6 = (rt::Scalar(1i32) << level_29);
+        let first_17 = ((image_10.x() >> level_30) << level_30);
+        let side_6 = (rt::Scalar(1i32) << level_30);
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_4 = (cell_20 - (image_10.x() - first_15));
-            return <rt::Vec2<i32>>::from_scalars(low_4, (low_4 + side_6.min((n_6 - first_15))));
+            let low_5 = (cell_20 - (image_10.x() - first_17));
+            return <rt::Vec2<i32>>::from_scalars(low_5, (low_5 + side_6.min((n_6 - first_17))));
         }
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high_1 = ((cell_20 + (image_10.x() - first_15)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high_1 - side_6.min(((n_6 - rt::Scalar(1i32)) - first_15))), high_1);
+            let high_1 = ((cell_20 + (image_10.x() - first_17)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high_1 - side_6.min(((n_6 - rt::Scalar(1i32)) - first_17))), high_1);
         }
-        if rt::Scalar::into_branch_condition(level_29.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_30.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
             local_68 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
@@ -10490,7 +10880,7 @@ impl<'g> Resources<'g> {
         params_70: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_30: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_31: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_21: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -10513,10 +10903,10 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_30;
+                    let _e28 = level_31;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).to_f32().elementwise_lt(long_5)) {
-                        let _e33 = level_30;
-                        level_30 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_31;
+                        level_31 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
@@ -10539,7 +10929,7 @@ impl<'g> Resources<'g> {
                     let _e61 = cell_21.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
                     let place_28 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
-                    let _e67 = level_30;
+                    let _e67 = level_31;
                     let above_level = (_e67 + rt::Scalar(1u32));
                     let over_2 = <rt::Vec2<i32>>::from_scalars((place_28.x() >> above_level), (place_28.y() >> above_level));
                     let _e76 = parent.x();
@@ -10556,9 +10946,9 @@ impl<'g> Resources<'g> {
                     } else {
                         local_69 = rt::Scalar(false);
                     }
-                    let left_5 = local_69;
-                    if rt::Scalar::into_branch_condition(left_5) {
-                        let _e98 = level_30;
+                    let left_6 = local_69;
+                    if rt::Scalar::into_branch_condition(left_6) {
+                        let _e98 = level_31;
                         let _e99 = top;
                         local_71 = _e98.elementwise_lt(_e99);
                     } else {
@@ -10566,22 +10956,22 @@ impl<'g> Resources<'g> {
                     }
                     let _e102 = local_71;
                     if rt::Scalar::into_branch_condition(_e102) {
-                        level_30 = above_level;
+                        level_31 = above_level;
                     }
                     let _e104 = cell_21.x();
-                    let _e106 = level_30;
+                    let _e106 = level_31;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
                     let _e109 = cell_21.y();
-                    let _e111 = level_30;
+                    let _e111 = level_31;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
-                    let end_9 = _e117.min(_e122).min(rt::Scalar(path_62.exit));
+                    let end_11 = _e117.min(_e122).min(rt::Scalar(path_62.exit));
                     let _e126 = t_28;
-                    let span_10 = (end_9 - _e126).max(rt::Scalar(0f32));
-                    let low_5 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
-                    let last_7 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
-                    let _e140 = level_30;
+                    let span_10 = (end_11 - _e126).max(rt::Scalar(0f32));
+                    let low_6 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
+                    let last_9 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
+                    let _e140 = level_31;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_14;
                         cost_14 = (_e143 + HEIGHTS_READ);
@@ -10601,10 +10991,10 @@ impl<'g> Resources<'g> {
                         let _e162 = cost_14;
                         let _e164 = self.v_map_read(path_62, rt::Scalar(1u32));
                         cost_14 = (_e162 + _e164);
-                        let _e167 = level_30;
-                        let _e170 = level_30;
+                        let _e167 = level_31;
+                        let _e170 = level_31;
                         let node = <rt::Vec2<i32>>::from_scalars((place_28.x() >> _e167), (place_28.y() >> _e170));
-                        let _e174 = level_30;
+                        let _e174 = level_31;
                         let _e180 = self.v_search_texel(path_62, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_62.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
                         let _e182 = t_28;
@@ -10631,31 +11021,31 @@ impl<'g> Resources<'g> {
                             }
                             let _e229 = t_28;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
-                            cell_21 = _e232.to_i32().clamp(low_5, last_7);
-                            let _e235 = level_30;
-                            level_30 = (_e235 - rt::Scalar(1u32));
+                            cell_21 = _e232.to_i32().clamp(low_6, last_9);
+                            let _e235 = level_31;
+                            level_31 = (_e235 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_9.elementwise_ge(rt::Scalar(path_62.exit))) {
+                    if rt::Scalar::into_branch_condition(end_11.elementwise_ge(rt::Scalar(path_62.exit))) {
                         let _e244 = t_28;
                         let _e246 = cost_14;
                         return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
-                    let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_9)));
-                    cell_21 = _e254.to_i32().clamp(low_5, last_7);
-                    if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_9)) {
-                        cell_21.set_x((low_5.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                    let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_11)));
+                    cell_21 = _e254.to_i32().clamp(low_6, last_9);
+                    if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_11)) {
+                        cell_21.set_x((low_6.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_9)) {
-                        cell_21.set_y((low_5.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                    if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_11)) {
+                        cell_21.set_y((low_6.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e280 = level_30;
-                    let _e285 = level_30;
+                    let _e280 = level_31;
+                    let _e285 = level_31;
                     parent = <rt::Vec2<i32>>::from_scalars((place_28.x() >> (_e280 + rt::Scalar(1u32))), (place_28.y() >> (_e285 + rt::Scalar(1u32))));
                     let _e290 = t_28;
-                    t_28 = _e290.max(end_9);
+                    t_28 = _e290.max(end_11);
                 }
             }
         }
@@ -10667,22 +11057,22 @@ impl<'g> Resources<'g> {
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
         n_7: impl rt::Into<rt::Scalar<i32>>,
-        level_31: impl rt::Into<rt::Scalar<u32>>,
+        level_32: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_7), rt::into(level_31)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_7), rt::into(level_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
         n_7: rt::Scalar<i32>,
-        level_31: rt::Scalar<u32>,
+        level_32: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_73: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_7);
-        let first_16 = ((_e3 >> level_31) << level_31);
-        let last_8 = (first_16 + (rt::Scalar(1i32) << level_31)).min(n_7);
+        let first_18 = ((_e3 >> level_32) << level_32);
+        let last_10 = (first_18 + (rt::Scalar(1i32) << level_32)).min(n_7);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
             local_73 = _e16.elementwise_eq(WRAP_REPEAT);
@@ -10691,16 +11081,16 @@ impl<'g> Resources<'g> {
         }
         let _e20 = local_73;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_16), ((texel_2 - _e3) + last_8));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_18), ((texel_2 - _e3) + last_10));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
             let period_2 = (rt::Scalar(2i32) * n_7);
             let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
             if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_7)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_16), ((texel_2 - _e3) + last_8));
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_18), ((texel_2 - _e3) + last_10));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_8) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_16) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_10) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_18) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
@@ -10717,7 +11107,7 @@ impl<'g> Resources<'g> {
         path_63: Path,
         params_71: rt::Vec4<f32>,
     ) -> Found {
-        let mut level_32: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_33: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
         let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
@@ -10732,21 +11122,21 @@ impl<'g> Resources<'g> {
         let step_7 = (path_63.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_32;
+                let _e14 = level_33;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_32;
-                    level_32 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_33;
+                    level_33 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
         let _e24 = self.v_cell_of(origin_7);
         texel_3 = _e24.to_i32();
         let limit_5 = params_71.x().to_u32();
-        let _e35 = level_32;
+        let _e35 = level_33;
         finest_1 = params_71.y().to_u32().min(_e35);
         if rt::Scalar::into_branch_condition(rt::Scalar(path_63.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
@@ -10767,34 +11157,34 @@ impl<'g> Resources<'g> {
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
                     let place_29 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
-                    let _e59 = level_32;
+                    let _e59 = level_33;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_15;
                         cost_15 = (_e62 + HEIGHT_READ);
                         let _e67 = rt::texture::Read::read_texel((&self.height_map), place_29, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
-                        let _e70 = level_32;
-                        let _e73 = level_32;
+                        let _e70 = level_33;
+                        let _e73 = level_33;
                         let node_1 = <rt::Vec2<i32>>::from_scalars((place_29.x() >> _e70), (place_29.y() >> _e73));
                         let _e76 = cost_15;
                         let _e78 = self.v_map_read(path_63, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
-                        let _e81 = level_32;
+                        let _e81 = level_33;
                         let _e85 = self.v_search_texel(path_63, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
-                    let _e90 = level_32;
+                    let _e90 = level_33;
                     let _e91 = self.v_texel_extent(_e88, _e3.x(), _e90);
                     let _e93 = texel_3.y();
-                    let _e95 = level_32;
+                    let _e95 = level_33;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
                     let _e99 = self.v_leaves_extent(origin_7.x(), step_7.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_7.y(), step_7.y(), _e96);
                     let leave_7 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
                     let _e109 = t_29;
-                    let end_10 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_63.exit)).max(_e109);
+                    let end_12 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_63.exit)).max(_e109);
                     let _e111 = t_29;
                     let _e112 = self.v_path_height(path_63, _e111);
                     let _e113 = highest;
@@ -10804,43 +11194,43 @@ impl<'g> Resources<'g> {
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
                         let _e125 = t_29;
-                        let _e127 = self.v_first_root(gap_5, (end_10 - _e125));
+                        let _e127 = self.v_first_root(gap_5, (end_12 - _e125));
                         sinks = _e127;
                     }
-                    let low_6 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
-                    let last_9 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
+                    let low_7 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
+                    let last_11 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e141 = t_29;
                         let _e142 = sinks;
                         t_29 = (_e141 + _e142);
-                        let _e144 = level_32;
+                        let _e144 = level_33;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
                             let _e148 = t_29;
                             let _e149 = cost_15;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
-                        let _e154 = level_32;
-                        level_32 = (_e154 - rt::Scalar(1u32));
+                        let _e154 = level_33;
+                        level_33 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_29;
                         let _e160 = self.v_cell_of((origin_7 + (step_7 * _e157)));
-                        texel_3 = _e160.to_i32().clamp(low_6, last_9);
+                        texel_3 = _e160.to_i32().clamp(low_7, last_11);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_10.elementwise_ge(rt::Scalar(path_63.exit))) {
+                        if rt::Scalar::into_branch_condition(end_12.elementwise_ge(rt::Scalar(path_63.exit))) {
                             let _e166 = t_29;
                             let _e168 = cost_15;
                             return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
-                        let _e174 = self.v_cell_of((origin_7 + (step_7 * end_10)));
-                        texel_3 = _e174.to_i32().clamp(low_6, last_9);
-                        if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_10)) {
-                            texel_3.set_x((low_6.x() - rt::Scalar(1i32)).select(_e91.y(), step_7.x().elementwise_gt(rt::Scalar(0f32))));
+                        let _e174 = self.v_cell_of((origin_7 + (step_7 * end_12)));
+                        texel_3 = _e174.to_i32().clamp(low_7, last_11);
+                        if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_12)) {
+                            texel_3.set_x((low_7.x() - rt::Scalar(1i32)).select(_e91.y(), step_7.x().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        if rt::Scalar::into_branch_condition(leave_7.y().elementwise_le(end_10)) {
-                            texel_3.set_y((low_6.y() - rt::Scalar(1i32)).select(_e96.y(), step_7.y().elementwise_gt(rt::Scalar(0f32))));
+                        if rt::Scalar::into_branch_condition(leave_7.y().elementwise_le(end_12)) {
+                            texel_3.set_y((low_7.y() - rt::Scalar(1i32)).select(_e96.y(), step_7.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_29 = end_10;
+                        t_29 = end_12;
                     }
                 }
             }
@@ -10913,9 +11303,9 @@ impl<'g> Resources<'g> {
                     cost_16 = (_e24 + STEP);
                     let _e27 = cell_23;
                     let _e28 = self.v_cell_leave(_e2, _e27);
-                    let end_11 = _e28.x().min(_e28.y()).min(rt::Scalar(path_64.exit));
+                    let end_13 = _e28.x().min(_e28.y()).min(rt::Scalar(path_64.exit));
                     let _e34 = t_30;
-                    let span_11 = (end_11 - _e34).max(rt::Scalar(0f32));
+                    let span_11 = (end_13 - _e34).max(rt::Scalar(0f32));
                     let _e38 = t_30;
                     next_3 = _e38;
                     looks = params_72.y().elementwise_gt(rt::Scalar(0.5f32));
@@ -10964,13 +11354,13 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_75 = _e131.elementwise_lt(end_11);
+                            local_75 = _e131.elementwise_lt(end_13);
                         } else {
                             local_75 = rt::Scalar(false);
                         }
                         let _e134 = local_75;
                         if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_64, end_11);
+                            let _e137 = self.v_path_height(path_64, end_13);
                             local_76 = _e137.elementwise_lt(_e72.x());
                         } else {
                             local_76 = rt::Scalar(false);
@@ -10979,14 +11369,14 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
-                            let _e144 = self.v_bracket_between(path_64, _e142, end_11, _e143);
+                            let _e144 = self.v_bracket_between(path_64, _e142, end_13, _e143);
                             return _e144;
                         }
                     }
                     let _e145 = next_3;
-                    if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_11))) {
+                    if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_13))) {
                         let _e150 = t_30;
-                        local_77 = (!end_11.elementwise_gt(_e150));
+                        local_77 = (!end_13.elementwise_gt(_e150));
                     } else {
                         local_77 = rt::Scalar(true);
                     }
@@ -11010,7 +11400,7 @@ impl<'g> Resources<'g> {
                             }
                         }
                         let _e175 = t_30;
-                        next_3 = _e175.max(end_11);
+                        next_3 = _e175.max(end_13);
                     }
                     let _e177 = next_3;
                     if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_64.exit))) {
@@ -11075,9 +11465,9 @@ impl<'g> Resources<'g> {
                     cost_17 = (_e63 + STEP);
                     let _e66 = cell_24;
                     let _e67 = self.v_cell_leave(_e2, _e66);
-                    let end_12 = _e67.x().min(_e67.y()).min(rt::Scalar(path_65.exit));
+                    let end_14 = _e67.x().min(_e67.y()).min(rt::Scalar(path_65.exit));
                     let _e73 = t_31;
-                    let span_12 = (end_12 - _e73).max(rt::Scalar(0f32));
+                    let span_12 = (end_14 - _e73).max(rt::Scalar(0f32));
                     let _e77 = t_31;
                     let _e78 = self.v_path_uv(path_65, _e77);
                     let _e79 = t_31;
@@ -11104,9 +11494,9 @@ impl<'g> Resources<'g> {
                         }
                     } else {
                         let _e116 = next_4;
-                        if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_12))) {
+                        if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_14))) {
                             let _e121 = t_31;
-                            local_78 = (!end_12.elementwise_gt(_e121));
+                            local_78 = (!end_14.elementwise_gt(_e121));
                         } else {
                             local_78 = rt::Scalar(true);
                         }
@@ -11127,7 +11517,7 @@ impl<'g> Resources<'g> {
                                 return _e141;
                             }
                             let _e145 = t_31;
-                            next_4 = _e145.max(end_12);
+                            next_4 = _e145.max(end_14);
                         }
                     }
                     let _e147 = next_4;
@@ -11268,7 +11658,7 @@ impl<'g> Resources<'g> {
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
         let mut local_80: rt::Scalar<bool>;
-        let mut start_1: rt::Scalar<f32>;
+        let mut start_2: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
         let mut local_81: rt::Scalar<bool>;
@@ -11295,9 +11685,9 @@ impl<'g> Resources<'g> {
                     cost_19 = (_e51 + STEP);
                     let _e54 = cell_25;
                     let _e55 = self.v_cell_leave(_e2, _e54);
-                    let end_13 = _e55.x().min(_e55.y()).min(rt::Scalar(path_67.exit));
+                    let end_15 = _e55.x().min(_e55.y()).min(rt::Scalar(path_67.exit));
                     let _e61 = t_33;
-                    let span_13 = (end_13 - _e61).max(rt::Scalar(0f32));
+                    let span_13 = (end_15 - _e61).max(rt::Scalar(0f32));
                     let _e65 = cell_25;
                     let _e66 = cell_25;
                     let _e69 = self.v_height_cell(_e66.to_i32(), rt::Scalar(path_67.level));
@@ -11330,7 +11720,7 @@ impl<'g> Resources<'g> {
                         return _e99;
                     }
                     let _e100 = t_33;
-                    start_1 = _e100;
+                    start_2 = _e100;
                     gap = _e71.x();
                     if rt::Scalar::into_branch_condition(params_75.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e107 = t_33;
@@ -11341,28 +11731,28 @@ impl<'g> Resources<'g> {
                             return _e112;
                         }
                         let _e116 = t_33;
-                        start_1 = _e116.max(end_13);
+                        start_2 = _e116.max(end_15);
                         gap = rt::Scalar(_e112.far_gap);
                     }
-                    let _e119 = start_1;
+                    let _e119 = start_2;
                     if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_67.exit))) {
                         let _e123 = t_33;
                         let _e125 = cost_19;
                         return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
                     }
-                    let _e129 = start_1;
+                    let _e129 = start_2;
                     near_6 = _e129;
                     let _e130 = gap;
                     near_gap_4 = _e130;
                     let _e131 = cell_25;
                     let _e133 = cell_25;
-                    let _e136 = start_1;
+                    let _e136 = start_2;
                     let _e139 = self.v_nearest_corner(((_e2.origin - _e133) + (_e2.step * _e136)));
                     let _e141 = self.v_cone_slope(path_67, (_e131 + _e139));
                     let _e142 = cost_19;
                     let _e144 = self.v_map_read(path_67, rt::Scalar(1u32));
                     cost_19 = (_e142 + _e144);
-                    let _e146 = start_1;
+                    let _e146 = start_2;
                     next_5 = _e146;
                     if rt::Scalar::into_branch_condition(_e141.elementwise_ge(rt::Scalar(0f32))) {
                         let nearing_1 = ((_e141 * aside_7) - _e11);
@@ -11371,7 +11761,7 @@ impl<'g> Resources<'g> {
                         let room_1 = (_e155 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e141 * (far_13.x() + far_13.y())))));
                         next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
-                            let _e167 = start_1;
+                            let _e167 = start_2;
                             next_5 = (_e167 + (room_1.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
@@ -11395,13 +11785,13 @@ impl<'g> Resources<'g> {
                         let _e199 = cost_19;
                         cost_19 = (_e199 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e198.elementwise_le(rt::Scalar(0f32))) {
-                            let _e204 = start_1;
+                            let _e204 = start_2;
                             let _e206 = gap;
                             let _e207 = cost_19;
                             let _e208 = self.v_entered_once(path_67, _e2, _e204, rt::Scalar(path_67.exit), _e206, _e198, _e207);
                             return _e208;
                         }
-                        let _e210 = start_1;
+                        let _e210 = start_2;
                         let _e212 = cost_19;
                         return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
                     }
@@ -11460,9 +11850,9 @@ impl<'g> Resources<'g> {
                     cost_20 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_26;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_14 = _e35.x().min(_e35.y()).min(rt::Scalar(path_68.exit));
+                    let end_16 = _e35.x().min(_e35.y()).min(rt::Scalar(path_68.exit));
                     let _e41 = t_34;
-                    let span_14 = (end_14 - _e41).max(rt::Scalar(0f32));
+                    let span_14 = (end_16 - _e41).max(rt::Scalar(0f32));
                     let _e45 = cell_26;
                     let _e46 = t_34;
                     let _e47 = self.v_gap_to(path_68, _e2, _e45, _e30, _e46);
@@ -11498,19 +11888,19 @@ impl<'g> Resources<'g> {
                         return _e78;
                     }
                     let _e82 = t_34;
-                    let start_4 = _e82.max(end_14);
-                    if rt::Scalar::into_branch_condition(start_4.elementwise_ge(rt::Scalar(path_68.exit))) {
+                    let start_7 = _e82.max(end_16);
+                    if rt::Scalar::into_branch_condition(start_7.elementwise_ge(rt::Scalar(path_68.exit))) {
                         let _e87 = t_34;
                         let _e89 = cost_20;
                         return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
-                    near_7 = start_4;
+                    near_7 = start_7;
                     near_gap_5 = rt::Scalar(_e78.far_gap);
                     let _e95 = cell_26;
-                    let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_4)));
+                    let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_7)));
                     let _e101 = self.v_corner_height(_e30, _e100);
-                    next_6 = start_4;
-                    let _e103 = self.v_path_height(path_68, start_4);
+                    next_6 = start_7;
+                    let _e103 = self.v_path_height(path_68, start_7);
                     if rt::Scalar::into_branch_condition(_e103.elementwise_gt(_e101)) {
                         let _e105 = cell_26;
                         let texel_9 = (_e105 + _e100);
@@ -11519,8 +11909,8 @@ impl<'g> Resources<'g> {
                         let _e110 = self.v_map_read(path_68, rt::Scalar(1u32));
                         cost_20 = (_e108 + _e110);
                         if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e114 = self.v_stays_inside(path_68, _e2, texel_9, _e101, _e107, start_4);
-                            next_6 = (start_4 + _e114);
+                            let _e114 = self.v_stays_inside(path_68, _e2, texel_9, _e101, _e107, start_7);
+                            next_6 = (start_7 + _e114);
                         }
                     }
                     let _e116 = next_6;
@@ -11531,11 +11921,11 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
                             let _e127 = near_gap_5;
                             let _e128 = cost_20;
-                            let _e129 = self.v_entered_once(path_68, _e2, start_4, rt::Scalar(path_68.exit), _e127, _e120, _e128);
+                            let _e129 = self.v_entered_once(path_68, _e2, start_7, rt::Scalar(path_68.exit), _e127, _e120, _e128);
                             return _e129;
                         }
                         let _e132 = cost_20;
-                        return <Found>::new(FOUND_MISS, start_4, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                        return <Found>::new(FOUND_MISS, start_7, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                     }
                     let _e136 = cell_26;
                     let _e137 = next_6;
@@ -11632,16 +12022,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_none(
         &self,
         pixel_76: PixelIn,
-        at_72: Entered,
+        at_76: Entered,
         params_77: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_none(pixel_76, at_72, rt::into(params_77)))
+        rt::into(self.v_object_none(pixel_76, at_76, rt::into(params_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_none(
         &self,
         pixel_76: PixelIn,
-        at_72: Entered,
+        at_76: Entered,
         params_77: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
@@ -11655,17 +12045,17 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = k_26;
-                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_72.segments))) {
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_76.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e16 = k_26;
-                    let _e17 = self.v_segment_of(pixel_76, at_72, _e16);
+                    let _e17 = self.v_segment_of(pixel_76, at_76, _e16);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e17.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e21 = self.v_trace(_e17);
                         let _e22 = k_26;
-                        let _e23 = self.v_hit_on_segment(pixel_76, at_72, _e17, _e21, _e22);
+                        let _e23 = self.v_hit_on_segment(pixel_76, at_76, _e17, _e21, _e22);
                         let _e24 = cost_21;
                         cost_21 = (_e24 + _e23.hit.cost);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e23.hit.found).elementwise_eq(rt::Scalar(1u32))) {
@@ -11695,11 +12085,11 @@ impl<'g> Resources<'g> {
         let _e56 = first_3;
         return _e56;
     }
-    pub(crate) fn first_in_all(&self, pixel_77: PixelIn, at_73: Entered) -> FirstHit {
-        rt::into(self.v_first_in_all(pixel_77, at_73))
+    pub(crate) fn first_in_all(&self, pixel_77: PixelIn, at_77: Entered) -> FirstHit {
+        rt::into(self.v_first_in_all(pixel_77, at_77))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_in_all(&self, pixel_77: PixelIn, at_73: Entered) -> FirstHit {
+    fn v_first_in_all(&self, pixel_77: PixelIn, at_77: Entered) -> FirstHit {
         let mut cost_22: rt::Vec3<u32> = NO_COST;
         let mut first_4: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11713,11 +12103,11 @@ impl<'g> Resources<'g> {
         let _e4 = cost_22;
         let _e5 = self.v_miss(_e4);
         first_4 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
-        let most_14 = (rt::Scalar(at_73.segments) * MOST_ROUNDS);
+        let most_14 = (rt::Scalar(at_77.segments) * MOST_ROUNDS);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = agreed;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_73.segments))) {
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_77.segments))) {
                     let _e26 = turns;
                     local_84 = _e26.elementwise_lt(most_14);
                 } else {
@@ -11730,7 +12120,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e30 = k_27;
-                    let _e31 = self.v_segment_of(pixel_77, at_73, _e30);
+                    let _e31 = self.v_segment_of(pixel_77, at_77, _e30);
                     let _e32 = reached_1;
                     let passed_m = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
                     let ahead_1 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
@@ -11776,7 +12166,7 @@ impl<'g> Resources<'g> {
                         agreed = rt::Scalar(0u32);
                         let _e93 = cost_22;
                         let _e95 = k_27;
-                        let _e96 = self.v_hit_on_segment(pixel_77, at_73, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_40, _e93), _e95);
+                        let _e96 = self.v_hit_on_segment(pixel_77, at_77, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_40, _e93), _e95);
                         first_4 = _e96;
                         let _e99 = first_4.hit.cost;
                         cost_22 = _e99;
@@ -11785,14 +12175,14 @@ impl<'g> Resources<'g> {
                     agreed = (_e100 + rt::Scalar(1u32));
                     let _e103 = k_27;
                     let _e107 = k_27;
-                    k_27 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_73.segments)));
+                    k_27 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_77.segments)));
                     let _e113 = turns;
                     turns = (_e113 + rt::Scalar(1u32));
                 }
             }
         }
         let _e120 = agreed;
-        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_73.segments)));
+        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_77.segments)));
         let _e126 = cost_22;
         first_4.hit.cost = _e126;
         let _e127 = first_4;
@@ -11801,39 +12191,39 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_depth(
         &self,
         pixel_78: PixelIn,
-        at_74: Entered,
+        at_78: Entered,
         params_78: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_depth(pixel_78, at_74, rt::into(params_78)))
+        rt::into(self.v_object_depth(pixel_78, at_78, rt::into(params_78)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_depth(
         &self,
         pixel_78: PixelIn,
-        at_74: Entered,
+        at_78: Entered,
         params_78: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_78, at_74);
+        let _e3 = self.v_first_in_all(pixel_78, at_78);
         return _e3;
     }
     pub(crate) fn object_hull(
         &self,
         pixel_79: PixelIn,
-        at_75: Entered,
+        at_79: Entered,
         params_79: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_hull(pixel_79, at_75, rt::into(params_79)))
+        rt::into(self.v_object_hull(pixel_79, at_79, rt::into(params_79)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_hull(
         &self,
         pixel_79: PixelIn,
-        at_75: Entered,
+        at_79: Entered,
         params_79: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_79, at_75);
+        let _e3 = self.v_first_in_all(pixel_79, at_79);
         return _e3;
     }
     pub(crate) fn look_into_frame(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
@@ -11843,13 +12233,13 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     fn v_look_into_frame(&self, uv_18: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_142 = ((uv_18 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_142);
-        let part_19 = (at_142 - _e8);
+        let at_147 = ((uv_18 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_147);
+        let part_19 = (at_147 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
-        let x_6 = (rt::Scalar(1f32) - part_19.x());
-        let y_4 = (rt::Scalar(1f32) - part_19.y());
-        let weights_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_6 * y_4), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_19.x() * y_4), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_6 * part_19.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_19.x() * part_19.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
+        let x_9 = (rt::Scalar(1f32) - part_19.x());
+        let y_7 = (rt::Scalar(1f32) - part_19.y());
+        let weights_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_9 * y_7), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_19.x() * y_7), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_9 * part_19.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_19.x() * part_19.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
         let cover_2 = ((weights_6.x() + weights_6.y()) + (weights_6.z() + weights_6.w()));
         if rt::Scalar::into_branch_condition(cover_2.elementwise_gt(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(cover_2, (weights_6.dot(_e12) / cover_2));
@@ -11877,7 +12267,7 @@ impl<'g> Resources<'g> {
 
         let _e7 = self.v_height_size(rt::Scalar(0u32));
         let beyond_7 = (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) / _e7);
-        let low_7 = (image_11.corner - beyond_7);
+        let low_8 = (image_11.corner - beyond_7);
         let high_2 = ((image_11.corner + image_11.extent) + beyond_7);
         'naga_break: loop {
             'naga_continue: {
@@ -11889,7 +12279,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e23 = height_8;
                     let _e30 = self.v_path_uv(path_71, ((_e23 - path_71.h.x()) / path_71.h.y()));
-                    let _e32 = self.v_look_into_frame(_e30.clamp(low_7, high_2));
+                    let _e32 = self.v_look_into_frame(_e30.clamp(low_8, high_2));
                     cover = _e32.x();
                     let _e34 = height_8;
                     let _e36 = cover;
@@ -11906,16 +12296,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_blend(
         &self,
         pixel_80: PixelIn,
-        at_76: Entered,
+        at_80: Entered,
         params_80: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_blend(pixel_80, at_76, rt::into(params_80)))
+        rt::into(self.v_object_blend(pixel_80, at_80, rt::into(params_80)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_blend(
         &self,
         pixel_80: PixelIn,
-        at_76: Entered,
+        at_80: Entered,
         params_80: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_23: rt::Vec3<u32> = NO_COST;
@@ -11944,7 +12334,7 @@ impl<'g> Resources<'g> {
                     let _e26 = self.v_frame_weight(_e6, _e25);
                     if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_6).elementwise_ge(rt::Scalar(0.05f32))) {
                         let _e31 = k_28;
-                        let _e32 = self.v_segment_of(pixel_80, at_76, _e31);
+                        let _e32 = self.v_segment_of(pixel_80, at_80, _e31);
                         let _e35 = self.v_look_along(_e32, _e24, params_80.w().to_u32());
                         let seen_6 = (_e26 * _e35.x());
                         let _e38 = cost_23;
@@ -11981,7 +12371,7 @@ impl<'g> Resources<'g> {
             return _e83;
         }
         let _e84 = heaviest;
-        let _e85 = self.v_segment_of(pixel_80, at_76, _e84);
+        let _e85 = self.v_segment_of(pixel_80, at_80, _e84);
         let _e86 = along_18;
         let _e87 = cover_1;
         let t_41 = ((_e86 / _e87) - rt::Scalar(_e85.start));
@@ -11990,55 +12380,100 @@ impl<'g> Resources<'g> {
         let _e95 = cost_23;
         let hit_62 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_41, _e95);
         let _e97 = heaviest;
-        let _e98 = self.v_hit_on_segment(pixel_80, at_76, _e85, hit_62, _e97);
+        let _e98 = self.v_hit_on_segment(pixel_80, at_80, _e85, hit_62, _e97);
         return _e98;
     }
-    pub(crate) fn object_stage(&self, pixel_81: PixelIn, at_77: Entered) -> FirstHit {
-        rt::into(self.v_object_stage(pixel_81, at_77))
+    pub(crate) fn object_stage(&self, pixel_81: PixelIn, at_81: Entered) -> FirstHit {
+        rt::into(self.v_object_stage(pixel_81, at_81))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_stage(&self, pixel_81: PixelIn, at_77: Entered) -> FirstHit {
+    fn v_object_stage(&self, pixel_81: PixelIn, at_81: Entered) -> FirstHit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_object_none(pixel_81, at_77, _e11);
+                let _e12 = self.v_object_none(pixel_81, at_81, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_object_depth(pixel_81, at_77, _e17);
+                let _e18 = self.v_object_depth(pixel_81, at_81, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_object_hull(pixel_81, at_77, _e23);
+                let _e24 = self.v_object_hull(pixel_81, at_81, _e23);
                 return _e24;
             }
             _ => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_object_blend(pixel_81, at_77, _e29);
+                let _e30 = self.v_object_blend(pixel_81, at_81, _e29);
                 return _e30;
             }
         }
     }
-    pub(crate) fn first_hit(&self, pixel_82: PixelIn, at_78: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_82, at_78))
+    pub(crate) fn first_hit(&self, pixel_82: PixelIn, at_82: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_82, at_82))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_first_hit(&self, pixel_82: PixelIn, at_78: Entered) -> FirstHit {
-        let _e2 = self.v_object_stage(pixel_82, at_78);
+    fn v_first_hit(&self, pixel_82: PixelIn, at_82: Entered) -> FirstHit {
+        let _e2 = self.v_object_stage(pixel_82, at_82);
         return _e2;
     }
-    pub(crate) fn footprint_m(&self, at_79: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_79))
+    pub(crate) fn quotient_up(
+        &self,
+        dividend: impl rt::Into<rt::Scalar<i32>>,
+        by_1: impl rt::Into<rt::Scalar<i32>>,
+    ) -> i32 {
+        rt::into(self.v_quotient_up(rt::into(dividend), rt::into(by_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_footprint_m(&self, at_79: Entered) -> rt::Scalar<f32> {
+    fn v_quotient_up(
+        &self,
+        dividend: rt::Scalar<i32>,
+        by_1: rt::Scalar<i32>,
+    ) -> rt::Scalar<i32> {
+        return (((dividend + by_1) - rt::Scalar(1i32)) / by_1);
+    }
+    pub(crate) fn first_of_top(
+        &self,
+        sweep_5: Sweep,
+        column_1: impl rt::Into<rt::Scalar<i32>>,
+    ) -> i32 {
+        rt::into(self.v_first_of_top(sweep_5, rt::into(column_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_first_of_top(
+        &self,
+        sweep_5: Sweep,
+        column_1: rt::Scalar<i32>,
+    ) -> rt::Scalar<i32> {
+        let n_12 = sweep_5.parts.x();
+        let m_6 = sweep_5.parts.y();
+        let doubled = ((rt::Scalar(2i32) * column_1) - rt::Scalar(1i32));
+        if rt::Scalar::into_branch_condition(column_1.elementwise_le(rt::Scalar(0i32))) {
+            return rt::Scalar(0i32);
+        }
+        if rt::Scalar::into_branch_condition(column_1.elementwise_gt(sweep_5.end.x())) {
+            return ((n_12 + m_6) + rt::Scalar(1i32));
+        }
+        if rt::Scalar::into_branch_condition(doubled.elementwise_le((rt::Scalar(2i32) * sweep_5.apex.x()))) {
+            let _e29 = self.v_quotient_up((n_12 * doubled), (rt::Scalar(2i32) * sweep_5.apex.x()));
+            return _e29;
+        }
+        let _e43 = self.v_quotient_up((m_6 * (doubled - (rt::Scalar(2i32) * sweep_5.apex.x()))), (rt::Scalar(2i32) * (sweep_5.end.x() - sweep_5.apex.x())));
+        return (n_12 + _e43);
+    }
+    pub(crate) fn footprint_m(&self, at_83: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_83))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_footprint_m(&self, at_83: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_79.footprint) * at_79.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_83.footprint) * at_83.metric.x().sqrt()) / _e7.x());
     }
     pub(crate) fn near_uv(&self, uv_19: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_near_uv(rt::into(uv_19)))
@@ -12056,17 +12491,17 @@ impl<'g> Resources<'g> {
         }
         return uv_19;
     }
-    pub(crate) fn from_hit(&self, at_80: Entered, hit_21: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_80, hit_21, light_1))
+    pub(crate) fn from_hit(&self, at_84: Entered, hit_21: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_84, hit_21, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_from_hit(&self, at_80: Entered, hit_21: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_80, light_1.direction);
+    fn v_from_hit(&self, at_84: Entered, hit_21: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_84, light_1.direction);
         let _e6 = self.v_near_uv(hit_21.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_80.level));
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_84.level));
         let h_9 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_9, rt::Scalar(0f32), rt::Scalar(0f32), at_80.metric, RAY_SHADOW, rt::Scalar(at_80.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new(_e6, _e4.xy(), h_9, rt::Scalar(0f32), rt::Scalar(0f32), at_84.metric, RAY_SHADOW, rt::Scalar(at_84.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn way_out(&self, path_72: Path, light_2: Toward) -> f32 {
         rt::into(self.v_way_out(path_72, light_2))
@@ -12091,14 +12526,14 @@ impl<'g> Resources<'g> {
         let _e34 = way_6;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_81: Entered, hit_22: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_81, hit_22, light_3))
+    pub(crate) fn light_ray(&self, at_85: Entered, hit_22: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_85, hit_22, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_81: Entered, hit_22: Hit, light_3: Toward) -> LightRay {
+    fn v_light_ray(&self, at_85: Entered, hit_22: Hit, light_3: Toward) -> LightRay {
         let mut local_88: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_81, hit_22, light_3);
+        let _e3 = self.v_from_hit(at_85, hit_22, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -12109,11 +12544,11 @@ impl<'g> Resources<'g> {
         let _e17 = self.v_grid_of(_e3);
         let _e19 = self.v_cell_of(_e17.origin);
         let _e20 = self.v_cell_leave(_e17, _e19);
-        let end_15 = _e20.x().min(_e20.y()).min(_e11).max(rt::Scalar(0f32));
+        let end_17 = _e20.x().min(_e20.y()).min(_e11).max(rt::Scalar(0f32));
         let _e29 = self.v_height_cell(_e19.to_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_88 = (_e31.y() + (_e31.z() * end_15)).elementwise_lt(rt::Scalar(0f32));
+            local_88 = (_e31.y() + (_e31.z() * end_17)).elementwise_lt(rt::Scalar(0f32));
         } else {
             local_88 = rt::Scalar(true);
         }
@@ -12121,14 +12556,14 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
-        if rt::Scalar::into_branch_condition(end_15.elementwise_ge(_e11)) {
+        if rt::Scalar::into_branch_condition(end_17.elementwise_ge(_e11)) {
             return <LightRay>::new(LIGHT_RAY_LIT, _e3);
         }
-        let _e51 = self.v_path_uv(_e3, end_15);
-        let gap_7 = (end_15 * (_e31.y() + (_e31.z() * end_15)));
+        let _e51 = self.v_path_uv(_e3, end_17);
+        let gap_7 = (end_17 * (_e31.y() + (_e31.z() * end_17)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
         let h_10 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_87 = <Path>::new(_e51, _e3.duv, h_10, (_e11 - end_15), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_15, rt::Scalar(1f32), rt::Scalar(0f32));
+        let path_87 = <Path>::new(_e51, _e3.duv, h_10, (_e11 - end_17), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_17, rt::Scalar(1f32), rt::Scalar(0f32));
         return <LightRay>::new(LIGHT_RAY_OPEN, path_87);
     }
     pub(crate) fn shadow_search_stage(&self, path_73: Path) -> Found {
@@ -12200,13 +12635,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn free_way(&self, at_82: Entered, hit_23: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_82, hit_23, light_4))
+    pub(crate) fn free_way(&self, at_86: Entered, hit_23: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_86, hit_23, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_free_way(&self, at_82: Entered, hit_23: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_82, hit_23, light_4);
+    fn v_free_way(&self, at_86: Entered, hit_23: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_86, hit_23, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -12222,10 +12657,10 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_7 = (turn_1 * rt::Scalar(6.2831855f32));
-        let s_2 = (x_7 * x_7);
-        let last_10 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
-        return (x_7 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_10)))))));
+        let x_10 = (turn_1 * rt::Scalar(6.2831855f32));
+        let s_2 = (x_10 * x_10);
+        let last_12 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
+        return (x_10 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_12)))))));
     }
     pub(crate) fn sine_of(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_2)))
@@ -12282,31 +12717,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn gradient_noise(
         &self,
-        at_83: impl rt::Into<rt::Vec2<f32>>,
+        at_87: impl rt::Into<rt::Vec2<f32>>,
         count_6: impl rt::Into<rt::Scalar<f32>>,
         turns_2: impl rt::Into<rt::Scalar<f32>>,
         seed_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_gradient_noise(rt::into(at_83), rt::into(count_6), rt::into(turns_2), rt::into(seed_3)))
+        rt::into(self.v_gradient_noise(rt::into(at_87), rt::into(count_6), rt::into(turns_2), rt::into(seed_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_gradient_noise(
         &self,
-        at_83: rt::Vec2<f32>,
+        at_87: rt::Vec2<f32>,
         count_6: rt::Scalar<f32>,
         turns_2: rt::Scalar<f32>,
         seed_3: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let cell_29 = at_83.floor();
-        let part_21 = (at_83 - cell_29);
+        let cell_29 = at_87.floor();
+        let part_21 = (at_87 - cell_29);
         let fade = (((part_21 * part_21) * part_21) * ((part_21 * ((part_21 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
-        let right_4 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
+        let right_5 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
         let down_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(1f32));
         let _e24 = self.v_gradient_at(cell_29, part_21, count_6, turns_2, seed_3);
-        let _e27 = self.v_gradient_at((cell_29 + right_4), (part_21 - right_4), count_6, turns_2, seed_3);
+        let _e27 = self.v_gradient_at((cell_29 + right_5), (part_21 - right_5), count_6, turns_2, seed_3);
         let _e30 = self.v_gradient_at((cell_29 + down_1), (part_21 - down_1), count_6, turns_2, seed_3);
-        let _e35 = self.v_gradient_at(((cell_29 + right_4) + down_1), ((part_21 - right_4) - down_1), count_6, turns_2, seed_3);
+        let _e35 = self.v_gradient_at(((cell_29 + right_5) + down_1), ((part_21 - right_5) - down_1), count_6, turns_2, seed_3);
         let above_9 = (_e24 + ((_e27 - _e24) * fade.x()));
         let below_7 = (_e30 + ((_e35 - _e30) * fade.x()));
         return (above_9 + ((below_7 - above_9) * fade.y()));
@@ -12375,9 +12810,9 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<bool> {
         let mut local_91: rt::Scalar<bool>;
 
-        let low_8 = (plane.xyz().dot((position + (direction_5 * low_m))) + plane.w());
+        let low_9 = (plane.xyz().dot((position + (direction_5 * low_m))) + plane.w());
         let high_3 = (plane.xyz().dot((position + (direction_5 * high_m))) + plane.w());
-        if rt::Scalar::into_branch_condition(low_8.elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(low_9.elementwise_gt(rt::Scalar(0f32))) {
             local_91 = high_3.elementwise_gt(rt::Scalar(0f32));
         } else {
             local_91 = rt::Scalar(false);
@@ -12388,21 +12823,21 @@ impl<'g> Resources<'g> {
     pub(crate) fn is_left_out(
         &self,
         grid_10: Tessellation,
-        a_11: BaseVertex,
-        b_11: BaseVertex,
-        c_8: BaseVertex,
+        a_13: BaseVertex,
+        b_13: BaseVertex,
+        c_9: BaseVertex,
         low_m_1: impl rt::Into<rt::Scalar<f32>>,
         high_m_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_is_left_out(grid_10, a_11, b_11, c_8, rt::into(low_m_1), rt::into(high_m_1)))
+        rt::into(self.v_is_left_out(grid_10, a_13, b_13, c_9, rt::into(low_m_1), rt::into(high_m_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_is_left_out(
         &self,
         grid_10: Tessellation,
-        a_11: BaseVertex,
-        b_11: BaseVertex,
-        c_8: BaseVertex,
+        a_13: BaseVertex,
+        b_13: BaseVertex,
+        c_9: BaseVertex,
         low_m_1: rt::Scalar<f32>,
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
@@ -12422,16 +12857,16 @@ impl<'g> Resources<'g> {
                     let plane_1 = grid_10.planes[rt::Scalar::into_array_index(_e12)];
                     let _e14 = k_29;
                     k_29 = (_e14 + rt::Scalar(1u32));
-                    let _e19 = self.v_is_before(plane_1, a_11.position, a_11.direction, low_m_1, high_m_1);
+                    let _e19 = self.v_is_before(plane_1, a_13.position, a_13.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
-                        let _e24 = self.v_is_before(plane_1, b_11.position, b_11.direction, low_m_1, high_m_1);
+                        let _e24 = self.v_is_before(plane_1, b_13.position, b_13.direction, low_m_1, high_m_1);
                         local_92 = _e24;
                     } else {
                         local_92 = rt::Scalar(false);
                     }
                     let _e26 = local_92;
                     if rt::Scalar::into_branch_condition(_e26) {
-                        let _e31 = self.v_is_before(plane_1, c_8.position, c_8.direction, low_m_1, high_m_1);
+                        let _e31 = self.v_is_before(plane_1, c_9.position, c_9.direction, low_m_1, high_m_1);
                         local_93 = _e31;
                     } else {
                         local_93 = rt::Scalar(false);
@@ -12444,6 +12879,87 @@ impl<'g> Resources<'g> {
             }
         }
         return rt::Scalar(false);
+    }
+    pub(crate) fn magnitude(&self, number_13: impl rt::Into<rt::Scalar<i32>>) -> u32 {
+        rt::into(self.v_magnitude(rt::into(number_13)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_magnitude(&self, number_13: rt::Scalar<i32>) -> rt::Scalar<u32> {
+        return number_13.abs().to_u32();
+    }
+    pub(crate) fn stretch_of(&self, a_14: SweptPoint, b_14: SweptPoint) -> u32 {
+        rt::into(self.v_stretch_of(a_14, b_14))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_stretch_of(&self, a_14: SweptPoint, b_14: SweptPoint) -> rt::Scalar<u32> {
+        let _e9 = self.v_magnitude(((rt::Scalar(b_14.x) * rt::Scalar(a_14.w)) - (rt::Scalar(a_14.x) * rt::Scalar(b_14.w))));
+        let _e17 = self.v_magnitude(((rt::Scalar(b_14.y) * rt::Scalar(a_14.w)) - (rt::Scalar(a_14.y) * rt::Scalar(b_14.w))));
+        return (_e9 + _e17);
+    }
+    pub(crate) fn is_no_longer(&self, a_15: SweptPoint, b_15: SweptPoint, c_10: SweptPoint, d_3: SweptPoint) -> bool {
+        rt::into(self.v_is_no_longer(a_15, b_15, c_10, d_3))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_is_no_longer(&self, a_15: SweptPoint, b_15: SweptPoint, c_10: SweptPoint, d_3: SweptPoint) -> rt::Scalar<bool> {
+        let _e4 = self.v_stretch_of(a_15, b_15);
+        let _e9 = self.v_stretch_of(c_10, d_3);
+        let _e14 = self.v_compared(_e4, (rt::Scalar(c_10.w) * rt::Scalar(d_3.w)).to_u32(), _e9, (rt::Scalar(a_15.w) * rt::Scalar(b_15.w)).to_u32());
+        return _e14.elementwise_le(rt::Scalar(0i32));
+    }
+    pub(crate) fn longest_of(&self, between_1: impl rt::Into<rt::Vec3<i32>>) -> i32 {
+        rt::into(self.v_longest_of(rt::into(between_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_longest_of(&self, between_1: rt::Vec3<i32>) -> rt::Scalar<i32> {
+        let along_40 = between_1.abs();
+        return along_40.x().max(along_40.y()).max(along_40.z());
+    }
+    pub(crate) fn is_swept(
+        &self,
+        grid_11: Tessellation,
+        a_16: Voxel,
+        b_16: Voxel,
+        c_11: Voxel,
+        level_34: impl rt::Into<rt::Scalar<u32>>,
+    ) -> bool {
+        rt::into(self.v_is_swept(grid_11, a_16, b_16, c_11, rt::into(level_34)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_is_swept(
+        &self,
+        grid_11: Tessellation,
+        a_16: Voxel,
+        b_16: Voxel,
+        c_11: Voxel,
+        level_34: rt::Scalar<u32>,
+    ) -> rt::Scalar<bool> {
+        let mut local_94: rt::Scalar<bool>;
+        let mut local_95: rt::Scalar<bool>;
+
+        let _e6 = self.v_coarser_voxel(a_16.at, level_34);
+        let _e8 = self.v_coarser_voxel(b_16.at, level_34);
+        let _e10 = self.v_coarser_voxel(c_11.at, level_34);
+        let _e12 = self.v_longest_of((_e8 - _e6));
+        let _e14 = self.v_longest_of((_e10 - _e8));
+        let _e17 = self.v_longest_of((_e6 - _e10));
+        let longest = _e12.max(_e14).max(_e17);
+        if rt::Scalar::into_branch_condition(longest.elementwise_gt(rt::Scalar(0i32))) {
+            local_94 = longest.elementwise_le(rt::Scalar(1023i32));
+        } else {
+            local_94 = rt::Scalar(false);
+        }
+        let _e26 = local_94;
+        if rt::Scalar::into_branch_condition(_e26) {
+            local_95 = rt::Scalar(grid_11.is_swept).elementwise_eq(rt::Scalar(1u32));
+        } else {
+            local_95 = rt::Scalar(false);
+        }
+        let _e33 = local_95;
+        return _e33;
     }
     pub(crate) fn light_place(
         &self,
@@ -12459,37 +12975,37 @@ impl<'g> Resources<'g> {
         view_11: LightView,
         point_17: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_143 = <rt::Vec4<f32>>::new_31(point_17, rt::Scalar(1f32));
-        let depth_9 = view_11.depth.dot(at_143);
+        let at_148 = <rt::Vec4<f32>>::new_31(point_17, rt::Scalar(1f32));
+        let depth_9 = view_11.depth.dot(at_148);
         let over_3 = rt::Scalar(1f32).select(depth_9, rt::Scalar(view_11.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_11.column.dot(at_143), view_11.row.dot(at_143)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_11.column.dot(at_148), view_11.row.dot(at_148)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_84: Entered,
+        at_88: Entered,
         uv_20: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_84, rt::into(uv_20)))
+        rt::into(self.v_patch_normal(at_88, rt::into(uv_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
-        at_84: Entered,
+        at_88: Entered,
         uv_20: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_84.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_84.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_88.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_88.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_20, rt::Scalar(at_84.level));
+        let _e18 = self.v_height_and_slope(uv_20, rt::Scalar(at_88.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_84.tangent + (at_84.normal * (_e18.y() * _e24)));
+        let along_u_2 = (at_88.tangent + (at_88.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_84.bitangent + (at_84.normal * (_e18.z() * _e33)));
+        let along_v_2 = (at_88.bitangent + (at_88.normal * (_e18.z() * _e33)));
         let across_8 = along_v_2.cross(along_u_2).normalize();
-        return (across_8 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_8.dot(at_84.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_8 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_8.dot(at_88.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
@@ -12509,11 +13025,11 @@ impl<'g> Resources<'g> {
         normal_15: rt::Vec3<f32>,
         texel_4: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let corner_7 = ((view_12.corner.xyz() + (view_12.across.xyz() * texel_4.x())) + (view_12.along.xyz() * texel_4.y()));
+        let corner_8 = ((view_12.corner.xyz() + (view_12.across.xyz() * texel_4.x())) + (view_12.along.xyz() * texel_4.y()));
         if rt::Scalar::into_branch_condition(rt::Scalar(view_12.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_15.dot((point_18 - view_12.eye.xyz())) / normal_15.dot(corner_7));
+            return (normal_15.dot((point_18 - view_12.eye.xyz())) / normal_15.dot(corner_8));
         }
-        return (normal_15.dot((point_18 - corner_7)) / normal_15.dot(view_12.depth.xyz()));
+        return (normal_15.dot((point_18 - corner_8)) / normal_15.dot(view_12.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
@@ -12534,47 +13050,47 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn row_sees(
         &self,
-        at_85: InView,
+        at_89: InView,
         row_6: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_85, rt::into(row_6), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_89, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
-        at_85: InView,
+        at_89: InView,
         row_6: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut column: rt::Scalar<f32>;
+        let mut column_2: rt::Scalar<f32>;
 
-        let view_25 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_85.number))];
-        column = at_85.low.x().floor();
+        let view_25 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_89.number))];
+        column_2 = at_89.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = column;
+                let _e14 = column_2;
                 if rt::Scalar::into_branch_condition(_e14.elementwise_le(last_1)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e18 = column;
-                    let _e24 = column;
-                    let wide_2 = (at_85.high.x().min((_e18 + rt::Scalar(1f32))) - at_85.low.x().max(_e24));
-                    let _e27 = column;
+                    let _e18 = column_2;
+                    let _e24 = column_2;
+                    let wide_2 = (at_89.high.x().min((_e18 + rt::Scalar(1f32))) - at_89.low.x().max(_e24));
+                    let _e27 = column_2;
                     let place_30 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_25, at_85.point, at_85.normal, (place_30 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_10 = _e35.clamp(rt::Scalar(at_85.least_depth), rt::Scalar(at_85.most_depth));
+                    let _e35 = self.v_plane_depth(view_25, at_89.point, at_89.normal, (place_30 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_10 = _e35.clamp(rt::Scalar(at_89.least_depth), rt::Scalar(at_89.most_depth));
                     let key = (rt::Scalar(view_25.near) / (rt::Scalar(view_25.near) + depth_10.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_30.to_i32(), rt::Scalar(at_85.number).to_i32());
+                    let _e48 = self.v_light_texel(place_30.to_i32(), rt::Scalar(at_89.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
                     }
-                    let _e53 = column;
-                    column = (_e53 + rt::Scalar(1f32));
+                    let _e53 = column_2;
+                    column_2 = (_e53 + rt::Scalar(1f32));
                 }
             }
         }
@@ -12583,20 +13099,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_part(
         &self,
-        number_11: impl rt::Into<rt::Scalar<u32>>,
-        at_86: Entered,
+        number_14: impl rt::Into<rt::Scalar<u32>>,
+        at_90: Entered,
         normal_16: impl rt::Into<rt::Vec3<f32>>,
         place_17: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_11), at_86, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_14), at_90, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
-        number_11: rt::Scalar<u32>,
-        at_86: Entered,
+        number_14: rt::Scalar<u32>,
+        at_90: Entered,
         normal_16: rt::Vec3<f32>,
         place_17: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
@@ -12605,30 +13121,30 @@ impl<'g> Resources<'g> {
         let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut row_7: rt::Scalar<f32>;
 
-        let view_26 = self.frame.light_views[rt::Scalar::into_array_index(number_11)];
+        let view_26 = self.frame.light_views[rt::Scalar::into_array_index(number_14)];
         let texel_m = (rt::Scalar(view_26.texel_m) * rt::Scalar(1f32).select(place_17.z(), rt::Scalar(view_26.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_86);
-        let point_30 = (at_86.point + (normal_16 * (bias * texel_m.max(_e19))));
+        let _e19 = self.v_footprint_m(at_90);
+        let point_30 = (at_90.point + (normal_16 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
-        let low_9 = (place_17.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
-        let high_4 = (low_9 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_11 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_26.size).to_f32(), rt::Scalar(view_26.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_11, point_30, normal_16, low_9, high_4, (place_17.z() - reach_1), (place_17.z() + reach_1));
-        row_7 = low_9.y().floor();
+        let low_10 = (place_17.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
+        let high_4 = (low_10 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
+        let last_13 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_26.size).to_f32(), rt::Scalar(view_26.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let in_view = <InView>::new(number_14, point_30, normal_16, low_10, high_4, (place_17.z() - reach_1), (place_17.z() + reach_1));
+        row_7 = low_10.y().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e55 = row_7;
-                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_11.y())) {
+                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_13.y())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e59 = row_7;
                     let _e64 = row_7;
-                    let tall = (high_4.y().min((_e59 + rt::Scalar(1f32))) - low_9.y().max(_e64));
+                    let tall = (high_4.y().min((_e59 + rt::Scalar(1f32))) - low_10.y().max(_e64));
                     let _e67 = seen;
                     let _e68 = row_7;
-                    let _e70 = self.v_row_sees(in_view, _e68, last_11.x());
+                    let _e70 = self.v_row_sees(in_view, _e68, last_13.x());
                     seen = (_e67 + (_e70 * tall));
                     let _e73 = row_7;
                     row_7 = (_e73 + rt::Scalar(1f32));
@@ -12640,32 +13156,32 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_87: Entered,
+        at_91: Entered,
         uv_21: impl rt::Into<rt::Vec2<f32>>,
-        number_12: impl rt::Into<rt::Scalar<u32>>,
+        number_15: impl rt::Into<rt::Scalar<u32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_87, rt::into(uv_21), rt::into(number_12), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_91, rt::into(uv_21), rt::into(number_15), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
-        at_87: Entered,
+        at_91: Entered,
         uv_21: rt::Vec2<f32>,
-        number_12: rt::Scalar<u32>,
+        number_15: rt::Scalar<u32>,
         toward_1: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
         bias_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut k_30: rt::Scalar<u32>;
 
-        let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_12)];
+        let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_15)];
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_87, uv_21);
+        let _e14 = self.v_patch_normal(at_91, uv_21);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -12681,13 +13197,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e31 = k_30;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_87.point);
+                    let _e35 = self.v_light_place(_e33, at_91.point);
                     let _e38 = k_30;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_6));
                     if rt::Scalar::into_branch_condition(_e43) {
                         let _e44 = k_30;
-                        let _e45 = self.v_seen_part(_e44, at_87, _e14, _e35, width_6, bias_1);
+                        let _e45 = self.v_seen_part(_e44, at_91, _e14, _e35, width_6, bias_1);
                         return _e45;
                     }
                     let _e46 = k_30;
@@ -12696,6 +13212,32 @@ impl<'g> Resources<'g> {
             }
         }
         return rt::Scalar(1f32);
+    }
+    pub(crate) fn main_axis(
+        &self,
+        start_3: impl rt::Into<rt::Vec3<i32>>,
+        to_1: impl rt::Into<rt::Vec3<i32>>,
+    ) -> u32 {
+        rt::into(self.v_main_axis(rt::into(start_3), rt::into(to_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_main_axis(
+        &self,
+        start_3: rt::Vec3<i32>,
+        to_1: rt::Vec3<i32>,
+    ) -> rt::Scalar<u32> {
+        let mut local_96: rt::Scalar<bool>;
+
+        let along_41 = (to_1 - start_3).abs();
+        let of_last_1 = rt::Scalar(2u32).select(rt::Scalar(1u32), along_41.y().elementwise_ge(along_41.z()));
+        if rt::Scalar::into_branch_condition(along_41.x().elementwise_ge(along_41.y())) {
+            local_96 = along_41.x().elementwise_ge(along_41.z());
+        } else {
+            local_96 = rt::Scalar(false);
+        }
+        let _e20 = local_96;
+        return of_last_1.select(rt::Scalar(0u32), _e20);
     }
     pub(crate) fn mean_of_five(
         &self,
@@ -12741,64 +13283,64 @@ impl<'g> Resources<'g> {
     fn v_one_seen(&self, normal_17: rt::Vec3<f32>) -> SeenNormals {
         let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let none_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let parts_5 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let parts_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let _e13 = self.v_no_table();
-        return <SeenNormals>::new(normal_17, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts_5, rt::Scalar(0f32), _e13);
+        return <SeenNormals>::new(normal_17, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts_6, rt::Scalar(0f32), _e13);
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_88: Entered,
+        at_92: Entered,
         v_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_88, rt::into(v_1)))
+        rt::into(self.v_to_tangent_space(at_92, rt::into(v_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_to_tangent_space(
         &self,
-        at_88: Entered,
+        at_92: Entered,
         v_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_88.tangent.normalize();
-        let along_v_3 = at_88.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_88.normal.dot(v_1));
+        let along_u_3 = at_92.tangent.normalize();
+        let along_v_3 = at_92.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_92.normal.dot(v_1));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_89: Entered,
+        at_93: Entered,
         uv_22: impl rt::Into<rt::Vec2<f32>>,
-        level_33: impl rt::Into<rt::Scalar<u32>>,
+        level_35: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_89, rt::into(uv_22), rt::into(level_33)))
+        rt::into(self.v_normals_of_level(at_93, rt::into(uv_22), rt::into(level_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_89: Entered,
+        at_93: Entered,
         uv_22: rt::Vec2<f32>,
-        level_33: rt::Scalar<u32>,
+        level_35: rt::Scalar<u32>,
     ) -> Normals {
-        if rt::Scalar::into_branch_condition(level_33.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_89, uv_22);
-            let _e6 = self.v_to_tangent_space(at_89, _e5);
+        if rt::Scalar::into_branch_condition(level_35.elementwise_eq(rt::Scalar(0u32))) {
+            let _e5 = self.v_finest_normal(at_93, uv_22);
+            let _e6 = self.v_to_tangent_space(at_93, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_22, rt::Scalar(0i32), level_33);
-            let _e16 = self.v_normal_at(uv_22, rt::Scalar(1i32), level_33);
+            let _e14 = self.v_normal_at(uv_22, rt::Scalar(0i32), level_35);
+            let _e16 = self.v_normal_at(uv_22, rt::Scalar(1i32), level_35);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_8 = ((tile.x() * at_89.tangent.normalize().dot(at_89.tangent)) / at_89.tangent.dot(at_89.tangent));
-        let y_5 = ((tile.y() * at_89.bitangent.normalize().dot(at_89.bitangent)) / at_89.bitangent.dot(at_89.bitangent));
-        let _e44 = self.v_normal_at(uv_22, rt::Scalar(0i32), (level_33 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_22, rt::Scalar(1i32), (level_33 - rt::Scalar(1u32)));
-        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_8), (_e44.y() * y_5), _e44.z());
+        let x_11 = ((tile.x() * at_93.tangent.normalize().dot(at_93.tangent)) / at_93.tangent.dot(at_93.tangent));
+        let y_8 = ((tile.y() * at_93.bitangent.normalize().dot(at_93.bitangent)) / at_93.bitangent.dot(at_93.bitangent));
+        let _e44 = self.v_normal_at(uv_22, rt::Scalar(0i32), (level_35 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_22, rt::Scalar(1i32), (level_35 - rt::Scalar(1u32)));
+        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_11), (_e44.y() * y_8), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
-        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_8) * x_8), ((_e48.y() * x_8) * y_5), ((_e48.z() * y_5) * y_5)) * longer_1);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_8)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_5)));
+        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_11) * x_11), ((_e48.y() * x_11) * y_8), ((_e48.z() * y_8) * y_8)) * longer_1);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_11)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_8)));
     }
     pub(crate) fn sum_of_four(&self, four_1: impl rt::Into<rt::Vec4<f32>>) -> f32 {
         rt::into(self.v_sum_of_four(rt::into(four_1)))
@@ -12810,73 +13352,73 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_90: Entered,
+        at_94: Entered,
         normals: Normals,
         view_14: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_90, normals, rt::into(view_14)))
+        rt::into(self.v_seen_normals(at_94, normals, rt::into(view_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_90: Entered,
+        at_94: Entered,
         normals: Normals,
         view_14: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let first_17 = normals.first;
+        let first_19 = normals.first;
         let second_5 = normals.second;
-        let slope_12 = <rt::Vec2<f32>>::from_scalars(first_17.w(), second_5.w());
-        let upright_1 = first_17.z().max(rt::Scalar(0.05f32));
-        let x_9 = (first_17.x() / upright_1);
-        let y_6 = (first_17.y() / upright_1);
-        let a_28 = ((second_5.x() / upright_1) - (x_9 * x_9)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_28 = (((second_5.y() / upright_1) - (x_9 * y_6)) / a_28);
-        let spread = ((second_5.z() / upright_1) - (y_6 * y_6)).max(rt::Scalar(0f32));
-        let d_2 = (spread - (b_28 * b_28)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_17.x())) - (first_17.xyz() * slope_12.x()));
-        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_17.y())) - (first_17.xyz() * slope_12.y()));
-        let most_16 = ((a_28 * a_28) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_38 = (with_x / rt::Vec3::splat_from_scalar(a_28.max((with_x.length() / most_16))));
-        let rest_9 = (with_y - (along_38 * b_28));
-        let across_9 = (rest_9 / rt::Vec3::splat_from_scalar(d_2.max((rest_9.length() / most_16))));
-        let _e77 = self.v_to_tangent_space(at_90, view_14);
+        let slope_12 = <rt::Vec2<f32>>::from_scalars(first_19.w(), second_5.w());
+        let upright_1 = first_19.z().max(rt::Scalar(0.05f32));
+        let x_12 = (first_19.x() / upright_1);
+        let y_9 = (first_19.y() / upright_1);
+        let a_38 = ((second_5.x() / upright_1) - (x_12 * x_12)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_38 = (((second_5.y() / upright_1) - (x_12 * y_9)) / a_38);
+        let spread = ((second_5.z() / upright_1) - (y_9 * y_9)).max(rt::Scalar(0f32));
+        let d_4 = (spread - (b_38 * b_38)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_19.x())) - (first_19.xyz() * slope_12.x()));
+        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_19.y())) - (first_19.xyz() * slope_12.y()));
+        let most_16 = ((a_38 * a_38) + spread).sqrt().min(rt::Scalar(1f32));
+        let along_42 = (with_x / rt::Vec3::splat_from_scalar(a_38.max((with_x.length() / most_16))));
+        let rest_9 = (with_y - (along_42 * b_38));
+        let across_9 = (rest_9 / rt::Vec3::splat_from_scalar(d_4.max((rest_9.length() / most_16))));
+        let _e77 = self.v_to_tangent_space(at_94, view_14);
         let middle_15 = (_e77.z() - _e77.xy().dot(slope_12));
-        let _e91 = self.v_facing_four(middle_15, (-((_e77.x() * a_28) + (_e77.y() * b_28))), (-(_e77.y() * d_2)));
-        let one = middle_15.max(rt::Scalar(0f32));
+        let _e91 = self.v_facing_four(middle_15, (-((_e77.x() * a_38) + (_e77.y() * b_38))), (-(_e77.y() * d_4)));
+        let one_1 = middle_15.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
-        let _e95 = self.v_mean_of_five(one, _e94);
+        let _e95 = self.v_mean_of_five(one_1, _e94);
         let all_1 = _e95.max(rt::Scalar(0.001f32));
-        let aside_8 = ((along_38 * ((_e91.x() - _e91.y()) / all_1)) + (across_9 * ((_e91.z() - _e91.w()) / all_1)));
-        let _e113 = self.v_from_tangent_space(at_90, (first_17.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
+        let aside_8 = ((along_42 * ((_e91.x() - _e91.y()) / all_1)) + (across_9 * ((_e91.z() - _e91.w()) / all_1)));
+        let _e113 = self.v_from_tangent_space(at_94, (first_19.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_17.xyz(), along_38, across_9, slope_12, <rt::Vec2<f32>>::from_scalars(a_28, b_28), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_2), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_19.xyz(), along_42, across_9, slope_12, <rt::Vec2<f32>>::from_scalars(a_38, b_38), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_4), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one_1 / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_91: Entered) -> f32 {
-        rt::into(self.v_table_part(at_91))
+    pub(crate) fn table_part(&self, at_95: Entered) -> f32 {
+        rt::into(self.v_table_part(at_95))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_table_part(&self, at_91: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_95: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_91.fade) * ((rt::Scalar(at_91.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_95.fade) * ((rt::Scalar(at_95.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_92: Entered,
+        at_96: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_92, seen_1, table, rt::into(part_6)))
+        rt::into(self.v_with_table(at_96, seen_1, table, rt::into(part_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_with_table(
         &self,
-        at_92: Entered,
+        at_96: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_6: rt::Scalar<f32>,
@@ -12884,9 +13426,9 @@ impl<'g> Resources<'g> {
         let mut told: SeenNormals;
 
         told = seen_1;
-        let before_4 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_92, table.mean);
-        let mean_4 = (before_4 + ((_e9 - before_4) * part_6));
+        let before_5 = (seen_1.normal * rt::Scalar(seen_1.length));
+        let _e9 = self.v_from_tangent_space(at_96, table.mean);
+        let mean_4 = (before_5 + ((_e9 - before_5) * part_6));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
         rt::Scalar(told.table_part) = part_6;
@@ -12896,30 +13438,30 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_between(
         &self,
-        a_12: SeenTexel,
-        b_12: SeenTexel,
+        a_17: SeenTexel,
+        b_17: SeenTexel,
         part_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_between(a_12, b_12, rt::into(part_7)))
+        rt::into(self.v_seen_between(a_17, b_17, rt::into(part_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_between(
         &self,
-        a_12: SeenTexel,
-        b_12: SeenTexel,
+        a_17: SeenTexel,
+        b_17: SeenTexel,
         part_7: rt::Scalar<f32>,
     ) -> SeenTexel {
-        return <SeenTexel>::new((a_12.first + ((b_12.first - a_12.first) * part_7)), (a_12.second + ((b_12.second - a_12.second) * part_7)));
+        return <SeenTexel>::new((a_17.first + ((b_17.first - a_17.first) * part_7)), (a_17.second + ((b_17.second - a_17.second) * part_7)));
     }
     pub(crate) fn seen_texel(
         &self,
         uv_23: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
-        level_34: impl rt::Into<rt::Scalar<u32>>,
+        level_36: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_23), rt::into(azimuth), rt::into(elevation), rt::into(level_34)))
+        rt::into(self.v_seen_texel(rt::into(uv_23), rt::into(azimuth), rt::into(elevation), rt::into(level_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -12928,11 +13470,11 @@ impl<'g> Resources<'g> {
         uv_23: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
-        level_34: rt::Scalar<u32>,
+        level_36: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_23, layer_8, level_34);
-        let _e12 = self.v_detail_texel_between(uv_23, (layer_8 + rt::Scalar(1i32)), level_34);
+        let _e9 = self.v_detail_texel_between(uv_23, layer_8, level_36);
+        let _e12 = self.v_detail_texel_between(uv_23, (layer_8 + rt::Scalar(1i32)), level_36);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
@@ -12963,22 +13505,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_93: Entered,
+        at_97: Entered,
         uv_25: impl rt::Into<rt::Vec2<f32>>,
         view_15: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_93, rt::into(uv_25), rt::into(view_15), levels_2))
+        rt::into(self.v_table_of(at_97, rt::into(uv_25), rt::into(view_15), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_93: Entered,
+        at_97: Entered,
         uv_25: rt::Vec2<f32>,
         view_15: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_93, view_15);
+        let _e4 = self.v_climb(at_97, view_15);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_7 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
@@ -12998,61 +13540,61 @@ impl<'g> Resources<'g> {
         let _e52 = self.v_seen_in_levels(uv_25, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_10);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_10 = ((tile_1.x() * at_93.tangent.normalize().dot(at_93.tangent)) / at_93.tangent.dot(at_93.tangent));
-        let y_7 = ((tile_1.y() * at_93.bitangent.normalize().dot(at_93.bitangent)) / at_93.bitangent.dot(at_93.bitangent));
+        let x_13 = ((tile_1.x() * at_97.tangent.normalize().dot(at_97.tangent)) / at_97.tangent.dot(at_97.tangent));
+        let y_10 = ((tile_1.y() * at_97.bitangent.normalize().dot(at_97.bitangent)) / at_97.bitangent.dot(at_97.bitangent));
         let mean_5 = _e56.first.xyz();
-        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_10), (mean_5.y() * y_7), mean_5.z());
+        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_13), (mean_5.y() * y_10), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
         let upright_2 = ((rt::Scalar(1f32) - _e56.first.w()) - _e56.second.y()).max(rt::Scalar(0f32));
-        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_10) * x_10), ((_e56.second.y() * y_7) * y_7), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_10) * y_7), (_e56.second.z() * x_10), (_e56.second.w() * y_7)) * squared_3));
+        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_13) * x_13), ((_e56.second.y() * y_10) * y_10), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_13) * y_10), (_e56.second.z() * x_13), (_e56.second.w() * y_10)) * squared_3));
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_94: Entered,
+        at_98: Entered,
         uv_26: impl rt::Into<rt::Vec2<f32>>,
         view_16: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_94, rt::into(uv_26), rt::into(view_16)))
+        rt::into(self.v_mesostructure_normals(at_98, rt::into(uv_26), rt::into(view_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_94: Entered,
+        at_98: Entered,
         uv_26: rt::Vec2<f32>,
         view_16: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_94: rt::Scalar<bool>;
+        let mut local_97: rt::Scalar<bool>;
         let mut first_6: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
         let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_94.normal);
+            let _e9 = self.v_one_seen(at_98.normal);
             return _e9;
         }
-        let upright_3 = at_94.normal.dot(view_16);
+        let upright_3 = at_98.normal.dot(view_16);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_94.fade)));
+        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_98.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_6 = ((rt::Scalar(at_94.footprint) * _e22) * width_7);
+        let texels_6 = ((rt::Scalar(at_98.footprint) * _e22) * width_7);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_6, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_94 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
+            local_97 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_94 = rt::Scalar(false);
+            local_97 = rt::Scalar(false);
         }
-        let _e39 = local_94;
+        let _e39 = local_97;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_94, uv_26);
+            let _e40 = self.v_finest_normal(at_98, uv_26);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_94, uv_26, rt::Scalar(_e28.fine));
+        let _e43 = self.v_normals_of_level(at_98, uv_26, rt::Scalar(_e28.fine));
         first_6 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_94, uv_26, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e54 = self.v_normals_of_level(at_98, uv_26, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
             let _e55 = first_6;
             let _e57 = first_6;
             first_6 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
@@ -13062,15 +13604,15 @@ impl<'g> Resources<'g> {
         }
         let _e69 = first_6;
         let _e70 = second;
-        let _e72 = self.v_seen_normals(at_94, <Normals>::new(_e69, _e70), view_16);
-        let _e73 = self.v_table_part(at_94);
+        let _e72 = self.v_seen_normals(at_98, <Normals>::new(_e69, _e70), view_16);
+        let _e73 = self.v_table_part(at_98);
         if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
             let _e79 = rt::Scalar(self.surface_settings.height_levels);
-            let _e80 = self.v_levels_of(rt::Scalar(at_94.footprint), _e79);
+            let _e80 = self.v_levels_of(rt::Scalar(at_98.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_94, uv_26, view_16, _e80);
-                let _e83 = self.v_with_table(at_94, _e72, _e82, _e73);
+                let _e82 = self.v_table_of(at_98, uv_26, view_16, _e80);
+                let _e83 = self.v_with_table(at_98, _e72, _e82, _e73);
                 return _e83;
             }
         }
@@ -13078,39 +13620,39 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_95: Entered,
+        at_99: Entered,
         hit_24: Hit,
         light_5: Toward,
         params_81: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_95, hit_24, light_5, rt::into(params_81)))
+        rt::into(self.v_shadow_ray(at_99, hit_24, light_5, rt::into(params_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_ray(
         &self,
-        at_95: Entered,
+        at_99: Entered,
         hit_24: Hit,
         light_5: Toward,
         params_81: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_95, hit_24, light_5);
+        let _e4 = self.v_free_way(at_99, hit_24, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_96: Entered,
+        at_100: Entered,
         hit_25: Hit,
         light_6: Toward,
         params_82: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_96, hit_25, light_6, rt::into(params_82)))
+        rt::into(self.v_shadow_none(at_100, hit_25, light_6, rt::into(params_82)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_none(
         &self,
-        at_96: Entered,
+        at_100: Entered,
         hit_25: Hit,
         light_6: Toward,
         params_82: rt::Vec4<f32>,
@@ -13119,22 +13661,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_97: Entered,
+        at_101: Entered,
         hit_26: Hit,
         light_7: Toward,
         params_83: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_97, hit_26, light_7, rt::into(params_83)))
+        rt::into(self.v_shadow_entry(at_101, hit_26, light_7, rt::into(params_83)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_97: Entered,
+        at_101: Entered,
         hit_26: Hit,
         light_7: Toward,
         params_83: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_97, hit_26, light_7);
+        let _e4 = self.v_from_hit(at_101, hit_26, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -13190,26 +13732,26 @@ impl<'g> Resources<'g> {
         let _e16 = self.v_unit_of(seed_4);
         let _e18 = self.v_turned_1(((k_31.to_f32() * rt::Scalar(0.618034f32)) + _e16));
         let place_32 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
-        let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
-        let right_5 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
-        let up_5 = light_8.direction.cross(right_5);
-        let toward_8 = ((light_8.direction + (right_5 * place_32.x())) + (up_5 * place_32.y()));
-        let along_39 = toward_8.length();
-        return <Toward>::new((toward_8 / rt::Vec3::splat_from_scalar(along_39)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_39), rt::Scalar(0f32), rt::Scalar(light_8.number));
+        let other_1 = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
+        let right_6 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other_1), other_1, rt::Scalar(0f32)).cross(light_8.direction).normalize();
+        let up_5 = light_8.direction.cross(right_6);
+        let toward_8 = ((light_8.direction + (right_6 * place_32.x())) + (up_5 * place_32.y()));
+        let along_43 = toward_8.length();
+        return <Toward>::new((toward_8 / rt::Vec3::splat_from_scalar(along_43)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_43), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_98: Entered,
+        at_102: Entered,
         hit_28: Hit,
         light_9: Toward,
         params_84: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_98, hit_28, light_9, rt::into(params_84)))
+        rt::into(self.v_shadow_soft(at_102, hit_28, light_9, rt::into(params_84)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_98: Entered,
+        at_102: Entered,
         hit_28: Hit,
         light_9: Toward,
         params_84: rt::Vec4<f32>,
@@ -13230,7 +13772,7 @@ impl<'g> Resources<'g> {
                     let _e13 = free;
                     let _e14 = k_32;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_11);
-                    let _e16 = self.v_free_way(at_98, hit_28, _e15);
+                    let _e16 = self.v_free_way(at_102, hit_28, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_32;
                     k_32 = (_e18 + rt::Scalar(1u32));
@@ -13242,17 +13784,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_99: Entered,
+        at_103: Entered,
         hit_29: Hit,
         light_10: Toward,
         params_85: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_99, hit_29, light_10, rt::into(params_85)))
+        rt::into(self.v_shadow_heuristic(at_103, hit_29, light_10, rt::into(params_85)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_99: Entered,
+        at_103: Entered,
         hit_29: Hit,
         light_10: Toward,
         params_85: rt::Vec4<f32>,
@@ -13260,7 +13802,7 @@ impl<'g> Resources<'g> {
         let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_33: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_99, hit_29, light_10);
+        let _e4 = self.v_from_hit(at_103, hit_29, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -13290,9 +13832,9 @@ impl<'g> Resources<'g> {
         &self,
         place_18: impl rt::Into<rt::Vec2<i32>>,
         layer_6: impl rt::Into<rt::Scalar<i32>>,
-        level_35: impl rt::Into<rt::Scalar<i32>>,
+        level_37: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_18), rt::into(layer_6), rt::into(level_35)))
+        rt::into(self.v_shadow_texel(rt::into(place_18), rt::into(layer_6), rt::into(level_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13300,9 +13842,9 @@ impl<'g> Resources<'g> {
         &self,
         place_18: rt::Vec2<i32>,
         layer_6: rt::Scalar<i32>,
-        level_35: rt::Scalar<i32>,
+        level_37: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_18, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_35));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_18, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_37));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -13311,9 +13853,9 @@ impl<'g> Resources<'g> {
         &self,
         uv_27: impl rt::Into<rt::Vec2<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
-        level_36: impl rt::Into<rt::Scalar<u32>>,
+        level_38: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_27), rt::into(layer_7), rt::into(level_36)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_27), rt::into(layer_7), rt::into(level_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13321,15 +13863,15 @@ impl<'g> Resources<'g> {
         &self,
         uv_27: rt::Vec2<f32>,
         layer_7: rt::Scalar<i32>,
-        level_36: rt::Scalar<u32>,
+        level_38: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_36);
+        let _e3 = self.v_height_texels(level_38);
         let _e4 = self.v_texels_around(uv_27, _e3);
-        let k_47 = level_36.to_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_47);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_47);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_47);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_47);
+        let k_48 = level_38.to_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_48);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_48);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_48);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_48);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -13339,19 +13881,19 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_own_slope(&self, way_8: Path) -> rt::Scalar<f32> {
-        let mut level_37: Path;
+        let mut level_39: Path;
 
         let _e1 = self.v_grid_of(way_8);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
-        let end_16 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_37 = way_8;
-        level_37.h = <rt::Vec3<f32>>::from_scalars(way_8.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_37.exit) = end_16;
-        let _e18 = level_37;
+        let end_18 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
+        level_39 = way_8;
+        level_39.h = <rt::Vec3<f32>>::from_scalars(way_8.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        rt::Scalar(level_39.exit) = end_18;
+        let _e18 = level_39;
         let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_8.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
-        return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_16))));
+        return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_18))));
     }
     pub(crate) fn part_above(&self, height_9: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_part_above(rt::into(height_9)))
@@ -13359,48 +13901,48 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_part_above(&self, height_9: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_11 = height_9.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
-        let s_3 = (x_11 * x_11);
-        return (rt::Scalar(0.5f32) + (x_11 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
+        let x_14 = height_9.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+        let s_3 = (x_14 * x_14);
+        return (rt::Scalar(0.5f32) + (x_14 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_100: Entered,
+        at_104: Entered,
         hit_30: Hit,
         light_11: Toward,
         params_86: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_100, hit_30, light_11, rt::into(params_86)))
+        rt::into(self.v_shadow_horizon(at_104, hit_30, light_11, rt::into(params_86)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_100: Entered,
+        at_104: Entered,
         hit_30: Hit,
         light_11: Toward,
         params_86: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_100, light_11.direction);
+        let _e5 = self.v_climb(at_104, light_11.direction);
         let map_6 = self.surface_settings.maps[3usize];
-        let along_40 = (_e5.xy() * map_6.tile_m);
-        let _e13 = self.v_turn_of(along_40);
+        let along_44 = (_e5.xy() * map_6.tile_m);
+        let _e13 = self.v_turn_of(along_44);
         let azimuth_4 = (_e13 * params_86.x());
-        let first_18 = azimuth_4.floor();
+        let first_20 = azimuth_4.floor();
         let count_12 = params_86.x().to_i32();
-        let before_5 = (first_18.to_i32() % count_12);
-        let part_23 = (azimuth_4 - first_18);
-        let _e24 = self.v_shadow_texel_between(hit_30.uv, before_5, rt::Scalar(at_100.level));
-        let low_10 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_30.uv, ((before_5 + rt::Scalar(1i32)) % count_12), rt::Scalar(at_100.level));
-        let sine_1 = (low_10 + ((_e31.x() - low_10) * part_23));
+        let before_6 = (first_20.to_i32() % count_12);
+        let part_23 = (azimuth_4 - first_20);
+        let _e24 = self.v_shadow_texel_between(hit_30.uv, before_6, rt::Scalar(at_104.level));
+        let low_11 = _e24.x();
+        let _e31 = self.v_shadow_texel_between(hit_30.uv, ((before_6 + rt::Scalar(1i32)) % count_12), rt::Scalar(at_104.level));
+        let sine_1 = (low_11 + ((_e31.x() - low_11) * part_23));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
-        let far_14 = (squared_4 * along_40.dot(along_40)).sqrt();
-        let _e48 = self.v_from_hit(at_100, hit_30, light_11);
+        let far_14 = (squared_4 * along_44.dot(along_44)).sqrt();
+        let _e48 = self.v_from_hit(at_104, hit_30, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_9 = (_e49 * _e52);
         let horizon = far_14.max(near_9);
-        let up_6 = at_100.normal.dot(light_11.direction);
+        let up_6 = at_104.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
@@ -13414,61 +13956,61 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn open_part(
         &self,
-        at_101: Entered,
+        at_105: Entered,
         hit_31: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_101, hit_31, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_105, hit_31, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_open_part(
         &self,
-        at_101: Entered,
+        at_105: Entered,
         hit_31: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_31.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_101.level));
+        let _e9 = self.v_shadow_texel_between(hit_31.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_105.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_102: Entered,
+        at_106: Entered,
         hit_32: Hit,
         light_12: Toward,
         params_87: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_102, hit_32, light_12, rt::into(params_87)))
+        rt::into(self.v_shadow_visibility(at_106, hit_32, light_12, rt::into(params_87)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_102: Entered,
+        at_106: Entered,
         hit_32: Hit,
         light_12: Toward,
         params_87: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_102, light_12.direction);
+        let _e5 = self.v_climb(at_106, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_7 = self.surface_settings.maps[3usize];
-        let along_41 = (_e5.xy() * map_7.tile_m);
+        let along_45 = (_e5.xy() * map_7.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_22 = (_e5.z() * _e21);
-        let squared_5 = ((height_22 * height_22) / (along_41.dot(along_41) + (height_22 * height_22)));
+        let squared_5 = ((height_22 * height_22) / (along_45.dot(along_45) + (height_22 * height_22)));
         let azimuths = params_87.x().to_i32();
         let elevations_1 = params_87.y().to_i32();
-        let _e32 = self.v_turn_of(along_41);
+        let _e32 = self.v_turn_of(along_45);
         let azimuth_5 = (_e32 * params_87.x());
         let elevation_4 = ((squared_5 * params_87.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_87.y() - rt::Scalar(1f32)));
         if rt::Scalar::into_branch_condition(params_87.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_29 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_102, hit_32, a_29, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+            let a_39 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
+            let _e56 = self.v_open_part(at_106, hit_32, a_39, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().to_i32() % azimuths);
@@ -13477,129 +14019,129 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_102, hit_32, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_102, hit_32, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_106, hit_32, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_106, hit_32, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_102, hit_32, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_106, hit_32, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_102, hit_32, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_106, hit_32, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_103: Entered,
+        at_107: Entered,
         hit_33: Hit,
         light_13: Toward,
         params_88: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_103, hit_33, light_13, rt::into(params_88)))
+        rt::into(self.v_shadow_map(at_107, hit_33, light_13, rt::into(params_88)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_map(
         &self,
-        at_103: Entered,
+        at_107: Entered,
         hit_33: Hit,
         light_13: Toward,
         params_88: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_103, hit_33.uv, rt::Scalar(light_13.number), light_13.direction, params_88.z(), params_88.w());
+        let _e9 = self.v_light_seen(at_107, hit_33.uv, rt::Scalar(light_13.number), light_13.direction, params_88.z(), params_88.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_104: Entered,
+        at_108: Entered,
         hit_34: Hit,
         light_14: Toward,
         params_89: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_104, hit_34, light_14, rt::into(params_89)))
+        rt::into(self.v_shadow_scene(at_108, hit_34, light_14, rt::into(params_89)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_scene(
         &self,
-        at_104: Entered,
+        at_108: Entered,
         hit_34: Hit,
         light_14: Toward,
         params_89: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_105: Entered, hit_35: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_105, hit_35, light_15))
+    pub(crate) fn shadow_stage(&self, at_109: Entered, hit_35: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_109, hit_35, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_105: Entered, hit_35: Hit, light_15: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_109: Entered, hit_35: Hit, light_15: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[8usize].params;
-                let _e13 = self.v_shadow_ray(at_105, hit_35, light_15, _e12);
+                let _e13 = self.v_shadow_ray(at_109, hit_35, light_15, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[8usize].params;
-                let _e19 = self.v_shadow_none(at_105, hit_35, light_15, _e18);
+                let _e19 = self.v_shadow_none(at_109, hit_35, light_15, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[8usize].params;
-                let _e25 = self.v_shadow_entry(at_105, hit_35, light_15, _e24);
+                let _e25 = self.v_shadow_entry(at_109, hit_35, light_15, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[8usize].params;
-                let _e31 = self.v_shadow_soft(at_105, hit_35, light_15, _e30);
+                let _e31 = self.v_shadow_soft(at_109, hit_35, light_15, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[8usize].params;
-                let _e37 = self.v_shadow_heuristic(at_105, hit_35, light_15, _e36);
+                let _e37 = self.v_shadow_heuristic(at_109, hit_35, light_15, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[8usize].params;
-                let _e43 = self.v_shadow_horizon(at_105, hit_35, light_15, _e42);
+                let _e43 = self.v_shadow_horizon(at_109, hit_35, light_15, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[8usize].params;
-                let _e49 = self.v_shadow_visibility(at_105, hit_35, light_15, _e48);
+                let _e49 = self.v_shadow_visibility(at_109, hit_35, light_15, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[8usize].params;
-                let _e55 = self.v_shadow_map(at_105, hit_35, light_15, _e54);
+                let _e55 = self.v_shadow_map(at_109, hit_35, light_15, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[8usize].params;
-                let _e61 = self.v_shadow_scene(at_105, hit_35, light_15, _e60);
+                let _e61 = self.v_shadow_scene(at_109, hit_35, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_83: PixelIn, at_106: Entered, hit_36: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_83, at_106, hit_36))
+    pub(crate) fn mirrored_light(&self, pixel_83: PixelIn, at_110: Entered, hit_36: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_83, at_110, hit_36))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_83: PixelIn, at_106: Entered, hit_36: Hit) -> rt::Scalar<f32> {
+    fn v_mirrored_light(&self, pixel_83: PixelIn, at_110: Entered, hit_36: Hit) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_36.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
         let down_3 = pixel_83.direction.normalize();
-        let up_7 = (down_3 - (at_106.normal * (rt::Scalar(2f32) * down_3.dot(at_106.normal))));
-        let _e24 = self.v_shadow_stage(at_106, hit_36, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_3.x().abs()), rt::Scalar(0u32)));
+        let up_7 = (down_3 - (at_110.normal * (rt::Scalar(2f32) * down_3.dot(at_110.normal))));
+        let _e24 = self.v_shadow_stage(at_110, hit_36, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_3.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
-    pub(crate) fn normal_of_frames(&self, at_107: Entered, frames_2: Frames) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_frames(at_107, frames_2))
+    pub(crate) fn normal_of_frames(&self, at_111: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_frames(at_111, frames_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_of_frames(&self, at_107: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+    fn v_normal_of_frames(&self, at_111: Entered, frames_2: Frames) -> rt::Vec3<f32> {
         let mut sum_3: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let mut k_34: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut seen_2: Entered;
@@ -13615,13 +14157,13 @@ impl<'g> Resources<'g> {
                     let _e12 = k_34;
                     let _e13 = self.v_frame_number(frames_2, _e12);
                     let _e14 = self.v_image_of_object(_e13);
-                    seen_2 = at_107;
+                    seen_2 = at_111;
                     let _e17 = self.v_tangent_of_image(_e14);
                     seen_2.tangent = _e17;
                     let _e19 = self.v_bitangent_of_image(_e14);
                     seen_2.bitangent = _e19;
                     seen_2.normal = _e14.toward;
-                    let _e23 = self.v_place_in_image(_e14, at_107.point);
+                    let _e23 = self.v_place_in_image(_e14, at_111.point);
                     let uv_39 = _e23.xy();
                     let _e25 = sum_3;
                     let _e26 = seen_2;
@@ -13641,7 +14183,7 @@ impl<'g> Resources<'g> {
             let _e40 = sum_3;
             return (_e40 / rt::Vec3::splat_from_scalar(square_4.sqrt()));
         }
-        return at_107.normal;
+        return at_111.normal;
     }
     pub(crate) fn rise_of_mask(&self, uv_28: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_rise_of_mask(rt::into(uv_28)))
@@ -13650,10 +14192,10 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     fn v_rise_of_mask(&self, uv_28: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_144 = ((uv_28 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_144);
+        let at_149 = ((uv_28 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_149);
         let _e11 = self.v_object_cell_stage(_e8.to_i32(), rt::Scalar(0u32));
-        let part_24 = (at_144 - _e8);
+        let part_24 = (at_149 - _e8);
         return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_24.y())) + ((_e11.w() - _e11.z()) * part_24.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_24.x())) + ((_e11.w() - _e11.y()) * part_24.x())));
     }
     pub(crate) fn normal_of_mask(
@@ -13685,100 +14227,100 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_blend_color(
         &self,
-        at_108: Entered,
+        at_112: Entered,
         hit_37: Hit,
         view_17: impl rt::Into<rt::Vec3<f32>>,
         params_90: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_blend_color(at_108, hit_37, rt::into(view_17), rt::into(params_90)))
+        rt::into(self.v_object_blend_color(at_112, hit_37, rt::into(view_17), rt::into(params_90)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_blend_color(
         &self,
-        at_108: Entered,
+        at_112: Entered,
         hit_37: Hit,
         view_17: rt::Vec3<f32>,
         params_90: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_108, view_17, params_90.z());
+        let _e5 = self.v_color_of_object(at_112, view_17, params_90.z());
         return _e5;
     }
     pub(crate) fn object_none_color(
         &self,
-        at_109: Entered,
+        at_113: Entered,
         hit_38: Hit,
         view_18: impl rt::Into<rt::Vec3<f32>>,
         params_91: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_none_color(at_109, hit_38, rt::into(view_18), rt::into(params_91)))
+        rt::into(self.v_object_none_color(at_113, hit_38, rt::into(view_18), rt::into(params_91)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_none_color(
         &self,
-        at_109: Entered,
+        at_113: Entered,
         hit_38: Hit,
         view_18: rt::Vec3<f32>,
         params_91: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e6 = self.v_color_or_white(hit_38.uv, rt::Scalar(at_109.footprint));
+        let _e6 = self.v_color_or_white(hit_38.uv, rt::Scalar(at_113.footprint));
         return _e6;
     }
     pub(crate) fn object_depth_color(
         &self,
-        at_110: Entered,
+        at_114: Entered,
         hit_39: Hit,
         view_19: impl rt::Into<rt::Vec3<f32>>,
         params_92: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_depth_color(at_110, hit_39, rt::into(view_19), rt::into(params_92)))
+        rt::into(self.v_object_depth_color(at_114, hit_39, rt::into(view_19), rt::into(params_92)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_depth_color(
         &self,
-        at_110: Entered,
+        at_114: Entered,
         hit_39: Hit,
         view_19: rt::Vec3<f32>,
         params_92: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_110, view_19, params_92.z());
+        let _e5 = self.v_color_of_object(at_114, view_19, params_92.z());
         return _e5;
     }
     pub(crate) fn object_hull_color(
         &self,
-        at_111: Entered,
+        at_115: Entered,
         hit_40: Hit,
         view_20: impl rt::Into<rt::Vec3<f32>>,
         params_93: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_hull_color(at_111, hit_40, rt::into(view_20), rt::into(params_93)))
+        rt::into(self.v_object_hull_color(at_115, hit_40, rt::into(view_20), rt::into(params_93)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_hull_color(
         &self,
-        at_111: Entered,
+        at_115: Entered,
         hit_40: Hit,
         view_20: rt::Vec3<f32>,
         params_93: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_111, view_20, params_93.z());
+        let _e5 = self.v_color_of_object(at_115, view_20, params_93.z());
         return _e5;
     }
     pub(crate) fn object_color_stage(
         &self,
-        at_112: Entered,
+        at_116: Entered,
         hit_41: Hit,
         view_21: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color_stage(at_112, hit_41, rt::into(view_21)))
+        rt::into(self.v_object_color_stage(at_116, hit_41, rt::into(view_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_color_stage(
         &self,
-        at_112: Entered,
+        at_116: Entered,
         hit_41: Hit,
         view_21: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
@@ -13786,46 +14328,93 @@ impl<'g> Resources<'g> {
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[3usize].params;
-                let _e13 = self.v_object_none_color(at_112, hit_41, view_21, _e12);
+                let _e13 = self.v_object_none_color(at_116, hit_41, view_21, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[3usize].params;
-                let _e19 = self.v_object_depth_color(at_112, hit_41, view_21, _e18);
+                let _e19 = self.v_object_depth_color(at_116, hit_41, view_21, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[3usize].params;
-                let _e25 = self.v_object_hull_color(at_112, hit_41, view_21, _e24);
+                let _e25 = self.v_object_hull_color(at_116, hit_41, view_21, _e24);
                 return _e25;
             }
             _ => {
                 let _e30 = self.surface_settings.choices[3usize].params;
-                let _e31 = self.v_object_blend_color(at_112, hit_41, view_21, _e30);
+                let _e31 = self.v_object_blend_color(at_116, hit_41, view_21, _e30);
                 return _e31;
             }
         }
     }
+    pub(crate) fn parts_by_uv(
+        &self,
+        grid_12: Tessellation,
+        along_19: impl rt::Into<rt::Vec2<f32>>,
+        level_40: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_40)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_parts_by_uv(
+        &self,
+        grid_12: Tessellation,
+        along_19: rt::Vec2<f32>,
+        level_40: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        let both_1 = (along_19 * grid_12.parts_of_uv);
+        let parts_7 = ((both_1.x().max(both_1.y()) / (rt::Scalar(1u32) << level_40).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
+        return parts_7.clamp(rt::Scalar(1f32), rt::Scalar(32767f32)).to_u32();
+    }
+    pub(crate) fn parts_by_voxels(
+        &self,
+        a_18: Voxel,
+        b_18: Voxel,
+        level_41: impl rt::Into<rt::Scalar<u32>>,
+    ) -> u32 {
+        rt::into(self.v_parts_by_voxels(a_18, b_18, rt::into(level_41)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_parts_by_voxels(
+        &self,
+        a_18: Voxel,
+        b_18: Voxel,
+        level_41: rt::Scalar<u32>,
+    ) -> rt::Scalar<u32> {
+        let _e4 = self.v_coarser_voxel(b_18.at, level_41);
+        let _e6 = self.v_coarser_voxel(a_18.at, level_41);
+        let _e8 = self.v_longest_of((_e4 - _e6));
+        return _e8.to_u32().clamp(rt::Scalar(1u32), DICE_PARTS);
+    }
     pub(crate) fn parts_between(
         &self,
-        a_13: Voxel,
-        b_13: Voxel,
-        level_38: impl rt::Into<rt::Scalar<u32>>,
+        grid_13: Tessellation,
+        a_19: Voxel,
+        b_19: Voxel,
+        along_20: impl rt::Into<rt::Vec2<f32>>,
+        level_42: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_between(a_13, b_13, rt::into(level_38)))
+        rt::into(self.v_parts_between(grid_13, a_19, b_19, rt::into(along_20), rt::into(level_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_parts_between(
         &self,
-        a_13: Voxel,
-        b_13: Voxel,
-        level_38: rt::Scalar<u32>,
+        grid_13: Tessellation,
+        a_19: Voxel,
+        b_19: Voxel,
+        along_20: rt::Vec2<f32>,
+        level_42: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let apart_5 = (b_13.at - a_13.at).abs().to_u32();
-        let farthest = apart_5.x().max(apart_5.y()).max(apart_5.z());
-        let parts_6 = (((farthest + (rt::Scalar(1u32) << level_38)) - rt::Scalar(1u32)) >> level_38);
-        return parts_6.clamp(rt::Scalar(1u32), DICE_PARTS).select(rt::Scalar(1u32), level_38.elementwise_eq(COARSEST));
+        if rt::Scalar::into_branch_condition(grid_13.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))) {
+            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_42);
+            return _e9;
+        }
+        let _e10 = self.v_parts_by_voxels(a_19, b_19, level_42);
+        return _e10;
     }
     pub(crate) fn pixel_direction(&self, pixel_84: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_pixel_direction(rt::into(pixel_84)))
@@ -13851,53 +14440,53 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn pixel_of(
         &self,
-        a_14: Corner,
-        b_14: Corner,
-        c_9: Corner,
+        a_20: Corner,
+        b_20: Corner,
+        c_12: Corner,
         shell_4: Shell,
         side_3: impl rt::Into<rt::Scalar<f32>>,
         point_19: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_14, b_14, c_9, shell_4, rt::into(side_3), rt::into(point_19)))
+        rt::into(self.v_pixel_of(a_20, b_20, c_12, shell_4, rt::into(side_3), rt::into(point_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_pixel_of(
         &self,
-        a_14: Corner,
-        b_14: Corner,
-        c_9: Corner,
+        a_20: Corner,
+        b_20: Corner,
+        c_12: Corner,
         shell_4: Shell,
         side_3: rt::Scalar<f32>,
         point_19: rt::Vec2<f32>,
     ) -> PixelIn {
         let _e6 = self.v_pixel_eye(point_19);
         let _e7 = self.v_pixel_direction(point_19);
-        return <PixelIn>::new(_e6, _e7, side_3, a_14, b_14, c_9, shell_4);
+        return <PixelIn>::new(_e6, _e7, side_3, a_20, b_20, c_12, shell_4);
     }
     pub(crate) fn placed_over(
         &self,
-        at_113: Entered,
+        at_117: Entered,
         uv_30: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_over(at_113, rt::into(uv_30)))
+        rt::into(self.v_placed_over(at_117, rt::into(uv_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_over(
         &self,
-        at_113: Entered,
+        at_117: Entered,
         uv_30: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_9 = (uv_30 - at_113.uv);
+        let aside_9 = (uv_30 - at_117.uv);
         let _e6 = rt::Scalar(self.surface_settings.bias_m);
         let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let _e11 = self.v_height_at(uv_30, rt::Scalar(at_113.level));
+        let _e11 = self.v_height_at(uv_30, rt::Scalar(at_117.level));
         let height_23 = (_e6 + (_e9 * _e11));
-        placed = at_113;
-        placed.point = (((at_113.point + (at_113.tangent * aside_9.x())) + (at_113.bitangent * aside_9.y())) + (at_113.normal * height_23));
+        placed = at_117;
+        placed.point = (((at_117.point + (at_117.tangent * aside_9.x())) + (at_117.bitangent * aside_9.y())) + (at_117.normal * height_23));
         placed.uv = uv_30;
         let _e29 = placed;
         return _e29;
@@ -13905,120 +14494,120 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_place(
         &self,
         pixel_86: PixelIn,
-        at_114: Entered,
+        at_118: Entered,
         path_74: Path,
         hit_42: Hit,
         params_94: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_86, at_114, path_74, hit_42, rt::into(params_94)))
+        rt::into(self.v_surface_plane_place(pixel_86, at_118, path_74, hit_42, rt::into(params_94)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_place(
         &self,
         pixel_86: PixelIn,
-        at_114: Entered,
+        at_118: Entered,
         path_74: Path,
         hit_42: Hit,
         params_94: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_114, hit_42.uv);
+        let _e6 = self.v_placed_over(at_118, hit_42.uv);
         return _e6;
     }
     pub(crate) fn placed_at(
         &self,
         pixel_87: PixelIn,
-        at_115: Entered,
+        at_119: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_20: impl rt::Into<rt::Vec3<f32>>,
         uv_31: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_87, at_115, rt::into(weights_4), rt::into(point_20), rt::into(uv_31)))
+        rt::into(self.v_placed_at(pixel_87, at_119, rt::into(weights_4), rt::into(point_20), rt::into(uv_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_at(
         &self,
         pixel_87: PixelIn,
-        at_115: Entered,
+        at_119: Entered,
         weights_4: rt::Vec3<f32>,
         point_20: rt::Vec3<f32>,
         uv_31: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_87, weights_4, point_20, uv_31, at_115.facing);
+        let _e6 = self.v_frame_at(pixel_87, weights_4, point_20, uv_31, at_119.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_115.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_115.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_115.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_119.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_119.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_119.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
         pixel_88: PixelIn,
-        at_116: Entered,
+        at_120: Entered,
         path_75: Path,
         hit_43: Hit,
         params_95: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_88, at_116, path_75, hit_43, rt::into(params_95)))
+        rt::into(self.v_surface_prism_place(pixel_88, at_120, path_75, hit_43, rt::into(params_95)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_prism_place(
         &self,
         pixel_88: PixelIn,
-        at_116: Entered,
+        at_120: Entered,
         path_75: Path,
         hit_43: Hit,
         params_95: rt::Vec4<f32>,
     ) -> Entered {
-        let along_42 = pixel_88.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_88, along_42);
-        let _e8 = self.v_prism_of(pixel_88, along_42, _e7, params_95);
+        let along_46 = pixel_88.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_88, along_46);
+        let _e8 = self.v_prism_of(pixel_88, along_46, _e7, params_95);
         let s_4 = ((rt::Scalar(path_75.start) + rt::Scalar(hit_43.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_88, _e8, (along_42 * s_4), rt::Scalar(hit_43.height));
+        let _e15 = self.v_point_of_way(pixel_88, _e8, (along_46 * s_4), rt::Scalar(hit_43.height));
         let weights_7 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_88, at_116, weights_7, (pixel_88.origin + (along_42 * (rt::Scalar(path_75.start) + rt::Scalar(hit_43.t)))), hit_43.uv);
+        let _e24 = self.v_placed_at(pixel_88, at_120, weights_7, (pixel_88.origin + (along_46 * (rt::Scalar(path_75.start) + rt::Scalar(hit_43.t)))), hit_43.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_117: Entered,
+        at_121: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_117, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_121, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_117: Entered,
+        at_121: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_95: rt::Scalar<bool>;
+        let mut local_98: rt::Scalar<bool>;
 
-        placed_2 = at_117;
-        let _e5 = self.v_quadric_slope(at_117.of_surface.xyz(), aside);
+        placed_2 = at_121;
+        let _e5 = self.v_quadric_slope(at_121.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_95 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_98 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_95 = rt::Scalar(false);
+            local_98 = rt::Scalar(false);
         }
-        let _e15 = local_95;
+        let _e15 = local_98;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_5 = at_117.metric;
-        let area_6 = ((m_5.x() * m_5.z()) - (m_5.y() * m_5.y()));
-        let along_t = (((_e5.x() * m_5.z()) - (_e5.y() * m_5.y())) / area_6);
-        let along_b = (((_e5.y() * m_5.x()) - (_e5.x() * m_5.y())) / area_6);
-        placed_2.tangent = (at_117.tangent + (at_117.normal * _e5.x()));
-        placed_2.bitangent = (at_117.bitangent + (at_117.normal * _e5.y()));
-        placed_2.normal = ((at_117.normal - (at_117.tangent * along_t)) - (at_117.bitangent * along_b)).normalize();
+        let m_7 = at_121.metric;
+        let area_6 = ((m_7.x() * m_7.z()) - (m_7.y() * m_7.y()));
+        let along_t = (((_e5.x() * m_7.z()) - (_e5.y() * m_7.y())) / area_6);
+        let along_b = (((_e5.y() * m_7.x()) - (_e5.x() * m_7.y())) / area_6);
+        placed_2.tangent = (at_121.tangent + (at_121.normal * _e5.x()));
+        placed_2.bitangent = (at_121.bitangent + (at_121.normal * _e5.y()));
+        placed_2.normal = ((at_121.normal - (at_121.tangent * along_t)) - (at_121.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_3 = _e63.dot(_e65);
@@ -14028,33 +14617,33 @@ impl<'g> Resources<'g> {
         let _e73 = placed_2.bitangent;
         let _e75 = placed_2.bitangent;
         let bb_3 = _e73.dot(_e75);
-        placed_2.metric = <rt::Vec4<f32>>::from_scalars(tt_3, tb_3, bb_3, m_5.w());
+        placed_2.metric = <rt::Vec4<f32>>::from_scalars(tt_3, tb_3, bb_3, m_7.w());
         let _e80 = placed_2;
         return _e80;
     }
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
         pixel_89: PixelIn,
-        at_118: Entered,
+        at_122: Entered,
         path_76: Path,
         hit_44: Hit,
         params_96: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_118, path_76, hit_44, rt::into(params_96)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_122, path_76, hit_44, rt::into(params_96)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_place(
         &self,
         pixel_89: PixelIn,
-        at_118: Entered,
+        at_122: Entered,
         path_76: Path,
         hit_44: Hit,
         params_96: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_118, (hit_44.uv - at_118.uv));
+        let _e8 = self.v_quadric_frame(at_122, (hit_44.uv - at_122.uv));
         placed_3 = _e8;
         placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_76.start) + rt::Scalar(hit_44.t))));
         placed_3.uv = hit_44.uv;
@@ -14064,36 +14653,36 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
-        at_119: Entered,
+        at_123: Entered,
         path_77: Path,
         hit_45: Hit,
         params_97: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_119, path_77, hit_45, rt::into(params_97)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_123, path_77, hit_45, rt::into(params_97)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
-        at_119: Entered,
+        at_123: Entered,
         path_77: Path,
         hit_45: Hit,
         params_97: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_45.uv - at_119.uv);
+        let aside_10 = (hit_45.uv - at_123.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_45.uv, rt::Scalar(at_119.level));
+        let _e16 = self.v_height_at(hit_45.uv, rt::Scalar(at_123.level));
         let height_24 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_119.of_surface.xyz(), aside_10);
-        let lifted_2 = (((_e19 - at_119.of_surface.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_119, aside_10);
+        let _e27 = self.v_quadric_at(at_123.of_surface.xyz(), aside_10);
+        let lifted_2 = (((_e19 - at_123.of_surface.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_123, aside_10);
         placed_4 = _e29;
-        placed_4.point = (((at_119.point + (at_119.tangent * aside_10.x())) + (at_119.bitangent * aside_10.y())) + (at_119.normal * (height_24 + lifted_2)));
+        placed_4.point = (((at_123.point + (at_123.tangent * aside_10.x())) + (at_123.bitangent * aside_10.y())) + (at_123.normal * (height_24 + lifted_2)));
         placed_4.uv = hit_45.uv;
         let _e47 = placed_4;
         return _e47;
@@ -14101,116 +14690,116 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
-        at_120: Entered,
+        at_124: Entered,
         path_78: Path,
         hit_46: Hit,
         params_98: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_120, path_78, hit_46, rt::into(params_98)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_124, path_78, hit_46, rt::into(params_98)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
-        at_120: Entered,
+        at_124: Entered,
         path_78: Path,
         hit_46: Hit,
         params_98: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
-        let mut number_13: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut number_16: rt::Scalar<u32> = rt::Scalar(1u32);
 
-        let along_43 = pixel_91.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_91, along_43);
+        let along_47 = pixel_91.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_91, along_47);
         let t_42 = ((rt::Scalar(path_78.start) + rt::Scalar(hit_46.t)) - _e7);
-        let _e13 = self.v_tetrahedron(pixel_91, along_43, _e7, rt::Scalar(0u32));
+        let _e13 = self.v_tetrahedron(pixel_91, along_47, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
         beside_1 = (_e17 - t_42).max((t_42 - _e21));
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = number_13;
+                let _e27 = number_16;
                 if rt::Scalar::into_branch_condition(_e27.elementwise_lt(rt::Scalar(3u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = number_13;
-                    let _e31 = self.v_tetrahedron(pixel_91, along_43, _e7, _e30);
+                    let _e30 = number_16;
+                    let _e31 = self.v_tetrahedron(pixel_91, along_47, _e7, _e30);
                     let aside_11 = (_e31.inside.x() - t_42).max((t_42 - _e31.inside.y()));
                     let _e39 = beside_1;
                     if rt::Scalar::into_branch_condition(aside_11.elementwise_lt(_e39)) {
                         nearest = _e31;
                         beside_1 = aside_11;
                     }
-                    let _e41 = number_13;
-                    number_13 = (_e41 + rt::Scalar(1u32));
+                    let _e41 = number_16;
+                    number_16 = (_e41 + rt::Scalar(1u32));
                 }
             }
         }
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_8 = (_e45 + (_e47 * t_42));
-        let point_31 = (pixel_91.origin + (along_43 * (rt::Scalar(path_78.start) + rt::Scalar(hit_46.t))));
-        let _e58 = self.v_placed_at(pixel_91, at_120, weights_8.xyz(), point_31, hit_46.uv);
+        let point_31 = (pixel_91.origin + (along_47 * (rt::Scalar(path_78.start) + rt::Scalar(hit_46.t))));
+        let _e58 = self.v_placed_at(pixel_91, at_124, weights_8.xyz(), point_31, hit_46.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
         pixel_92: PixelIn,
-        at_121: Entered,
+        at_125: Entered,
         path_79: Path,
         hit_47: Hit,
         params_99: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_92, at_121, path_79, hit_47, rt::into(params_99)))
+        rt::into(self.v_surface_facets_place(pixel_92, at_125, path_79, hit_47, rt::into(params_99)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_place(
         &self,
         pixel_92: PixelIn,
-        at_121: Entered,
+        at_125: Entered,
         path_79: Path,
         hit_47: Hit,
         params_99: rt::Vec4<f32>,
     ) -> Entered {
-        return at_121;
+        return at_125;
     }
     pub(crate) fn surface_slices_place(
         &self,
         pixel_93: PixelIn,
-        at_122: Entered,
+        at_126: Entered,
         path_80: Path,
         hit_48: Hit,
         params_100: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_93, at_122, path_80, hit_48, rt::into(params_100)))
+        rt::into(self.v_surface_slices_place(pixel_93, at_126, path_80, hit_48, rt::into(params_100)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_place(
         &self,
         pixel_93: PixelIn,
-        at_122: Entered,
+        at_126: Entered,
         path_80: Path,
         hit_48: Hit,
         params_100: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_122, hit_48.uv);
+        let _e6 = self.v_placed_over(at_126, hit_48.uv);
         return _e6;
     }
-    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_123: Entered, path_81: Path, hit_49: Hit) -> Entered {
-        rt::into(self.v_placed_in_image(pixel_94, at_123, path_81, hit_49))
+    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_127: Entered, path_81: Path, hit_49: Hit) -> Entered {
+        rt::into(self.v_placed_in_image(pixel_94, at_127, path_81, hit_49))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_placed_in_image(&self, pixel_94: PixelIn, at_123: Entered, path_81: Path, hit_49: Hit) -> Entered {
+    fn v_placed_in_image(&self, pixel_94: PixelIn, at_127: Entered, path_81: Path, hit_49: Hit) -> Entered {
         let mut placed_5: Entered;
 
         let _e6 = self.v_image_of_object(rt::Scalar(path_81.base).to_u32());
-        placed_5 = at_123;
+        placed_5 = at_127;
         placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_81.start) + rt::Scalar(hit_49.t))));
         placed_5.uv = hit_49.uv;
         let _e20 = placed_5.point;
@@ -14243,58 +14832,58 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_place(
         &self,
         pixel_95: PixelIn,
-        at_124: Entered,
+        at_128: Entered,
         path_82: Path,
         hit_50: Hit,
         params_101: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_95, at_124, path_82, hit_50, rt::into(params_101)))
+        rt::into(self.v_surface_object_place(pixel_95, at_128, path_82, hit_50, rt::into(params_101)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_place(
         &self,
         pixel_95: PixelIn,
-        at_124: Entered,
+        at_128: Entered,
         path_82: Path,
         hit_50: Hit,
         params_101: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_in_image(pixel_95, at_124, path_82, hit_50);
+        let _e5 = self.v_placed_in_image(pixel_95, at_128, path_82, hit_50);
         return _e5;
     }
     pub(crate) fn surface_frames_place(
         &self,
         pixel_96: PixelIn,
-        at_125: Entered,
+        at_129: Entered,
         path_83: Path,
         hit_51: Hit,
         params_102: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_place(pixel_96, at_125, path_83, hit_51, rt::into(params_102)))
+        rt::into(self.v_surface_frames_place(pixel_96, at_129, path_83, hit_51, rt::into(params_102)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_frames_place(
         &self,
         pixel_96: PixelIn,
-        at_125: Entered,
+        at_129: Entered,
         path_83: Path,
         hit_51: Hit,
         params_102: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
-        let mut local_96: rt::Scalar<bool>;
+        let mut local_99: rt::Scalar<bool>;
 
-        let _e5 = self.v_placed_in_image(pixel_96, at_125, path_83, hit_51);
+        let _e5 = self.v_placed_in_image(pixel_96, at_129, path_83, hit_51);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
             let _e16 = rt::Scalar(self.surface_settings.cells);
-            local_96 = _e16.elementwise_ne(CELLS_MASK);
+            local_99 = _e16.elementwise_ne(CELLS_MASK);
         } else {
-            local_96 = rt::Scalar(false);
+            local_99 = rt::Scalar(false);
         }
-        let _e20 = local_96;
+        let _e20 = local_99;
         if rt::Scalar::into_branch_condition(_e20) {
             let _e22 = placed_6;
             let _e26 = self.v_frames_around((-pixel_96.direction.normalize()));
@@ -14307,18 +14896,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
-        at_126: Entered,
+        at_130: Entered,
         path_84: Path,
         hit_52: Hit,
         params_103: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_place(pixel_97, at_126, path_84, hit_52, rt::into(params_103)))
+        rt::into(self.v_surface_object_slices_place(pixel_97, at_130, path_84, hit_52, rt::into(params_103)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
-        at_126: Entered,
+        at_130: Entered,
         path_84: Path,
         hit_52: Hit,
         params_103: rt::Vec4<f32>,
@@ -14326,17 +14915,17 @@ impl<'g> Resources<'g> {
         let mut of_image: Path;
         let mut placed_7: Entered;
 
-        let _e6 = self.v_slice_at(at_126.point);
-        let number_20 = rt::Scalar(_e6.number);
+        let _e6 = self.v_slice_at(at_130.point);
+        let number_24 = rt::Scalar(_e6.number);
         of_image = path_84;
-        rt::Scalar(of_image.base) = number_20.to_f32();
+        rt::Scalar(of_image.base) = number_24.to_f32();
         let _e11 = of_image;
-        let _e12 = self.v_placed_in_image(pixel_97, at_126, _e11, hit_52);
+        let _e12 = self.v_placed_in_image(pixel_97, at_130, _e11, hit_52);
         placed_7 = _e12;
         let _e16 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e16.elementwise_eq(CELLS_MASK)) {
-            let _e20 = self.v_image_of_object(number_20);
-            let _e23 = self.v_normal_of_mask(_e20, hit_52.uv, at_126.normal);
+            let _e20 = self.v_image_of_object(number_24);
+            let _e23 = self.v_normal_of_mask(_e20, hit_52.uv, at_130.normal);
             placed_7.normal = _e23;
             let _e26 = placed_7.normal;
             placed_7.facing = _e26;
@@ -14344,74 +14933,74 @@ impl<'g> Resources<'g> {
         let _e27 = placed_7;
         return _e27;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_127: Entered, path_85: Path, hit_53: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_98, at_127, path_85, hit_53))
+    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_131: Entered, path_85: Path, hit_53: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_98, at_131, path_85, hit_53))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_98: PixelIn, at_127: Entered, path_85: Path, hit_53: Hit) -> Entered {
+    fn v_surface_place_stage(&self, pixel_98: PixelIn, at_131: Entered, path_85: Path, hit_53: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_98, at_127, path_85, hit_53, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_98, at_131, path_85, hit_53, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_98, at_127, path_85, hit_53, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_98, at_131, path_85, hit_53, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_127, path_85, hit_53, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_131, path_85, hit_53, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_127, path_85, hit_53, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_131, path_85, hit_53, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_127, path_85, hit_53, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_131, path_85, hit_53, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_98, at_127, path_85, hit_53, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_98, at_131, path_85, hit_53, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_98, at_127, path_85, hit_53, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_98, at_131, path_85, hit_53, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_98, at_127, path_85, hit_53, _e55);
+                let _e56 = self.v_surface_object_place(pixel_98, at_131, path_85, hit_53, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_place(pixel_98, at_127, path_85, hit_53, _e61);
+                let _e62 = self.v_surface_frames_place(pixel_98, at_131, path_85, hit_53, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_place(pixel_98, at_127, path_85, hit_53, _e67);
+                let _e68 = self.v_surface_object_slices_place(pixel_98, at_131, path_85, hit_53, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_128: Entered, path_86: Path, hit_54: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_99, at_128, path_86, hit_54))
+    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_132: Entered, path_86: Path, hit_54: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_99, at_132, path_86, hit_54))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_on_segment(&self, pixel_99: PixelIn, at_128: Entered, path_86: Path, hit_54: Hit) -> Entered {
+    fn v_place_on_segment(&self, pixel_99: PixelIn, at_132: Entered, path_86: Path, hit_54: Hit) -> Entered {
         let mut placed_8: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_99, at_128, path_86, hit_54);
+        let _e4 = self.v_surface_place_stage(pixel_99, at_132, path_86, hit_54);
         placed_8 = _e4;
         let _e7 = self.v_depth_on_ray(pixel_99, path_86, hit_54);
         rt::Scalar(placed_8.depth) = _e7;
@@ -14421,76 +15010,106 @@ impl<'g> Resources<'g> {
     pub(crate) fn place_hit(
         &self,
         pixel_100: PixelIn,
-        at_129: Entered,
+        at_133: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
         hit_55: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_100, at_129, rt::into(segment), hit_55))
+        rt::into(self.v_place_hit(pixel_100, at_133, rt::into(segment), hit_55))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_place_hit(
         &self,
         pixel_100: PixelIn,
-        at_129: Entered,
+        at_133: Entered,
         segment: rt::Scalar<u32>,
         hit_55: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_100, at_129, segment);
-        let _e5 = self.v_place_on_segment(pixel_100, at_129, _e4, hit_55);
+        let _e4 = self.v_segment_of(pixel_100, at_133, segment);
+        let _e5 = self.v_place_on_segment(pixel_100, at_133, _e4, hit_55);
         return _e5;
     }
     pub(crate) fn toward_light(
         &self,
-        number_14: impl rt::Into<rt::Scalar<u32>>,
+        number_17: impl rt::Into<rt::Scalar<u32>>,
         position_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> Toward {
-        rt::into(self.v_toward_light(rt::into(number_14), rt::into(position_1)))
+        rt::into(self.v_toward_light(rt::into(number_17), rt::into(position_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_toward_light(
         &self,
-        number_14: rt::Scalar<u32>,
+        number_17: rt::Scalar<u32>,
         position_1: rt::Vec3<f32>,
     ) -> Toward {
-        let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_14)];
+        let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_17)];
         if rt::Scalar::into_branch_condition(light_18.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
             let toward_9 = (light_18.place.xyz() - position_1);
             let squared_6 = toward_9.dot(toward_9);
             let distance_3 = squared_6.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_6.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_9.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_14);
+            return <Toward>::new(toward_9.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_17);
         }
-        return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_14);
+        return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_17);
     }
     pub(crate) fn point_of_light(
         &self,
-        at_130: Entered,
+        at_134: Entered,
         hit_56: Hit,
-        number_15: impl rt::Into<rt::Scalar<u32>>,
+        number_18: impl rt::Into<rt::Scalar<u32>>,
         k_35: impl rt::Into<rt::Scalar<u32>>,
         count_8: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_130, hit_56, rt::into(number_15), rt::into(k_35), rt::into(count_8)))
+        rt::into(self.v_point_of_light(at_134, hit_56, rt::into(number_18), rt::into(k_35), rt::into(count_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
-        at_130: Entered,
+        at_134: Entered,
         hit_56: Hit,
-        number_15: rt::Scalar<u32>,
+        number_18: rt::Scalar<u32>,
         k_35: rt::Scalar<u32>,
         count_8: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_15, at_130.point);
+        let _e6 = self.v_toward_light(number_18, at_134.point);
         if rt::Scalar::into_branch_condition(count_8.elementwise_gt(rt::Scalar(0u32))) {
             let _e9 = self.v_seed_of(hit_56);
             let _e10 = self.v_point_of_disc(_e6, _e9, k_35, count_8);
             return _e10;
         }
         return _e6;
+    }
+    pub(crate) fn primary_length(
+        &self,
+        start_4: impl rt::Into<rt::Vec3<i32>>,
+        to_2: impl rt::Into<rt::Vec3<i32>>,
+        third: impl rt::Into<rt::Vec3<i32>>,
+    ) -> i32 {
+        rt::into(self.v_primary_length(rt::into(start_4), rt::into(to_2), rt::into(third)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_primary_length(
+        &self,
+        start_4: rt::Vec3<i32>,
+        to_2: rt::Vec3<i32>,
+        third: rt::Vec3<i32>,
+    ) -> rt::Scalar<i32> {
+        let mut local_100: rt::Scalar<bool>;
+
+        let _e3 = self.v_main_axis(start_4, to_2);
+        let _e4 = self.v_axis_of(start_4, _e3);
+        let _e5 = self.v_axis_of(to_2, _e3);
+        let _e6 = self.v_axis_of(third, _e3);
+        if rt::Scalar::into_branch_condition(_e4.min(_e5).elementwise_le(_e6)) {
+            local_100 = _e6.elementwise_le(_e4.max(_e5));
+        } else {
+            local_100 = rt::Scalar(false);
+        }
+        let is_primary = local_100;
+        return ((_e5 - _e4).abs() + rt::Scalar(0i32).select(rt::Scalar(1048576i32), is_primary));
     }
     pub(crate) fn procedure_bumps(
         &self,
@@ -14512,8 +15131,8 @@ impl<'g> Resources<'g> {
         let mut height_10: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_36: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let at_145 = (place_19 * params_104.x());
-        let own_1 = at_145.floor();
+        let at_150 = (place_19 * params_104.x());
+        let own_1 = at_150.floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e11 = k_36;
@@ -14531,7 +15150,7 @@ impl<'g> Resources<'g> {
                     let _e34 = self.v_unit_of(_e33);
                     let beside_7 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
                     let middle_16 = ((cell_30 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_7 * (rt::Scalar(0.5f32) * params_104.z())));
-                    let away_2 = ((at_145 - middle_16) / rt::Vec2::splat_from_scalar(params_104.y()));
+                    let away_2 = ((at_150 - middle_16) / rt::Vec2::splat_from_scalar(params_104.y()));
                     let _e55 = self.v_mixed((_e29 + rt::Scalar(2u32)));
                     let _e56 = self.v_unit_of(_e55);
                     let _e58 = self.v_sine_of((time + _e56));
@@ -14638,14 +15257,14 @@ impl<'g> Resources<'g> {
                     let _e19 = k_37;
                     let part_25 = (_e19.to_f32() / params_106.y());
                     let size_1 = (params_106.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_25) * part_25)));
-                    let along_44 = (size_1 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
+                    let along_48 = (size_1 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e39 = self.v_unit_of(_e18);
                     let across_11 = ((((rt::Scalar(2f32) * size_1) * params_106.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
-                    let length = ((along_44 * along_44) + (across_11 * across_11)).sqrt();
+                    let length = ((along_48 * along_48) + (across_11 * across_11)).sqrt();
                     let pace_1 = ((rt::Scalar(2f32) * (length / params_106.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e62 = self.v_mixed((_e18 + rt::Scalar(1u32)));
                     let _e63 = self.v_unit_of(_e62);
-                    let _e72 = self.v_sine_of(((((along_44 * place_21.x()) + (across_11 * place_21.y())) - (pace_1 * time_2)) + _e63));
+                    let _e72 = self.v_sine_of(((((along_48 * place_21.x()) + (across_11 * place_21.y())) - (pace_1 * time_2)) + _e63));
                     let crest = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e72));
                     let _e77 = height_12;
                     height_12 = (_e77 + ((crest + (params_106.w() * ((crest * crest) - crest))) / length));
@@ -14662,25 +15281,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_height(
         &self,
-        number_16: impl rt::Into<rt::Scalar<u32>>,
+        number_19: impl rt::Into<rt::Scalar<u32>>,
         place_22: impl rt::Into<rt::Vec2<f32>>,
         time_3: impl rt::Into<rt::Scalar<f32>>,
         seed_8: impl rt::Into<rt::Scalar<u32>>,
         params_107: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_height(rt::into(number_16), rt::into(place_22), rt::into(time_3), rt::into(seed_8), rt::into(params_107)))
+        rt::into(self.v_procedure_height(rt::into(number_19), rt::into(place_22), rt::into(time_3), rt::into(seed_8), rt::into(params_107)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_procedure_height(
         &self,
-        number_16: rt::Scalar<u32>,
+        number_19: rt::Scalar<u32>,
         place_22: rt::Vec2<f32>,
         time_3: rt::Scalar<f32>,
         seed_8: rt::Scalar<u32>,
         params_107: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        match rt::Scalar::into_inner(number_16) {
+        match rt::Scalar::into_inner(number_19) {
             0u32 => {
                 let _e5 = self.v_procedure_waves(place_22, time_3, seed_8, params_107);
                 return _e5;
@@ -14695,28 +15314,46 @@ impl<'g> Resources<'g> {
             }
         }
     }
+    pub(crate) fn quotient_near(
+        &self,
+        dividend_1: impl rt::Into<rt::Scalar<i32>>,
+        by_2: impl rt::Into<rt::Scalar<i32>>,
+    ) -> i32 {
+        rt::into(self.v_quotient_near(rt::into(dividend_1), rt::into(by_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_quotient_near(
+        &self,
+        dividend_1: rt::Scalar<i32>,
+        by_2: rt::Scalar<i32>,
+    ) -> rt::Scalar<i32> {
+        let doubled_1 = ((rt::Scalar(2i32) * dividend_1) + by_2);
+        let whole_2 = (doubled_1 / (rt::Scalar(2i32) * by_2));
+        return whole_2.select((whole_2 - rt::Scalar(1i32)), ((whole_2 * rt::Scalar(2i32)) * by_2).elementwise_gt(doubled_1));
+    }
     pub(crate) fn ray_to_light(
         &self,
-        at_131: Entered,
+        at_135: Entered,
         hit_57: Hit,
-        number_17: impl rt::Into<rt::Scalar<u32>>,
+        number_20: impl rt::Into<rt::Scalar<u32>>,
         k_38: impl rt::Into<rt::Scalar<u32>>,
         count_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_131, hit_57, rt::into(number_17), rt::into(k_38), rt::into(count_10)))
+        rt::into(self.v_ray_to_light(at_135, hit_57, rt::into(number_20), rt::into(k_38), rt::into(count_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
-        at_131: Entered,
+        at_135: Entered,
         hit_57: Hit,
-        number_17: rt::Scalar<u32>,
+        number_20: rt::Scalar<u32>,
         k_38: rt::Scalar<u32>,
         count_10: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_131, hit_57, number_17, k_38, count_10);
-        let _e6 = self.v_light_ray(at_131, hit_57, _e5);
+        let _e5 = self.v_point_of_light(at_135, hit_57, number_20, k_38, count_10);
+        let _e6 = self.v_light_ray(at_135, hit_57, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -14745,16 +15382,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_132: Entered,
+        at_136: Entered,
         seen_3: SeenNormals,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_132, seen_3, rt::into(toward_3)))
+        rt::into(self.v_seen_cosine(at_136, seen_3, rt::into(toward_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_132: Entered,
+        at_136: Entered,
         seen_3: SeenNormals,
         toward_3: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -14763,12 +15400,12 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_3.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_3.normal.dot(toward_3).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_132, toward_3);
+        let _e10 = self.v_to_tangent_space(at_136, toward_3);
         let middle_17 = seen_3.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_17, seen_3.along.dot(_e10), seen_3.across.dot(_e10));
-        let one_1 = (rt::Scalar(seen_3.middle_seen) * middle_17.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
+        let one_2 = (rt::Scalar(seen_3.middle_seen) * middle_17.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
         let others = seen_3.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
-        let _e28 = self.v_mean_of_five(one_1, others);
+        let _e28 = self.v_mean_of_five(one_2, others);
         cosine = _e28;
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_3.table_part).elementwise_gt(rt::Scalar(0f32))) {
             let _e33 = cosine;
@@ -14912,19 +15549,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn reflected_light(
         &self,
-        at_133: Entered,
+        at_137: Entered,
         hit_58: Hit,
         seen_4: SeenNormals,
         view_24: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_133, hit_58, seen_4, rt::into(view_24), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_137, hit_58, seen_4, rt::into(view_24), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_133: Entered,
+        at_137: Entered,
         hit_58: Hit,
         seen_4: SeenNormals,
         view_24: rt::Vec3<f32>,
@@ -14937,7 +15574,7 @@ impl<'g> Resources<'g> {
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_133, hit_58, (seen_4.normal * rt::Scalar(seen_4.length)), view_24, diffuse);
+        let _e20 = self.v_ambient_stage(at_137, hit_58, (seen_4.normal * rt::Scalar(seen_4.length)), view_24, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
@@ -14949,8 +15586,8 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e29 = k_39;
-                    let _e31 = self.v_toward_light(_e29, at_133.point);
-                    let _e33 = self.v_seen_cosine(at_133, seen_4, _e31.direction);
+                    let _e31 = self.v_toward_light(_e29, at_137.point);
+                    let _e33 = self.v_seen_cosine(at_137, seen_4, _e31.direction);
                     let _e37 = self.v_shade_stage(seen_4.normal, rt::Scalar(seen_4.length), _e33, view_24, _e31.direction, diffuse);
                     let _e38 = light_16;
                     let _e41 = k_39;
@@ -14964,6 +15601,36 @@ impl<'g> Resources<'g> {
         }
         let _e57 = light_16;
         return _e57;
+    }
+    pub(crate) fn roof_left(&self, sweep_6: Sweep, column_3: SweptColumn) -> i32 {
+        rt::into(self.v_roof_left(sweep_6, column_3))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_roof_left(&self, sweep_6: Sweep, column_3: SweptColumn) -> rt::Scalar<i32> {
+        return (sweep_6.parts.x() - rt::Scalar(column_3.from_top)).max(rt::Scalar(1i32));
+    }
+    pub(crate) fn seen_along(
+        &self,
+        at_138: impl rt::Into<rt::Vec3<i32>>,
+        axis_3: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec3<i32> {
+        rt::into(self.v_seen_along(rt::into(at_138), rt::into(axis_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_seen_along(
+        &self,
+        at_138: rt::Vec3<i32>,
+        axis_3: rt::Scalar<u32>,
+    ) -> rt::Vec3<i32> {
+        if rt::Scalar::into_branch_condition(axis_3.elementwise_eq(rt::Scalar(0u32))) {
+            return at_138;
+        }
+        if rt::Scalar::into_branch_condition(axis_3.elementwise_eq(rt::Scalar(1u32))) {
+            return <rt::Vec3<i32>>::from_scalars(at_138.y(), at_138.z(), at_138.x());
+        }
+        return <rt::Vec3<i32>>::from_scalars(at_138.z(), at_138.x(), at_138.y());
     }
     pub(crate) fn z_of(&self, depth_8: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_z_of(rt::into(depth_8)))
@@ -14984,61 +15651,61 @@ impl<'g> Resources<'g> {
     pub(crate) fn shade_hit(
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
-        at_134: Entered,
+        at_139: Entered,
         hit_59: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_134, hit_59, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_139, hit_59, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
-        at_134: Entered,
+        at_139: Entered,
         hit_59: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_59.found).elementwise_eq(rt::Scalar(0u32))) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_59.cost.x(), hit_59.cost.y(), hit_59.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_59.uv, rt::Scalar(at_134.level));
-        let view_27 = (origin_2 - at_134.point).normalize();
-        let _e49 = self.v_mesostructure_normals(at_134, hit_59.uv, view_27);
-        let _e50 = self.v_object_color_stage(at_134, hit_59, view_27);
-        let _e51 = self.v_reflected_light(at_134, hit_59, _e49, view_27, _e50, visible_1);
+        let _e44 = self.v_height_at(hit_59.uv, rt::Scalar(at_139.level));
+        let view_27 = (origin_2 - at_139.point).normalize();
+        let _e49 = self.v_mesostructure_normals(at_139, hit_59.uv, view_27);
+        let _e50 = self.v_object_color_stage(at_139, hit_59, view_27);
+        let _e51 = self.v_reflected_light(at_139, hit_59, _e49, view_27, _e50, visible_1);
         let _e56 = self.frame.forward;
-        let depth_11 = (at_134.point - origin_2).dot(_e56.xyz());
+        let depth_11 = (at_139.point - origin_2).dot(_e56.xyz());
         let _e61 = self.v_height_size(rt::Scalar(0u32));
         let _e67 = self.v_cell_of(((hit_59.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e87 = self.v_z_of(rt::Scalar(at_134.depth));
+        let _e87 = self.v_z_of(rt::Scalar(at_139.depth));
         let _e90 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_59.exhausted), hit_59.uv, _e44, at_134.point, _e49.normal, depth_11, rt::Scalar(hit_59.t), _e67.to_i32(), hit_59.cost.x(), hit_59.cost.y(), hit_59.cost.z(), visible_1[0usize].x(), rt::Scalar(at_134.level), _e87, _e90);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_59.exhausted), hit_59.uv, _e44, at_139.point, _e49.normal, depth_11, rt::Scalar(hit_59.t), _e67.to_i32(), hit_59.cost.x(), hit_59.cost.y(), hit_59.cost.z(), visible_1[0usize].x(), rt::Scalar(at_139.level), _e87, _e90);
     }
     pub(crate) fn visible_light(
         &self,
-        at_135: Entered,
+        at_140: Entered,
         hit_60: Hit,
-        number_18: impl rt::Into<rt::Scalar<u32>>,
+        number_21: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_135, hit_60, rt::into(number_18)))
+        rt::into(self.v_visible_light(at_140, hit_60, rt::into(number_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_visible_light(
         &self,
-        at_135: Entered,
+        at_140: Entered,
         hit_60: Hit,
-        number_18: rt::Scalar<u32>,
+        number_21: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_18, at_135.point);
-        let _e5 = self.v_shadow_stage(at_135, hit_60, _e4);
+        let _e4 = self.v_toward_light(number_21, at_140.point);
+        let _e5 = self.v_shadow_stage(at_140, hit_60, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_136: Entered, hit_61: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_136, hit_61))
+    pub(crate) fn visible_lights(&self, at_141: Entered, hit_61: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_141, hit_61))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_136: Entered, hit_61: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_141: Entered, hit_61: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut k_40: rt::Scalar<u32> = rt::Scalar(0u32);
 
@@ -15057,7 +15724,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = k_40;
                     let _e17 = k_40;
-                    let _e18 = self.v_visible_light(at_136, hit_61, _e17);
+                    let _e18 = self.v_visible_light(at_141, hit_61, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e23 = k_40;
                     k_40 = (_e23 + rt::Scalar(1u32));
@@ -15080,75 +15747,83 @@ impl<'g> Resources<'g> {
         let _e10 = self.v_shade_hit(pixel_101.origin, _e5, _e2.hit, _e9);
         return _e10;
     }
+    pub(crate) fn sign_of(&self, number_22: impl rt::Into<rt::Scalar<i32>>) -> i32 {
+        rt::into(self.v_sign_of(rt::into(number_22)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_sign_of(&self, number_22: rt::Scalar<i32>) -> rt::Scalar<i32> {
+        return number_22.clamp(rt::Scalar(-1i32), rt::Scalar(1i32));
+    }
     pub(crate) fn weighted_site(
         &self,
-        a_15: BaseSite,
-        b_15: BaseSite,
-        c_10: BaseSite,
+        a_21: BaseSite,
+        b_21: BaseSite,
+        c_13: BaseSite,
         w_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> BaseSite {
-        rt::into(self.v_weighted_site(a_15, b_15, c_10, rt::into(w_2)))
+        rt::into(self.v_weighted_site(a_21, b_21, c_13, rt::into(w_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_weighted_site(
         &self,
-        a_15: BaseSite,
-        b_15: BaseSite,
-        c_10: BaseSite,
+        a_21: BaseSite,
+        b_21: BaseSite,
+        c_13: BaseSite,
         w_2: rt::Vec3<f32>,
     ) -> BaseSite {
-        return <BaseSite>::new((((a_15.position * w_2.x()) + (b_15.position * w_2.y())) + (c_10.position * w_2.z())), (((a_15.direction * w_2.x()) + (b_15.direction * w_2.y())) + (c_10.direction * w_2.z())), (((a_15.seen_uv * w_2.x()) + (b_15.seen_uv * w_2.y())) + (c_10.seen_uv * w_2.z())), (((a_15.uv * w_2.x()) + (b_15.uv * w_2.y())) + (c_10.uv * w_2.z())), (((rt::Scalar(a_15.texels_per_m) * w_2.x()) + (rt::Scalar(b_15.texels_per_m) * w_2.y())) + (rt::Scalar(c_10.texels_per_m) * w_2.z())), (((rt::Scalar(a_15.depth) * w_2.x()) + (rt::Scalar(b_15.depth) * w_2.y())) + (rt::Scalar(c_10.depth) * w_2.z())), (((a_15.normal * w_2.x()) + (b_15.normal * w_2.y())) + (c_10.normal * w_2.z())), (((a_15.tangent * w_2.x()) + (b_15.tangent * w_2.y())) + (c_10.tangent * w_2.z())), (((a_15.bitangent * w_2.x()) + (b_15.bitangent * w_2.y())) + (c_10.bitangent * w_2.z())), (((a_15.turn_u * w_2.x()) + (b_15.turn_u * w_2.y())) + (c_10.turn_u * w_2.z())), (((a_15.turn_v * w_2.x()) + (b_15.turn_v * w_2.y())) + (c_10.turn_v * w_2.z())));
+        return <BaseSite>::new((((a_21.position * w_2.x()) + (b_21.position * w_2.y())) + (c_13.position * w_2.z())), (((a_21.direction * w_2.x()) + (b_21.direction * w_2.y())) + (c_13.direction * w_2.z())), (((a_21.seen_uv * w_2.x()) + (b_21.seen_uv * w_2.y())) + (c_13.seen_uv * w_2.z())), (((a_21.uv * w_2.x()) + (b_21.uv * w_2.y())) + (c_13.uv * w_2.z())), (((rt::Scalar(a_21.texels_per_m) * w_2.x()) + (rt::Scalar(b_21.texels_per_m) * w_2.y())) + (rt::Scalar(c_13.texels_per_m) * w_2.z())), (((rt::Scalar(a_21.depth) * w_2.x()) + (rt::Scalar(b_21.depth) * w_2.y())) + (rt::Scalar(c_13.depth) * w_2.z())), (((a_21.normal * w_2.x()) + (b_21.normal * w_2.y())) + (c_13.normal * w_2.z())), (((a_21.tangent * w_2.x()) + (b_21.tangent * w_2.y())) + (c_13.tangent * w_2.z())), (((a_21.bitangent * w_2.x()) + (b_21.bitangent * w_2.y())) + (c_13.bitangent * w_2.z())), (((a_21.turn_u * w_2.x()) + (b_21.turn_u * w_2.y())) + (c_13.turn_u * w_2.z())), (((a_21.turn_v * w_2.x()) + (b_21.turn_v * w_2.y())) + (c_13.turn_v * w_2.z())));
     }
     pub(crate) fn site_between(
         &self,
-        a_16: BaseSite,
-        b_16: BaseSite,
+        a_22: BaseSite,
+        b_22: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_137: impl rt::Into<rt::Scalar<u32>>,
-        parts_2: impl rt::Into<rt::Scalar<u32>>,
+        at_142: impl rt::Into<rt::Scalar<u32>>,
+        parts_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_16, b_16, rt::into(shares), rt::into(at_137), rt::into(parts_2)))
+        rt::into(self.v_site_between(a_22, b_22, rt::into(shares), rt::into(at_142), rt::into(parts_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_site_between(
         &self,
-        a_16: BaseSite,
-        b_16: BaseSite,
+        a_22: BaseSite,
+        b_22: BaseSite,
         shares: rt::Vec2<f32>,
-        at_137: rt::Scalar<u32>,
-        parts_2: rt::Scalar<u32>,
+        at_142: rt::Scalar<u32>,
+        parts_3: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_2 - at_137).to_f32() * shares.x());
-        let of_b = (at_137.to_f32() * shares.y());
+        let of_a = ((parts_3 - at_142).to_f32() * shares.x());
+        let of_b = (at_142.to_f32() * shares.y());
         let sum_12 = (of_a + of_b);
-        let _e17 = self.v_weighted_site(a_16, b_16, b_16, <rt::Vec3<f32>>::from_scalars((of_a / sum_12), (of_b / sum_12), rt::Scalar(0f32)));
+        let _e17 = self.v_weighted_site(a_22, b_22, b_22, <rt::Vec3<f32>>::from_scalars((of_a / sum_12), (of_b / sum_12), rt::Scalar(0f32)));
         return _e17;
     }
     pub(crate) fn site_inside(
         &self,
-        a_17: BaseSite,
-        b_17: BaseSite,
-        c_11: BaseSite,
+        a_23: BaseSite,
+        b_23: BaseSite,
+        c_14: BaseSite,
         shares_1: impl rt::Into<rt::Vec3<f32>>,
         weights_5: impl rt::Into<rt::Vec3<f32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_inside(a_17, b_17, c_11, rt::into(shares_1), rt::into(weights_5)))
+        rt::into(self.v_site_inside(a_23, b_23, c_14, rt::into(shares_1), rt::into(weights_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_site_inside(
         &self,
-        a_17: BaseSite,
-        b_17: BaseSite,
-        c_11: BaseSite,
+        a_23: BaseSite,
+        b_23: BaseSite,
+        c_14: BaseSite,
         shares_1: rt::Vec3<f32>,
         weights_5: rt::Vec3<f32>,
     ) -> BaseSite {
         let shared_out = (weights_5 * shares_1);
         let sum_13 = ((shared_out.x() + shared_out.y()) + shared_out.z());
-        let _e13 = self.v_weighted_site(a_17, b_17, c_11, (shared_out / rt::Vec3::splat_from_scalar(sum_13)));
+        let _e13 = self.v_weighted_site(a_23, b_23, c_14, (shared_out / rt::Vec3::splat_from_scalar(sum_13)));
         return _e13;
     }
     pub(crate) fn site_of_vertex(&self, vertex: BaseVertex, seen_5: BaseVertex, voxel: Voxel) -> BaseSite {
@@ -15159,40 +15834,512 @@ impl<'g> Resources<'g> {
     fn v_site_of_vertex(&self, vertex: BaseVertex, seen_5: BaseVertex, voxel: Voxel) -> BaseSite {
         return <BaseSite>::new(vertex.position, vertex.direction, seen_5.uv, vertex.uv, rt::Scalar(seen_5.texels_per_m), (rt::Scalar(1f32) / rt::Scalar(voxel.share)), vertex.normal, vertex.tangent, vertex.bitangent, vertex.turn_u, vertex.turn_v);
     }
+    pub(crate) fn sweep_from(
+        &self,
+        primary: impl rt::Into<rt::Scalar<u32>>,
+        a_24: impl rt::Into<rt::Vec3<i32>>,
+        b_24: impl rt::Into<rt::Vec3<i32>>,
+        c_15: impl rt::Into<rt::Vec3<i32>>,
+    ) -> Sweep {
+        rt::into(self.v_sweep_from(rt::into(primary), rt::into(a_24), rt::into(b_24), rt::into(c_15)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_sweep_from(
+        &self,
+        primary: rt::Scalar<u32>,
+        a_24: rt::Vec3<i32>,
+        b_24: rt::Vec3<i32>,
+        c_15: rt::Vec3<i32>,
+    ) -> Sweep {
+        let mut first_7: rt::Vec3<i32>;
+        let mut end_2: rt::Vec3<i32>;
+        let mut corners: rt::Vec3<u32>;
+
+        let _e4 = self.v_main_axis(a_24, b_24);
+        let _e5 = self.v_axis_of(b_24, _e4);
+        let _e6 = self.v_axis_of(a_24, _e4);
+        let is_back = _e5.elementwise_lt(_e6);
+        first_7 = a_24;
+        end_2 = b_24;
+        let _e11 = self.v_around_corners(primary, rt::Scalar(1u32));
+        let _e13 = self.v_around_corners(primary, rt::Scalar(2u32));
+        corners = <rt::Vec3<u32>>::from_scalars(primary, _e11, _e13);
+        if rt::Scalar::into_branch_condition(is_back) {
+            first_7 = b_24;
+            end_2 = a_24;
+            let _e17 = corners.y();
+            let _e19 = corners.x();
+            let _e21 = corners.z();
+            corners = <rt::Vec3<u32>>::from_scalars(_e17, _e19, _e21);
+        }
+        let _e23 = end_2;
+        let _e24 = first_7;
+        let _e26 = self.v_seen_along((_e23 - _e24), _e4);
+        let _e27 = first_7;
+        let _e29 = self.v_seen_along((c_15 - _e27), _e4);
+        let in_first = ((_e26.x() * _e29.y()) - (_e26.y() * _e29.x()));
+        let in_second = ((_e26.x() * _e29.z()) - (_e26.z() * _e29.x()));
+        let is_first_2 = in_first.abs().elementwise_ge(in_second.abs());
+        let upward_1 = rt::Scalar(1i32).select(rt::Scalar(-1i32), in_second.select(in_first, is_first_2).elementwise_lt(rt::Scalar(0i32)));
+        let _e53 = corners;
+        let _e66 = first_7;
+        let _e68 = self.v_longest_of((c_15 - _e66));
+        let _e71 = end_2;
+        let _e73 = self.v_longest_of((c_15 - _e71));
+        return <Sweep>::new(_e53, <rt::Vec2<i32>>::from_scalars(_e26.x(), (_e26.z().select(_e26.y(), is_first_2) * upward_1)), <rt::Vec2<i32>>::from_scalars(_e29.x(), (_e29.z().select(_e29.y(), is_first_2) * upward_1)), <rt::Vec2<i32>>::from_scalars(_e68.max(rt::Scalar(1i32)), _e73.max(rt::Scalar(1i32))), rt::Scalar(0u32).select(rt::Scalar(1u32), is_back));
+    }
+    pub(crate) fn sweep_of(
+        &self,
+        a_25: impl rt::Into<rt::Vec3<i32>>,
+        b_25: impl rt::Into<rt::Vec3<i32>>,
+        c_16: impl rt::Into<rt::Vec3<i32>>,
+    ) -> Sweep {
+        rt::into(self.v_sweep_of(rt::into(a_25), rt::into(b_25), rt::into(c_16)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_sweep_of(
+        &self,
+        a_25: rt::Vec3<i32>,
+        b_25: rt::Vec3<i32>,
+        c_16: rt::Vec3<i32>,
+    ) -> Sweep {
+        let mut local_101: rt::Scalar<bool>;
+
+        let _e3 = self.v_primary_length(a_25, b_25, c_16);
+        let _e4 = self.v_primary_length(b_25, c_16, a_25);
+        let _e5 = self.v_primary_length(c_16, a_25, b_25);
+        if rt::Scalar::into_branch_condition(_e3.elementwise_ge(_e4)) {
+            local_101 = _e3.elementwise_ge(_e5);
+        } else {
+            local_101 = rt::Scalar(false);
+        }
+        let _e11 = local_101;
+        if rt::Scalar::into_branch_condition(_e11) {
+            let _e13 = self.v_sweep_from(rt::Scalar(0u32), a_25, b_25, c_16);
+            return _e13;
+        }
+        if rt::Scalar::into_branch_condition(_e4.elementwise_ge(_e5)) {
+            let _e16 = self.v_sweep_from(rt::Scalar(1u32), b_25, c_16, a_25);
+            return _e16;
+        }
+        let _e18 = self.v_sweep_from(rt::Scalar(2u32), c_16, a_25, b_25);
+        return _e18;
+    }
+    pub(crate) fn sweep_on(
+        &self,
+        a_26: Voxel,
+        b_26: Voxel,
+        c_17: Voxel,
+        level_43: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Sweep {
+        rt::into(self.v_sweep_on(a_26, b_26, c_17, rt::into(level_43)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_sweep_on(
+        &self,
+        a_26: Voxel,
+        b_26: Voxel,
+        c_17: Voxel,
+        level_43: rt::Scalar<u32>,
+    ) -> Sweep {
+        let _e5 = self.v_coarser_voxel(a_26.at, level_43);
+        let _e7 = self.v_coarser_voxel(b_26.at, level_43);
+        let _e9 = self.v_coarser_voxel(c_17.at, level_43);
+        let _e10 = self.v_sweep_of(_e5, _e7, _e9);
+        return _e10;
+    }
+    pub(crate) fn swept_chain(
+        &self,
+        sweep_7: Sweep,
+        column_4: SweptColumn,
+        way_9: impl rt::Into<rt::Scalar<u32>>,
+    ) -> SweptChain {
+        rt::into(self.v_swept_chain(sweep_7, column_4, rt::into(way_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_swept_chain(
+        &self,
+        sweep_7: Sweep,
+        column_4: SweptColumn,
+        way_9: rt::Scalar<u32>,
+    ) -> SweptChain {
+        if rt::Scalar::into_branch_condition(way_9.elementwise_eq(ROOF_UP)) {
+            let _e5 = self.v_roof_left(sweep_7, column_4);
+            return <SweptChain>::new(column_4, way_9, (rt::Scalar(1i32) + _e5));
+        }
+        if rt::Scalar::into_branch_condition(way_9.elementwise_eq(ROOF_DOWN)) {
+            let _e12 = self.v_roof_left(sweep_7, column_4);
+            return <SweptChain>::new(column_4, way_9, (rt::Scalar(column_4.of_top) - _e12));
+        }
+        let of_top = rt::Scalar(column_4.of_top).min(rt::Scalar(1i32)).select(rt::Scalar(column_4.of_top), rt::Scalar(column_4.top).elementwise_eq(way_9));
+        return <SweptChain>::new(column_4, way_9, ((rt::Scalar(1i32) + rt::Scalar(column_4.inner)) + of_top));
+    }
+    pub(crate) fn swept_column(
+        &self,
+        sweep_8: Sweep,
+        column_5: impl rt::Into<rt::Scalar<i32>>,
+        first_8: impl rt::Into<rt::Scalar<u32>>,
+    ) -> SweptColumn {
+        rt::into(self.v_swept_column(sweep_8, rt::into(column_5), rt::into(first_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_swept_column(
+        &self,
+        sweep_8: Sweep,
+        column_5: rt::Scalar<i32>,
+        first_8: rt::Scalar<u32>,
+    ) -> SweptColumn {
+        let mut local_102: rt::Scalar<bool>;
+
+        let n_13 = sweep_8.parts.x();
+        let m_8 = sweep_8.parts.y();
+        let _e7 = self.v_first_of_top(sweep_8, column_5);
+        let _e10 = self.v_first_of_top(sweep_8, (column_5 + rt::Scalar(1i32)));
+        let is_behind = (_e10 - rt::Scalar(1i32)).elementwise_gt(n_13);
+        let top_10 = TOP_NEXT.select(TOP_BEFORE.select(TOP_ROOF, _e7.elementwise_lt(n_13)), is_behind);
+        let from_top = _e7.max(rt::Scalar(1i32));
+        let of_top_1 = (_e10.min((n_13 + m_8)) - from_top);
+        if rt::Scalar::into_branch_condition((!column_5.elementwise_le(rt::Scalar(0i32)))) {
+            local_102 = column_5.elementwise_ge(sweep_8.end.x());
+        } else {
+            local_102 = rt::Scalar(true);
+        }
+        let _e34 = local_102;
+        if rt::Scalar::into_branch_condition(_e34) {
+            return <SweptColumn>::new(column_5, rt::Scalar(0i32), rt::Scalar(0i32), first_8, from_top, of_top_1, top_10);
+        }
+        let _e43 = self.v_quotient_near((sweep_8.end.y() * column_5), sweep_8.end.x());
+        let inside_8 = (_e43 + rt::Scalar(1i32));
+        let _e46 = self.v_top_point(sweep_8, from_top);
+        let _e50 = self.v_top_point(sweep_8, ((from_top + of_top_1) - rt::Scalar(1i32)));
+        let _e53 = self.v_quotient_near(rt::Scalar(_e46.y), rt::Scalar(_e46.w));
+        let _e56 = self.v_quotient_near(rt::Scalar(_e50.y), rt::Scalar(_e50.w));
+        let above_10 = _e53.min(_e56);
+        return <SweptColumn>::new(column_5, inside_8, (above_10 - inside_8).max(rt::Scalar(0i32)), first_8, from_top, of_top_1, top_10);
+    }
+    pub(crate) fn swept_points(
+        &self,
+        sweep_9: Sweep,
+        column_6: impl rt::Into<rt::Scalar<i32>>,
+    ) -> u32 {
+        rt::into(self.v_swept_points(sweep_9, rt::into(column_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_swept_points(
+        &self,
+        sweep_9: Sweep,
+        column_6: rt::Scalar<i32>,
+    ) -> rt::Scalar<u32> {
+        let _e3 = self.v_swept_column(sweep_9, column_6, rt::Scalar(0u32));
+        return rt::Scalar(_e3.inner).to_u32();
+    }
+    pub(crate) fn swept_points_of(&self, sweep_10: Sweep) -> u32 {
+        rt::into(self.v_swept_points_of(sweep_10))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_swept_points_of(&self, sweep_10: Sweep) -> rt::Scalar<u32> {
+        let mut points: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut column_7: rt::Scalar<i32> = rt::Scalar(1i32);
+
+        'naga_break: loop {
+            'naga_continue: {
+                let _e5 = column_7;
+                if rt::Scalar::into_branch_condition(_e5.elementwise_lt(sweep_10.end.x())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e9 = points;
+                    let _e10 = column_7;
+                    let _e11 = self.v_swept_points(sweep_10, _e10);
+                    points = (_e9 + _e11);
+                    let _e13 = column_7;
+                    column_7 = (_e13 + rt::Scalar(1i32));
+                }
+            }
+        }
+        let _e16 = points;
+        return _e16;
+    }
+    pub(crate) fn swept_weights(
+        &self,
+        sweep_11: Sweep,
+        x_3: impl rt::Into<rt::Scalar<i32>>,
+        y: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_swept_weights(sweep_11, rt::into(x_3), rt::into(y)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_swept_weights(
+        &self,
+        sweep_11: Sweep,
+        x_3: rt::Scalar<i32>,
+        y: rt::Scalar<i32>,
+    ) -> rt::Vec3<f32> {
+        let end_19 = sweep_11.end;
+        let apex_2 = sweep_11.apex;
+        let twice = ((end_19.x() * apex_2.y()) - (end_19.y() * apex_2.x())).to_f32();
+        let of_end = (((x_3 * apex_2.y()) - (y * apex_2.x())).to_f32() / twice);
+        let of_apex = (((end_19.x() * y) - (end_19.y() * x_3)).to_f32() / twice);
+        let of_first = ((rt::Scalar(1f32) - of_end) - of_apex);
+        let corners_1 = sweep_11.corners;
+        return <rt::Vec3<f32>>::from_scalars(of_apex.select(of_end, corners_1.y().elementwise_eq(rt::Scalar(0u32))).select(of_first, corners_1.x().elementwise_eq(rt::Scalar(0u32))), of_apex.select(of_end, corners_1.y().elementwise_eq(rt::Scalar(1u32))).select(of_first, corners_1.x().elementwise_eq(rt::Scalar(1u32))), of_apex.select(of_end, corners_1.y().elementwise_eq(rt::Scalar(2u32))).select(of_first, corners_1.x().elementwise_eq(rt::Scalar(2u32))));
+    }
+    pub(crate) fn turn_of_piece(&self, a_27: SweptPoint, b_27: SweptPoint, c_18: SweptPoint) -> i32 {
+        rt::into(self.v_turn_of_piece(a_27, b_27, c_18))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_turn_of_piece(&self, a_27: SweptPoint, b_27: SweptPoint, c_18: SweptPoint) -> rt::Scalar<i32> {
+        let bx_1 = ((rt::Scalar(b_27.x) * rt::Scalar(a_27.w)) - (rt::Scalar(a_27.x) * rt::Scalar(b_27.w)));
+        let by_4 = ((rt::Scalar(b_27.y) * rt::Scalar(a_27.w)) - (rt::Scalar(a_27.y) * rt::Scalar(b_27.w)));
+        let cx = ((rt::Scalar(c_18.x) * rt::Scalar(a_27.w)) - (rt::Scalar(a_27.x) * rt::Scalar(c_18.w)));
+        let cy = ((rt::Scalar(c_18.y) * rt::Scalar(a_27.w)) - (rt::Scalar(a_27.y) * rt::Scalar(c_18.w)));
+        let _e31 = self.v_sign_of(bx_1);
+        let _e32 = self.v_sign_of(cy);
+        let of_first_1 = (_e31 * _e32);
+        let _e34 = self.v_sign_of(by_4);
+        let _e35 = self.v_sign_of(cx);
+        let of_second = (_e34 * _e35);
+        if rt::Scalar::into_branch_condition(of_first_1.elementwise_ne(of_second)) {
+            return rt::Scalar(1i32).select(rt::Scalar(-1i32), of_first_1.elementwise_lt(of_second));
+        }
+        let _e42 = self.v_magnitude(bx_1);
+        let _e43 = self.v_magnitude(cy);
+        let _e44 = self.v_magnitude(by_4);
+        let _e45 = self.v_magnitude(cx);
+        let _e46 = self.v_compared(_e42, _e43, _e44, _e45);
+        return (of_first_1 * _e46);
+    }
     pub(crate) fn voxel_of(
         &self,
-        grid_11: Tessellation,
+        grid_14: Tessellation,
         position_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> Voxel {
-        rt::into(self.v_voxel_of(grid_11, rt::into(position_2)))
+        rt::into(self.v_voxel_of(grid_14, rt::into(position_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_voxel_of(
         &self,
-        grid_11: Tessellation,
+        grid_14: Tessellation,
         position_2: rt::Vec3<f32>,
     ) -> Voxel {
         let mut share: rt::Scalar<f32> = rt::Scalar(1f32);
         let mut away: rt::Scalar<f32>;
 
-        let from_eye = (position_2 - grid_11.eye.xyz());
-        let depth_12 = grid_11.forward.xyz().dot(from_eye);
-        let seen_7 = depth_12.max(rt::Scalar(grid_11.near_m));
-        away = (depth_12 * rt::Scalar(grid_11.per_m));
-        if rt::Scalar::into_branch_condition(rt::Scalar(grid_11.is_parallel).elementwise_eq(rt::Scalar(0u32))) {
+        let from_eye = (position_2 - grid_14.eye.xyz());
+        let depth_12 = grid_14.forward.xyz().dot(from_eye);
+        let seen_7 = depth_12.max(rt::Scalar(grid_14.near_m));
+        away = (depth_12 * rt::Scalar(grid_14.per_m));
+        if rt::Scalar::into_branch_condition(rt::Scalar(grid_14.is_parallel).elementwise_eq(rt::Scalar(0u32))) {
             share = (rt::Scalar(1f32) / seen_7);
-            let _e22 = self.v_log2_of((seen_7 / rt::Scalar(grid_11.near_m)));
-            away = (_e22 * rt::Scalar(grid_11.per_doubling));
+            let _e22 = self.v_log2_of((seen_7 / rt::Scalar(grid_14.near_m)));
+            away = (_e22 * rt::Scalar(grid_14.per_doubling));
         }
         let _e30 = share;
-        let right_6 = (((grid_11.right.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e30) + grid_11.middle.x());
+        let right_7 = (((grid_14.right.xyz().dot(from_eye) * rt::Scalar(grid_14.per_m)) * _e30) + grid_14.middle.x());
         let _e42 = share;
-        let down_4 = (grid_11.middle.y() - ((grid_11.up.xyz().dot(from_eye) * rt::Scalar(grid_11.per_m)) * _e42));
+        let down_4 = (grid_14.middle.y() - ((grid_14.up.xyz().dot(from_eye) * rt::Scalar(grid_14.per_m)) * _e42));
         let far_15 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_146 = <rt::Vec3<f32>>::from_scalars(right_6, down_4, _e49).clamp((-far_15), far_15);
+        let at_151 = <rt::Vec3<f32>>::from_scalars(right_7, down_4, _e49).clamp((-far_15), far_15);
         let _e60 = share;
-        return <Voxel>::new((at_146 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60);
+        return <Voxel>::new((at_151 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
+    }
+    pub(crate) fn zip_goes_left(&self, zip: Zip) -> bool {
+        rt::into(self.v_zip_goes_left(zip))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_zip_goes_left(&self, zip: Zip) -> rt::Scalar<bool> {
+        let mut local_103: rt::Scalar<bool>;
+        let mut local_104: rt::Scalar<bool>;
+        let mut local_105: rt::Scalar<bool>;
+        let mut local_106: rt::Scalar<bool>;
+        let mut local_107: rt::Scalar<bool>;
+
+        let on_left = ((rt::Scalar(zip.left.count) - rt::Scalar(1i32)) - rt::Scalar(zip.i));
+        let on_right = ((rt::Scalar(zip.right.count) - rt::Scalar(1i32)) - rt::Scalar(zip.j));
+        if rt::Scalar::into_branch_condition(on_left.elementwise_eq(rt::Scalar(0i32))) {
+            return rt::Scalar(false);
+        }
+        if rt::Scalar::into_branch_condition(on_right.elementwise_eq(rt::Scalar(0i32))) {
+            return rt::Scalar(true);
+        }
+        if rt::Scalar::into_branch_condition(rt::Scalar(zip.left.way).elementwise_eq(ROOF_UP)) {
+            local_103 = rt::Scalar(zip.i).elementwise_eq(rt::Scalar(0i32));
+        } else {
+            local_103 = rt::Scalar(false);
+        }
+        let _e29 = local_103;
+        if rt::Scalar::into_branch_condition(_e29) {
+            return rt::Scalar(true);
+        }
+        if rt::Scalar::into_branch_condition(rt::Scalar(zip.keeps_right).elementwise_eq(rt::Scalar(1u32))) {
+            local_104 = on_right.elementwise_eq(rt::Scalar(1i32));
+        } else {
+            local_104 = rt::Scalar(false);
+        }
+        let _e39 = local_104;
+        if rt::Scalar::into_branch_condition(_e39) {
+            return rt::Scalar(true);
+        }
+        if rt::Scalar::into_branch_condition(rt::Scalar(zip.keeps_left).elementwise_eq(rt::Scalar(1u32))) {
+            local_105 = on_left.elementwise_eq(rt::Scalar(1i32));
+        } else {
+            local_105 = rt::Scalar(false);
+        }
+        let _e49 = local_105;
+        if rt::Scalar::into_branch_condition(_e49) {
+            return rt::Scalar(false);
+        }
+        let _e54 = self.v_turn_of_piece(zip.at_left, zip.at_right, zip.next_left);
+        let _e58 = self.v_turn_of_piece(zip.at_left, zip.at_right, zip.next_right);
+        let _e63 = self.v_is_no_longer(zip.next_left, zip.at_right, zip.at_left, zip.next_right);
+        if rt::Scalar::into_branch_condition(_e54.elementwise_eq(_e58)) {
+            return _e63;
+        }
+        if rt::Scalar::into_branch_condition(_e54.elementwise_gt(rt::Scalar(0i32))) {
+            if rt::Scalar::into_branch_condition((!_e58.elementwise_le(rt::Scalar(0i32)))) {
+                local_107 = _e63;
+            } else {
+                local_107 = rt::Scalar(true);
+            }
+            let _e75 = local_107;
+            local_106 = _e75;
+        } else {
+            local_106 = rt::Scalar(false);
+        }
+        let _e77 = local_106;
+        return _e77;
+    }
+    pub(crate) fn zip_next(
+        &self,
+        sweep_12: Sweep,
+        zip_1: Zip,
+        goes_left: impl rt::Into<rt::Scalar<bool>>,
+    ) -> Zip {
+        rt::into(self.v_zip_next(sweep_12, zip_1, rt::into(goes_left)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_zip_next(
+        &self,
+        sweep_12: Sweep,
+        zip_1: Zip,
+        goes_left: rt::Scalar<bool>,
+    ) -> Zip {
+        let mut next_7: Zip;
+
+        next_7 = zip_1;
+        if rt::Scalar::into_branch_condition(goes_left) {
+            rt::Scalar(next_7.i) = (rt::Scalar(zip_1.i) + rt::Scalar(1i32));
+            next_7.at_left = zip_1.next_left;
+            let _e20 = self.v_chain_point(sweep_12, zip_1.left, (rt::Scalar(zip_1.i) + rt::Scalar(2i32)).min((rt::Scalar(zip_1.left.count) - rt::Scalar(1i32))));
+            next_7.next_left = _e20;
+        } else {
+            rt::Scalar(next_7.j) = (rt::Scalar(zip_1.j) + rt::Scalar(1i32));
+            next_7.at_right = zip_1.next_right;
+            let _e37 = self.v_chain_point(sweep_12, zip_1.right, (rt::Scalar(zip_1.j) + rt::Scalar(2i32)).min((rt::Scalar(zip_1.right.count) - rt::Scalar(1i32))));
+            next_7.next_right = _e37;
+        }
+        let _e38 = next_7;
+        return _e38;
+    }
+    pub(crate) fn zip_of(
+        &self,
+        sweep_13: Sweep,
+        column_8: SweptColumn,
+        next_8: SweptColumn,
+        which: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Zip {
+        rt::into(self.v_zip_of(sweep_13, column_8, next_8, rt::into(which)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_zip_of(
+        &self,
+        sweep_13: Sweep,
+        column_8: SweptColumn,
+        next_8: SweptColumn,
+        which: rt::Scalar<u32>,
+    ) -> Zip {
+        let mut left_1: SweptChain;
+        let mut right: SweptChain;
+        let mut local_108: rt::Scalar<bool>;
+        let mut local_109: rt::Scalar<bool>;
+        let mut local_110: rt::Scalar<bool>;
+
+        let _e5 = self.v_swept_chain(sweep_13, column_8, TOP_NEXT);
+        left_1 = _e5;
+        let _e8 = self.v_swept_chain(sweep_13, next_8, TOP_BEFORE);
+        right = _e8;
+        if rt::Scalar::into_branch_condition(which.elementwise_ne(rt::Scalar(1u32))) {
+            let under_3 = which.elementwise_eq(rt::Scalar(0u32));
+            if rt::Scalar::into_branch_condition((!rt::Scalar(column_8.top).elementwise_ne(TOP_ROOF))) {
+                local_108 = rt::Scalar(column_8.column).elementwise_ne(rt::Scalar(0i32));
+            } else {
+                local_108 = rt::Scalar(true);
+            }
+            let _e27 = local_108;
+            let isnt = rt::Scalar(next_8.top).elementwise_ne(TOP_ROOF).select(_e27, under_3);
+            if rt::Scalar::into_branch_condition(under_3) {
+                let _e30 = self.v_swept_chain(sweep_13, column_8, ROOF_UP);
+                left_1 = _e30;
+                let _e32 = self.v_swept_chain(sweep_13, column_8, ROOF_DOWN);
+                right = _e32;
+            } else {
+                let _e34 = self.v_swept_chain(sweep_13, next_8, ROOF_UP);
+                left_1 = _e34;
+                let _e36 = self.v_swept_chain(sweep_13, next_8, ROOF_DOWN);
+                right = _e36;
+            }
+            if rt::Scalar::into_branch_condition(isnt) {
+                rt::Scalar(left_1.count) = rt::Scalar(1i32);
+                rt::Scalar(right.count) = rt::Scalar(1i32);
+            }
+        }
+        let _e42 = rt::Scalar(left_1.count);
+        if rt::Scalar::into_branch_condition(_e42.elementwise_gt(rt::Scalar(1i32))) {
+            let _e47 = left_1;
+            let _e48 = right;
+            let _e49 = self.v_ends_on(sweep_13, _e47, _e48);
+            local_109 = _e49;
+        } else {
+            local_109 = rt::Scalar(false);
+        }
+        let keeps_left = local_109;
+        let _e53 = rt::Scalar(right.count);
+        if rt::Scalar::into_branch_condition(_e53.elementwise_gt(rt::Scalar(1i32))) {
+            let _e58 = right;
+            let _e59 = left_1;
+            let _e60 = self.v_ends_on(sweep_13, _e58, _e59);
+            local_110 = _e60;
+        } else {
+            local_110 = rt::Scalar(false);
+        }
+        let keeps_right = local_110;
+        let _e63 = left_1;
+        let _e64 = right;
+        let _e65 = left_1;
+        let _e67 = self.v_chain_point(sweep_13, _e65, rt::Scalar(0i32));
+        let _e68 = right;
+        let _e70 = self.v_chain_point(sweep_13, _e68, rt::Scalar(0i32));
+        let _e71 = left_1;
+        let _e73 = rt::Scalar(left_1.count);
+        let _e78 = self.v_chain_point(sweep_13, _e71, rt::Scalar(1i32).min((_e73 - rt::Scalar(1i32))));
+        let _e79 = right;
+        let _e81 = rt::Scalar(right.count);
+        let _e86 = self.v_chain_point(sweep_13, _e79, rt::Scalar(1i32).min((_e81 - rt::Scalar(1i32))));
+        return <Zip>::new(_e63, _e64, _e67, _e70, _e78, _e86, rt::Scalar(0i32), rt::Scalar(0i32), rt::Scalar(0u32).select(rt::Scalar(1u32), keeps_left), rt::Scalar(0u32).select(rt::Scalar(1u32), keeps_right));
+    }
+    pub(crate) fn zip_rest(&self, zip_2: Zip) -> i32 {
+        rt::into(self.v_zip_rest(zip_2))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_zip_rest(&self, zip_2: Zip) -> rt::Scalar<i32> {
+        return ((((rt::Scalar(zip_2.left.count) + rt::Scalar(zip_2.right.count)) - rt::Scalar(2i32)) - rt::Scalar(zip_2.i)) - rt::Scalar(zip_2.j));
     }
 }
 

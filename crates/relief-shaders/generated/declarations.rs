@@ -151,13 +151,28 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/shell_point", head: r#"// Points of a shell as normals that are interpolated, and not normalised, span it.
 "# },
+    Module { path: "shared/sweep", head: r#"// The sweep of a triangle through a grid of voxels: the grid's own points, column by column.
+//
+// Gumhold and Hüttner 1999, section 3.4. Each side of the triangle is divided along the direction in which it
+// is longest, one part a voxel. A primary edge is one between whose ends the third corner lies; the longest
+// says along which axis is swept, and of the two coordinate planes that hold the axis the triangle is cut in
+// the one that it covers more of. The primary edge has one point in each column, at the column's bottom. The
+// other two sides make the top: the points of theirs that round to a column are its own. Between are the
+// grid's points. Neighbouring columns are zipped from below, by the shorter diagonal of the two that turn
+// nothing over. Points of the top before the third corner go with the next column, those behind it with the
+// one before; where a column has both, they are closed there, as a roof.
+//
+// All is done in whole numbers of 32 bits, and of products of two: so that sides have at most `SWEPT_PARTS`.
+// Columns follow from the three corners, so that each is made by itself.
+"# },
     Module { path: "shared/tangent_plane", head: r#"// The surface's tangent plane at a point, for the refinements that take the slope into account.
 "# },
     Module { path: "shared/tessellation", head: r#"// Base triangles that are cut into smaller ones for a view, and displaced.
 //
 // Gumhold and Hüttner 1999, section 3.1: a side is divided by the voxels of the camera's grid space that its
-// ends lie in, and its points lie at equal distances in the picture. What is inside is filled by a fixed
-// pattern. All that belongs to a side follows from its two ends, so that neighbours meet.
+// ends lie in, and its points lie at equal distances in the picture; or it is divided by texels, and they lie
+// at equal distances on the base. What is inside is filled by a fixed pattern, or by the voxels themselves.
+// All that belongs to a side follows from its two ends, so that neighbours meet.
 "# },
     Module { path: "shared/types", head: r#"// What the stages hand to each other. The Rust side of these structs is written by the linker.
 "# },
@@ -6681,6 +6696,752 @@ fn uv_of(pixel: PixelIn, weights: vec3f) -> vec2f {
 }"#,
     },
     Declaration {
+        module: "shared/sweep",
+        name: "SWEPT_PARTS",
+        sampling: None,
+        uses: &[],
+        text: r#"// The most parts of a side: their third power fits 31 bits.
+const SWEPT_PARTS = 1023;"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "TOP_NEXT",
+        sampling: None,
+        uses: &[],
+        text: r#"// What a column's top is zipped with: the next column, the one before, or both ways, itself.
+const TOP_NEXT = 0u;"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "TOP_BEFORE",
+        sampling: None,
+        uses: &[],
+        text: r#"const TOP_BEFORE = 1u;"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "TOP_ROOF",
+        sampling: None,
+        uses: &[],
+        text: r#"const TOP_ROOF = 2u;"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "ROOF_UP",
+        sampling: None,
+        uses: &[],
+        text: r#"// The two ways of a roof.
+const ROOF_UP = 3u;"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "ROOF_DOWN",
+        sampling: None,
+        uses: &[],
+        text: r#"const ROOF_DOWN = 4u;"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "SWEPT_INSIDE",
+        sampling: None,
+        uses: &[],
+        text: r#"// A side of a point that lies on none.
+const SWEPT_INSIDE = 3u;"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "ON_PRIMARY",
+        sampling: None,
+        uses: &[],
+        text: r#"// Sides as bits: the primary edge, that from its first end to the third corner, that from there to its other.
+const ON_PRIMARY = 1u;"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "ON_FIRST",
+        sampling: None,
+        uses: &[],
+        text: r#"const ON_FIRST = 2u;"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "ON_SECOND",
+        sampling: None,
+        uses: &[],
+        text: r#"const ON_SECOND = 4u;"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "Sweep",
+        sampling: None,
+        uses: &[],
+        text: r#"// A triangle as it is swept. Coordinates are those along the sweep and along the side, counted from the first
+// end of the primary edge, and such that the third corner lies above it.
+struct Sweep {
+    // The ends of the primary edge and the third corner, as numbers of the triangle's corners.
+    corners: vec3u,
+    // The end of the primary edge; its first coordinate is the number of strips between columns, 0 where all
+    // corners lie in one voxel.
+    end: vec2i,
+    // The third corner.
+    apex: vec2i,
+    // Parts of the sides from the first end to the third corner, and from there to the other end.
+    parts: vec2i,
+    // 1 where pieces are turned over, as seen from the triangle.
+    is_turned: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "SweptPoint",
+        sampling: None,
+        uses: &[],
+        text: r#"// A point of a triangle.
+struct SweptPoint {
+    // Of the triangle's sides the one that it lies on, and how many parts lie before it there, fewer than there
+    // are; or `SWEPT_INSIDE`, and its number among those inside.
+    side: u32,
+    at: u32,
+    // It lies at (x / w, y / w).
+    x: i32,
+    y: i32,
+    w: i32,
+    // The sides that it lies on.
+    sides: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "SweptColumn",
+        sampling: None,
+        uses: &[],
+        text: r#"// A column of points: that of the primary edge, those inside from below, those of the top along the sweep.
+struct SweptColumn {
+    column: i32,
+    // The lowest point inside, how many there are, and the number of the first.
+    inside: i32,
+    inner: i32,
+    first: u32,
+    // The first point of the top, how many there are, and what they are zipped with.
+    from_top: i32,
+    of_top: i32,
+    top: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "SweptChain",
+        sampling: None,
+        uses: &["SweptColumn"],
+        text: r#"// Some of a column's points, from below.
+struct SweptChain {
+    column: SweptColumn,
+    // What they are zipped with.
+    way: u32,
+    count: i32,
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "Zip",
+        sampling: None,
+        uses: &["SweptChain", "SweptPoint"],
+        text: r#"// Two chains that are zipped, the first one to the left: where it stands, and what comes next on each.
+struct Zip {
+    left: SweptChain,
+    right: SweptChain,
+    at_left: SweptPoint,
+    at_right: SweptPoint,
+    next_left: SweptPoint,
+    next_right: SweptPoint,
+    i: i32,
+    j: i32,
+    // 1 where the end of that chain comes last, as it lies on the side on which the other chain ends.
+    keeps_left: u32,
+    keeps_right: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "axis_of",
+        sampling: None,
+        uses: &[],
+        text: r#"fn axis_of(at: vec3i, axis: u32) -> i32 {
+    return select(select(at.z, at.y, axis == 1u), at.x, axis == 0u);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "main_axis",
+        sampling: None,
+        uses: &[],
+        text: r#"// The axis along which two voxels are farthest apart, of several the first.
+fn main_axis(start: vec3i, to: vec3i) -> u32 {
+    let along = abs(to - start);
+    let of_last = select(2u, 1u, along.y >= along.z);
+    return select(of_last, 0u, along.x >= along.y && along.x >= along.z);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "primary_length",
+        sampling: None,
+        uses: &["axis_of", "main_axis"],
+        text: r#"// How long an edge is along its main direction; by far longer for a primary edge.
+fn primary_length(start: vec3i, to: vec3i, third: vec3i) -> i32 {
+    let axis = main_axis(start, to);
+    let a = axis_of(start, axis);
+    let b = axis_of(to, axis);
+    let c = axis_of(third, axis);
+    let is_primary = min(a, b) <= c && c <= max(a, b);
+    return abs(b - a) + select(0, 1048576, is_primary);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "seen_along",
+        sampling: None,
+        uses: &[],
+        text: r#"// The coordinates from an axis on.
+fn seen_along(at: vec3i, axis: u32) -> vec3i {
+    if (axis == 0u) {
+        return at;
+    }
+    if (axis == 1u) {
+        return vec3i(at.y, at.z, at.x);
+    }
+    return vec3i(at.z, at.x, at.y);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "around_corners",
+        sampling: None,
+        uses: &[],
+        text: r#"// A corner that comes around after so many of three.
+fn around_corners(corner: u32, on: u32) -> u32 {
+    return (corner + on) % 3u;
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "longest_of",
+        sampling: None,
+        uses: &["between"],
+        text: r#"// How far apart two voxels are along the axis along which they are farthest.
+fn longest_of(between: vec3i) -> i32 {
+    let along = abs(between);
+    return max(max(along.x, along.y), along.z);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "sweep_from",
+        sampling: None,
+        uses: &["Sweep", "around_corners", "axis_of", "longest_of", "main_axis", "seen_along"],
+        text: r#"// The sweep of a triangle whose longest primary edge begins at its first corner.
+fn sweep_from(primary: u32, a: vec3i, b: vec3i, c: vec3i) -> Sweep {
+    let axis = main_axis(a, b);
+    let is_back = axis_of(b, axis) < axis_of(a, axis);
+    var first = a;
+    var end = b;
+    var corners = vec3u(primary, around_corners(primary, 1u), around_corners(primary, 2u));
+    if (is_back) {
+        first = b;
+        end = a;
+        corners = vec3u(corners.y, corners.x, corners.z);
+    }
+    let to_end = seen_along(end - first, axis);
+    let to_apex = seen_along(c - first, axis);
+    // Twice the area that it covers in each plane.
+    let in_first = to_end.x * to_apex.y - to_end.y * to_apex.x;
+    let in_second = to_end.x * to_apex.z - to_end.z * to_apex.x;
+    let is_first = abs(in_first) >= abs(in_second);
+    let upward = select(1, -1, select(in_second, in_first, is_first) < 0);
+    return Sweep(
+        corners,
+        vec2i(to_end.x, select(to_end.z, to_end.y, is_first) * upward),
+        vec2i(to_apex.x, select(to_apex.z, to_apex.y, is_first) * upward),
+        vec2i(max(longest_of(c - first), 1), max(longest_of(c - end), 1)),
+        select(0u, 1u, is_back),
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "sweep_of",
+        sampling: None,
+        uses: &["Sweep", "primary_length", "sweep_from"],
+        text: r#"// The sweep of a triangle with corners in those voxels.
+fn sweep_of(a: vec3i, b: vec3i, c: vec3i) -> Sweep {
+    let of_a = primary_length(a, b, c);
+    let of_b = primary_length(b, c, a);
+    let of_c = primary_length(c, a, b);
+    if (of_a >= of_b && of_a >= of_c) {
+        return sweep_from(0u, a, b, c);
+    }
+    if (of_b >= of_c) {
+        return sweep_from(1u, b, c, a);
+    }
+    return sweep_from(2u, c, a, b);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "quotient_up",
+        sampling: None,
+        uses: &[],
+        text: r#"// A quotient of whole numbers, the dividend at least 0 and the second above it, rounded up.
+fn quotient_up(dividend: i32, by: i32) -> i32 {
+    return (dividend + by - 1) / by;
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "quotient_near",
+        sampling: None,
+        uses: &[],
+        text: r#"// A quotient of whole numbers, the second above 0, rounded to the nearest.
+fn quotient_near(dividend: i32, by: i32) -> i32 {
+    let doubled = 2 * dividend + by;
+    let whole = doubled / (2 * by);
+    return select(whole, whole - 1, whole * 2 * by > doubled);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "first_of_top",
+        sampling: None,
+        uses: &["Sweep", "quotient_up"],
+        text: r#"// Points of the top, the third corner and both ends among them, are counted along the sweep: that number has
+// the first of a column.
+fn first_of_top(sweep: Sweep, column: i32) -> i32 {
+    let n = sweep.parts.x;
+    let m = sweep.parts.y;
+    // A point belongs to the column if it lies less than half a voxel before its middle, or just that.
+    let doubled = 2 * column - 1;
+    if (column <= 0) {
+        return 0;
+    }
+    if (column > sweep.end.x) {
+        return n + m + 1;
+    }
+    if (doubled <= 2 * sweep.apex.x) {
+        return quotient_up(n * doubled, 2 * sweep.apex.x);
+    }
+    return n + quotient_up(m * (doubled - 2 * sweep.apex.x), 2 * (sweep.end.x - sweep.apex.x));
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "swept_border",
+        sampling: None,
+        uses: &["Sweep", "around_corners"],
+        text: r#"// A point between two corners of the sweep that so many parts lie before.
+fn swept_border(sweep: Sweep, start: u32, to: u32, at: i32, parts: i32) -> vec2u {
+    if (at == 0) {
+        return vec2u(start, 0u);
+    }
+    if (at == parts) {
+        return vec2u(to, 0u);
+    }
+    if (to == around_corners(start, 1u)) {
+        return vec2u(start, u32(at));
+    }
+    return vec2u(to, u32(parts - at));
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "top_point",
+        sampling: None,
+        uses: &["ON_FIRST", "ON_SECOND", "Sweep", "SweptPoint", "swept_border"],
+        text: r#"// The point of the top of that number.
+fn top_point(sweep: Sweep, number: i32) -> SweptPoint {
+    let n = sweep.parts.x;
+    let m = sweep.parts.y;
+    let apex = sweep.apex;
+    if (number <= n) {
+        let place = swept_border(sweep, sweep.corners.x, sweep.corners.z, number, n);
+        let sides = select(ON_FIRST, ON_FIRST + ON_SECOND, number == n);
+        return SweptPoint(place.x, place.y, apex.x * number, apex.y * number, n, sides);
+    }
+    let k = number - n;
+    let place = swept_border(sweep, sweep.corners.z, sweep.corners.y, k, m);
+    let x = apex.x * (m - k) + sweep.end.x * k;
+    let y = apex.y * (m - k) + sweep.end.y * k;
+    return SweptPoint(place.x, place.y, x, y, m, ON_SECOND);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "swept_column",
+        sampling: None,
+        uses: &["Sweep", "SweptColumn", "TOP_BEFORE", "TOP_NEXT", "TOP_ROOF", "first_of_top", "quotient_near", "top_point"],
+        text: r#"// A column whose first point inside has that number.
+fn swept_column(sweep: Sweep, column: i32, first: u32) -> SweptColumn {
+    let n = sweep.parts.x;
+    let m = sweep.parts.y;
+    let own = first_of_top(sweep, column);
+    let next = first_of_top(sweep, column + 1);
+    let is_behind = next - 1 > n;
+    let top = select(TOP_NEXT, select(TOP_BEFORE, TOP_ROOF, own < n), is_behind);
+    // The ends of the primary edge are at the bottom.
+    let from_top = max(own, 1);
+    let of_top = min(next, n + m) - from_top;
+    if (column <= 0 || column >= sweep.end.x) {
+        return SweptColumn(column, 0, 0, first, from_top, of_top, top);
+    }
+    let inside = quotient_near(sweep.end.y * column, sweep.end.x) + 1;
+    let a = top_point(sweep, from_top);
+    let b = top_point(sweep, from_top + of_top - 1);
+    let above = min(quotient_near(a.y, a.w), quotient_near(b.y, b.w));
+    return SweptColumn(column, inside, max(above - inside, 0), first, from_top, of_top, top);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "swept_points",
+        sampling: None,
+        uses: &["Sweep", "swept_column"],
+        text: r#"// How many points lie inside of a column.
+fn swept_points(sweep: Sweep, column: i32) -> u32 {
+    return u32(swept_column(sweep, column, 0u).inner);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "swept_points_of",
+        sampling: None,
+        uses: &["Sweep", "swept_points"],
+        text: r#"// How many points lie inside of a triangle.
+fn swept_points_of(sweep: Sweep) -> u32 {
+    var points = 0u;
+    var column = 1;
+    while (column < sweep.end.x) {
+        points = points + swept_points(sweep, column);
+        column = column + 1;
+    }
+    return points;
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "swept_weights",
+        sampling: None,
+        uses: &["Sweep"],
+        text: r#"// The weights of the triangle's corners at a point of the grid.
+fn swept_weights(sweep: Sweep, x: i32, y: i32) -> vec3f {
+    let end = sweep.end;
+    let apex = sweep.apex;
+    let twice = f32(end.x * apex.y - end.y * apex.x);
+    let of_end = f32(x * apex.y - y * apex.x) / twice;
+    let of_apex = f32(end.x * y - end.y * x) / twice;
+    let of_first = 1.0 - of_end - of_apex;
+    let corners = sweep.corners;
+    return vec3f(
+        select(select(of_apex, of_end, corners.y == 0u), of_first, corners.x == 0u),
+        select(select(of_apex, of_end, corners.y == 1u), of_first, corners.x == 1u),
+        select(select(of_apex, of_end, corners.y == 2u), of_first, corners.x == 2u),
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "roof_left",
+        sampling: None,
+        uses: &["Sweep", "SweptColumn"],
+        text: r#"// How many points of the left way of a roof are of its top: the third corner goes with the side that has more
+// room for it.
+fn roof_left(sweep: Sweep, column: SweptColumn) -> i32 {
+    return max(sweep.parts.x - column.from_top, 1);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "swept_chain",
+        sampling: None,
+        uses: &["ROOF_DOWN", "ROOF_UP", "Sweep", "SweptChain", "SweptColumn", "roof_left"],
+        text: r#"// The points of a column, as they are zipped that way.
+fn swept_chain(sweep: Sweep, column: SweptColumn, way: u32) -> SweptChain {
+    if (way == ROOF_UP) {
+        // The point under the roof comes first.
+        return SweptChain(column, way, 1 + roof_left(sweep, column));
+    }
+    if (way == ROOF_DOWN) {
+        return SweptChain(column, way, column.of_top - roof_left(sweep, column));
+    }
+    // Of a top that is not zipped that way there is the end that is nearest.
+    let of_top = select(min(column.of_top, 1), column.of_top, column.top == way);
+    return SweptChain(column, way, 1 + column.inner + of_top);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "low_point",
+        sampling: None,
+        uses: &["ON_FIRST", "ON_PRIMARY", "ON_SECOND", "SWEPT_INSIDE", "Sweep", "SweptColumn", "SweptPoint", "swept_border"],
+        text: r#"// The lowest points of a column: that of the primary edge, then those inside.
+fn low_point(sweep: Sweep, column: SweptColumn, at: i32) -> SweptPoint {
+    let x = column.column;
+    if (at > 0) {
+        let y = column.inside + at - 1;
+        return SweptPoint(SWEPT_INSIDE, column.first + u32(at - 1), x, y, 1, 0u);
+    }
+    let columns = sweep.end.x;
+    let place = swept_border(sweep, sweep.corners.x, sweep.corners.y, x, columns);
+    let sides = ON_PRIMARY + select(0u, ON_FIRST, x == 0) + select(0u, ON_SECOND, x == columns);
+    return SweptPoint(place.x, place.y, x * columns, sweep.end.y * x, columns, sides);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "chain_point",
+        sampling: None,
+        uses: &["ROOF_DOWN", "ROOF_UP", "Sweep", "SweptChain", "SweptPoint", "TOP_BEFORE", "low_point", "top_point"],
+        text: r#"// The point of a chain of that number.
+fn chain_point(sweep: Sweep, chain: SweptChain, number: i32) -> SweptPoint {
+    let column = chain.column;
+    let last = column.from_top + column.of_top - 1;
+    if (chain.way == ROOF_DOWN) {
+        return top_point(sweep, last - number);
+    }
+    if (chain.way == ROOF_UP) {
+        if (number == 0) {
+            return low_point(sweep, column, column.inner);
+        }
+        return top_point(sweep, column.from_top + number - 1);
+    }
+    if (number <= column.inner) {
+        return low_point(sweep, column, number);
+    }
+    let on = number - column.inner - 1;
+    let is_from_behind = (chain.way == TOP_BEFORE) == (column.top == chain.way);
+    return top_point(sweep, select(column.from_top + on, last - on, is_from_behind));
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "ends_on",
+        sampling: None,
+        uses: &["Sweep", "SweptChain", "chain_point"],
+        text: r#"// Whether the end of a chain lies on the side on which another one ends.
+fn ends_on(sweep: Sweep, chain: SweptChain, other: SweptChain) -> bool {
+    if (other.count < 2) {
+        return false;
+    }
+    let end = chain_point(sweep, chain, chain.count - 1).sides;
+    let last = chain_point(sweep, other, other.count - 1).sides;
+    let before = chain_point(sweep, other, other.count - 2).sides;
+    return (end & last & before) != 0u;
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "zip_of",
+        sampling: None,
+        uses: &["ROOF_DOWN", "ROOF_UP", "Sweep", "SweptColumn", "TOP_BEFORE", "TOP_NEXT", "TOP_ROOF", "Zip", "chain_point", "ends_on", "swept_chain"],
+        text: r#"// What is zipped between a column and the next: 0 the roof of the first column of all, 1 the strip between
+// both, 2 the roof of the next. Where there is none both chains have one point.
+fn zip_of(sweep: Sweep, column: SweptColumn, next: SweptColumn, which: u32) -> Zip {
+    var left = swept_chain(sweep, column, TOP_NEXT);
+    var right = swept_chain(sweep, next, TOP_BEFORE);
+    if (which != 1u) {
+        let under = which == 0u;
+        let isnt = select(next.top != TOP_ROOF, column.top != TOP_ROOF || column.column != 0, under);
+        if (under) {
+            left = swept_chain(sweep, column, ROOF_UP);
+            right = swept_chain(sweep, column, ROOF_DOWN);
+        } else {
+            left = swept_chain(sweep, next, ROOF_UP);
+            right = swept_chain(sweep, next, ROOF_DOWN);
+        }
+        if (isnt) {
+            left.count = 1;
+            right.count = 1;
+        }
+    }
+    let keeps_left = left.count > 1 && ends_on(sweep, left, right);
+    let keeps_right = right.count > 1 && ends_on(sweep, right, left);
+    return Zip(
+        left,
+        right,
+        chain_point(sweep, left, 0),
+        chain_point(sweep, right, 0),
+        chain_point(sweep, left, min(1, left.count - 1)),
+        chain_point(sweep, right, min(1, right.count - 1)),
+        0,
+        0,
+        select(0u, 1u, keeps_left),
+        select(0u, 1u, keeps_right),
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "zip_rest",
+        sampling: None,
+        uses: &["Zip"],
+        text: r#"// How many pieces are left of what is zipped.
+fn zip_rest(zip: Zip) -> i32 {
+    return zip.left.count + zip.right.count - 2 - zip.i - zip.j;
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "wide_product",
+        sampling: None,
+        uses: &[],
+        text: r#"// A product of two numbers, its upper and its lower 32 bits.
+fn wide_product(a: u32, b: u32) -> vec2u {
+    let a_high = a >> 16u;
+    let a_low = a & 65535u;
+    let b_high = b >> 16u;
+    let b_low = b & 65535u;
+    let low = a_low * b_low;
+    let one = a_low * b_high + (low >> 16u);
+    let two = a_high * b_low + (one & 65535u);
+    return vec2u(a_high * b_high + (one >> 16u) + (two >> 16u), (two << 16u) | (low & 65535u));
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "compared",
+        sampling: None,
+        uses: &["wide_product"],
+        text: r#"// The order of two products: less than 0, 0 or more where that of the first two is less, as large or more.
+fn compared(a: u32, b: u32, c: u32, d: u32) -> i32 {
+    let first = wide_product(a, b);
+    let second = wide_product(c, d);
+    let by_low = select(select(0, 1, first.y > second.y), -1, first.y < second.y);
+    return select(select(by_low, 1, first.x > second.x), -1, first.x < second.x);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "magnitude",
+        sampling: None,
+        uses: &[],
+        text: r#"fn magnitude(number: i32) -> u32 {
+    return u32(abs(number));
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "sign_of",
+        sampling: None,
+        uses: &[],
+        text: r#"fn sign_of(number: i32) -> i32 {
+    return clamp(number, -1, 1);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "turn_of_piece",
+        sampling: None,
+        uses: &["SweptPoint", "compared", "magnitude", "sign_of"],
+        text: r#"// The sign of twice the area of a triangle.
+fn turn_of_piece(a: SweptPoint, b: SweptPoint, c: SweptPoint) -> i32 {
+    let bx = b.x * a.w - a.x * b.w;
+    let by = b.y * a.w - a.y * b.w;
+    let cx = c.x * a.w - a.x * c.w;
+    let cy = c.y * a.w - a.y * c.w;
+    let of_first = sign_of(bx) * sign_of(cy);
+    let of_second = sign_of(by) * sign_of(cx);
+    if (of_first != of_second) {
+        return select(1, -1, of_first < of_second);
+    }
+    return of_first * compared(magnitude(bx), magnitude(cy), magnitude(by), magnitude(cx));
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "stretch_of",
+        sampling: None,
+        uses: &["SweptPoint", "magnitude"],
+        text: r#"// How long a way is, along and up together, times the product of the denominators.
+fn stretch_of(a: SweptPoint, b: SweptPoint) -> u32 {
+    return magnitude(b.x * a.w - a.x * b.w) + magnitude(b.y * a.w - a.y * b.w);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "is_no_longer",
+        sampling: None,
+        uses: &["SweptPoint", "compared", "stretch_of"],
+        text: r#"// Whether a way is no longer than another one.
+fn is_no_longer(a: SweptPoint, b: SweptPoint, c: SweptPoint, d: SweptPoint) -> bool {
+    return compared(stretch_of(a, b), u32(c.w * d.w), stretch_of(c, d), u32(a.w * b.w)) <= 0;
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "zip_goes_left",
+        sampling: None,
+        uses: &["ROOF_UP", "Zip", "is_no_longer", "turn_of_piece"],
+        text: r#"// Whether the next point of what is zipped is one to the left.
+fn zip_goes_left(zip: Zip) -> bool {
+    let on_left = zip.left.count - 1 - zip.i;
+    let on_right = zip.right.count - 1 - zip.j;
+    if (on_left == 0) {
+        return false;
+    }
+    if (on_right == 0) {
+        return true;
+    }
+    // Under a roof its lowest point goes first.
+    if (zip.left.way == ROOF_UP && zip.i == 0) {
+        return true;
+    }
+    // The end comes last, or the triangles with it would have three corners on that side.
+    if (zip.keeps_right == 1u && on_right == 1) {
+        return true;
+    }
+    if (zip.keeps_left == 1u && on_left == 1) {
+        return false;
+    }
+    let of_left = turn_of_piece(zip.at_left, zip.at_right, zip.next_left);
+    let of_right = turn_of_piece(zip.at_left, zip.at_right, zip.next_right);
+    let is_shorter = is_no_longer(zip.next_left, zip.at_right, zip.at_left, zip.next_right);
+    if (of_left == of_right) {
+        return is_shorter;
+    }
+    return of_left > 0 && (of_right <= 0 || is_shorter);
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "zip_next",
+        sampling: None,
+        uses: &["Sweep", "Zip", "chain_point"],
+        text: r#"// What is zipped after its next point.
+fn zip_next(sweep: Sweep, zip: Zip, goes_left: bool) -> Zip {
+    var next = zip;
+    if (goes_left) {
+        next.i = zip.i + 1;
+        next.at_left = zip.next_left;
+        next.next_left = chain_point(sweep, zip.left, min(zip.i + 2, zip.left.count - 1));
+    } else {
+        next.j = zip.j + 1;
+        next.at_right = zip.next_right;
+        next.next_right = chain_point(sweep, zip.right, min(zip.j + 2, zip.right.count - 1));
+    }
+    return next;
+}"#,
+    },
+    Declaration {
+        module: "shared/sweep",
+        name: "swept_triangles",
+        sampling: None,
+        uses: &["Sweep", "SweptColumn", "TOP_BEFORE", "TOP_NEXT", "TOP_ROOF", "swept_chain"],
+        text: r#"// How many triangles there are between a column and the next, the roofs that close there among them.
+fn swept_triangles(sweep: Sweep, column: SweptColumn, next: SweptColumn) -> u32 {
+    let strip = swept_chain(sweep, column, TOP_NEXT).count + swept_chain(sweep, next, TOP_BEFORE).count - 2;
+    let own = select(0, column.of_top - 1, column.column == 0 && column.top == TOP_ROOF);
+    return u32(strip + own + select(0, next.of_top - 1, next.top == TOP_ROOF));
+}"#,
+    },
+    Declaration {
         module: "shared/tangent_plane",
         name: "height_and_slope",
         sampling: None,
@@ -6723,6 +7484,14 @@ const COARSEST = 20u;"#,
     },
     Declaration {
         module: "shared/tessellation",
+        name: "PARTS_ROUNDING",
+        sampling: None,
+        uses: &[],
+        text: r#"// What a number of parts may be above a whole one by rounding, as texture coordinates are stored.
+const PARTS_ROUNDING = 0.0009765625;"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
         name: "FARTHEST_VOXEL",
         sampling: None,
         uses: &[],
@@ -6741,7 +7510,7 @@ const ROOT_OF_TWO = 1.4142135;"#,
         module: "shared/tessellation",
         name: "Tessellation",
         sampling: None,
-        uses: &[],
+        uses: &["is_swept"],
         text: r#"// What is the same for all of a tessellated base: the view, and how much there is.
 struct Tessellation {
     // The eye, and unit vectors of the camera.
@@ -6770,6 +7539,10 @@ struct Tessellation {
     // The most points besides the base's vertices, and the most triangles: with more the grid is coarser.
     most_points: u32,
     most_triangles: u32,
+    // Parts for a unit of u and of v; 0 where sides are divided by voxels.
+    parts_of_uv: vec2f,
+    // 1 where voxels say what is inside, too.
+    is_swept: u32,
 }"#,
     },
     Declaration {
@@ -6806,6 +7579,8 @@ struct BaseEdge {
     ends: vec2u,
     // Those of the edge between these positions that says where points are.
     seen: vec2u,
+    // By how much u and v change along it; the most of all edges between the same positions.
+    along: vec2f,
     // The triangles that have it, the second the first again where it has one; COUNTLESS twice where it has
     // more than two.
     patches: vec2u,
@@ -6844,7 +7619,8 @@ struct BasePatch {
 struct Voxel {
     // The voxel that it lies in: right, down and away from the eye.
     at: vec3i,
-    // What it counts where points are divided in the picture: the inverse of its depth in perspective.
+    // What it counts where points are divided in the picture: the inverse of its depth in perspective. 1 where
+    // they are divided on the base.
     share: f32,
 }"#,
     },
@@ -6914,20 +7690,77 @@ fn voxel_of(grid: Tessellation, position: vec3f) -> Voxel {
     let down = grid.middle.y - dot(grid.up.xyz, from_eye) * grid.per_m * share;
     let far = vec3f(FARTHEST_VOXEL, FARTHEST_VOXEL, FARTHEST_VOXEL);
     let at = clamp(vec3f(right, down, away), -far, far);
-    return Voxel(vec3i(floor(at + vec3f(0.5, 0.5, 0.5))), share);
+    return Voxel(vec3i(floor(at + vec3f(0.5, 0.5, 0.5))), select(share, 1.0, grid.parts_of_uv.x > 0.0));
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "coarser_voxel",
+        sampling: None,
+        uses: &[],
+        text: r#"// A voxel of a grid that is coarser by so many doublings.
+fn coarser_voxel(at: vec3i, level: u32) -> vec3i {
+    return vec3i(at.x >> level, at.y >> level, at.z >> level);
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "parts_by_voxels",
+        sampling: None,
+        uses: &["DICE_PARTS", "Voxel", "coarser_voxel", "longest_of"],
+        text: r#"// In how many parts an edge between two voxels is divided, where the grid is coarser by so many doublings.
+fn parts_by_voxels(a: Voxel, b: Voxel, level: u32) -> u32 {
+    let apart = longest_of(coarser_voxel(b.at, level) - coarser_voxel(a.at, level));
+    return clamp(u32(apart), 1u, DICE_PARTS);
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "parts_by_uv",
+        sampling: None,
+        uses: &["DICE_PARTS", "PARTS_ROUNDING", "Tessellation"],
+        text: r#"// The same of one along which u and v change by so much.
+fn parts_by_uv(grid: Tessellation, along: vec2f, level: u32) -> u32 {
+    let both = along * grid.parts_of_uv;
+    let parts = ceil(max(both.x, both.y) / f32(1u << level) - PARTS_ROUNDING);
+    return u32(clamp(parts, 1.0, f32(DICE_PARTS)));
 }"#,
     },
     Declaration {
         module: "shared/tessellation",
         name: "parts_between",
         sampling: None,
-        uses: &["COARSEST", "DICE_PARTS", "Voxel"],
-        text: r#"// In how many parts an edge between two voxels is divided, where the grid is coarser by so many doublings.
-fn parts_between(a: Voxel, b: Voxel, level: u32) -> u32 {
-    let apart = vec3u(abs(b.at - a.at));
-    let farthest = max(max(apart.x, apart.y), apart.z);
-    let parts = (farthest + (1u << level) - 1u) >> level;
-    return select(clamp(parts, 1u, DICE_PARTS), 1u, level == COARSEST);
+        uses: &["Tessellation", "Voxel", "parts_by_uv", "parts_by_voxels"],
+        text: r#"// In how many parts an edge between two voxels is divided, along which u and v change by so much.
+fn parts_between(grid: Tessellation, a: Voxel, b: Voxel, along: vec2f, level: u32) -> u32 {
+    if (grid.parts_of_uv.x > 0.0) {
+        return parts_by_uv(grid, along, level);
+    }
+    return parts_by_voxels(a, b, level);
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "is_swept",
+        sampling: None,
+        uses: &["SWEPT_PARTS", "Tessellation", "Voxel", "coarser_voxel", "longest_of"],
+        text: r#"// Whether voxels say what is inside of a triangle.
+fn is_swept(grid: Tessellation, a: Voxel, b: Voxel, c: Voxel, level: u32) -> bool {
+    let first = coarser_voxel(a.at, level);
+    let second = coarser_voxel(b.at, level);
+    let third = coarser_voxel(c.at, level);
+    let longest = max(max(longest_of(second - first), longest_of(third - second)), longest_of(first - third));
+    return longest > 0 && longest <= SWEPT_PARTS && grid.is_swept == 1u;
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
+        name: "sweep_on",
+        sampling: None,
+        uses: &["Sweep", "Voxel", "coarser_voxel", "sweep_of"],
+        text: r#"// The sweep of a triangle that is swept, in that grid.
+fn sweep_on(a: Voxel, b: Voxel, c: Voxel, level: u32) -> Sweep {
+    return sweep_of(coarser_voxel(a.at, level), coarser_voxel(b.at, level), coarser_voxel(c.at, level));
 }"#,
     },
     Declaration {
@@ -11390,7 +12223,7 @@ fn stencil_clear_fragment(in: OnStencil) {
         uses: &[],
         text: r#"// What is made of an edge or a triangle of the base.
 struct Tally {
-    // The parts of an edge; of a triangle 1 where it is made.
+    // The parts of an edge; of a triangle 1 where it is made, and SWEPT where the grid says what is inside.
     parts: u32,
     // Its points and triangles; and in the end those of all before it.
     points: u32,
@@ -11417,6 +12250,14 @@ struct MadeTotals {
     // 1 when that is known.
     is_known: u32,
 }"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "SWEPT",
+        sampling: None,
+        uses: &[],
+        text: r#"// What stands for a triangle that is swept.
+const SWEPT = 2u;"#,
     },
     Declaration {
         module: "roots/tessellate",
@@ -11505,7 +12346,9 @@ fn edges_main(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     let edge = base_edges[number];
-    let parts = parts_between(voxels[edge.ends.x], voxels[edge.ends.y], made_totals[0].level);
+    let a = voxels[edge.ends.x];
+    let b = voxels[edge.ends.y];
+    let parts = parts_between(tessellation, a, b, edge.along, made_totals[0].level);
     var is_made = edge.patches.x == COUNTLESS;
     if (!is_made) {
         let first = tallies[tessellation.edges + edge.patches.x].parts;
@@ -11528,9 +12371,33 @@ fn rows_of(number: u32) -> DiceRows {
     },
     Declaration {
         module: "roots/tessellate",
+        name: "sweep_of_patch",
+        sampling: None,
+        uses: &["Sweep", "base_patches", "made_totals", "sweep_on", "voxels"],
+        text: r#"// The sweep of a triangle of the base that is swept.
+fn sweep_of_patch(number: u32) -> Sweep {
+    let at = base_patches[number].corners;
+    return sweep_on(voxels[at.x], voxels[at.y], voxels[at.z], made_totals[0].level);
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "tally_of_swept",
+        sampling: None,
+        uses: &["SWEPT", "Tally", "base_patches", "tallies"],
+        text: r#"// What a triangle of the base has once its points inside are counted: every corner of its triangles lies inside
+// or on its border.
+fn tally_of_swept(number: u32, points: u32) -> Tally {
+    let edges = base_patches[number].edges;
+    let border = tallies[edges.x].parts + tallies[edges.y].parts + tallies[edges.z].parts;
+    return Tally(SWEPT, points, 2u * points + border - 2u);
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
         name: "patches_main",
         sampling: None,
-        uses: &["TESSELLATE_GROUP", "Tally", "dice_points", "dice_triangles", "made_totals", "number_of", "rows_of", "tallies", "tessellation"],
+        uses: &["TESSELLATE_GROUP", "Tally", "base_patches", "dice_points", "dice_triangles", "is_swept", "made_totals", "number_of", "rows_of", "sweep_of_patch", "swept_points_of", "tallies", "tally_of_swept", "tessellation", "voxels"],
         text: r#"// How many points and triangles those have.
 @compute @workgroup_size(TESSELLATE_GROUP)
 fn patches_main(@builtin(global_invocation_id) id: vec3u) {
@@ -11539,13 +12406,17 @@ fn patches_main(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     let place = tessellation.edges + number;
-    let is_made = tallies[place].parts;
-    if (is_made == 0u) {
+    if (tallies[place].parts == 0u) {
         tallies[place] = Tally(0u, 0u, 0u);
         return;
     }
+    let at = base_patches[number].corners;
+    if (is_swept(tessellation, voxels[at.x], voxels[at.y], voxels[at.z], made_totals[0].level)) {
+        tallies[place] = tally_of_swept(number, swept_points_of(sweep_of_patch(number)));
+        return;
+    }
     let rows = rows_of(number);
-    tallies[place] = Tally(is_made, dice_points(rows), dice_triangles(rows));
+    tallies[place] = Tally(1u, dice_points(rows), dice_triangles(rows));
 }"#,
     },
     Declaration {
@@ -11724,14 +12595,29 @@ fn edge_site(edge: BaseEdge, at: u32, parts: u32) -> BaseSite {
     },
     Declaration {
         module: "roots/tessellate",
+        name: "weights_inside",
+        sampling: None,
+        uses: &["SWEPT", "dice_place", "dice_point", "made_corners", "rows_of", "tallies", "tessellation"],
+        text: r#"// The weights of a point inside of a triangle of the base, by its number there. Those of swept ones stand
+// where the point will be.
+fn weights_inside(number: u32, point: u32) -> vec3f {
+    let tally = tallies[tessellation.edges + number];
+    if (tally.parts == SWEPT) {
+        return made_corners[tessellation.vertices + tally.points + point].position;
+    }
+    let rows = rows_of(number);
+    return dice_point(rows, dice_place(rows, point)).weights;
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
         name: "patch_site",
         sampling: None,
-        uses: &["BaseSite", "base_patches", "dice_place", "dice_point", "rows_of", "site_inside", "vertex_site", "voxels"],
+        uses: &["BaseSite", "base_patches", "site_inside", "vertex_site", "voxels", "weights_inside"],
         text: r#"// A point inside of a triangle of the base, by its number there.
 fn patch_site(number: u32, point: u32) -> BaseSite {
     let at = base_patches[number].corners;
-    let rows = rows_of(number);
-    let weights = dice_point(rows, dice_place(rows, point)).weights;
+    let weights = weights_inside(number, point);
     let shares = vec3f(voxels[at.x].share, voxels[at.y].share, voxels[at.z].share);
     let a = vertex_site(at.x, at.x);
     let b = vertex_site(at.y, at.y);
@@ -11774,29 +12660,47 @@ fn points_main(@builtin(global_invocation_id) id: vec3u) {
         module: "roots/tessellate",
         name: "numbered_point",
         sampling: None,
-        uses: &["DICE_INSIDE", "DicePlace", "DiceRows", "base_edges", "base_patches", "dice_point", "one_of", "tallies", "tessellation"],
-        text: r#"// The number of a point of a triangle of the base.
-fn numbered_point(number: u32, rows: DiceRows, place: DicePlace) -> u32 {
-    let point = dice_point(rows, place);
-    if (point.side == DICE_INSIDE) {
-        return tessellation.vertices + tallies[tessellation.edges + number].points + point.at;
+        uses: &["DICE_INSIDE", "base_edges", "base_patches", "one_of", "tallies", "tessellation"],
+        text: r#"// The number of a point of a triangle of the base: of one of its sides, or inside.
+fn numbered_point(number: u32, side: u32, at: u32) -> u32 {
+    if (side == DICE_INSIDE) {
+        return tessellation.vertices + tallies[tessellation.edges + number].points + at;
     }
     let corners = base_patches[number].corners;
-    if (point.at == 0u) {
-        return one_of(corners, point.side);
+    if (at == 0u) {
+        return one_of(corners, side);
     }
-    let edge = one_of(base_patches[number].edges, point.side);
-    let is_forth = base_edges[edge].ends.x == one_of(corners, point.side);
-    let at = select(tallies[edge].parts - point.at, point.at, is_forth);
-    return tessellation.vertices + tallies[edge].points + at - 1u;
+    let edge = one_of(base_patches[number].edges, side);
+    let is_forth = base_edges[edge].ends.x == one_of(corners, side);
+    let along = select(tallies[edge].parts - at, at, is_forth);
+    return tessellation.vertices + tallies[edge].points + along - 1u;
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "diced_point",
+        sampling: None,
+        uses: &["DicePlace", "DiceRows", "dice_point", "numbered_point"],
+        text: r#"fn diced_point(number: u32, rows: DiceRows, place: DicePlace) -> u32 {
+    let point = dice_point(rows, place);
+    return numbered_point(number, point.side, point.at);
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "write_face",
+        sampling: None,
+        uses: &["Face", "Shell", "made_faces"],
+        text: r#"fn write_face(triangle: u32, corners: vec3u) {
+    made_faces[triangle] = Face(corners, Shell(vec2f(0.0, 1.0), 36u, vec3f(0.0, 0.0, 0.0)));
 }"#,
     },
     Declaration {
         module: "roots/tessellate",
         name: "triangles_main",
         sampling: None,
-        uses: &["Face", "Shell", "TESSELLATE_GROUP", "dice_triangle", "made_faces", "made_totals", "number_of", "numbered_point", "patch_of_triangle", "rows_of", "tallies", "tessellation"],
-        text: r#"// Makes triangles.
+        uses: &["SWEPT", "TESSELLATE_GROUP", "dice_triangle", "diced_point", "made_totals", "number_of", "patch_of_triangle", "rows_of", "tallies", "tessellation", "write_face"],
+        text: r#"// Makes triangles by the pattern that finds each by its number.
 @compute @workgroup_size(TESSELLATE_GROUP)
 fn triangles_main(@builtin(global_invocation_id) id: vec3u) {
     let triangle = number_of(id);
@@ -11804,13 +12708,103 @@ fn triangles_main(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     let number = patch_of_triangle(triangle);
+    if (tallies[tessellation.edges + number].parts == SWEPT) {
+        return;
+    }
     let rows = rows_of(number);
     let cut = dice_triangle(rows, triangle - tallies[tessellation.edges + number].triangles);
-    let a = numbered_point(number, rows, cut.a);
-    let b = numbered_point(number, rows, cut.b);
-    let c = numbered_point(number, rows, cut.c);
-    let whole = Shell(vec2f(0.0, 1.0), 36u, vec3f(0.0, 0.0, 0.0));
-    made_faces[triangle] = Face(vec3u(a, b, c), whole);
+    let a = diced_point(number, rows, cut.a);
+    let b = diced_point(number, rows, cut.b);
+    let c = diced_point(number, rows, cut.c);
+    write_face(triangle, vec3u(a, b, c));
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "swept_point",
+        sampling: None,
+        uses: &["SweptPoint", "numbered_point"],
+        text: r#"fn swept_point(number: u32, point: SweptPoint) -> u32 {
+    return numbered_point(number, point.side, point.at);
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "write_zip",
+        sampling: None,
+        uses: &["Sweep", "Zip", "swept_point", "write_face", "zip_goes_left", "zip_next", "zip_rest"],
+        text: r#"// Makes the triangles of what is zipped, the first of which has that number; gives the number after the last.
+fn write_zip(number: u32, sweep: Sweep, zipped: Zip, first: u32) -> u32 {
+    var zip = zipped;
+    var triangle = first;
+    while (zip_rest(zip) > 0) {
+        let goes_left = zip_goes_left(zip);
+        let a = swept_point(number, zip.at_left);
+        let b = swept_point(number, zip.at_right);
+        zip = zip_next(sweep, zip, goes_left);
+        var c = swept_point(number, zip.at_right);
+        if (goes_left) {
+            c = swept_point(number, zip.at_left);
+        }
+        write_face(triangle, select(vec3u(a, b, c), vec3u(b, a, c), sweep.is_turned == 1u));
+        triangle = triangle + 1u;
+    }
+    return triangle;
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "write_strips",
+        sampling: None,
+        uses: &["Sweep", "made_corners", "swept_column", "swept_weights", "tallies", "tessellation", "write_zip", "zip_of"],
+        text: r#"// Makes the strips of a swept triangle of the base between some columns, before which there are so many points
+// and triangles: the weights of the points inside of each next column, which are displaced later, and triangles.
+fn write_strips(number: u32, sweep: Sweep, first: i32, end: i32, before: vec2u) {
+    let tally = tallies[tessellation.edges + number];
+    var triangle = tally.triangles + before.y;
+    var column = swept_column(sweep, first, 0u);
+    column.first = before.x - u32(column.inner);
+    for (var strip = first; strip < end; strip++) {
+        let next = swept_column(sweep, strip + 1, column.first + u32(column.inner));
+        for (var k = 0; k < next.inner; k++) {
+            let point = tessellation.vertices + tally.points + next.first + u32(k);
+            made_corners[point].position = swept_weights(sweep, next.column, next.inside + k);
+        }
+        for (var which = 0u; which < 3u; which++) {
+            triangle = write_zip(number, sweep, zip_of(sweep, column, next, which), triangle);
+        }
+        column = next;
+    }
+}"#,
+    },
+    Declaration {
+        module: "roots/tessellate",
+        name: "swept_main",
+        sampling: None,
+        uses: &["SWEPT", "TESSELLATE_GROUP", "TESSELLATE_ROW", "sweep_of_patch", "swept_column", "swept_triangles", "tallies", "tessellation", "write_strips"],
+        text: r#"// Makes swept triangles: a group takes a triangle of the base, and each of its invocations some of the strips
+// between columns. It counts those before by itself, which is less work than to make them.
+@compute @workgroup_size(TESSELLATE_GROUP)
+fn swept_main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lane: u32) {
+    let number = group.y * (TESSELLATE_ROW / TESSELLATE_GROUP) + group.x;
+    if (number >= tessellation.patches || tallies[tessellation.edges + number].parts != SWEPT) {
+        return;
+    }
+    let sweep = sweep_of_patch(number);
+    let each = (sweep.end.x + i32(TESSELLATE_GROUP) - 1) / i32(TESSELLATE_GROUP);
+    let first = i32(lane) * each;
+    if (first >= sweep.end.x) {
+        return;
+    }
+    var before = vec2u(0u, 0u);
+    var column = swept_column(sweep, 0, 0u);
+    // Points are counted with the column after them.
+    for (var strip = 0; strip < first; strip++) {
+        let next = swept_column(sweep, strip + 1, 0u);
+        before = before + vec2u(u32(next.inner), swept_triangles(sweep, column, next));
+        column = next;
+    }
+    write_strips(number, sweep, first, min(first + each, sweep.end.x), before);
 }"#,
     },
     Declaration {

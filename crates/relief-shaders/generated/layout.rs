@@ -542,25 +542,29 @@ pub struct BaseEdge {
     pub ends: rt::Vec2<u32>,
     /// Those of the edge between these positions that says where points are.
     pub seen: rt::Vec2<u32>,
+    /// By how much u and v change along it; the most of all edges between the same positions.
+    pub along: rt::Vec2<f32>,
     /// The triangles that have it, the second the first again where it has one; COUNTLESS twice where it has
     /// more than two.
     pub patches: rt::Vec2<u32>,
 }
 
 impl Shared for BaseEdge {
-    const SIZE: usize = 24;
+    const SIZE: usize = 32;
 
     fn write(&self, bytes: &mut [u8]) {
         self.ends.write(&mut bytes[0..]);
         self.seen.write(&mut bytes[8..]);
-        self.patches.write(&mut bytes[16..]);
+        self.along.write(&mut bytes[16..]);
+        self.patches.write(&mut bytes[24..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
             ends: Shared::read(&bytes[0..]),
             seen: Shared::read(&bytes[8..]),
-            patches: Shared::read(&bytes[16..]),
+            along: Shared::read(&bytes[16..]),
+            patches: Shared::read(&bytes[24..]),
         }
     }
 }
@@ -675,7 +679,7 @@ impl Shared for MadeTotals {
 #[derive(Clone, Copy, Debug, PartialEq)]
 /// What is made of an edge or a triangle of the base.
 pub struct Tally {
-    /// The parts of an edge; of a triangle 1 where it is made.
+    /// The parts of an edge; of a triangle 1 where it is made, and SWEPT where the grid says what is inside.
     pub parts: u32,
     /// Its points and triangles; and in the end those of all before it.
     pub points: u32,
@@ -701,7 +705,7 @@ impl Shared for Tally {
 }
 
 impl Shared for Tessellation {
-    const SIZE: usize = 192;
+    const SIZE: usize = 208;
 
     fn write(&self, bytes: &mut [u8]) {
         self.eye.write(&mut bytes[0..]);
@@ -720,6 +724,8 @@ impl Shared for Tessellation {
         self.patches.write(&mut bytes[180..]);
         self.most_points.write(&mut bytes[184..]);
         self.most_triangles.write(&mut bytes[188..]);
+        self.parts_of_uv.write(&mut bytes[192..]);
+        self.is_swept.write(&mut bytes[200..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -740,6 +746,8 @@ impl Shared for Tessellation {
             patches: Shared::read(&bytes[180..]),
             most_points: Shared::read(&bytes[184..]),
             most_triangles: Shared::read(&bytes[188..]),
+            parts_of_uv: Shared::read(&bytes[192..]),
+            is_swept: Shared::read(&bytes[200..]),
         }
     }
 }

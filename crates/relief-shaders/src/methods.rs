@@ -246,7 +246,7 @@ pub const METHODS: &[Method] = &[
     },
     Method {
         name: "tessellate",
-        summary: "displaced triangles: each base triangle cut by a pattern, as finely as the view's pixels are",
+        summary: "displaced triangles: each base triangle cut by itself, as finely as the view's pixels are",
         geometry: geometry::TESSELLATE,
         search: "none",
         refine: "none",

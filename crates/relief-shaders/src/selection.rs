@@ -16,7 +16,7 @@ use self::numbers::{
     SLICED, SOFT,
 };
 use crate::Method;
-use crate::geometry::{self, Geometry};
+use crate::geometry::{self, Geometry, Tessellated};
 use crate::object::Solid;
 use crate::slice::{SliceDirection, Slices};
 use crate::stages::{
@@ -158,7 +158,7 @@ impl Selection {
         match entry.name {
             geometry::VERTEX => Some(Geometry::Texels(params[0] as u32)),
             geometry::REMESH => Some(Geometry::Pixels(params[0])),
-            geometry::TESSELLATE => Some(Geometry::Tessellated(params[0])),
+            geometry::TESSELLATE => Some(Geometry::Tessellated(Tessellated::of(*params))),
             geometry::SLICES => Some(Geometry::Slices(Slices::of(self.choices[SLICES].params, params[0]))),
             geometry::OBJECT_SLICES => {
                 Some(Geometry::ObjectSlices(Slices::of(self.choices[SLICES].params, 0.0), params[0] != 0.0))
@@ -368,6 +368,11 @@ impl Selection {
             && slices.direction != SliceDirection::Screen
         {
             return error(GEOMETRY, "a border clips slices at equal depths alone".to_owned());
+        }
+        if let Some(Geometry::Tessellated(tessellated)) = self.geometry()
+            && let Some(reason) = tessellated.refused()
+        {
+            return error(GEOMETRY, reason.to_owned());
         }
         match (self.is_of_images(), self.choices[OBJECT].number != 0) {
             (true, false) => return error(OBJECT, "choose what the object is of its images".to_owned()),

@@ -187,6 +187,7 @@ impl Root {
                 "starts_main",
                 "points_main",
                 "triangles_main",
+                "swept_main",
             ],
         }
     }

@@ -194,8 +194,11 @@ fn a_vertex_every_pixel_has_the_same_outline() {
     for case in cases() {
         let vertex = picture(&case, &map, "vertex", &[]);
         let judged = judged(&case, &map);
-        for method in ["remesh", "tessellate"] {
-            let pixels = picture(&case, &map, method, &[]);
+        let swept = &[("geometry.interior", 1.0)];
+        let methods: [(&str, &[(&str, f64)]); 3] =
+            [("remesh", &[]), ("tessellate", &[]), ("tessellate", swept)];
+        for (method, settings) in methods {
+            let pixels = picture(&case, &map, method, settings);
             let aside = distances(&shown(&vertex).filled(), &shown(&pixels).filled());
             let near = quantile(aside, 0.95);
             println!("{} {method}: {near} pixels", case.name);
@@ -235,8 +238,13 @@ fn both_backends_show_the_same_triangles() {
     let (mut on_cpu, mut before) = (Renderer::on_cpu(), Vec::new());
     let cases = cases();
     let both = cases.iter().zip(["vertex", "remesh"].into_iter().cycle());
-    for (case, method) in both.chain(cases.iter().map(|case| (case, "tessellate"))) {
-        let selection = selection(method, &[("detail", "footprint")], &[("shadow.size", 256.0)]);
+    let both = both.map(|(case, method)| (case, method, None));
+    let ways = [None, Some(("geometry.interior", 1.0)), Some(("geometry.texels", 4.0))];
+    let tessellated =
+        ways.into_iter().flat_map(|way| cases.iter().map(move |case| (case, "tessellate", way)));
+    for (case, method, way) in both.chain(tessellated) {
+        let settings: Vec<(&str, f64)> = [("shadow.size", 256.0)].into_iter().chain(way).collect();
+        let selection = selection(method, &[("detail", "footprint")], &settings);
         let surface = Surface::new(Arc::clone(&case.mesh), map.clone()).with_selection(selection);
         let surface = surface.with_two_sided(case.name == "plane");
         let scene = scene_of(surface, case.camera).build().expect("a scene");
@@ -250,7 +258,7 @@ fn both_backends_show_the_same_triangles() {
             });
             same.count() as f64 / covered.count().max(1) as f64
         };
-        println!("{} {method}: {:.5}", case.name, alike(&cpu, &gpu));
+        println!("{} {method} {way:?}: {:.5}", case.name, alike(&cpu, &gpu));
         // At edges rasterisers may choose the other triangle.
         assert!(alike(&cpu, &gpu) >= 0.996, "{} {method}: {}", case.name, alike(&cpu, &gpu));
         assert!(alike(&cpu, &before) < 0.5, "{} {method}: another picture is the same", case.name);
@@ -362,6 +370,9 @@ fn what_cannot_be_shown_is_refused_with_the_reason() {
     assert!(error.contains("'vertex'") && error.contains("'prism'") && error.contains("'facets'"), "{error}");
     let error = refused(surface(selection("remesh", &[("shadow", "ray")], &[])));
     assert!(error.contains("'ray'") && error.contains("'map'"), "{error}");
+    let both = [("geometry.interior", 1.0), ("geometry.texels", 1.0)];
+    let error = refused(surface(selection("tessellate", &[], &both)));
+    assert!(error.contains("'tessellate'") && error.contains("texels"), "{error}");
     // Memory is counted before it is taken, over all surfaces.
     let scene = |memory: u64, count: usize| {
         let surfaces = (0..count).map(|_| surface(vertex())).collect();

@@ -9,7 +9,8 @@
 //! So the primary edge has one point in each *column*, at its bottom. The two other sides make the top: the
 //! points of theirs that round to a column belong to it. Between are the grid's own points, but those that
 //! lie within a voxel of a side are left out: they are dragged to it, in the paper's words. Neighbouring
-//! columns are zipped from below, by the shorter diagonal of the two that turn nothing over. Points of the
+//! columns are zipped from below, by the shorter diagonal of the two that turn nothing over: by the sum of
+//! how far it goes along and up, which whole numbers compare exactly. Points of the
 //! top that lie before the third corner are zipped with the next column, those behind it with the last one;
 //! what there is of both in the third corner's own column is closed there, as a roof.
 //!
@@ -325,7 +326,7 @@ impl Sweep {
                 (Some(_), Some(_)) if keeps_left && i + 2 == left.len() => false,
                 (Some(up_left), Some(up_right)) => {
                     let of = [up_left, up_right].map(|up| turn([at_left.1, at_right.1, up.1]));
-                    let shorter = distance(up_left.1, at_right.1) <= distance(at_left.1, up_right.1);
+                    let shorter = is_no_longer([up_left.1, at_right.1], [at_left.1, up_right.1]);
                     if of[0] == of[1] { shorter } else { of[0] > 0 && (of[1] <= 0 || shorter) }
                 }
             };
@@ -371,11 +372,12 @@ fn turn([a, b, c]: [Place; 3]) -> i32 {
     (bx * cy - by * cx).signum() as i32
 }
 
-/// The square of a distance.
-fn distance(a: Place, b: Place) -> f64 {
-    let at = |place: Place| [place.x, place.y].map(|of| of as f64 / place.w as f64);
-    let ([ax, ay], [bx, by]) = (at(a), at(b));
-    (ax - bx) * (ax - bx) + (ay - by) * (ay - by)
+/// Whether a way is no longer than another one, along and up together.
+fn is_no_longer(way: [Place; 2], other: [Place; 2]) -> bool {
+    let length =
+        |[a, b]: [Place; 2]| [(b.x * a.w - a.x * b.w).abs() + (b.y * a.w - a.y * b.w).abs(), a.w * b.w];
+    let ([of, by], [of_other, by_other]) = (length(way).map(i128::from), length(other).map(i128::from));
+    of * by_other <= of_other * by
 }
 
 /// A quotient of whole numbers, the second above 0, rounded up.

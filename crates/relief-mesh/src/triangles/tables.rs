@@ -61,12 +61,14 @@ pub struct TableVertex {
 }
 
 /// An edge between two vertices. At a seam there are several between the same positions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TableEdge {
     /// The vertices, in an order that all edges between the same positions agree on.
     pub ends: [u32; 2],
     /// The ends of the edge between these positions that says where points are.
     pub seen: [u32; 2],
+    /// By how much `u` and `v` change along it, or more where another edge between these positions has more.
+    pub along: Vec2,
     /// The first and the last triangle that has it, the same where there is one; none where there are more
     /// than two.
     pub patches: Option<[u32; 2]>,
@@ -183,9 +185,16 @@ impl Triangles {
                 *count += 1;
             }
         }
+        let mut along = vec![Vec2::ZERO; self.edges.count() as usize];
+        for edge in 0..self.edges.count() {
+            let [a, b] = self.edges.ends(edge).map(|end| mesh.vertices()[end as usize].uv);
+            let most = &mut along[self.seen(edge) as usize];
+            *most = most.max((b - a).abs());
+        }
         let edges = (0..self.edges.count()).zip(owners).map(|(edge, (count, patches))| TableEdge {
             ends: self.edges.ends(edge),
             seen: self.edges.ends(self.seen(edge)),
+            along: along[self.seen(edge) as usize],
             patches: (count <= 2).then_some(patches),
         });
         let bounds = Bounds { relief, levels: relief.levels().map(HeightBounds::new).collect() };

@@ -7,8 +7,8 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 use relief_shaders::cpu::{
-    BasePatch, BaseSite, BaseVertex, Corner, DicePlace, DiceRows, Frame, Shell, Tessellator, Vec2, Vec3,
-    Voxel,
+    BasePatch, BaseSite, BaseVertex, Corner, DicePlace, DiceRows, Frame, Shell, Sweep, Tessellator, Vec2,
+    Vec3, Voxel,
 };
 
 use crate::job::{Job, JobSurface};
@@ -42,6 +42,16 @@ struct Counted<'a> {
     tallies: Vec<Tally>,
     points: u32,
     triangles: u32,
+    /// By how many doublings the grid is coarser.
+    level: u32,
+}
+
+/// What is made of a triangle of the base.
+#[derive(Debug, Default)]
+struct Filled {
+    faces: Vec<[u32; 3]>,
+    /// The weights of its corners at the points inside, by their numbers; of a pattern they follow from these.
+    weights: Vec<Vec3<f32>>,
 }
 
 /// Triangles that were made for the last job, by what they were made of.
@@ -74,12 +84,13 @@ pub fn triangles(surface: &JobSurface, frame: Frame, tessellation: &Tessellation
     let Tessellation { base, grid } = tessellation;
     let tessellator = Tessellator::new(&surface.bound(surface.settings, frame, None), *grid);
     let counted = Counted::new(tessellator, base, [grid.most_points, grid.most_triangles]);
+    let filled: Vec<Filled> =
+        (0..base.patches.len() as u32).into_par_iter().map(|patch| counted.filled(patch)).collect();
     let vertices = base.vertices.len() as u32;
-    let corners = (0..vertices + counted.points).into_par_iter().map(|point| counted.corner(point));
+    let corners = (0..vertices + counted.points).into_par_iter().map(|point| counted.corner(point, &filled));
     let corners: Vec<Corner> = corners.collect();
-    let faces: Vec<[u32; 3]> =
-        (0..counted.triangles).into_par_iter().map(|triangle| counted.face(triangle)).collect();
-    Triangles::new(corners, faces.into_iter().zip(std::iter::repeat(Shell::whole())))
+    let faces = filled.into_iter().flat_map(|filled| filled.faces);
+    Triangles::new(corners, faces.zip(std::iter::repeat(Shell::whole())))
 }
 
 impl<'a> Counted<'a> {
@@ -101,6 +112,7 @@ impl<'a> Counted<'a> {
             tallies: Vec::new(),
             points: 0,
             triangles: 0,
+            level: 0,
         };
         for level in 0..=COARSEST {
             counted.count(level, &is_made);
@@ -121,10 +133,11 @@ impl<'a> Counted<'a> {
     /// Counts it on the grid of a level.
     fn count(&mut self, level: u32, is_made: &(impl Fn(u32) -> bool + Sync)) {
         let (tessellator, base) = (self.tessellator, self.base);
+        self.level = level;
         let voxels = &self.voxels;
         let parts = base.edges.par_iter().map(|edge| {
-            let [a, b] = [edge.ends.x, edge.ends.y].map(|end| voxels[end as usize]);
-            tessellator.parts_between(a, b, level)
+            let ends = [edge.ends.x, edge.ends.y].map(|end| voxels[end as usize]);
+            tessellator.parts_between(ends, edge.along, level)
         });
         self.parts = parts.collect();
         let edges = base.edges.par_iter().zip(&self.parts).map(|(edge, parts)| {
@@ -135,18 +148,60 @@ impl<'a> Counted<'a> {
             if !is_made(patch) {
                 return Tally::default();
             }
-            let rows = self.rows(patch);
-            let (points, triangles) = (tessellator.points(rows), tessellator.triangles(rows));
+            let (points, triangles) = match self.sweep(patch) {
+                Some(sweep) => {
+                    let points = tessellator.swept_points(sweep);
+                    // Every corner of its triangles lies inside or on its border.
+                    (points, 2 * points + self.parts_of(patch).iter().sum::<u32>() - 2)
+                }
+                None => {
+                    let rows = self.rows(patch);
+                    (tessellator.points(rows), tessellator.triangles(rows))
+                }
+            };
             Tally { points, triangles, ..Tally::default() }
         });
         let tallies = edges.chain(patches).collect();
         self.tallies = tallies;
     }
 
+    /// The parts of the sides of a triangle of the base.
+    fn parts_of(&self, patch: u32) -> [u32; 3] {
+        three(self.base.patches[patch as usize].edges).map(|edge| self.parts[edge as usize])
+    }
+
     /// The pattern of a triangle of the base.
     fn rows(&self, patch: u32) -> DiceRows {
-        let edges = three(self.base.patches[patch as usize].edges);
-        self.tessellator.rows(edges.map(|edge| self.parts[edge as usize]))
+        self.tessellator.rows(self.parts_of(patch))
+    }
+
+    /// The sweep of a triangle of the base, where it is swept.
+    fn sweep(&self, patch: u32) -> Option<Sweep> {
+        let corners = three(self.base.patches[patch as usize].corners);
+        self.tessellator.sweep(corners.map(|corner| self.voxels[corner as usize]), self.level)
+    }
+
+    /// What is made of a triangle of the base.
+    fn filled(&self, patch: u32) -> Filled {
+        let triangles = self.tallies[self.parts.len() + patch as usize].triangles;
+        if triangles == 0 {
+            return Filled::default();
+        }
+        let Some(sweep) = self.sweep(patch) else {
+            let rows = self.rows(patch);
+            let faces = (0..triangles).map(|number| self.face(patch, rows, number)).collect();
+            return Filled { faces, weights: Vec::new() };
+        };
+        let (tessellator, mut filled) = (self.tessellator, Filled::default());
+        let mut column = tessellator.swept_column(sweep, 0, 0);
+        for strip in 0..sweep.end.x {
+            let next = tessellator.swept_column(sweep, strip + 1, filled.weights.len() as u32);
+            filled.weights.extend(tessellator.swept_weights(sweep, next));
+            let pieces = tessellator.swept_triangles(sweep, [column, next]).into_iter();
+            filled.faces.extend(pieces.map(|piece| piece.map(|[side, at]| self.number(patch, side, at))));
+            column = next;
+        }
+        filled
     }
 
     fn vertex(&self, vertex: u32, seen: u32) -> BaseSite {
@@ -167,17 +222,19 @@ impl<'a> Counted<'a> {
     }
 
     /// The point of that number inside of a triangle of the base.
-    fn inside(&self, patch: u32, number: u32) -> BaseSite {
+    fn inside(&self, patch: u32, number: u32, filled: &Filled) -> BaseSite {
         let corners = three(self.base.patches[patch as usize].corners);
-        let rows = self.rows(patch);
-        let weights = self.tessellator.point(rows, self.tessellator.place(rows, number)).weights;
+        let weights = filled.weights.get(number as usize).copied().unwrap_or_else(|| {
+            let rows = self.rows(patch);
+            self.tessellator.point(rows, self.tessellator.place(rows, number)).weights
+        });
         let [x, y, z] = corners.map(|corner| self.share(corner));
         let sites = corners.map(|corner| self.vertex(corner, corner));
         self.tessellator.site_inside(sites, Vec3 { x, y, z }, weights)
     }
 
     /// The point of that number: the base's vertices come first, then the points of edges, then inner ones.
-    fn corner(&self, point: u32) -> Corner {
+    fn corner(&self, point: u32, filled: &[Filled]) -> Corner {
         let vertices = &self.base.vertices;
         let site = match (point as usize).checked_sub(vertices.len()) {
             None => self.vertex(point, vertices[point as usize].seen),
@@ -187,39 +244,37 @@ impl<'a> Counted<'a> {
                 let number = point - self.tallies[place].points_before;
                 match place.checked_sub(self.parts.len()) {
                     None => self.on_edge(place as u32, number + 1),
-                    Some(patch) => self.inside(patch as u32, number),
+                    Some(patch) => self.inside(patch as u32, number, &filled[patch]),
                 }
             }
         };
         self.tessellator.displaced(site)
     }
 
-    /// The number of a point of a triangle of the base.
-    fn number(&self, patch: u32, rows: DiceRows, place: DicePlace) -> u32 {
-        let point = self.tessellator.point(rows, place);
+    /// The number of a point of a triangle of the base: of a side, or inside.
+    fn number(&self, patch: u32, side: u32, at: u32) -> u32 {
         let of = &self.base.patches[patch as usize];
         let first = self.base.vertices.len() as u32;
-        if point.side == INSIDE {
-            return first + self.tallies[self.parts.len() + patch as usize].points_before + point.at;
+        if side == INSIDE {
+            return first + self.tallies[self.parts.len() + patch as usize].points_before + at;
         }
-        let corner = three(of.corners)[point.side as usize];
-        if point.at == 0 {
+        let corner = three(of.corners)[side as usize];
+        if at == 0 {
             return corner;
         }
-        let edge = three(of.edges)[point.side as usize] as usize;
+        let edge = three(of.edges)[side as usize] as usize;
         let is_forth = self.base.edges[edge].ends.x == corner;
-        let at = if is_forth { point.at } else { self.parts[edge] - point.at };
-        first + self.tallies[edge].points_before + at - 1
+        let along = if is_forth { at } else { self.parts[edge] - at };
+        first + self.tallies[edge].points_before + along - 1
     }
 
-    /// The corners of the triangle of that number.
-    fn face(&self, triangle: u32) -> [u32; 3] {
-        let of_patches = &self.tallies[self.parts.len()..];
-        let patch = of_patches.partition_point(|tally| tally.triangles_before <= triangle) - 1;
-        let number = triangle - of_patches[patch].triangles_before;
-        let rows = self.rows(patch as u32);
+    /// The corners of a triangle of a pattern.
+    fn face(&self, patch: u32, rows: DiceRows, number: u32) -> [u32; 3] {
         let cut = self.tessellator.triangle(rows, number);
-        [cut.a, cut.b, cut.c].map(|place| self.number(patch as u32, rows, place))
+        [cut.a, cut.b, cut.c].map(|place: DicePlace| {
+            let point = self.tessellator.point(rows, place);
+            self.number(patch, point.side, point.at)
+        })
     }
 }
 

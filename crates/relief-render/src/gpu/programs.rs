@@ -323,6 +323,7 @@ impl Programs {
                 starts: count("starts_main"),
                 points: make("points_main"),
                 triangles: make("triangles_main"),
+                swept: make("swept_main"),
             }
         };
         self.tessellate.get(gpu, &mut self.compiled, sampling, text, compile).await.map(Some)

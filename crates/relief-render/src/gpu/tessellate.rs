@@ -63,6 +63,7 @@ pub struct Tessellator {
     pub starts: ComputePipeline,
     pub points: ComputePipeline,
     pub triangles: ComputePipeline,
+    pub swept: ComputePipeline,
 }
 
 /// Group 1 of the passes that count, and of those that make.
@@ -210,6 +211,12 @@ impl Tessellated {
             // Nothing of a frame or a pass is read.
             pass.set_bind_group(0, maps, &[0, 0]);
             pass.set_bind_group(1, &self.making, &[]);
+            if grid.is_swept == 1 {
+                // It says where points inside are, before these are displaced.
+                let [columns, rows] = in_rows(grid.patches);
+                pass.set_pipeline(&tessellator.swept);
+                pass.dispatch_workgroups(columns, rows, 1);
+            }
             for (program, groups) in
                 [(&tessellator.points, POINT_GROUPS), (&tessellator.triangles, TRIANGLE_GROUPS)]
             {
@@ -244,7 +251,11 @@ impl Tessellated {
 
 /// Columns and rows of groups for so many invocations.
 fn groups_for(count: u32) -> [u32; 2] {
-    let groups = count.div_ceil(TESSELLATE_GROUP);
+    in_rows(count.div_ceil(TESSELLATE_GROUP))
+}
+
+/// Columns and rows of so many groups.
+fn in_rows(groups: u32) -> [u32; 2] {
     let in_row = TESSELLATE_ROW / TESSELLATE_GROUP;
     [groups.min(in_row), groups.div_ceil(in_row)]
 }

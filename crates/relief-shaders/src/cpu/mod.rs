@@ -29,7 +29,7 @@ pub use bytes::{Shared, read_all, write_all};
 pub use generated::{
     BaseSite, BaseVertex, Choice, Corner, DicePlace, DicePoint, DiceRows, DiceTriangle, Entered, FirstHit,
     Found, Frame, Hit, Light, LightRay, LightView, MapSettings, Path, PixelIn, PixelOut, Shell,
-    SurfaceSettings, Tessellation, Toward, Voxel,
+    SurfaceSettings, Sweep, SweptColumn, Tessellation, Toward, Voxel,
 };
 pub use lanes::{
     BLOCK, EnteredBlock, HitBlock, LightPoint, PathBlock, PixelOutBlock, Row, TriangleRays, places,

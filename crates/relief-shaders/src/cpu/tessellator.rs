@@ -1,8 +1,8 @@
 //! The shaders' functions that tessellate bases, for hosts that run them.
 
 use super::generated::{
-    BaseSite, BaseVertex, Corner, DicePlace, DicePoint, DiceRows, DiceTriangle, Resources, Tessellation,
-    Voxel,
+    BaseSite, BaseVertex, Corner, DicePlace, DicePoint, DiceRows, DiceTriangle, Resources, Sweep,
+    SweptColumn, Tessellation, Voxel, Zip,
 };
 use super::{Bound, Vec2, Vec3};
 
@@ -25,10 +25,48 @@ impl<'a> Tessellator<'a> {
         self.resources.voxel_of(self.grid, position)
     }
 
-    /// In how many parts an edge between two voxels is divided, where the grid is coarser by so many
-    /// doublings.
-    pub fn parts_between(&self, a: Voxel, b: Voxel, level: u32) -> u32 {
-        self.resources.parts_between(a, b, level)
+    /// In how many parts an edge between two voxels is divided, along which `u` and `v` change by so much, where
+    /// the grid is coarser by so many doublings.
+    pub fn parts_between(&self, [a, b]: [Voxel; 2], along: Vec2<f32>, level: u32) -> u32 {
+        self.resources.parts_between(self.grid, a, b, along, level)
+    }
+
+    /// The sweep of a triangle with corners in those voxels, in the same grid; none where it is not swept.
+    pub fn sweep(&self, [a, b, c]: [Voxel; 3], level: u32) -> Option<Sweep> {
+        let is_swept = self.resources.is_swept(self.grid, a, b, c, level);
+        is_swept.then(|| self.resources.sweep_on(a, b, c, level))
+    }
+
+    /// How many points a swept triangle has inside.
+    pub fn swept_points(&self, sweep: Sweep) -> u32 {
+        self.resources.swept_points_of(sweep)
+    }
+
+    /// A column of a swept triangle whose first point inside has that number.
+    pub fn swept_column(&self, sweep: Sweep, column: i32, first: u32) -> SweptColumn {
+        self.resources.swept_column(sweep, column, first)
+    }
+
+    /// The weights of the corners at the points inside of a column, from below.
+    pub fn swept_weights(&self, sweep: Sweep, column: SweptColumn) -> impl Iterator<Item = Vec3<f32>> {
+        let inside = column.inside..column.inside + column.inner;
+        inside.map(move |y| self.resources.swept_weights(sweep, column.column, y))
+    }
+
+    /// The triangles between two neighbouring columns, in the sense of rotation of the whole one: for each
+    /// corner the side that it lies on and how many parts lie before it there, or 3 and the number of a point
+    /// inside.
+    pub fn swept_triangles(&self, sweep: Sweep, columns: [SweptColumn; 2]) -> Vec<[[u32; 2]; 3]> {
+        let mut pieces = Vec::new();
+        for which in 0..3 {
+            let mut zip = self.resources.zip_of(sweep, columns[0], columns[1], which);
+            while self.resources.zip_rest(zip) > 0 {
+                let goes_left = self.resources.zip_goes_left(zip);
+                pieces.push(piece(sweep, zip, goes_left));
+                zip = self.resources.zip_next(sweep, zip, goes_left);
+            }
+        }
+        pieces
     }
 
     /// Whether nothing of a triangle is made that is displaced by between so many metres.
@@ -85,4 +123,11 @@ impl<'a> Tessellator<'a> {
     pub fn displaced(&self, site: BaseSite) -> Corner {
         self.resources.displaced_site(self.grid, site)
     }
+}
+
+/// The triangle up to the next point of what is zipped.
+fn piece(sweep: Sweep, zip: Zip, goes_left: bool) -> [[u32; 2]; 3] {
+    let next = if goes_left { zip.next_left } else { zip.next_right };
+    let [a, b, c] = [zip.at_left, zip.at_right, next].map(|point| [point.side, point.at]);
+    if sweep.is_turned == 1 { [b, a, c] } else { [a, b, c] }
 }

@@ -5,6 +5,7 @@
 use relief_core::registry::{Entry, Param};
 
 use crate::slice::Slices;
+pub use tessellate::Tessellated;
 
 mod none;
 mod object;
@@ -34,7 +35,7 @@ pub(crate) const VERTEX: &str = vertex::ENTRY.name;
 /// The one that is divided by the picture's pixels.
 pub(crate) const REMESH: &str = remesh::ENTRY.name;
 
-/// The one that is cut by a pattern.
+/// The one whose triangles are each cut by itself.
 pub(crate) const TESSELLATE: &str = tessellate::ENTRY.name;
 
 /// The one that is cut through the relief.
@@ -53,8 +54,8 @@ pub enum Geometry {
     Texels(u32),
     /// The base divided by voxels that are so many pixels of the picture wide.
     Pixels(f32),
-    /// The same, cut by a pattern, each point and triangle by itself.
-    Tessellated(f32),
+    /// The same, each triangle cut by itself.
+    Tessellated(Tessellated),
     /// Slices through the relief.
     Slices(Slices),
     /// Slices through the box around an object, and whether its images are counted in a stencil buffer.

@@ -16,6 +16,10 @@ use crate::surfaces::bases::{Base, cobbles};
 /// Pictures of each; the median counts.
 const ROUNDS: u16 = 7;
 
+/// Methods, and what is set of them.
+const METHODS: [(&str, &[(&str, f64)]); 3] =
+    [("remesh", &[]), ("tessellate", &[]), ("tessellate", &[("geometry.interior", 1.0)])];
+
 /// A row a backend and method.
 pub fn table(width: u32) -> Result<Table, String> {
     let mut rows = crate::table::table(&[
@@ -29,15 +33,20 @@ pub fn table(width: u32) -> Result<Table, String> {
     for choice in [BackendChoice::Cpu, BackendChoice::Gpu] {
         let renderer = Renderer::new(choice, Sampling::Exact);
         let mut renderer = renderer.map_err(|error| error.to_string())?;
-        for method in ["remesh", "tessellate"] {
-            rows.add_row(row(&mut renderer, method, [width, width * 3 / 4])?);
+        for (method, settings) in METHODS {
+            rows.add_row(row(&mut renderer, method, settings, [width, width * 3 / 4])?);
         }
     }
     Ok(rows)
 }
 
-fn row(renderer: &mut Renderer, method: &str, size: [u32; 2]) -> Result<Vec<String>, String> {
-    let scene = scene(method, size)?;
+fn row(
+    renderer: &mut Renderer,
+    method: &str,
+    settings: &[(&str, f64)],
+    size: [u32; 2],
+) -> Result<Vec<String>, String> {
+    let scene = scene(method, settings, size)?;
     let mut maps = Maps::in_memory();
     let mut taken = |scene: &Scene, renderer: &mut Renderer| {
         let started = Instant::now();
@@ -61,17 +70,25 @@ fn row(renderer: &mut Renderer, method: &str, size: [u32; 2]) -> Result<Vec<Stri
         stayed.push(same);
         made.push(other - same);
     }
-    let cells = [device, method.to_owned(), moved.to_string(), stayed.to_string(), made.to_string()];
+    let set = settings.iter().map(|(key, value)| {
+        let value = Selection::name_of(key, *value).map_or_else(|| value.to_string(), str::to_owned);
+        format!(" {key}={value}")
+    });
+    let method = set.fold(method.to_owned(), |method, set| method + &set);
+    let cells = [device, method, moved.to_string(), stayed.to_string(), made.to_string()];
     Ok(cells.into_iter().chain([uploaded.to_string()]).collect())
 }
 
 /// Cobbles on a torus, without shadows, one sample a pixel.
-fn scene(method: &str, size: [u32; 2]) -> Result<Scene, String> {
+fn scene(method: &str, settings: &[(&str, f64)], size: [u32; 2]) -> Result<Scene, String> {
     let text = |error: &dyn std::fmt::Display| error.to_string();
     let torus = Base::of("torus-32x16")?.ok_or("there is no torus")?.mesh;
     let map = cobbles()?.with_displacement(0.03, 0.0).map_err(|error| text(&error))?;
     let mut selection = Selection::method(method).map_err(|error| text(&error))?;
     selection.choose("shadow", "none").map_err(|error| text(&error))?;
+    for (key, value) in settings {
+        selection.set(key, *value).map_err(|error| text(&error))?;
+    }
     let projection = Projection::Perspective { fov_degrees: 40.0 };
     let camera = Camera::with([0.3, 0.9, 1.5].into(), [0.2, 0.05, 0.25].into(), projection);
     let builder = Scene::builder(Surface::new(torus, map).with_selection(selection));

@@ -57,6 +57,15 @@ const CPU_ROOT: (&str, &[&str]) = (
         "dice_place",
         "dice_point",
         "dice_triangle",
+        "is_swept",
+        "sweep_on",
+        "swept_points_of",
+        "swept_column",
+        "swept_weights",
+        "zip_of",
+        "zip_rest",
+        "zip_goes_left",
+        "zip_next",
     ],
 );
 

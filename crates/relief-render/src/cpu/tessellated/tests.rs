@@ -1,4 +1,4 @@
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 use std::sync::atomic::AtomicBool;
 
 use glam::{DVec3, Vec3};
@@ -7,6 +7,7 @@ use relief_core::{ByteSize, HeightMap, Wrap};
 use relief_maps::{Maps, Watch};
 use relief_mesh::{CrackTest, EDGE_RULES, MeshSettings, Mesher, View, interior};
 use relief_shaders::Selection;
+use relief_shaders::cpu::{DicePoint, Vec3 as Three};
 
 use super::*;
 use crate::Renderer;
@@ -14,16 +15,25 @@ use crate::camera::Camera;
 use crate::prepare::Preparer;
 use crate::scene::{Scene, Surface};
 
-/// A map of 48x32 texels under a mesh, tessellated.
-pub fn surface_of(mesh: Mesh, pixels: f64) -> Surface {
+/// A map of 48x32 texels under a mesh, tessellated; what is set besides.
+pub fn surface_of(mesh: Mesh, pixels: f64, set: &[(&str, f64)]) -> Surface {
     let texel = |i: u32, j: u32| ((i * 7 + j * j * 3 + i * j) % 29) as f32 / 28.0;
     let map = HeightMap::from_fn(48, 32, Wrap::Repeat, texel).expect("a map");
     let map = map.with_displacement(0.06, -0.02).expect("lengths");
     let mut selection = Selection::method("tessellate").expect("a method");
     selection.set("geometry.pixels", pixels).expect("a parameter");
+    for (key, value) in set {
+        selection.set(key, *value).expect("a parameter");
+    }
     selection.choose("shadow", "none").expect("a shadow");
     Surface::new(Arc::new(mesh), Arc::new(map)).with_selection(selection)
 }
+
+/// What fills base triangles with the points of a grid.
+pub const SWEPT: &[(&str, f64)] = &[("geometry.interior", 1.0)];
+
+/// What divides sides by texels.
+pub const BY_TEXELS: &[(&str, f64)] = &[("geometry.texels", 1.0)];
 
 /// A scene that looks from there to the middle, of which nothing is left out unless it says so.
 pub fn scene_of(surface: Surface, eye: [f64; 3], culls: bool) -> Scene {
@@ -60,53 +70,151 @@ fn tessellator_of(job: &Job) -> Tessellator<'_> {
     Tessellator::new(&surface.bound(surface.settings, job.frame, None), grid)
 }
 
+/// A point of a triangle: its side or [`INSIDE`], its number there, and its weights, which count inside alone.
+type Point = (u32, u32, Three<f32>);
+
+fn diced(point: DicePoint) -> Point {
+    (point.side, point.at, point.weights)
+}
+
 /// The weights of a point of a triangle whose sides have so many parts.
-fn weights(point: relief_shaders::cpu::DicePoint, parts: [u32; 3]) -> [f64; 3] {
-    if point.side == INSIDE {
-        return [point.weights.x, point.weights.y, point.weights.z].map(f64::from);
+fn weights((side, at, inside): Point, parts: [u32; 3]) -> [f64; 3] {
+    if side == INSIDE {
+        return [inside.x, inside.y, inside.z].map(f64::from);
     }
-    let side = point.side as usize;
-    let part = f64::from(point.at) / f64::from(parts[side]);
+    let side = side as usize;
+    let part = f64::from(at) / f64::from(parts[side]);
     let mut weights = [0.0; 3];
     weights[side] = 1.0 - part;
     weights[(side + 1) % 3] = part;
     weights
 }
 
+/// Twice the area of a piece as a part of the whole.
+fn twice_area(piece: [Point; 3], parts: [u32; 3]) -> f64 {
+    let [a, b, c] = piece.map(|point| weights(point, parts));
+    (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1])
+}
+
+/// Pieces tile a triangle whose sides have so many parts: each lies on one side of each of its edges, they use
+/// every point of the border and as many inside as said, and their areas add up.
+fn assert_tiled(parts: [u32; 3], points: u32, pieces: &[[Point; 3]], least: f64) {
+    let border: u32 = parts.iter().sum();
+    let number = |(side, at, _): Point| match side {
+        INSIDE => border + at,
+        side => parts[..side as usize].iter().sum::<u32>() + at,
+    };
+    let (mut area, mut edges) = (0.0, HashSet::new());
+    for piece in pieces {
+        let twice = twice_area(*piece, parts);
+        assert!(twice >= least, "{parts:?}: a piece of area {twice}");
+        area += twice;
+        let corners = piece.map(number);
+        for k in 0..3 {
+            assert!(edges.insert([corners[k], corners[(k + 1) % 3]]), "{parts:?}: an edge twice");
+        }
+    }
+    assert!((area - 1.0).abs() < 1e-5, "{parts:?}: {area}");
+    let open: BTreeSet<[u32; 2]> =
+        edges.iter().filter(|[a, b]| !edges.contains(&[*b, *a])).copied().collect();
+    let around = (0..border).map(|at| [at, (at + 1) % border]);
+    assert!(open.into_iter().eq(around), "{parts:?}");
+    let used: BTreeSet<u32> = edges.iter().map(|[a, _]| *a).collect();
+    assert!(used.into_iter().eq(0..border + points), "{parts:?}");
+}
+
 #[test]
 fn triangles_found_by_their_numbers_tile_the_whole_and_use_every_point() {
-    let job = job_of(&scene_of(surface_of(square(1).expect("a mesh"), 1.0), [0.0, 2.0, 0.1], false));
+    let job = job_of(&scene_of(surface_of(square(1).expect("a mesh"), 1.0, &[]), [0.0, 2.0, 0.1], false));
     let tessellator = tessellator_of(&job);
     for code in 0..13u32.pow(3) {
         let parts = [code % 13 + 1, code / 13 % 13 + 1, code / 169 + 1];
         let rows = tessellator.rows(parts);
-        let (mut area, mut borders, mut inner) = (0.0, BTreeSet::new(), BTreeSet::new());
-        for number in 0..tessellator.triangles(rows) {
+        let pieces = (0..tessellator.triangles(rows)).map(|number| {
             let cut = tessellator.triangle(rows, number);
-            let points = [cut.a, cut.b, cut.c].map(|place| tessellator.point(rows, place));
-            let [a, b, c] = points.map(|point| weights(point, parts));
-            let twice = (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
-            assert!(twice > 1e-5, "{parts:?}: a piece of area {twice}");
-            area += twice;
-            for point in points {
-                if point.side == INSIDE {
-                    inner.insert(point.at);
-                    let again = tessellator.point(rows, tessellator.place(rows, point.at));
-                    assert_eq!(again, point, "{parts:?}");
-                } else {
-                    borders.insert((point.side, point.at));
-                }
-            }
+            [cut.a, cut.b, cut.c].map(|place| diced(tessellator.point(rows, place)))
+        });
+        let pieces: Vec<[Point; 3]> = pieces.collect();
+        assert_tiled(parts, tessellator.points(rows), &pieces, 1e-5);
+        for number in 0..tessellator.points(rows) {
+            let point = tessellator.point(rows, tessellator.place(rows, number));
+            assert_eq!((point.side, point.at), (INSIDE, number), "{parts:?}");
         }
-        assert!((area - 1.0).abs() < 1e-5, "{parts:?}: {area}");
-        assert_eq!(borders.len() as u32, parts.iter().sum::<u32>(), "{parts:?}");
-        assert!(inner.into_iter().eq(0..tessellator.points(rows)), "{parts:?}");
     }
+}
+
+/// How triangles with corners in these voxels are swept: their parts, the points inside and the pieces.
+fn swept(tessellator: &Tessellator, voxels: [[i32; 3]; 3]) -> Option<([u32; 3], u32, Vec<[Point; 3]>)> {
+    let corners = voxels.map(|[x, y, z]| Voxel { at: Three { x, y, z }, share: 1.0 });
+    let sweep = tessellator.sweep(corners, 0)?;
+    let nowhere = Vec2 { x: 0.0, y: 0.0 };
+    let parts =
+        [0, 1, 2].map(|side| tessellator.parts_between([corners[side], corners[(side + 1) % 3]], nowhere, 0));
+    let (mut inside, mut pieces) = (Vec::new(), Vec::new());
+    let mut column = tessellator.swept_column(sweep, 0, 0);
+    for strip in 0..sweep.end.x {
+        let next = tessellator.swept_column(sweep, strip + 1, inside.len() as u32);
+        inside.extend(tessellator.swept_weights(sweep, next));
+        pieces.extend(tessellator.swept_triangles(sweep, [column, next]));
+        column = next;
+    }
+    let points = tessellator.swept_points(sweep);
+    assert_eq!(points as usize, inside.len(), "{voxels:?}");
+    let point = |[side, at]: [u32; 2]| {
+        let weights = if side == INSIDE { inside[at as usize] } else { Three { x: 0.0, y: 0.0, z: 0.0 } };
+        (side, at, weights)
+    };
+    Some((parts, points, pieces.into_iter().map(|piece| piece.map(point)).collect()))
+}
+
+#[test]
+fn swept_triangles_are_tiled_and_use_every_point() {
+    let job = job_of(&scene_of(surface_of(square(1).expect("a mesh"), 1.0, SWEPT), [0.0, 2.0, 0.1], false));
+    let tessellator = tessellator_of(&job);
+    let corner = |code: i32| [code % 5, code / 5 % 5, code / 25];
+    let of_lattice = (0..125 * 125 * 125)
+        .into_par_iter()
+        .map(|code| [corner(code % 125), corner(code / 125 % 125), corner(code / (125 * 125))]);
+    let random = (0..200_000_u64).into_par_iter().map(|seed| {
+        let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+        let size = if seed % 5000 == 0 { 1024 } else { [3, 7, 12, 40][seed as usize % 4] };
+        let flat = [1, 2, size][seed as usize / 4 % 3];
+        let mut random = |below: i32| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as i32 % below - below / 2
+        };
+        let mut corner = || [random(size), random(flat), random(size)];
+        let mut voxels = [corner(), corner(), corner()];
+        voxels.iter_mut().for_each(|corner| corner.rotate_left(seed as usize % 3));
+        voxels
+    });
+    let looked_at = of_lattice.chain(random).filter(|voxels| match swept(&tessellator, *voxels) {
+        Some((parts, points, pieces)) => {
+            assert_tiled(parts, points, &pieces, -1e-6);
+            let sides = |(side, at, _): Point| match (side, at) {
+                (INSIDE, _) => 0,
+                (side, 0) => 1 << side | 1 << ((side + 2) % 3),
+                (side, _) => 1 << side,
+            };
+            let on_one_side = |piece: &&[Point; 3]| piece.map(sides).iter().fold(7, |all, of| all & of) != 0;
+            assert!(!pieces.iter().any(|piece| on_one_side(&piece)), "{voxels:?}");
+            assert_eq!(pieces.len() as u32, 2 * points + parts.iter().sum::<u32>() - 2, "{voxels:?}");
+            true
+        }
+        None => {
+            assert_eq!(voxels.iter().collect::<HashSet<_>>().len(), 1, "{voxels:?}");
+            false
+        }
+    });
+    assert!(looked_at.count() > 2_000_000);
+    // Beyond what 32 bits hold a triangle is left to the pattern.
+    assert!(swept(&tessellator, [[0, 0, 0], [1023, 0, 0], [0, 1023, 0]]).is_some());
+    assert!(swept(&tessellator, [[0, 0, 0], [1024, 0, 0], [0, 1, 0]]).is_none());
 }
 
 #[test]
 fn numbers_of_large_patterns_lead_where_counting_does() {
-    let job = job_of(&scene_of(surface_of(square(1).expect("a mesh"), 1.0), [0.0, 2.0, 0.1], false));
+    let job = job_of(&scene_of(surface_of(square(1).expect("a mesh"), 1.0, &[]), [0.0, 2.0, 0.1], false));
     let tessellator = tessellator_of(&job);
     let most = 32_767;
     for parts in [[most, most, most], [most, 1, most], [1, most, 2], [most, 20_011, 30_013], [907, 5, 1000]] {
@@ -117,10 +225,9 @@ fn numbers_of_large_patterns_lead_where_counting_does() {
         assert_eq!(triangles, 2 * points + border - 2, "{parts:?}");
         for number in (0..triangles).step_by(triangles as usize / 1000 + 1).chain([triangles - 1]) {
             let cut = tessellator.triangle(rows, number);
-            let corners = [cut.a, cut.b, cut.c].map(|place| tessellator.point(rows, place));
-            let [a, b, c] = corners.map(|point| weights(point, parts));
-            let twice = (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
-            let inside = corners.iter().all(|point| point.side != INSIDE || point.at < points);
+            let corners = [cut.a, cut.b, cut.c].map(|place| diced(tessellator.point(rows, place)));
+            let twice = twice_area(corners, parts);
+            let inside = corners.iter().all(|(side, at, _)| *side != INSIDE || *at < points);
             // In 32 bits narrow ones may come out without an area.
             assert!(inside && twice > -1e-7, "{parts:?} {number}: {twice}");
         }
@@ -131,25 +238,23 @@ fn numbers_of_large_patterns_lead_where_counting_does() {
     }
 }
 
-#[test]
-fn triangles_are_those_of_the_mesher_in_64_bits() {
+/// How many of the points of all closed bases are those of the mesher in 64 bits: the least part of those of a
+/// picture, and in how many pictures all are.
+fn beside_mesher(set: &[(&str, f64)], settings: impl Fn(View) -> MeshSettings) -> (f64, u32) {
     let eyes = [[1.3, 0.9, 1.1], [-0.4, 1.7, 0.3], [0.2, -0.1, 2.3]];
     let (mut least, mut whole) = (1.0f64, 0);
     for (mesh, eye) in closed().into_iter().flat_map(|mesh| eyes.map(|eye| (mesh.clone(), eye))) {
-        let scene = scene_of(surface_of(mesh.clone(), 2.0), eye, false);
+        let scene = scene_of(surface_of(mesh.clone(), 2.0, set), eye, false);
         let job = job_of(&scene);
         let triangles = made(&job);
         let grid = job.surfaces[0].triangles.tessellation().expect("one").grid;
         let near_m = f64::from(grid.near_m);
-        let view = View { pixels: 2.0, near_m, ..View::new(*scene.camera(), scene.size()) };
-        let pixels = EDGE_RULES.iter().find(|rule| rule.name == "pixels").expect("a rule");
-        let dice = interior("dice").expect("an interior");
-        let settings = MeshSettings { edges: pixels, interior: dice, ..MeshSettings::seen_by(view) };
+        let settings = settings(View { pixels: 2.0, near_m, ..View::new(*scene.camera(), scene.size()) });
         let mesher = Mesher::new(&mesh, scene.surfaces()[0].height_map(), &settings).expect("a mesh");
         let exact = mesher.mesh().expect("a mesh");
         let [own, other] = [triangles.len(), exact.triangles().len()].map(|count| count as f64);
         assert!((own / other - 1.0).abs() < 0.02, "{own} {other}");
-        let three = |of: relief_shaders::cpu::Vec3<f32>| Vec3::from([of.x, of.y, of.z]);
+        let three = |of: Three<f32>| Vec3::from([of.x, of.y, of.z]);
         let is_known = |corner: &&Corner| {
             let (position, normal) = (three(corner.position), three(corner.normal));
             exact
@@ -157,17 +262,37 @@ fn triangles_are_those_of_the_mesher_in_64_bits() {
                 .iter()
                 .any(|vertex| position.distance(vertex.position) < 2e-6 && normal.dot(vertex.normal) > 0.999)
         };
-        // A vertex that lies between two voxels may be taken for one in the other: then sides that end there
-        // may have another number of parts.
-        let known = triangles.corners().par_iter().filter(is_known).count() as f64;
-        least = least.min(known / triangles.corners().len() as f64);
-        whole += u32::from(known as usize == triangles.corners().len());
+        let known = triangles.corners().par_iter().filter(is_known).count();
+        least = least.min(known as f64 / triangles.corners().len() as f64);
+        whole += u32::from(known == triangles.corners().len());
     }
+    (least, whole)
+}
+
+#[test]
+fn triangles_are_those_of_the_mesher_in_64_bits() {
+    // A vertex that lies between two voxels may be taken for one in the other: then sides that end there may
+    // have another number of parts. A point on a line between texels may have the slope of either side.
+    let rule = |name| EDGE_RULES.iter().find(|rule| rule.name == name).expect("a rule");
+    let dice = interior("dice").expect("an interior");
+    let (least, whole) = beside_mesher(&[], |view| MeshSettings {
+        edges: rule("pixels"),
+        interior: dice,
+        ..MeshSettings::seen_by(view)
+    });
+    assert!(least > 0.99 && whole >= 6, "{least} {whole}");
+    let (least, whole) = beside_mesher(SWEPT, MeshSettings::seen_by);
+    assert!(least > 0.99 && whole >= 6, "{least} {whole}");
+    let (least, whole) = beside_mesher(BY_TEXELS, |_| MeshSettings { texels: 1, ..MeshSettings::default() });
     assert!(least > 0.99 && whole >= 6, "{least} {whole}");
 }
 
 #[test]
 fn no_view_opens_a_closed_base() {
+    [&[], SWEPT, BY_TEXELS].into_iter().for_each(no_view_opens);
+}
+
+fn no_view_opens(set: &[(&str, f64)]) {
     let mut seed = 1u32;
     let mut random = || {
         seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -177,14 +302,15 @@ fn no_view_opens_a_closed_base() {
         for _ in 0..25 {
             let toward = DVec3::new(random() - 0.5, random() - 0.5, random() - 0.5).normalize();
             let eye = toward * (0.3 + 3.0 * random() * random());
-            let surface = surface_of(mesh.clone(), 1.0 + 3.0 * random());
+            let surface = surface_of(mesh.clone(), 1.0 + 3.0 * random(), set);
             let triangles = made(&job_of(&scene_of(surface, eye.to_array(), false)));
             let cracks = CrackTest::of_triangles(positions(&triangles));
             assert!(cracks.is_closed(), "{eye}: {cracks:?}");
         }
     }
     // A point moved by one step of its numbers is noticed.
-    let triangles = made(&job_of(&scene_of(surface_of(torus(12, 7).expect("a mesh"), 2.0), [1.0; 3], false)));
+    let triangles =
+        made(&job_of(&scene_of(surface_of(torus(12, 7).expect("a mesh"), 2.0, set), [1.0; 3], false)));
     let mut positions = positions(&triangles);
     positions[17][1].x = positions[17][1].x.next_up();
     assert!(!CrackTest::of_triangles(positions).is_closed());
@@ -192,10 +318,14 @@ fn no_view_opens_a_closed_base() {
 
 #[test]
 fn with_less_room_the_grid_is_coarser_and_nothing_is_dropped() {
-    let scene = scene_of(surface_of(torus(12, 7).expect("a mesh"), 1.0), [1.2, 0.8, 0.9], false);
+    [&[], SWEPT, BY_TEXELS].into_iter().for_each(with_less_room);
+}
+
+fn with_less_room(set: &[(&str, f64)]) {
+    let scene = scene_of(surface_of(torus(12, 7).expect("a mesh"), 1.0, set), [1.2, 0.8, 0.9], false);
     let whole = made(&job_of(&scene)).len();
     let mut before = whole;
-    for kilobytes in [1500, 600, 300] {
+    for kilobytes in [1500, 600, 200] {
         let memory = ByteSize(kilobytes << 10);
         let scene = scene.to_builder().geometry_memory(memory).build().expect("a scene");
         let job = job_of(&scene);
@@ -210,16 +340,20 @@ fn with_less_room_the_grid_is_coarser_and_nothing_is_dropped() {
     let mut preparer = Preparer::default();
     preparer.provide(&none, &mut Maps::in_memory(), &|_| false, &Watch::none()).expect("no maps");
     let refused = preparer.job(&none, &AtomicBool::new(false)).expect_err("no room").to_string();
-    assert!(refused.contains("geometry.pixels"), "{refused}");
+    assert!(refused.contains("a larger 'geometry."), "{refused}");
 }
 
 #[test]
 fn what_is_left_out_is_not_seen() {
+    [&[], SWEPT, BY_TEXELS].into_iter().for_each(is_not_seen);
+}
+
+fn is_not_seen(set: &[(&str, f64)]) {
     // There is room for all of it: with less, the whole would be coarser than what is left of it.
-    let surface = surface_of(torus(24, 12).expect("a mesh"), 4.0);
+    let surface = surface_of(torus(48, 24).expect("a mesh"), 4.0, set);
     let [whole, seen] = [false, true].map(|culls| scene_of(surface.clone(), [0.6, 0.1, 0.2], culls));
     let [all, few] = [&whole, &seen].map(|scene| made(&job_of(scene)).len());
-    assert!(few * 4 < all * 3 && few > 0, "{few} of {all}");
+    assert!(few * 5 < all * 4 && few > 0, "{few} of {all}");
     let mut renderer = Renderer::on_cpu();
     let [whole, seen] = [whole, seen].map(|scene| {
         renderer.render(&scene, &mut Maps::in_memory(), &|_, _| ()).expect("a picture").rendering

@@ -7,10 +7,10 @@ use relief_shaders::cpu::{Corner, Face, Shared, read_all};
 use relief_shaders::wgsl::Sampling;
 use wgpu::{BufferUsages, Limits};
 
-use super::super::{GpuRenderer, block_on};
+use super::super::{Gpu, GpuRenderer, block_on};
 use super::{own, rendered, software};
 use crate::Renderer;
-use crate::cpu::tessellated::tests::{job_of, made, scene_of, surface_of};
+use crate::cpu::tessellated::tests::{BY_TEXELS, SWEPT, job_of, made, scene_of, surface_of};
 use crate::job::Job;
 use crate::mesh::{cube, sphere, square, torus};
 
@@ -42,8 +42,9 @@ fn a_gpu_makes_the_same_triangles_as_the_cpu() {
     let Some(gpu) = software() else { return };
     let mut renderer = GpuRenderer::new(gpu);
     let (mut same, mut all) = (0, 0);
-    for mesh in [cube(1), torus(12, 7), sphere(10, 5), square(1)] {
-        let surface = surface_of(mesh.expect("a mesh"), 1.5);
+    let meshes = [cube(1), torus(12, 7), sphere(10, 5), square(1)].map(|mesh| mesh.expect("a mesh"));
+    let all_of = |set| meshes.iter().map(move |mesh| surface_of(mesh.clone(), 1.5, set));
+    for surface in [&[], SWEPT, BY_TEXELS].into_iter().flat_map(all_of) {
         for (eye, culls) in [([1.3, 0.9, 1.1], false), ([0.4, 0.3, 0.5], true), ([-0.2, 2.5, 0.1], true)] {
             let job = job_of(&scene_of(surface.clone(), eye, culls));
             let expected = made(&job);
@@ -68,8 +69,14 @@ fn a_gpu_makes_the_same_triangles_as_the_cpu() {
 #[test]
 fn a_gpu_without_room_coarsens_and_makes_views_anew() {
     let Some(gpu) = software() else { return };
+    for set in [&[], SWEPT] {
+        coarsens(gpu.clone(), set);
+    }
+}
+
+fn coarsens(gpu: Gpu, set: &[(&str, f64)]) {
     let mut renderer = GpuRenderer::new(gpu);
-    let surface = surface_of(torus(24, 12).expect("a mesh"), 1.0);
+    let surface = surface_of(torus(24, 12).expect("a mesh"), 1.0, set);
     let scene = scene_of(surface, [0.7, 0.5, 0.6], false);
     let mut counts = Vec::new();
     for kilobytes in [100_000, 1000, 100_000] {
@@ -91,7 +98,7 @@ fn a_gpu_without_room_coarsens_and_makes_views_anew() {
 #[test]
 fn a_gpu_that_binds_less_is_given_the_same_triangles() {
     let (Some(whole), Some(least)) = (software(), own(Limits::downlevel_defaults())) else { return };
-    let surface = surface_of(torus(12, 7).expect("a mesh"), 2.0);
+    let surface = surface_of(torus(12, 7).expect("a mesh"), 2.0, &[]);
     let scene = scene_of(surface, [1.0, 0.8, 0.9], true);
     let [whole, least] = [whole, least].map(|gpu| {
         let mut renderer = Renderer::on_gpu(gpu, Sampling::Exact);
