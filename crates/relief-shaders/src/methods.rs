@@ -253,7 +253,7 @@ pub const METHODS: &[Method] = &[
         settings: DEFAULTS,
         publication: Publication {
             paper: "Gumhold and Hüttner 1999, Multiresolution Rendering With Displacement Mapping",
-            section: "3.1",
+            section: "3",
         },
     },
     Method {
