@@ -195,12 +195,14 @@ fn projections_lay_textures_as_the_built_in_shapes_have_them() {
     let boxed = projected("cube.stl", &stl_binary(&cube), UvProjection::Box);
     for triangle in 0..cube.triangles().len() as u32 {
         for (a, b) in cube.corners(triangle).into_iter().zip(boxed.corners(triangle)) {
-            assert!((a.uv - b.uv).length() < 1e-6 && a.position == b.position, "{a:?} {b:?}");
+            assert!((a.uv - b.uv).length() < 1e-6, "{a:?} {b:?}");
+            // Through millimetres a number comes back but for its last bit.
+            assert!((a.position - b.position).abs().max_element() < 1e-7, "{a:?} {b:?}");
         }
     }
     let globe = projected("ball.stl", stl_text(&ball).as_bytes(), UvProjection::Sphere);
     let [positions, normals, uvs, frames] = differences(&ball, &globe);
-    assert!(positions == 0.0 && normals < 0.01 && uvs < 1e-6, "{positions} {normals} {uvs}");
+    assert!(positions < 1e-6 && normals < 0.01 && uvs < 1e-6, "{positions} {normals} {uvs}");
     // At the poles the built-in sphere chooses a frame; everywhere else they are the same.
     assert!(frames < 0.08, "{frames}");
     for triangle in 0..globe.triangles().len() as u32 {

@@ -10,7 +10,7 @@ use crate::{units, values};
 #[derive(Args)]
 pub struct PlacedArguments {
     /// Base mesh: plane (in the proportions of the height map), square, cube, cylinder, sphere or torus, or a
-    /// glTF, GLB, OBJ, PLY or STL file, in metres with y up [default: plane]
+    /// glTF, GLB, OBJ or PLY file, in metres with y up, or STL, in millimetres [default: plane]
     #[arg(long, value_name = "NAME|FILE", help_heading = "Maps and mesh")]
     pub mesh: Option<MeshChoice>,
     /// Make texture coordinates for the mesh of a file, in place of its own: box (from six sides), cylinder

@@ -126,16 +126,16 @@ pub struct MeshFile {
 /// # Ok::<(), relief_io::ReadError>(())
 /// ```
 ///
-/// Positions are taken as they are: a unit is a metre, and `y` is up. Files of other programs may count in
-/// millimetres or have `z` up, STL and PLY more often than not; a
-/// [`Placement`](relief_core::mesh::Placement) turns and sizes them.
+/// A unit is a metre, in STL a millimetre, and `y` is up. Files of other programs may count in something else
+/// or have `z` up, STL and PLY more often than not; a [`Placement`](relief_core::mesh::Placement) turns and
+/// sizes them.
 ///
 /// | format | what is read |
 /// | --- | --- |
 /// | glTF | all triangles of the default scene, see below; the first texture coordinates |
 /// | OBJ | faces of any number of corners, with `vt` and `vn`; `v` is turned over, as it runs up there |
 /// | PLY | faces of any number of corners; `u` and `v`, `s` and `t` or `texture_u` and `texture_v` of vertices, or `texcoord` of faces, turned over; normals |
-/// | STL | triangles; their normals are not used |
+/// | STL | triangles, in millimetres; their normals are not used |
 ///
 /// A glTF without a default scene has its first one read. Triangles are in the places of their nodes; they may
 /// be strips, of which the triangles that join them are left out, or fans, and accessors sparse or quantised.

@@ -1,11 +1,14 @@
 //! STL, as text and binary.
 //!
+//! Its numbers have no unit. They are millimetres here, as nearly all programs and printers take them, and as
+//! it is written.
+//!
 //! Read by hand: binary files often begin with the word that marks texts, and their length alone tells them
 //! apart; normals, which are not used, are often wrong or no numbers.
 
 use std::collections::HashMap;
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use relief_core::mesh::RawCorner;
 
 use super::builder::Builder;
@@ -13,6 +16,9 @@ use super::text::{Words, number, shown};
 use crate::ReadProblem;
 
 const FORMAT: &str = "STL";
+
+/// Millimetres of a metre.
+pub(super) const MILLIMETRES: f64 = 1000.0;
 
 /// Bytes before the triangles of a binary file: a text, and how many there are.
 const HEADER: usize = 84;
@@ -38,7 +44,8 @@ impl Triangles<'_> {
                 Some(&known) => known,
                 None => {
                     self.builder.take(BYTES_TO_TELL_APART)?;
-                    let new = self.builder.position(corner)?;
+                    let metres = corner.as_dvec3() / DVec3::splat(MILLIMETRES);
+                    let new = self.builder.position(metres.as_vec3())?;
                     self.places.insert(bits, new);
                     new
                 }

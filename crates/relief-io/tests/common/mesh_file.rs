@@ -2,6 +2,7 @@
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use glam::Vec3;
 use relief_core::mesh::Mesh;
 
 /// An OBJ with texture coordinates, and normals where they are asked for.
@@ -82,12 +83,17 @@ pub fn stl_text(mesh: &Mesh) -> String {
     for triangle in 0..mesh.triangles().len() as u32 {
         text += "facet normal 0 0 nan\n  outer loop\n";
         for corner in mesh.corners(triangle) {
-            let [x, y, z] = corner.position.to_array();
+            let [x, y, z] = in_millimetres(corner.position);
             text += &format!("    vertex {x} {y} {z}\n");
         }
         text += "  endloop\nendfacet\n";
     }
     text + "endsolid a mesh\n"
+}
+
+/// A position as an STL has it.
+fn in_millimetres(position: Vec3) -> [f32; 3] {
+    position.to_array().map(|number| (f64::from(number) * 1000.0) as f32)
 }
 
 /// A binary STL. It begins with the word that marks texts, as many do.
@@ -98,7 +104,7 @@ pub fn stl_binary(mesh: &Mesh) -> Vec<u8> {
     for triangle in 0..mesh.triangles().len() as u32 {
         bytes.extend([0; 12]);
         for corner in mesh.corners(triangle) {
-            bytes.extend(corner.position.to_array().iter().flat_map(|number| number.to_le_bytes()));
+            bytes.extend(in_millimetres(corner.position).iter().flat_map(|number| number.to_le_bytes()));
         }
         bytes.extend([0; 2]);
     }

@@ -5,6 +5,7 @@ use std::io;
 use glam::DVec3;
 use relief_core::mesh::MeshBlock;
 
+use super::super::stl::MILLIMETRES;
 use super::{MeshCounts, Regions, floats};
 
 /// The first 80 bytes. They may not begin with the word that marks texts.
@@ -14,8 +15,6 @@ const HEADER: usize = 80;
 
 /// Bytes of a triangle: its normal, three corners, and two more.
 const TRIANGLE: u64 = 50;
-
-const MILLIMETRES: f64 = 1000.0;
 
 pub fn bytes(counts: MeshCounts) -> u64 {
     HEADER as u64 + 4 + TRIANGLE * counts.triangles
