@@ -325,9 +325,16 @@ impl Sweep {
                 (Some(_), Some(_)) if keeps_right && j + 2 == right.len() => true,
                 (Some(_), Some(_)) if keeps_left && i + 2 == left.len() => false,
                 (Some(up_left), Some(up_right)) => {
-                    let of = [up_left, up_right].map(|up| turn([at_left.1, at_right.1, up.1]));
-                    let shorter = is_no_longer([up_left.1, at_right.1], [at_left.1, up_right.1]);
-                    if of[0] == of[1] { shorter } else { of[0] > 0 && (of[1] <= 0 || shorter) }
+                    let places = [at_left.1, at_right.1, up_left.1, up_right.1];
+                    if places.iter().all(|place| place.w == 1) {
+                        // Of the grid itself, in two columns: nothing is turned over.
+                        let [left, right, up_left, up_right] = places.map(|place| place.y);
+                        (up_left - right).abs() <= (left - up_right).abs()
+                    } else {
+                        let of = [up_left, up_right].map(|up| turn([at_left.1, at_right.1, up.1]));
+                        let shorter = is_no_longer([up_left.1, at_right.1], [at_left.1, up_right.1]);
+                        if of[0] == of[1] { shorter } else { of[0] > 0 && (of[1] <= 0 || shorter) }
+                    }
                 }
             };
             let up = if goes_left { left.get(i + 1) } else { right.get(j + 1) };
