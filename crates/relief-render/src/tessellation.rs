@@ -8,9 +8,7 @@ use relief_mesh::{
     BaseTables, Cull, Everything, MesherError, TableEdge, TablePatch, TableVertex, View, Watch,
 };
 use relief_shaders::cpu::{BaseEdge, BasePatch, BaseVertex, Tessellation as Grid};
-
-/// What the shaders have in place of triangles that are not counted.
-const COUNTLESS: u32 = u32::MAX;
+use relief_shaders::wgsl::TESSELLATE_COUNTLESS;
 
 /// Triangles of the picture that there is room for, for each of its voxels, and for each of the base: what is
 /// seen has two a voxel, and there are backs, and triangles beside and behind others.
@@ -182,7 +180,7 @@ fn vertex(of: &TableVertex) -> BaseVertex {
 }
 
 fn edge(of: &TableEdge) -> BaseEdge {
-    let patches = of.patches.unwrap_or([COUNTLESS; 2]);
+    let patches = of.patches.unwrap_or([TESSELLATE_COUNTLESS; 2]);
     let along = of.along.to_array().into();
     BaseEdge { ends: of.ends.into(), seen: of.seen.into(), along, patches: patches.into() }
 }

@@ -200,7 +200,7 @@ impl DicePlace {
 /// A point of a triangle.
 pub struct DicePoint {
     /// Of the triangle's sides the one that it lies on, and how many parts lie before it there, fewer than there
-    /// are; or `DICE_INSIDE`, and its number among those inside.
+    /// are; or `INSIDE`, and its number among those inside.
     pub side: u32,
     pub at: u32,
     /// The weights of the triangle's corners; of a point on a side they are not set.
@@ -1163,8 +1163,8 @@ impl SweptChain {
 #[repr(C)]
 /// A point of a triangle.
 pub struct SweptPoint {
-    /// Of the triangle's sides the one that it lies on, and how many parts lie before it there, fewer than there
-    /// are; or `SWEPT_INSIDE`, and its number among those inside.
+    /// Of the triangle's sides the one that it lies on, and how many parts lie before it there, fewer than
+    /// there are; or `INSIDE`, and its number among those inside.
     pub side: u32,
     pub at: u32,
     /// It lies at (x / w, y / w).
@@ -1296,8 +1296,8 @@ impl Toward {
 pub struct Voxel {
     /// The voxel that it lies in: right, down and away from the eye.
     pub at: rt::Vec3<i32>,
-    /// What it counts where points are divided in the picture: the inverse of its depth in perspective. 1 where
-    /// they are divided on the base.
+    /// What it counts where points are divided in the picture: the inverse of its depth in perspective; 1
+    /// where they are divided on the base.
     pub share: f32,
 }
 impl Voxel {
@@ -1407,8 +1407,6 @@ pub const CELLS_NEAREST: rt::Scalar<u32> = rt::Scalar(3u32);
 #[allow(non_upper_case_globals)]
 pub const CELLS_STEP: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
-pub const DICE_INSIDE: rt::Scalar<u32> = rt::Scalar(3u32);
-#[allow(non_upper_case_globals)]
 pub const DICE_PARTS: rt::Scalar<u32> = rt::Scalar(32767u32);
 #[allow(non_upper_case_globals)]
 pub const FOUND_ABOVE: rt::Scalar<u32> = rt::Scalar(1u32);
@@ -1430,6 +1428,8 @@ pub const FRAMES: rt::Scalar<u32> = rt::Scalar(3u32);
 pub const HEIGHTS_READ: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), rt::Scalar(16u32));
 #[allow(non_upper_case_globals)]
 pub const HEIGHT_READ: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), rt::Scalar(4u32));
+#[allow(non_upper_case_globals)]
+pub const INSIDE: rt::Scalar<u32> = rt::Scalar(3u32);
 #[allow(non_upper_case_globals)]
 pub const LIGHT_RAY_DARK: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
@@ -1500,8 +1500,6 @@ pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(3u32);
 pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
 pub const STAGES: rt::Scalar<u32> = rt::Scalar(11u32);
-#[allow(non_upper_case_globals)]
-pub const SWEPT_INSIDE: rt::Scalar<u32> = rt::Scalar(3u32);
 #[allow(non_upper_case_globals)]
 pub const TOP_BEFORE: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
@@ -2373,14 +2371,14 @@ impl<'g> Resources<'g> {
         let last_2 = ((_e5 >> level_6).to_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
         let point_22 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
         let most_3 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
-        let corner_4 = point_22.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_3, most_3));
-        let texel_5 = corner_4.to_i32();
+        let corner_3 = point_22.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_3, most_3));
+        let texel_5 = corner_3.to_i32();
         let k_42 = level_6.to_i32();
         let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_42);
         let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_42);
         let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_42);
         let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_42);
-        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_22 - corner_4));
+        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_22 - corner_3));
         return _e55.xyz();
     }
     pub(crate) fn environment_in_lobe(
@@ -2766,37 +2764,21 @@ impl<'g> Resources<'g> {
         let off_1 = (_e12.z() - _e37).abs();
         return (_e10 + rt::Scalar(2f32).select(rt::Scalar(0f32), ((off_1 * width_1) * (deeper / wider)).elementwise_le(rt::Scalar(2f32))));
     }
-    pub(crate) fn around_corners(
-        &self,
-        corner: impl rt::Into<rt::Scalar<u32>>,
-        on: impl rt::Into<rt::Scalar<u32>>,
-    ) -> u32 {
-        rt::into(self.v_around_corners(rt::into(corner), rt::into(on)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_around_corners(
-        &self,
-        corner: rt::Scalar<u32>,
-        on: rt::Scalar<u32>,
-    ) -> rt::Scalar<u32> {
-        return ((corner + on) % rt::Scalar(3u32));
-    }
     pub(crate) fn around_three(
         &self,
         place_2: impl rt::Into<rt::Scalar<u32>>,
-        on_1: impl rt::Into<rt::Scalar<u32>>,
+        on: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_around_three(rt::into(place_2), rt::into(on_1)))
+        rt::into(self.v_around_three(rt::into(place_2), rt::into(on)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_around_three(
         &self,
         place_2: rt::Scalar<u32>,
-        on_1: rt::Scalar<u32>,
+        on: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        return ((place_2 + on_1) % rt::Scalar(3u32));
+        return ((place_2 + on) % rt::Scalar(3u32));
     }
     pub(crate) fn axis_of(
         &self,
@@ -3050,11 +3032,11 @@ impl<'g> Resources<'g> {
         pixel: PixelIn,
         place_3: rt::Scalar<u32>,
     ) -> Corner {
-        let corner_5 = ((rt::Scalar(pixel.shell.order) >> (rt::Scalar(2u32) * place_3)) & rt::Scalar(3u32));
-        if rt::Scalar::into_branch_condition(corner_5.elementwise_eq(rt::Scalar(0u32))) {
+        let corner_4 = ((rt::Scalar(pixel.shell.order) >> (rt::Scalar(2u32) * place_3)) & rt::Scalar(3u32));
+        if rt::Scalar::into_branch_condition(corner_4.elementwise_eq(rt::Scalar(0u32))) {
             return pixel.a;
         }
-        if rt::Scalar::into_branch_condition(corner_5.elementwise_eq(rt::Scalar(1u32))) {
+        if rt::Scalar::into_branch_condition(corner_4.elementwise_eq(rt::Scalar(1u32))) {
             return pixel.b;
         }
         return pixel.c;
@@ -3642,7 +3624,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(at_13.elementwise_eq(parts)) {
             return <rt::Vec2<u32>>::from_scalars(to, rt::Scalar(0u32));
         }
-        let _e13 = self.v_around_corners(start, rt::Scalar(1u32));
+        let _e13 = self.v_around_three(start, rt::Scalar(1u32));
         if rt::Scalar::into_branch_condition(to.elementwise_eq(_e13)) {
             return <rt::Vec2<u32>>::from_scalars(start, at_13.to_u32());
         }
@@ -3695,7 +3677,7 @@ impl<'g> Resources<'g> {
         let x_6 = rt::Scalar(column.column);
         if rt::Scalar::into_branch_condition(at_14.elementwise_gt(rt::Scalar(0i32))) {
             let y_3 = ((rt::Scalar(column.inside) + at_14) - rt::Scalar(1i32));
-            return <SweptPoint>::new(SWEPT_INSIDE, (rt::Scalar(column.first) + (at_14 - rt::Scalar(1i32)).to_u32()), x_6, y_3, rt::Scalar(1i32), rt::Scalar(0u32));
+            return <SweptPoint>::new(INSIDE, (rt::Scalar(column.first) + (at_14 - rt::Scalar(1i32)).to_u32()), x_6, y_3, rt::Scalar(1i32), rt::Scalar(0u32));
         }
         let columns = sweep_2.end.x();
         let _e25 = self.v_swept_border(sweep_2, sweep_2.corners.x(), sweep_2.corners.y(), x_6, columns);
@@ -3735,9 +3717,9 @@ impl<'g> Resources<'g> {
             let _e28 = self.v_low_point(sweep_3, column_9, number_1);
             return _e28;
         }
-        let on_2 = ((number_1 - rt::Scalar(column_9.inner)) - rt::Scalar(1i32));
+        let on_1 = ((number_1 - rt::Scalar(column_9.inner)) - rt::Scalar(1i32));
         let is_from_behind = rt::Scalar(chain.way).elementwise_eq(TOP_BEFORE).elementwise_eq(rt::Scalar(column_9.top).elementwise_eq(rt::Scalar(chain.way)));
-        let _e44 = self.v_top_point(sweep_3, (rt::Scalar(column_9.from_top) + on_2).select((last_3 - on_2), is_from_behind));
+        let _e44 = self.v_top_point(sweep_3, (rt::Scalar(column_9.from_top) + on_1).select((last_3 - on_1), is_from_behind));
         return _e44;
     }
     pub(crate) fn chord_end(
@@ -4858,20 +4840,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn corner_height(
         &self,
         heights: impl rt::Into<rt::Vec4<f32>>,
-        corner_1: impl rt::Into<rt::Vec2<f32>>,
+        corner: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_corner_height(rt::into(heights), rt::into(corner_1)))
+        rt::into(self.v_corner_height(rt::into(heights), rt::into(corner)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_corner_height(
         &self,
         heights: rt::Vec4<f32>,
-        corner_1: rt::Vec2<f32>,
+        corner: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let above_5 = heights.x().select(heights.y(), corner_1.x().elementwise_gt(rt::Scalar(0.5f32)));
-        let below_4 = heights.z().select(heights.w(), corner_1.x().elementwise_gt(rt::Scalar(0.5f32)));
-        return above_5.select(below_4, corner_1.y().elementwise_gt(rt::Scalar(0.5f32)));
+        let above_5 = heights.x().select(heights.y(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
+        let below_4 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
+        return above_5.select(below_4, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn plane_distance(
         &self,
@@ -5413,7 +5395,7 @@ impl<'g> Resources<'g> {
         let z_2 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(2u32)));
         let _e88 = self.v_dice_points_before(rows_9, rt::Scalar(place_8.row));
         let number_23 = ((_e88 + rt::Scalar(place_8.at)) - rt::Scalar(1u32));
-        return <DicePoint>::new(DICE_INSIDE, number_23, <rt::Vec3<f32>>::from_scalars(x_7, y_5, z_2));
+        return <DicePoint>::new(INSIDE, number_23, <rt::Vec3<f32>>::from_scalars(x_7, y_5, z_2));
     }
     pub(crate) fn dice_triangles_before(
         &self,
@@ -6689,8 +6671,8 @@ impl<'g> Resources<'g> {
         order: rt::Scalar<u32>,
         weights_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let corner_6 = (order & rt::Scalar(3u32));
-        return weights_2.z().select(weights_2.y(), corner_6.elementwise_eq(rt::Scalar(1u32))).select(weights_2.x(), corner_6.elementwise_eq(rt::Scalar(0u32)));
+        let corner_5 = (order & rt::Scalar(3u32));
+        return weights_2.z().select(weights_2.y(), corner_5.elementwise_eq(rt::Scalar(1u32))).select(weights_2.x(), corner_5.elementwise_eq(rt::Scalar(0u32)));
     }
     pub(crate) fn ordered_weights(
         &self,
@@ -6810,40 +6792,40 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn moved_out(
         &self,
-        corner_2: Corner,
+        corner_1: Corner,
         side_1: impl rt::Into<rt::Scalar<f32>>,
         offset_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_moved_out(corner_2, rt::into(side_1), rt::into(offset_4)))
+        rt::into(self.v_moved_out(corner_1, rt::into(side_1), rt::into(offset_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_moved_out(
         &self,
-        corner_2: Corner,
+        corner_1: Corner,
         side_1: rt::Scalar<f32>,
         offset_4: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        return (corner_2.position + (corner_2.normal * (side_1 * offset_4)));
+        return (corner_1.position + (corner_1.normal * (side_1 * offset_4)));
     }
     pub(crate) fn raised(
         &self,
-        corner_3: Corner,
+        corner_2: Corner,
         side_2: impl rt::Into<rt::Scalar<f32>>,
         height_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_raised(corner_3, rt::into(side_2), rt::into(height_4)))
+        rt::into(self.v_raised(corner_2, rt::into(side_2), rt::into(height_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_raised(
         &self,
-        corner_3: Corner,
+        corner_2: Corner,
         side_2: rt::Scalar<f32>,
         height_4: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let shell_5 = self.surface_settings.shell_m;
-        let _e14 = self.v_moved_out(corner_3, side_2, (shell_5.x() + ((shell_5.y() - shell_5.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_4)));
+        let _e14 = self.v_moved_out(corner_2, side_2, (shell_5.x() + ((shell_5.y() - shell_5.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_4)));
         return _e14;
     }
     pub(crate) fn tetrahedron(
@@ -8847,10 +8829,10 @@ impl<'g> Resources<'g> {
         place_12: rt::Vec3<f32>,
         offset_5: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let corner_7 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
+        let corner_6 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
         let a_36 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
         let b_36 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
-        let rest_5 = (place_12 - corner_7);
+        let rest_5 = (place_12 - corner_6);
         let across_7 = a_36.cross(b_36);
         let square_2 = across_7.dot(across_7);
         if rt::Scalar::into_branch_condition((!square_2.elementwise_gt(rt::Scalar(0f32)))) {
@@ -13025,11 +13007,11 @@ impl<'g> Resources<'g> {
         normal_15: rt::Vec3<f32>,
         texel_4: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let corner_8 = ((view_12.corner.xyz() + (view_12.across.xyz() * texel_4.x())) + (view_12.along.xyz() * texel_4.y()));
+        let corner_7 = ((view_12.corner.xyz() + (view_12.across.xyz() * texel_4.x())) + (view_12.along.xyz() * texel_4.y()));
         if rt::Scalar::into_branch_condition(rt::Scalar(view_12.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_15.dot((point_18 - view_12.eye.xyz())) / normal_15.dot(corner_8));
+            return (normal_15.dot((point_18 - view_12.eye.xyz())) / normal_15.dot(corner_7));
         }
-        return (normal_15.dot((point_18 - corner_8)) / normal_15.dot(view_12.depth.xyz()));
+        return (normal_15.dot((point_18 - corner_7)) / normal_15.dot(view_12.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
@@ -15861,8 +15843,8 @@ impl<'g> Resources<'g> {
         let is_back = _e5.elementwise_lt(_e6);
         first_7 = a_24;
         end_2 = b_24;
-        let _e11 = self.v_around_corners(primary, rt::Scalar(1u32));
-        let _e13 = self.v_around_corners(primary, rt::Scalar(2u32));
+        let _e11 = self.v_around_three(primary, rt::Scalar(1u32));
+        let _e13 = self.v_around_three(primary, rt::Scalar(2u32));
         corners = <rt::Vec3<u32>>::from_scalars(primary, _e11, _e13);
         if rt::Scalar::into_branch_condition(is_back) {
             first_7 = b_24;

@@ -1094,6 +1094,27 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "constants",
+        name: "COARSEST",
+        sampling: None,
+        uses: &[],
+        text: r#"const COARSEST = 20u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "INSIDE",
+        sampling: None,
+        uses: &[],
+        text: r#"const INSIDE = 3u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "COUNTLESS",
+        sampling: None,
+        uses: &[],
+        text: r#"const COUNTLESS = 4294967295u;"#,
+    },
+    Declaration {
+        module: "constants",
         name: "BOX_VERTICES",
         sampling: None,
         uses: &[],
@@ -1852,14 +1873,6 @@ const DICE_PARTS = 32767u;"#,
     },
     Declaration {
         module: "shared/dice",
-        name: "DICE_INSIDE",
-        sampling: None,
-        uses: &[],
-        text: r#"// The side of a `DicePoint` that lies inside.
-const DICE_INSIDE = 3u;"#,
-    },
-    Declaration {
-        module: "shared/dice",
         name: "DiceRows",
         sampling: None,
         uses: &[],
@@ -1880,7 +1893,7 @@ struct DiceRows {
         text: r#"// A point of a triangle.
 struct DicePoint {
     // Of the triangle's sides the one that it lies on, and how many parts lie before it there, fewer than there
-    // are; or `DICE_INSIDE`, and its number among those inside.
+    // are; or `INSIDE`, and its number among those inside.
     side: u32,
     at: u32,
     // The weights of the triangle's corners; of a point on a side they are not set.
@@ -2108,7 +2121,7 @@ fn dice_border(rows: DiceRows, side: u32, at: u32) -> DicePoint {
         module: "shared/dice",
         name: "dice_point",
         sampling: None,
-        uses: &["DICE_INSIDE", "DicePlace", "DicePoint", "DiceRows", "dice_border", "dice_points_before", "dice_row_parts", "dice_share"],
+        uses: &["DicePlace", "DicePoint", "DiceRows", "INSIDE", "dice_border", "dice_points_before", "dice_row_parts", "dice_share"],
         text: r#"// The point at a place.
 fn dice_point(rows: DiceRows, place: DicePlace) -> DicePoint {
     if (place.row == 0u) {
@@ -2134,7 +2147,7 @@ fn dice_point(rows: DiceRows, place: DicePlace) -> DicePoint {
     let y = select(select(on_other, on_short, rows.sides.y == 1u), on_corner, rows.sides.x == 1u);
     let z = select(select(on_other, on_short, rows.sides.y == 2u), on_corner, rows.sides.x == 2u);
     let number = dice_points_before(rows, place.row) + place.at - 1u;
-    return DicePoint(DICE_INSIDE, number, vec3f(x, y, z));
+    return DicePoint(INSIDE, number, vec3f(x, y, z));
 }"#,
     },
     Declaration {
@@ -6742,14 +6755,6 @@ const ROOF_UP = 3u;"#,
     },
     Declaration {
         module: "shared/sweep",
-        name: "SWEPT_INSIDE",
-        sampling: None,
-        uses: &[],
-        text: r#"// A side of a point that lies on none.
-const SWEPT_INSIDE = 3u;"#,
-    },
-    Declaration {
-        module: "shared/sweep",
         name: "ON_PRIMARY",
         sampling: None,
         uses: &[],
@@ -6798,8 +6803,8 @@ struct Sweep {
         uses: &[],
         text: r#"// A point of a triangle.
 struct SweptPoint {
-    // Of the triangle's sides the one that it lies on, and how many parts lie before it there, fewer than there
-    // are; or `SWEPT_INSIDE`, and its number among those inside.
+    // Of the triangle's sides the one that it lies on, and how many parts lie before it there, fewer than
+    // there are; or `INSIDE`, and its number among those inside.
     side: u32,
     at: u32,
     // It lies at (x / w, y / w).
@@ -6915,16 +6920,6 @@ fn seen_along(at: vec3i, axis: u32) -> vec3i {
     },
     Declaration {
         module: "shared/sweep",
-        name: "around_corners",
-        sampling: None,
-        uses: &[],
-        text: r#"// A corner that comes around after so many of three.
-fn around_corners(corner: u32, on: u32) -> u32 {
-    return (corner + on) % 3u;
-}"#,
-    },
-    Declaration {
-        module: "shared/sweep",
         name: "longest_of",
         sampling: None,
         uses: &["between"],
@@ -6938,14 +6933,14 @@ fn longest_of(between: vec3i) -> i32 {
         module: "shared/sweep",
         name: "sweep_from",
         sampling: None,
-        uses: &["Sweep", "around_corners", "axis_of", "longest_of", "main_axis", "seen_along"],
+        uses: &["Sweep", "around_three", "axis_of", "longest_of", "main_axis", "seen_along"],
         text: r#"// The sweep of a triangle whose longest primary edge begins at its first corner.
 fn sweep_from(primary: u32, a: vec3i, b: vec3i, c: vec3i) -> Sweep {
     let axis = main_axis(a, b);
     let is_back = axis_of(b, axis) < axis_of(a, axis);
     var first = a;
     var end = b;
-    var corners = vec3u(primary, around_corners(primary, 1u), around_corners(primary, 2u));
+    var corners = vec3u(primary, around_three(primary, 1u), around_three(primary, 2u));
     if (is_back) {
         first = b;
         end = a;
@@ -7036,7 +7031,7 @@ fn first_of_top(sweep: Sweep, column: i32) -> i32 {
         module: "shared/sweep",
         name: "swept_border",
         sampling: None,
-        uses: &["Sweep", "around_corners"],
+        uses: &["Sweep", "around_three"],
         text: r#"// A point between two corners of the sweep that so many parts lie before.
 fn swept_border(sweep: Sweep, start: u32, to: u32, at: i32, parts: i32) -> vec2u {
     if (at == 0) {
@@ -7045,7 +7040,7 @@ fn swept_border(sweep: Sweep, start: u32, to: u32, at: i32, parts: i32) -> vec2u
     if (at == parts) {
         return vec2u(to, 0u);
     }
-    if (to == around_corners(start, 1u)) {
+    if (to == around_three(start, 1u)) {
         return vec2u(start, u32(at));
     }
     return vec2u(to, u32(parts - at));
@@ -7180,13 +7175,13 @@ fn swept_chain(sweep: Sweep, column: SweptColumn, way: u32) -> SweptChain {
         module: "shared/sweep",
         name: "low_point",
         sampling: None,
-        uses: &["ON_FIRST", "ON_PRIMARY", "ON_SECOND", "SWEPT_INSIDE", "Sweep", "SweptColumn", "SweptPoint", "swept_border"],
+        uses: &["INSIDE", "ON_FIRST", "ON_PRIMARY", "ON_SECOND", "Sweep", "SweptColumn", "SweptPoint", "swept_border"],
         text: r#"// The lowest points of a column: that of the primary edge, then those inside.
 fn low_point(sweep: Sweep, column: SweptColumn, at: i32) -> SweptPoint {
     let x = column.column;
     if (at > 0) {
         let y = column.inside + at - 1;
-        return SweptPoint(SWEPT_INSIDE, column.first + u32(at - 1), x, y, 1, 0u);
+        return SweptPoint(INSIDE, column.first + u32(at - 1), x, y, 1, 0u);
     }
     let columns = sweep.end.x;
     let place = swept_border(sweep, sweep.corners.x, sweep.corners.y, x, columns);
@@ -7476,14 +7471,6 @@ fn normal_z(path: Path, slope: vec2f) -> f32 {
     },
     Declaration {
         module: "shared/tessellation",
-        name: "COARSEST",
-        sampling: None,
-        uses: &[],
-        text: r#"// The coarsest level of a grid: no side is divided there.
-const COARSEST = 20u;"#,
-    },
-    Declaration {
-        module: "shared/tessellation",
         name: "PARTS_ROUNDING",
         sampling: None,
         uses: &[],
@@ -7588,14 +7575,6 @@ struct BaseEdge {
     },
     Declaration {
         module: "shared/tessellation",
-        name: "COUNTLESS",
-        sampling: None,
-        uses: &[],
-        text: r#"// What stands for triangles that are not counted.
-const COUNTLESS = 4294967295u;"#,
-    },
-    Declaration {
-        module: "shared/tessellation",
         name: "BasePatch",
         sampling: None,
         uses: &[],
@@ -7619,8 +7598,8 @@ struct BasePatch {
 struct Voxel {
     // The voxel that it lies in: right, down and away from the eye.
     at: vec3i,
-    // What it counts where points are divided in the picture: the inverse of its depth in perspective. 1 where
-    // they are divided on the base.
+    // What it counts where points are divided in the picture: the inverse of its depth in perspective; 1
+    // where they are divided on the base.
     share: f32,
 }"#,
     },
@@ -12385,8 +12364,8 @@ fn sweep_of_patch(number: u32) -> Sweep {
         name: "tally_of_swept",
         sampling: None,
         uses: &["SWEPT", "Tally", "base_patches", "tallies"],
-        text: r#"// What a triangle of the base has once its points inside are counted: every corner of its triangles lies inside
-// or on its border.
+        text: r#"// What a triangle of the base has once its points inside are counted: every corner of its triangles lies
+// inside or on its border.
 fn tally_of_swept(number: u32, points: u32) -> Tally {
     let edges = base_patches[number].edges;
     let border = tallies[edges.x].parts + tallies[edges.y].parts + tallies[edges.z].parts;
@@ -12660,10 +12639,10 @@ fn points_main(@builtin(global_invocation_id) id: vec3u) {
         module: "roots/tessellate",
         name: "numbered_point",
         sampling: None,
-        uses: &["DICE_INSIDE", "base_edges", "base_patches", "one_of", "tallies", "tessellation"],
+        uses: &["INSIDE", "base_edges", "base_patches", "one_of", "tallies", "tessellation"],
         text: r#"// The number of a point of a triangle of the base: of one of its sides, or inside.
 fn numbered_point(number: u32, side: u32, at: u32) -> u32 {
-    if (side == DICE_INSIDE) {
+    if (side == INSIDE) {
         return tessellation.vertices + tallies[tessellation.edges + number].points + at;
     }
     let corners = base_patches[number].corners;
@@ -12757,8 +12736,9 @@ fn write_zip(number: u32, sweep: Sweep, zipped: Zip, first: u32) -> u32 {
         name: "write_strips",
         sampling: None,
         uses: &["Sweep", "made_corners", "swept_column", "swept_weights", "tallies", "tessellation", "write_zip", "zip_of"],
-        text: r#"// Makes the strips of a swept triangle of the base between some columns, before which there are so many points
-// and triangles: the weights of the points inside of each next column, which are displaced later, and triangles.
+        text: r#"// Makes the strips of a swept triangle of the base between some columns, before which there are so many
+// points and triangles: the weights of the points inside of each next column, which are displaced later, and
+// triangles.
 fn write_strips(number: u32, sweep: Sweep, first: i32, end: i32, before: vec2u) {
     let tally = tallies[tessellation.edges + number];
     var triangle = tally.triangles + before.y;

@@ -42,6 +42,15 @@ pub const TESSELLATE_ROW: u32 = 65_536;
 /// Tallies that one invocation adds up.
 pub const TESSELLATE_BLOCK: u32 = 256;
 
+/// The coarsest level of a grid that divides bases: no side is divided there.
+pub const TESSELLATE_COARSEST: u32 = 20;
+
+/// What stands in place of one of three sides for a point that lies inside of a triangle.
+pub const TESSELLATE_INSIDE: u32 = 3;
+
+/// What stands in place of an edge's triangles where there are too many to be counted.
+pub const TESSELLATE_COUNTLESS: u32 = u32::MAX;
+
 /// Vertices of the box that [`Root::TraceShells`] draws for a triangle.
 pub const BOX_VERTICES: u32 = 36;
 

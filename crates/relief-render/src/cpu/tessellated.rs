@@ -10,17 +10,12 @@ use relief_shaders::cpu::{
     BasePatch, BaseSite, BaseVertex, Corner, DicePlace, DiceRows, Frame, Shell, Sweep, Tessellator, Vec2,
     Vec3, Voxel,
 };
+use relief_shaders::wgsl::{TESSELLATE_COARSEST as COARSEST, TESSELLATE_INSIDE as INSIDE};
 
 use crate::job::{Job, JobSurface};
 use crate::kept::kept;
 use crate::tessellation::{TessellatedBase, Tessellation};
 use crate::triangles::Triangles;
-
-/// The level of a grid on which no side is divided.
-const COARSEST: u32 = 20;
-
-/// The side that a point inside of a triangle has.
-const INSIDE: u32 = 3;
 
 /// What is made of an edge or a triangle of the base: points and triangles, and those of all before it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -50,7 +45,8 @@ struct Counted<'a> {
 #[derive(Debug, Default)]
 struct Filled {
     faces: Vec<[u32; 3]>,
-    /// The weights of its corners at the points inside, by their numbers; of a pattern they follow from these.
+    /// The weights of its corners at the points inside, by their numbers. Those of a pattern follow from
+    /// these.
     weights: Vec<Vec3<f32>>,
 }
 

@@ -7,7 +7,7 @@ use relief_shaders::cpu::{
     BaseEdge, BasePatch, BaseVertex, Corner, Face, MadeTotals, Shared, Tally, Tessellation as Grid, Vec2,
     Voxel,
 };
-use relief_shaders::wgsl::{TESSELLATE_BLOCK, TESSELLATE_GROUP, TESSELLATE_ROW};
+use relief_shaders::wgsl::{TESSELLATE_BLOCK, TESSELLATE_COARSEST, TESSELLATE_GROUP, TESSELLATE_ROW};
 use wgpu::{BindGroup, BindGroupLayout, Buffer, BufferUsages, ComputePass, ComputePipeline, Device};
 
 use super::layouts::group;
@@ -17,9 +17,6 @@ use crate::tessellation::{Room, TessellatedBase, Tessellation};
 
 /// Storage buffers that a pass binds.
 pub const STORAGE_BUFFERS: u32 = 8;
-
-/// Levels of a grid, the finest and that on which no side is divided among them.
-const LEVELS: u32 = 21;
 
 /// Where the numbers of groups lie in what is known of all that is made.
 const POINT_GROUPS: u64 = 16;
@@ -239,7 +236,7 @@ impl Tessellated {
         run(&tessellator.begin, 1);
         run(&tessellator.voxels, grid.vertices);
         run(&tessellator.seen, grid.patches);
-        for _ in 0..LEVELS {
+        for _ in 0..=TESSELLATE_COARSEST {
             run(&tessellator.edges, grid.edges);
             run(&tessellator.patches, grid.patches);
             run(&tessellator.blocks, blocks);

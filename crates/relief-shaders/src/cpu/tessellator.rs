@@ -25,8 +25,8 @@ impl<'a> Tessellator<'a> {
         self.resources.voxel_of(self.grid, position)
     }
 
-    /// In how many parts an edge between two voxels is divided, along which `u` and `v` change by so much, where
-    /// the grid is coarser by so many doublings.
+    /// In how many parts an edge between two voxels is divided, along which `u` and `v` change by so much,
+    /// where the grid is coarser by so many doublings.
     pub fn parts_between(&self, [a, b]: [Voxel; 2], along: Vec2<f32>, level: u32) -> u32 {
         self.resources.parts_between(self.grid, a, b, along, level)
     }

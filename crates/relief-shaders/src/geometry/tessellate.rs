@@ -29,7 +29,7 @@ impl Tessellated {
 /// Base triangles cut by a pattern or along voxels, as finely as the picture's pixels are, displaced.
 pub const ENTRY: Entry = Entry {
     name: "tessellate",
-    summary: "displaced triangles: each base triangle cut by itself for each view, on a GPU where there is one",
+    summary: "displaced triangles: each base triangle cut by itself for each view, on a GPU if there is one",
     publication: Publication {
         paper: "Gumhold and Hüttner 1999, Multiresolution Rendering With Displacement Mapping",
         section: "3",
@@ -39,12 +39,12 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "As `remesh`, or, where `texels` says so, as `vertex`; but what is inside of a base triangle is \
-        filled by a pattern for the points of its three sides, whose every point and triangle is found by its \
-        number, or by the points of a grid of voxels in columns, each of which follows from the three corners: \
-        nothing is made one after the other. Where the picture would have more than eight triangles for each \
-        of its voxels, all sides have half as many parts, or a quarter, until it has not. Base triangles with \
-        more than 1,023 voxels along a side have the pattern in either case.",
+    argument: "As `remesh`, or, where `texels` says so, as `vertex`; but what is inside of a base triangle \
+        is filled by a pattern for the points of its three sides, whose every point and triangle is found by \
+        its number, or by the points of a grid of voxels in columns, each of which follows from the three \
+        corners: nothing is made one after the other. Where the picture would have more than eight triangles \
+        for each of its voxels, voxels are twice as wide, or four times, until it has not. Base triangles \
+        with more than 1,023 voxels along a side have the pattern in either case.",
 };
 
 const PARAMS: &[Param] = &[

@@ -42,6 +42,9 @@ pub fn module() -> String {
     constant("TESSELLATE_GROUP", wgsl::TESSELLATE_GROUP);
     constant("TESSELLATE_ROW", wgsl::TESSELLATE_ROW);
     constant("TESSELLATE_BLOCK", wgsl::TESSELLATE_BLOCK);
+    constant("COARSEST", wgsl::TESSELLATE_COARSEST);
+    constant("INSIDE", wgsl::TESSELLATE_INSIDE);
+    constant("COUNTLESS", wgsl::TESSELLATE_COUNTLESS);
     constant("BOX_VERTICES", wgsl::BOX_VERTICES);
     constant("SHELL_FOLDED", surface::FOLDED);
     constant("SEEN_AZIMUTHS", seen_normal::AZIMUTHS);

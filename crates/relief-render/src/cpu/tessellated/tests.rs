@@ -70,7 +70,8 @@ fn tessellator_of(job: &Job) -> Tessellator<'_> {
     Tessellator::new(&surface.bound(surface.settings, job.frame, None), grid)
 }
 
-/// A point of a triangle: its side or [`INSIDE`], its number there, and its weights, which count inside alone.
+/// A point of a triangle: its side or [`INSIDE`], its number there, and its weights, which count inside
+/// alone.
 type Point = (u32, u32, Three<f32>);
 
 fn diced(point: DicePoint) -> Point {
@@ -96,8 +97,8 @@ fn twice_area(piece: [Point; 3], parts: [u32; 3]) -> f64 {
     (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1])
 }
 
-/// Pieces tile a triangle whose sides have so many parts: each lies on one side of each of its edges, they use
-/// every point of the border and as many inside as said, and their areas add up.
+/// Pieces tile a triangle whose sides have so many parts: no edge is there twice, they use every point of
+/// the border and as many inside as said, and their areas add up.
 fn assert_tiled(parts: [u32; 3], points: u32, pieces: &[[Point; 3]], least: f64) {
     let border: u32 = parts.iter().sum();
     let number = |(side, at, _): Point| match side {
@@ -238,8 +239,8 @@ fn numbers_of_large_patterns_lead_where_counting_does() {
     }
 }
 
-/// How many of the points of all closed bases are those of the mesher in 64 bits: the least part of those of a
-/// picture, and in how many pictures all are.
+/// How many of the points of all closed bases are those of the mesher in 64 bits: the least part of those of
+/// a picture, and in how many pictures all are.
 fn beside_mesher(set: &[(&str, f64)], settings: impl Fn(View) -> MeshSettings) -> (f64, u32) {
     let eyes = [[1.3, 0.9, 1.1], [-0.4, 1.7, 0.3], [0.2, -0.1, 2.3]];
     let (mut least, mut whole) = (1.0f64, 0);
