@@ -12,7 +12,7 @@ use super::{own, rendered, software};
 use crate::Renderer;
 use crate::cpu::tessellated::tests::{BY_TEXELS, SWEPT, job_of, made, scene_of, surface_of};
 use crate::job::Job;
-use crate::mesh::{cube, sphere, square, torus};
+use crate::mesh::{cube, rectangle, sphere, square, torus};
 
 /// The triangles that a renderer made of the first surface.
 fn made_by(renderer: &mut GpuRenderer, job: &Job) -> (Vec<Corner>, Vec<Face>) {
@@ -44,7 +44,12 @@ fn a_gpu_makes_the_same_triangles_as_the_cpu() {
     let (mut same, mut all) = (0, 0);
     let meshes = [cube(1), torus(12, 7), sphere(10, 5), square(1)].map(|mesh| mesh.expect("a mesh"));
     let all_of = |set| meshes.iter().map(move |mesh| surface_of(mesh.clone(), 1.5, set));
-    for surface in [&[], SWEPT, BY_TEXELS].into_iter().flat_map(all_of) {
+    // Triangles with too many voxels along a side to be swept have the pattern.
+    let long = surface_of(rectangle([4.0, 0.02], 1).expect("a mesh"), 0.25, SWEPT);
+    let job = job_of(&scene_of(long.clone(), [0.4, 0.3, 0.5], false));
+    let on_side = made(&job).corners().iter().filter(|corner| corner.uv.y == 0.0).count();
+    assert!(on_side > 1024, "{on_side}");
+    for surface in [&[], SWEPT, BY_TEXELS].into_iter().flat_map(all_of).chain([long]) {
         for (eye, culls) in [([1.3, 0.9, 1.1], false), ([0.4, 0.3, 0.5], true), ([-0.2, 2.5, 0.1], true)] {
             let job = job_of(&scene_of(surface.clone(), eye, culls));
             let expected = made(&job);
