@@ -45,8 +45,8 @@ struct Counted<'a> {
 #[derive(Debug, Default)]
 struct Filled {
     faces: Vec<[u32; 3]>,
-    /// The weights of its corners at the points inside, by their numbers. Those of a pattern follow from
-    /// these.
+    /// The weights of its corners at the points inside, by their numbers; none of a pattern, which gives them
+    /// for each number.
     weights: Vec<Vec3<f32>>,
 }
 
