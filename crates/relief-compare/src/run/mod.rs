@@ -183,14 +183,15 @@ impl Comparison {
         let of_pictures =
             if self.machines.is_empty() { 0 } else { truths + (usable.len() + 1) * self.machines.len() };
         let of_pictures = of_pictures * self.distances_m.len().max(1);
-        let mut baked = Baked::new();
-        let mut done = Done { parts: subjects.len() * (of_rays + of_pictures), done: 0 };
+        let parts = subjects.len() * (of_rays + of_pictures);
+        let mut work = Work { baked: Baked::new(), compared, watch: *watch, parts, done: 0 };
         if of_rays > 0 {
             for subject in &subjects {
-                self.rays(subject, &seen, &mut baked, &mut done, watch, &mut compared.records)?;
+                self.rays(subject, &seen, &mut work)?;
             }
         }
-        self.pictures(renderers, &subjects, &usable, &mut baked, &mut done, watch, &mut compared)?;
+        self.pictures(renderers, &subjects, &usable, &mut work)?;
+        let mut compared = work.compared;
         let first = surfaces.first();
         let map = first.map(Surface::height_map);
         compared.records.about = About {
@@ -221,18 +222,30 @@ fn without_shadows(contenders: &[Contender]) -> Vec<Contender> {
     seen
 }
 
-/// How much of the work is done.
-struct Done {
+/// A comparison at work.
+struct Work<'a> {
+    /// The maps that methods read.
+    baked: Baked,
+    /// What was found so far.
+    compared: Compared,
+    watch: Watch<'a>,
+    /// Of how many parts so many are done.
     parts: usize,
     done: usize,
 }
 
-impl Done {
+impl Work<'_> {
     /// Says what comes next.
-    fn next(&mut self, watch: &Watch, what: &str) {
-        (watch.progress)(what, self.done as f32 / self.parts.max(1) as f32);
+    fn next(&mut self, what: &str) {
+        (self.watch.progress)(what, self.done as f32 / self.parts.max(1) as f32);
         self.done += 1;
     }
+}
+
+/// A machine, and what makes its pictures.
+struct Station {
+    machine: Machine,
+    renderer: Renderer,
 }
 
 impl MethodRecord {

@@ -12,7 +12,7 @@ use relief_shaders::{Choice, SHADOW, SHADOW_SEARCH, Selection};
 use super::reference::{hit_of, in_tile_of, is_flat, seen_by_judge, selection, truth};
 use super::shadow::{has_disc, true_shadow, with_samples};
 use super::subject::{Subject, with_selections};
-use super::{Baked, Compared, Done, MapsOf, Reference, Renderers, Shown};
+use super::{Compared, MapsOf, Reference, Renderers, Shown, Station, Work};
 use crate::case::judged;
 use crate::comparison::{Comparison, Machine, MachineBackend, Watch};
 use crate::contender::Contender;
@@ -70,26 +70,23 @@ impl Comparison {
         make: &Renderers,
         subjects: &[Subject],
         contenders: &[Contender],
-        baked: &mut Baked,
-        done: &mut Done,
-        watch: &Watch,
-        compared: &mut Compared,
+        work: &mut Work,
     ) -> Result<(), CompareError> {
-        let mut renderers = Vec::new();
+        let mut stations = Vec::new();
         for &machine in &self.machines {
-            let (renderer, device) = self.renderer(make, machine)?;
-            compared.records.about.machines.push(MachineRecord {
+            let (station, device) = self.station(make, machine)?;
+            work.compared.records.about.machines.push(MachineRecord {
                 backend: machine.name().to_owned(),
                 sampling: machine.sampling.name().to_owned(),
                 device,
             });
-            renderers.push((machine, renderer));
+            stations.push(station);
         }
-        if renderers.is_empty() {
+        if stations.is_empty() {
             return Ok(());
         }
         // The truth is the CPU's.
-        let mut own = self.renderer(make, Machine::CPU)?.0;
+        let mut own = self.station(make, Machine::CPU)?.0;
         let views = self.views()?;
         for (subject, (distance_m, scene)) in
             subjects.iter().flat_map(|subject| views.iter().map(move |view| (subject, view)))
@@ -99,13 +96,13 @@ impl Comparison {
             for contender in contenders {
                 let shadows = true_shadows(&shot, contender)?;
                 if shot.truth(&shadows).is_none() {
-                    done.next(watch, EXACT);
-                    let truth = self.truth(&shot, shadows, &mut own, baked, watch, compared)?;
+                    work.next(EXACT);
+                    let truth = self.truth(&shot, shadows, &mut own.renderer, work)?;
                     shot.truths.push(truth);
                 }
             }
-            for (machine, renderer) in &mut renderers {
-                self.on_machine(&shot, contenders, *machine, renderer, baked, done, watch, compared)?;
+            for station in &mut stations {
+                self.on_machine(&shot, contenders, station, work)?;
             }
         }
         Ok(())
@@ -116,38 +113,35 @@ impl Comparison {
         &self,
         shot: &Shot,
         contenders: &[Contender],
-        machine: Machine,
-        renderer: &mut Renderer,
-        baked: &mut Baked,
-        done: &mut Done,
-        watch: &Watch,
-        compared: &mut Compared,
+        station: &mut Station,
+        work: &mut Work,
     ) -> Result<(), CompareError> {
-        let first = compared.records.pictures.len();
+        let first = work.compared.records.pictures.len();
         let mut shown = Vec::new();
         for contender in contenders {
-            done.next(watch, &contender.name);
-            if self.picture(shot, contender, machine, renderer, baked, watch, compared)? {
+            work.next(&contender.name);
+            if self.picture(shot, contender, station, work)? {
                 shown.push(contender.clone());
             }
         }
-        done.next(watch, "times");
-        let times = self.times(shot, &shown, machine, renderer, baked, watch)?;
+        work.next("times");
+        let times = self.times(shot, &shown, station, work)?;
         if self.timing.is_some() && !times.is_empty() && times.iter().all(Option::is_none) {
             let reason = "frames are timed beside bump mapping, of which this surface has none";
-            compared.leave_out("times", reason);
+            work.compared.leave_out("times", reason);
         }
-        for (record, times) in compared.records.pictures[first..].iter_mut().zip(times) {
+        for (record, times) in work.compared.records.pictures[first..].iter_mut().zip(times) {
             record.times = times;
         }
         Ok(())
     }
 
-    fn renderer(&self, make: &Renderers, machine: Machine) -> Result<(Renderer, String), CompareError> {
+    /// A machine, and what its device is called.
+    fn station(&self, make: &Renderers, machine: Machine) -> Result<(Station, String), CompareError> {
         let mut renderer = make(machine).map_err(|source| of(machine.name(), source))?;
         renderer.set_lanes(self.lanes);
         let device = renderer.device();
-        Ok((renderer, device))
+        Ok((Station { machine, renderer }, device))
     }
 
     /// What pictures with such shadows are compared with, on the CPU.
@@ -156,11 +150,10 @@ impl Comparison {
         shot: &Shot,
         shadows: Vec<Choice>,
         renderer: &mut Renderer,
-        baked: &mut Baked,
-        watch: &Watch,
-        compared: &mut Compared,
+        work: &mut Work,
     ) -> Result<Truth, CompareError> {
         let Shot { subject, scene, distance_m, .. } = shot;
+        let Work { baked, compared, watch, .. } = work;
         let maps = baked.maps(MapFormat::F32);
         let exact = |samples: u32| {
             let each = subject.surfaces.iter().zip(&shadows);
@@ -202,12 +195,10 @@ impl Comparison {
         &self,
         shot: &Shot,
         contender: &Contender,
-        machine: Machine,
-        renderer: &mut Renderer,
-        baked: &mut Baked,
-        watch: &Watch,
-        compared: &mut Compared,
+        Station { machine, renderer }: &mut Station,
+        work: &mut Work,
     ) -> Result<bool, CompareError> {
+        let Work { baked, compared, watch, .. } = work;
         let (label, surfaces) = (contender.label(), &shot.subject.surfaces);
         let selections = contender.on_all(surfaces)?.selections;
         let is_of_gpu = machine.backend == MachineBackend::Gpu;

@@ -4,12 +4,12 @@ use relief_core::metrics::CostReport;
 use relief_shaders::cpu::MethodTracer;
 
 use super::subject::Subject;
-use super::{Baked, Done, MapsOf};
+use super::{MapsOf, Work};
 use crate::case::{Case, hits};
-use crate::comparison::{Comparison, Watch};
+use crate::comparison::Comparison;
 use crate::contender::Contender;
 use crate::error::CompareError;
-use crate::record::{MethodRecord, RayRecord, Records};
+use crate::record::{MethodRecord, RayRecord};
 
 impl Comparison {
     /// Adds every method that searches, at every angle, where there is one surface. All of them have the same
@@ -18,10 +18,7 @@ impl Comparison {
         &self,
         subject: &Subject,
         contenders: &[Contender],
-        baked: &mut Baked,
-        done: &mut Done,
-        watch: &Watch,
-        records: &mut Records,
+        work: &mut Work,
     ) -> Result<(), CompareError> {
         let Some(surface) = subject.only() else { return Ok(()) };
         let heights = &**surface.height_map();
@@ -29,19 +26,20 @@ impl Comparison {
         let case = |&degrees: &f64| Case::new(heights, tile_m, degrees, self.rays as usize);
         let cases: Vec<Case> = self.angles_deg.iter().map(case).collect();
         for contender in contenders {
-            done.next(watch, &contender.name);
+            work.next(&contender.name);
             if !contender.is_of_rays() {
                 continue;
             }
             let mut maps = MapsOf::default();
+            let watch = &work.watch;
             let provided =
-                baked.provide(&contender.selection, contender.format(), surface, &mut maps, watch)?;
+                work.baked.provide(&contender.selection, contender.format(), surface, &mut maps, watch)?;
             let tracer = MethodTracer::over(heights, &contender.selection, provided.slots());
             let method = MethodRecord::of(contender, subject, &maps);
             for (case, &angle_deg) in cases.iter().zip(&self.angles_deg) {
                 watch.check()?;
                 let hits = hits(&tracer, &case.paths, self.lanes);
-                records.rays.push(RayRecord {
+                work.compared.records.rays.push(RayRecord {
                     method: method.clone(),
                     angle_deg,
                     error: (&case.judge(&hits)).into(),

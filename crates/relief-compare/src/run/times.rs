@@ -5,13 +5,13 @@ use std::time::Duration;
 
 use relief_core::MapFormat;
 use relief_render::scene::Scene;
-use relief_render::{FrameTime, PassTimes, Renderer};
+use relief_render::{FrameTime, PassTimes};
 use relief_shaders::{SHADOW, STAGES, Selection};
 
-use super::Baked;
 use super::pictures::{Shot, of};
 use super::subject::with_selections;
-use crate::comparison::{Comparison, Machine, MachineBackend, Timing, Watch};
+use super::{Station, Work};
+use crate::comparison::{Comparison, MachineBackend, Timing};
 use crate::contender::Contender;
 use crate::error::CompareError;
 use crate::record::TimeRecord;
@@ -68,10 +68,8 @@ impl Comparison {
         &self,
         shot: &Shot,
         contenders: &[Contender],
-        machine: Machine,
-        renderer: &mut Renderer,
-        baked: &mut Baked,
-        watch: &Watch,
+        Station { machine, renderer }: &mut Station,
+        Work { baked, watch, .. }: &mut Work,
     ) -> Result<Vec<Option<TimeRecord>>, CompareError> {
         let none = vec![None; contenders.len()];
         let Some(timing) = self.timing else { return Ok(none) };
