@@ -299,29 +299,27 @@ fn to_be_made(
     left: u64,
 ) -> Result<(Arc<Triangles>, u64), Option<GeometryError>> {
     let of_base = base.vertices.len() as u64 * BYTES_PER_VERTEX;
-    let bytes = |room: Room| {
-        u64::from(room.triangles) * BYTES_PER_TRIANGLE + u64::from(room.points) * BYTES_PER_VERTEX
-    };
-    // The numbers of three corners each fit 32 bits.
-    let most = Room::of_triangles(u32::MAX / 3);
     let parts_of_uv = by.texels.map(|texels| {
         let size = [of.map.width(), of.map.height()];
         size.map(|texels_of_map| f64::from(texels_of_map) / f64::from(texels))
     });
     let division = Division { parts_of_uv, is_swept: by.is_swept };
-    let wanted = base.room(view, &division);
-    let least = Room::of_triangles(u32::try_from(base.patches.len()).unwrap_or(u32::MAX));
-    let for_them = left.saturating_sub(of_base);
-    if for_them < bytes(least) {
-        let (triangles, setting) = (base.patches.len() as u64, of.setting());
-        let needed = of_base.saturating_add(bytes(least));
-        return Err(Some(GeometryError::Memory { triangles, needed, left, setting }));
+    let bytes = |room: Room| {
+        u64::from(room.triangles) * BYTES_PER_TRIANGLE + u64::from(room.points) * BYTES_PER_VERTEX
+    };
+    let each = BYTES_PER_TRIANGLE + BYTES_PER_VERTEX * 5 / 8;
+    let (patches, memory) = (base.patches.len() as u64, left.saturating_sub(of_base));
+    if memory / each < patches {
+        let needed = of_base.saturating_add(patches.saturating_mul(each));
+        return Err(Some(GeometryError::Memory { triangles: patches, needed, left, setting: of.setting() }));
     }
-    let each = bytes(most) as f64 / f64::from(most.triangles);
-    let room = if bytes(wanted.within(most)) <= for_them {
-        wanted.within(most)
+    // The numbers of three corners each fit 32 bits.
+    let most = u64::from(u32::MAX / 3);
+    let wanted = base.room(view, &division).within(Room::of_triangles(most as u32));
+    let room = if bytes(wanted) <= memory {
+        wanted
     } else {
-        wanted.within(Room::of_triangles((for_them as f64 / each) as u32)).within(most)
+        wanted.within(Room::of_triangles((memory / each).min(most) as u32))
     };
     let grid = base.grid(view, cull, levels, &division, room).map_err(|error| of.error(error))?;
     let everything = base.everything(view);

@@ -3699,27 +3699,27 @@ impl<'g> Resources<'g> {
         chain: SweptChain,
         number_1: rt::Scalar<i32>,
     ) -> SweptPoint {
-        let column_9 = chain.column;
-        let last_3 = ((rt::Scalar(column_9.from_top) + rt::Scalar(column_9.of_top)) - rt::Scalar(1i32));
+        let column_8 = chain.column;
+        let last_3 = ((rt::Scalar(column_8.from_top) + rt::Scalar(column_8.of_top)) - rt::Scalar(1i32));
         if rt::Scalar::into_branch_condition(rt::Scalar(chain.way).elementwise_eq(ROOF_DOWN)) {
             let _e13 = self.v_top_point(sweep_3, (last_3 - number_1));
             return _e13;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(chain.way).elementwise_eq(ROOF_UP)) {
             if rt::Scalar::into_branch_condition(number_1.elementwise_eq(rt::Scalar(0i32))) {
-                let _e20 = self.v_low_point(sweep_3, column_9, rt::Scalar(column_9.inner));
+                let _e20 = self.v_low_point(sweep_3, column_8, rt::Scalar(column_8.inner));
                 return _e20;
             }
-            let _e25 = self.v_top_point(sweep_3, ((rt::Scalar(column_9.from_top) + number_1) - rt::Scalar(1i32)));
+            let _e25 = self.v_top_point(sweep_3, ((rt::Scalar(column_8.from_top) + number_1) - rt::Scalar(1i32)));
             return _e25;
         }
-        if rt::Scalar::into_branch_condition(number_1.elementwise_le(rt::Scalar(column_9.inner))) {
-            let _e28 = self.v_low_point(sweep_3, column_9, number_1);
+        if rt::Scalar::into_branch_condition(number_1.elementwise_le(rt::Scalar(column_8.inner))) {
+            let _e28 = self.v_low_point(sweep_3, column_8, number_1);
             return _e28;
         }
-        let on_1 = ((number_1 - rt::Scalar(column_9.inner)) - rt::Scalar(1i32));
-        let is_from_behind = rt::Scalar(chain.way).elementwise_eq(TOP_BEFORE).elementwise_eq(rt::Scalar(column_9.top).elementwise_eq(rt::Scalar(chain.way)));
-        let _e44 = self.v_top_point(sweep_3, (rt::Scalar(column_9.from_top) + on_1).select((last_3 - on_1), is_from_behind));
+        let on_1 = ((number_1 - rt::Scalar(column_8.inner)) - rt::Scalar(1i32));
+        let is_from_behind = rt::Scalar(chain.way).elementwise_eq(TOP_BEFORE).elementwise_eq(rt::Scalar(column_8.top).elementwise_eq(rt::Scalar(chain.way)));
+        let _e44 = self.v_top_point(sweep_3, (rt::Scalar(column_8.from_top) + on_1).select((last_3 - on_1), is_from_behind));
         return _e44;
     }
     pub(crate) fn chord_end(
@@ -16001,74 +16001,57 @@ impl<'g> Resources<'g> {
         let above_10 = _e53.min(_e56);
         return <SweptColumn>::new(column_5, inside_8, (above_10 - inside_8).max(rt::Scalar(0i32)), first_8, from_top, of_top_1, top_10);
     }
-    pub(crate) fn swept_points(
-        &self,
-        sweep_9: Sweep,
-        column_6: impl rt::Into<rt::Scalar<i32>>,
-    ) -> u32 {
-        rt::into(self.v_swept_points(sweep_9, rt::into(column_6)))
+    pub(crate) fn swept_points_of(&self, sweep_9: Sweep) -> u32 {
+        rt::into(self.v_swept_points_of(sweep_9))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_swept_points(
-        &self,
-        sweep_9: Sweep,
-        column_6: rt::Scalar<i32>,
-    ) -> rt::Scalar<u32> {
-        let _e3 = self.v_swept_column(sweep_9, column_6, rt::Scalar(0u32));
-        return rt::Scalar(_e3.inner).to_u32();
-    }
-    pub(crate) fn swept_points_of(&self, sweep_10: Sweep) -> u32 {
-        rt::into(self.v_swept_points_of(sweep_10))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_swept_points_of(&self, sweep_10: Sweep) -> rt::Scalar<u32> {
+    fn v_swept_points_of(&self, sweep_9: Sweep) -> rt::Scalar<u32> {
         let mut points: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut column_7: rt::Scalar<i32> = rt::Scalar(1i32);
+        let mut column_6: rt::Scalar<i32> = rt::Scalar(1i32);
 
         'naga_break: loop {
             'naga_continue: {
-                let _e5 = column_7;
-                if rt::Scalar::into_branch_condition(_e5.elementwise_lt(sweep_10.end.x())) {
+                let _e5 = column_6;
+                if rt::Scalar::into_branch_condition(_e5.elementwise_lt(sweep_9.end.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e9 = points;
-                    let _e10 = column_7;
-                    let _e11 = self.v_swept_points(sweep_10, _e10);
-                    points = (_e9 + _e11);
-                    let _e13 = column_7;
-                    column_7 = (_e13 + rt::Scalar(1i32));
+                    let _e10 = column_6;
+                    let _e12 = self.v_swept_column(sweep_9, _e10, rt::Scalar(0u32));
+                    points = (_e9 + rt::Scalar(_e12.inner).to_u32());
+                    let _e16 = column_6;
+                    column_6 = (_e16 + rt::Scalar(1i32));
                 }
             }
         }
-        let _e16 = points;
-        return _e16;
+        let _e19 = points;
+        return _e19;
     }
     pub(crate) fn swept_weights(
         &self,
-        sweep_11: Sweep,
+        sweep_10: Sweep,
         x_3: impl rt::Into<rt::Scalar<i32>>,
         y: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_swept_weights(sweep_11, rt::into(x_3), rt::into(y)))
+        rt::into(self.v_swept_weights(sweep_10, rt::into(x_3), rt::into(y)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_swept_weights(
         &self,
-        sweep_11: Sweep,
+        sweep_10: Sweep,
         x_3: rt::Scalar<i32>,
         y: rt::Scalar<i32>,
     ) -> rt::Vec3<f32> {
-        let end_19 = sweep_11.end;
-        let apex_2 = sweep_11.apex;
+        let end_19 = sweep_10.end;
+        let apex_2 = sweep_10.apex;
         let twice = ((end_19.x() * apex_2.y()) - (end_19.y() * apex_2.x())).to_f32();
         let of_end = (((x_3 * apex_2.y()) - (y * apex_2.x())).to_f32() / twice);
         let of_apex = (((end_19.x() * y) - (end_19.y() * x_3)).to_f32() / twice);
         let of_first = ((rt::Scalar(1f32) - of_end) - of_apex);
-        let corners_1 = sweep_11.corners;
+        let corners_1 = sweep_10.corners;
         return <rt::Vec3<f32>>::from_scalars(of_apex.select(of_end, corners_1.y().elementwise_eq(rt::Scalar(0u32))).select(of_first, corners_1.x().elementwise_eq(rt::Scalar(0u32))), of_apex.select(of_end, corners_1.y().elementwise_eq(rt::Scalar(1u32))).select(of_first, corners_1.x().elementwise_eq(rt::Scalar(1u32))), of_apex.select(of_end, corners_1.y().elementwise_eq(rt::Scalar(2u32))).select(of_first, corners_1.x().elementwise_eq(rt::Scalar(2u32))));
     }
     pub(crate) fn turn_of_piece(&self, a_27: SweptPoint, b_27: SweptPoint, c_18: SweptPoint) -> i32 {
@@ -16199,16 +16182,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn zip_next(
         &self,
-        sweep_12: Sweep,
+        sweep_11: Sweep,
         zip_1: Zip,
         goes_left: impl rt::Into<rt::Scalar<bool>>,
     ) -> Zip {
-        rt::into(self.v_zip_next(sweep_12, zip_1, rt::into(goes_left)))
+        rt::into(self.v_zip_next(sweep_11, zip_1, rt::into(goes_left)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_zip_next(
         &self,
-        sweep_12: Sweep,
+        sweep_11: Sweep,
         zip_1: Zip,
         goes_left: rt::Scalar<bool>,
     ) -> Zip {
@@ -16218,12 +16201,12 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(goes_left) {
             rt::Scalar(next_7.i) = (rt::Scalar(zip_1.i) + rt::Scalar(1i32));
             next_7.at_left = zip_1.next_left;
-            let _e20 = self.v_chain_point(sweep_12, zip_1.left, (rt::Scalar(zip_1.i) + rt::Scalar(2i32)).min((rt::Scalar(zip_1.left.count) - rt::Scalar(1i32))));
+            let _e20 = self.v_chain_point(sweep_11, zip_1.left, (rt::Scalar(zip_1.i) + rt::Scalar(2i32)).min((rt::Scalar(zip_1.left.count) - rt::Scalar(1i32))));
             next_7.next_left = _e20;
         } else {
             rt::Scalar(next_7.j) = (rt::Scalar(zip_1.j) + rt::Scalar(1i32));
             next_7.at_right = zip_1.next_right;
-            let _e37 = self.v_chain_point(sweep_12, zip_1.right, (rt::Scalar(zip_1.j) + rt::Scalar(2i32)).min((rt::Scalar(zip_1.right.count) - rt::Scalar(1i32))));
+            let _e37 = self.v_chain_point(sweep_11, zip_1.right, (rt::Scalar(zip_1.j) + rt::Scalar(2i32)).min((rt::Scalar(zip_1.right.count) - rt::Scalar(1i32))));
             next_7.next_right = _e37;
         }
         let _e38 = next_7;
@@ -16231,18 +16214,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn zip_of(
         &self,
-        sweep_13: Sweep,
-        column_8: SweptColumn,
+        sweep_12: Sweep,
+        column_7: SweptColumn,
         next_8: SweptColumn,
         which: impl rt::Into<rt::Scalar<u32>>,
     ) -> Zip {
-        rt::into(self.v_zip_of(sweep_13, column_8, next_8, rt::into(which)))
+        rt::into(self.v_zip_of(sweep_12, column_7, next_8, rt::into(which)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_zip_of(
         &self,
-        sweep_13: Sweep,
-        column_8: SweptColumn,
+        sweep_12: Sweep,
+        column_7: SweptColumn,
         next_8: SweptColumn,
         which: rt::Scalar<u32>,
     ) -> Zip {
@@ -16252,31 +16235,31 @@ impl<'g> Resources<'g> {
         let mut local_109: rt::Scalar<bool>;
         let mut local_110: rt::Scalar<bool>;
 
-        let _e5 = self.v_swept_chain(sweep_13, column_8, TOP_NEXT);
+        let _e5 = self.v_swept_chain(sweep_12, column_7, TOP_NEXT);
         left_1 = _e5;
-        let _e8 = self.v_swept_chain(sweep_13, next_8, TOP_BEFORE);
+        let _e8 = self.v_swept_chain(sweep_12, next_8, TOP_BEFORE);
         right = _e8;
         if rt::Scalar::into_branch_condition(which.elementwise_ne(rt::Scalar(1u32))) {
             let under_3 = which.elementwise_eq(rt::Scalar(0u32));
-            if rt::Scalar::into_branch_condition((!rt::Scalar(column_8.top).elementwise_ne(TOP_ROOF))) {
-                local_108 = rt::Scalar(column_8.column).elementwise_ne(rt::Scalar(0i32));
+            if rt::Scalar::into_branch_condition((!rt::Scalar(column_7.top).elementwise_ne(TOP_ROOF))) {
+                local_108 = rt::Scalar(column_7.column).elementwise_ne(rt::Scalar(0i32));
             } else {
                 local_108 = rt::Scalar(true);
             }
             let _e27 = local_108;
-            let isnt = rt::Scalar(next_8.top).elementwise_ne(TOP_ROOF).select(_e27, under_3);
+            let has_none = rt::Scalar(next_8.top).elementwise_ne(TOP_ROOF).select(_e27, under_3);
             if rt::Scalar::into_branch_condition(under_3) {
-                let _e30 = self.v_swept_chain(sweep_13, column_8, ROOF_UP);
+                let _e30 = self.v_swept_chain(sweep_12, column_7, ROOF_UP);
                 left_1 = _e30;
-                let _e32 = self.v_swept_chain(sweep_13, column_8, ROOF_DOWN);
+                let _e32 = self.v_swept_chain(sweep_12, column_7, ROOF_DOWN);
                 right = _e32;
             } else {
-                let _e34 = self.v_swept_chain(sweep_13, next_8, ROOF_UP);
+                let _e34 = self.v_swept_chain(sweep_12, next_8, ROOF_UP);
                 left_1 = _e34;
-                let _e36 = self.v_swept_chain(sweep_13, next_8, ROOF_DOWN);
+                let _e36 = self.v_swept_chain(sweep_12, next_8, ROOF_DOWN);
                 right = _e36;
             }
-            if rt::Scalar::into_branch_condition(isnt) {
+            if rt::Scalar::into_branch_condition(has_none) {
                 rt::Scalar(left_1.count) = rt::Scalar(1i32);
                 rt::Scalar(right.count) = rt::Scalar(1i32);
             }
@@ -16285,7 +16268,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e42.elementwise_gt(rt::Scalar(1i32))) {
             let _e47 = left_1;
             let _e48 = right;
-            let _e49 = self.v_ends_on(sweep_13, _e47, _e48);
+            let _e49 = self.v_ends_on(sweep_12, _e47, _e48);
             local_109 = _e49;
         } else {
             local_109 = rt::Scalar(false);
@@ -16295,7 +16278,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e53.elementwise_gt(rt::Scalar(1i32))) {
             let _e58 = right;
             let _e59 = left_1;
-            let _e60 = self.v_ends_on(sweep_13, _e58, _e59);
+            let _e60 = self.v_ends_on(sweep_12, _e58, _e59);
             local_110 = _e60;
         } else {
             local_110 = rt::Scalar(false);
@@ -16304,15 +16287,15 @@ impl<'g> Resources<'g> {
         let _e63 = left_1;
         let _e64 = right;
         let _e65 = left_1;
-        let _e67 = self.v_chain_point(sweep_13, _e65, rt::Scalar(0i32));
+        let _e67 = self.v_chain_point(sweep_12, _e65, rt::Scalar(0i32));
         let _e68 = right;
-        let _e70 = self.v_chain_point(sweep_13, _e68, rt::Scalar(0i32));
+        let _e70 = self.v_chain_point(sweep_12, _e68, rt::Scalar(0i32));
         let _e71 = left_1;
         let _e73 = rt::Scalar(left_1.count);
-        let _e78 = self.v_chain_point(sweep_13, _e71, rt::Scalar(1i32).min((_e73 - rt::Scalar(1i32))));
+        let _e78 = self.v_chain_point(sweep_12, _e71, rt::Scalar(1i32).min((_e73 - rt::Scalar(1i32))));
         let _e79 = right;
         let _e81 = rt::Scalar(right.count);
-        let _e86 = self.v_chain_point(sweep_13, _e79, rt::Scalar(1i32).min((_e81 - rt::Scalar(1i32))));
+        let _e86 = self.v_chain_point(sweep_12, _e79, rt::Scalar(1i32).min((_e81 - rt::Scalar(1i32))));
         return <Zip>::new(_e63, _e64, _e67, _e70, _e78, _e86, rt::Scalar(0i32), rt::Scalar(0i32), rt::Scalar(0u32).select(rt::Scalar(1u32), keeps_left), rt::Scalar(0u32).select(rt::Scalar(1u32), keeps_right));
     }
     pub(crate) fn zip_rest(&self, zip_2: Zip) -> i32 {

@@ -162,8 +162,8 @@ pub const MODULES: &[Module] = &[
 // nothing over. Points of the top before the third corner go with the next column, those behind it with the
 // one before; where a column has both, they are closed there, as a roof.
 //
-// All is done in whole numbers of 32 bits, and of products of two: so that sides have at most `SWEPT_PARTS`.
-// Columns follow from the three corners, so that each is made by itself.
+// All numbers are whole, of 32 bits; products of two of them are compared in 64. So sides have at most
+// `SWEPT_PARTS` parts. Each column follows from the three corners, and is made by itself.
 "# },
     Module { path: "shared/tangent_plane", head: r#"// The surface's tangent plane at a point, for the refinements that take the slope into account.
 "# },
@@ -6986,7 +6986,7 @@ fn sweep_of(a: vec3i, b: vec3i, c: vec3i) -> Sweep {
         name: "quotient_up",
         sampling: None,
         uses: &[],
-        text: r#"// A quotient of whole numbers, the dividend at least 0 and the second above it, rounded up.
+        text: r#"// A quotient rounded up, of a dividend of at least 0 and a divisor above 0.
 fn quotient_up(dividend: i32, by: i32) -> i32 {
     return (dividend + by - 1) / by;
 }"#,
@@ -6996,7 +6996,7 @@ fn quotient_up(dividend: i32, by: i32) -> i32 {
         name: "quotient_near",
         sampling: None,
         uses: &[],
-        text: r#"// A quotient of whole numbers, the second above 0, rounded to the nearest.
+        text: r#"// A quotient rounded to the nearest whole number, of a divisor above 0.
 fn quotient_near(dividend: i32, by: i32) -> i32 {
     let doubled = 2 * dividend + by;
     let whole = doubled / (2 * by);
@@ -7096,25 +7096,15 @@ fn swept_column(sweep: Sweep, column: i32, first: u32) -> SweptColumn {
     },
     Declaration {
         module: "shared/sweep",
-        name: "swept_points",
-        sampling: None,
-        uses: &["Sweep", "swept_column"],
-        text: r#"// How many points lie inside of a column.
-fn swept_points(sweep: Sweep, column: i32) -> u32 {
-    return u32(swept_column(sweep, column, 0u).inner);
-}"#,
-    },
-    Declaration {
-        module: "shared/sweep",
         name: "swept_points_of",
         sampling: None,
-        uses: &["Sweep", "swept_points"],
+        uses: &["Sweep", "swept_column"],
         text: r#"// How many points lie inside of a triangle.
 fn swept_points_of(sweep: Sweep) -> u32 {
     var points = 0u;
     var column = 1;
     while (column < sweep.end.x) {
-        points = points + swept_points(sweep, column);
+        points = points + u32(swept_column(sweep, column, 0u).inner);
         column = column + 1;
     }
     return points;
@@ -7243,7 +7233,7 @@ fn zip_of(sweep: Sweep, column: SweptColumn, next: SweptColumn, which: u32) -> Z
     var right = swept_chain(sweep, next, TOP_BEFORE);
     if (which != 1u) {
         let under = which == 0u;
-        let isnt = select(next.top != TOP_ROOF, column.top != TOP_ROOF || column.column != 0, under);
+        let has_none = select(next.top != TOP_ROOF, column.top != TOP_ROOF || column.column != 0, under);
         if (under) {
             left = swept_chain(sweep, column, ROOF_UP);
             right = swept_chain(sweep, column, ROOF_DOWN);
@@ -7251,7 +7241,7 @@ fn zip_of(sweep: Sweep, column: SweptColumn, next: SweptColumn, which: u32) -> Z
             left = swept_chain(sweep, next, ROOF_UP);
             right = swept_chain(sweep, next, ROOF_DOWN);
         }
-        if (isnt) {
+        if (has_none) {
             left.count = 1;
             right.count = 1;
         }
@@ -7287,7 +7277,7 @@ fn zip_rest(zip: Zip) -> i32 {
         name: "wide_product",
         sampling: None,
         uses: &[],
-        text: r#"// A product of two numbers, its upper and its lower 32 bits.
+        text: r#"// The upper and the lower 32 bits of a product.
 fn wide_product(a: u32, b: u32) -> vec2u {
     let a_high = a >> 16u;
     let a_low = a & 65535u;
@@ -7304,7 +7294,7 @@ fn wide_product(a: u32, b: u32) -> vec2u {
         name: "compared",
         sampling: None,
         uses: &["wide_product"],
-        text: r#"// The order of two products: less than 0, 0 or more where that of the first two is less, as large or more.
+        text: r#"// Compares a * b with c * d: -1 where it is less, 0 where both are the same, 1 where it is more.
 fn compared(a: u32, b: u32, c: u32, d: u32) -> i32 {
     let first = wide_product(a, b);
     let second = wide_product(c, d);

@@ -239,6 +239,20 @@ fn numbers_of_large_patterns_lead_where_counting_does() {
     }
 }
 
+/// A place of each corner.
+type Places = [Option<usize>; 3];
+
+/// Triangles by the places of their corners, each from the first place on.
+fn by_places(triangles: impl Iterator<Item = [u32; 3]>, places: Vec<Option<usize>>) -> BTreeSet<Places> {
+    let turned = triangles.map(|corners| {
+        let mut corners = corners.map(|corner| places[corner as usize]);
+        let first = (0..3).min_by_key(|&k| corners[k]).unwrap_or_default();
+        corners.rotate_left(first);
+        corners
+    });
+    turned.collect()
+}
+
 /// How many of the points of all closed bases are those of the mesher in 64 bits: the least part of those of
 /// a picture, and in how many pictures all are.
 fn beside_mesher(set: &[(&str, f64)], settings: impl Fn(View) -> MeshSettings) -> (f64, u32) {
@@ -264,6 +278,17 @@ fn beside_mesher(set: &[(&str, f64)], settings: impl Fn(View) -> MeshSettings) -
                 .any(|vertex| position.distance(vertex.position) < 2e-6 && normal.dot(vertex.normal) > 0.999)
         };
         let known = triangles.corners().par_iter().filter(is_known).count();
+        if known == triangles.corners().len() {
+            let place = |position: Vec3| {
+                exact.vertices().iter().position(|vertex| position.distance(vertex.position) < 2e-6)
+            };
+            let places = triangles.corners().par_iter().map(|corner| place(three(corner.position)));
+            let own = triangles.faces().iter().map(|face| face.corners);
+            let own = by_places(own.map(|Three { x, y, z }| [x, y, z]), places.collect());
+            let places = exact.vertices().par_iter().map(|vertex| place(vertex.position));
+            let other = by_places(exact.triangles().iter().copied(), places.collect());
+            assert_eq!(own, other, "{set:?}: other triangles between the same points");
+        }
         least = least.min(known as f64 / triangles.corners().len() as f64);
         whole += u32::from(known == triangles.corners().len());
     }
