@@ -64,7 +64,13 @@ fn area([ax, ay]: [i32; 2], [bx, by]: [i32; 2], [cx, cy]: [i32; 2]) -> i64 {
 /// Whether a point lies within the circle through three that turn from the first axis to the second.
 fn is_in_circle(metric: Metric, a: [i32; 2], b: [i32; 2], c: [i32; 2], p: [i32; 2]) -> bool {
     let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|[x, y]| [i64::from(x - p[0]), i64::from(y - p[1])]);
-    let square = |x: i64, y: i64| metric[0] * x * x + metric[1] * x * y + metric[2] * y * y;
+    let square = |x: i64, y: i64| {
+        if metric == ROUND {
+            x * x + y * y
+        } else {
+            metric[0] * x * x + metric[1] * x * y + metric[2] * y * y
+        }
+    };
     let (a, b, c) = (square(ax, ay), square(bx, by), square(cx, cy));
     a * (bx * cy - by * cx) - b * (ax * cy - ay * cx) + c * (ax * by - ay * bx) > 0
 }
@@ -128,8 +134,13 @@ impl Delaunay {
         into.append(&mut self.changed);
     }
 
+    /// The number of the point that a half-edge starts at.
+    fn start(&self, edge: u32) -> u32 {
+        self.corners[edge as usize]
+    }
+
     fn point(&self, edge: u32) -> [i32; 2] {
-        self.points[self.corners[edge as usize] as usize]
+        self.points[self.start(edge) as usize]
     }
 
     /// Whether a point lies within the circle through a triangle's corners.
@@ -214,11 +225,16 @@ impl Delaunay {
         self.flip();
     }
 
+    #[inline(always)]
     fn set(&mut self, triangle: u32, corners: [u32; 3], opposite: [u32; 3]) -> u32 {
         let first = 3 * triangle;
-        for k in 0..3 {
-            self.corners[(first + k) as usize] = corners[k as usize];
-            self.link(first + k, opposite[k as usize]);
+        let at = first as usize;
+        self.corners[at..at + 3].copy_from_slice(&corners);
+        self.opposite[at..at + 3].copy_from_slice(&opposite);
+        for (edge, other) in (first..).zip(opposite) {
+            if other != NONE {
+                self.opposite[other as usize] = edge;
+            }
         }
         self.changed.push(triangle);
         first
@@ -249,11 +265,11 @@ impl Delaunay {
             if !is_in_circle(self.metric, a, b, c, self.point(before(far))) {
                 continue;
             }
-            let [from, to, here, there] =
-                [edge, far, before(edge), before(far)].map(|edge| self.corners[edge as usize]);
-            let around = [before(edge), next(edge), before(far), next(far)].map(|edge| self.opposite(edge));
+            let [from, to] = [self.start(edge), self.start(far)];
+            let [here, there] = [self.start(before(edge)), self.start(before(far))];
             // `here` and `there` become the ends, `from` and `to` the corners across.
-            let [here_from, to_here, there_to, from_there] = around;
+            let [here_from, to_here] = [self.opposite(before(edge)), self.opposite(next(edge))];
+            let [there_to, from_there] = [self.opposite(before(far)), self.opposite(next(far))];
             let first = self.set(edge / 3, [here, from, there], [here_from, from_there, NONE]);
             let second = self.set(far / 3, [there, to, here], [there_to, to_here, NONE]);
             self.link(first + 2, second + 2);

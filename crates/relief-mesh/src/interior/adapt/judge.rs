@@ -5,6 +5,8 @@
 //! quadratic. So it is enough to look at the corners of cells within the triangle, at the places where its
 //! edges cross lines between cells, and at the vertices of the quadratics along the edges.
 
+use glam::{BVec4A, Vec4};
+
 use super::delaunay::Delaunay;
 use super::ground::{Corner, Gap, Gaps, Ground, middle, vertex_between};
 use super::window::{STEPS, Window, bilinear};
@@ -32,9 +34,9 @@ impl Ground for Window {
     }
 
     fn each_centre(&self, corners: [Corner; 3], mut each: impl FnMut(usize, f64, &dyn Fn() -> [f64; 2])) {
-        rows(self, corners, |row, heights| {
-            let first = row.j as usize * self.columns() + row.from as usize;
-            for (k, &height) in heights.iter().enumerate() {
+        each_row(corners, |row, count| {
+            let first = row.first(self) as usize;
+            for (k, &height) in self.heights()[first..first + count as usize].iter().enumerate() {
                 let place = || [row.from + k as i32, row.j].map(|at| f64::from(at * STEPS));
                 each(first + k, row.gap(k, height), &place);
             }
@@ -69,88 +71,124 @@ impl Ground for Window {
 
 /// The greatest and the least distance at the corners of cells within a triangle, and on its edges, in `f32`.
 fn within(window: &Window, corners: [Corner; 3]) -> Gaps {
-    let mut best = [None::<Best>; 2];
-    rows(window, corners, |row, heights| {
-        let line = row.line();
-        let [above, below] = line.extremes(heights);
-        if best[0].is_none_or(|best| above > best.height) {
-            best[0] = Some(Best { height: above, row });
-        }
-        if best[1].is_none_or(|best| below < best.height) {
-            best[1] = Some(Best { height: below, row });
-        }
+    let [mut above, mut below] = [Greatest::NONE; 2];
+    fours(window, corners, |gap, at, is_within| {
+        above.take(gap, at, is_within);
+        below.take(-gap, at, is_within);
     });
-    let [above, below] = best.map(|best| best.and_then(|best| best.gap(window)));
     let none = Gaps::none();
-    Gaps { above: above.unwrap_or(none.above), below: below.unwrap_or(none.below) }
+    let below = below.gap(window).map(|gap| Gap { height: -gap.height, ..gap });
+    Gaps { above: above.gap(window).unwrap_or(none.above), below: below.unwrap_or(none.below) }
 }
 
-/// The farthest distance at the corners of cells within a triangle, and on its edges: as fast as can be, in
-/// `f32`.
+/// The farthest distance at the corners of cells within a triangle, and on its edges, without its sign: as
+/// fast as can be, in `f32`.
 fn worst_within(window: &Window, corners: [Corner; 3]) -> Option<Gap> {
-    let mut worst = -1.0_f32;
-    let mut found = (0.0, [0; 2]);
-    rows(window, corners, |row, heights| {
-        let line = row.line();
-        // Most rows are short. In long ones the place is looked for only where there is one.
-        if heights.len() >= 2 * LANES {
-            let [above, below] = line.extremes(heights);
-            if above.max(-below) <= worst {
-                return;
-            }
-        }
-        for (k, &height) in heights.iter().enumerate() {
-            let gap = line.gap(k as f32, height);
-            if gap.abs() > worst {
-                worst = gap.abs();
-                found = (gap, [row.from + k as i32, row.j]);
-            }
+    let mut worst = Greatest::NONE;
+    fours(window, corners, |gap, at, is_within| worst.take(gap.abs(), at, is_within));
+    worst.gap(window)
+}
+
+/// Distances at the corners of cells within a triangle, and on its edges, four along a row at a time: the
+/// distances, the numbers of the corners, and which of them are within. Rows are short: four on average.
+#[inline(always)]
+fn fours(window: &Window, corners: [Corner; 3], mut each: impl FnMut(Vec4, Vec4, BVec4A)) {
+    each_row(corners, |row, count| {
+        let (start, slope) = (Vec4::splat(row.start as f32), Vec4::splat(row.slope as f32));
+        let first = row.first(window);
+        let numbers = Vec4::splat(first as f32);
+        let mut done = 0;
+        while done < count {
+            let k = Vec4::splat(done as f32) + Vec4::new(0.0, 1.0, 2.0, 3.0);
+            let heights = Vec4::from_array(*window.four(first + done));
+            each(heights - (start + slope * k), numbers + k, k.cmplt(Vec4::splat(count as f32)));
+            done += 4;
         }
     });
-    let (height, at) = found;
-    (worst >= 0.0).then(|| Gap { height: f64::from(height), place: at.map(|at| f64::from(at * STEPS)) })
 }
 
-/// The rows of cells' corners within a triangle, and on its edges, with their heights.
-fn rows(window: &Window, corners: [Corner; 3], mut each: impl FnMut(Row, &[f32])) {
-    let mut sorted = corners;
-    for [a, b] in [[0, 1], [1, 2], [0, 1]] {
-        if sorted[a].0[1] > sorted[b].0[1] {
-            sorted.swap(a, b);
-        }
+/// The greatest of some numbers in four lanes, and where each lane's is: numbers of corners, which `f32`
+/// holds, as a tile has far fewer than 2²⁴.
+#[derive(Clone, Copy, Debug)]
+struct Greatest {
+    most: Vec4,
+    at: Vec4,
+}
+
+impl Greatest {
+    const NONE: Self = Self { most: Vec4::NEG_INFINITY, at: Vec4::NEG_ONE };
+
+    /// Takes four more, of which some are there.
+    #[inline(always)]
+    fn take(&mut self, numbers: Vec4, at: Vec4, is_there: BVec4A) {
+        let is_greater = numbers.cmpgt(self.most) & is_there;
+        self.most = Vec4::select(is_greater, numbers, self.most);
+        self.at = Vec4::select(is_greater, at, self.at);
     }
-    let first = (sorted[0].0[1] + STEPS - 1) / STEPS;
-    let last = sorted[2].0[1] / STEPS;
+
+    /// The first of the greatest, and its place.
+    fn gap(self, window: &Window) -> Option<Gap> {
+        let (most, at) = (self.most.to_array(), self.at.to_array());
+        let mut best = 0;
+        for k in 1..4 {
+            if most[k] > most[best] || (most[k] == most[best] && at[k] < at[best]) {
+                best = k;
+            }
+        }
+        (at[best] >= 0.0).then(|| {
+            let (columns, at) = (window.columns() as i32, at[best] as i32);
+            let place = [at % columns, at / columns].map(|at| f64::from(at * STEPS));
+            Gap { height: f64::from(most[best]), place }
+        })
+    }
+}
+
+/// The rows of cells' corners within a triangle, and on its edges, and how many corners each has.
+#[inline(always)]
+fn each_row(corners: [Corner; 3], mut each: impl FnMut(Row, i32)) {
+    let sorted = by_row(corners);
+    let [a, b, c] = [sorted[0].0, sorted[1].0, sorted[2].0];
+    let first = (a[1] + STEPS - 1) / STEPS;
+    let last = c[1] / STEPS;
     if first > last {
         return;
     }
-    let at = sorted.map(|(at, _)| at);
     let [slope, down] = slopes(sorted);
     let origin = {
-        let [x, y] = at[0].map(|at| f64::from(at) / f64::from(STEPS));
+        let [x, y] = a.map(|at| f64::from(at) / f64::from(STEPS));
         sorted[0].1 - slope * x - down * y
     };
     // The corner in the middle lies on one side of the long edge.
-    let [ab, ac] = [1, 2].map(|k| [0, 1].map(|axis| i64::from(at[k][axis] - at[0][axis])));
-    let is_left = ab[0] * ac[1] < ab[1] * ac[0];
-    let long = Edge::new(at[0], at[2]);
-    let middle = if at[1][1] > at[0][1] { at[1][1] / STEPS } else { first - 1 };
-    for (short, rows) in [([0, 1], first..=middle.min(last)), ([1, 2], middle + 1..=last)] {
-        if rows.is_empty() {
-            continue;
-        }
-        let short = Edge::new(at[short[0]], at[short[1]]);
-        let (left, right) = if is_left { (&short, &long) } else { (&long, &short) };
-        for j in rows {
-            let from = ((left.at(j) + (CELL - 1 - ROUNDING)) >> CELL_BITS) as i32;
-            let to = ((right.at(j) + ROUNDING) >> CELL_BITS) as i32;
-            if from <= to {
-                let start = origin + slope * f64::from(from) + down * f64::from(j);
-                each(Row { j, from, start, slope }, &window.row(j as usize)[from as usize..=to as usize]);
-            }
+    let across = |run: i32, fall: i32| i64::from(run) * i64::from(fall);
+    let is_left = across(b[0] - a[0], c[1] - a[1]) < across(c[0] - a[0], b[1] - a[1]);
+    let [long, upper, lower] = [Edge::new(a, c), Edge::new(a, b), Edge::new(b, c)];
+    // The last row along the upper edge, if that has any.
+    let middle = if b[1] > a[1] { b[1] / STEPS } else { first - 1 };
+    for j in first..=last {
+        let ends = [long.at(j), if j <= middle { upper.at(j) } else { lower.at(j) }];
+        let [left, right] = if is_left { [ends[1], ends[0]] } else { ends };
+        let from = ((left + (CELL - 1 - ROUNDING)) >> CELL_BITS) as i32;
+        let to = ((right + ROUNDING) >> CELL_BITS) as i32;
+        if from <= to {
+            let start = origin + slope * f64::from(from) + down * f64::from(j);
+            each(Row { j, from, start, slope }, to - from + 1);
         }
     }
 }
+
+/// Corners from the first row to the last. Without a condition, as none could be foreseen.
+#[inline(always)]
+fn by_row(corners: [Corner; 3]) -> [Corner; 3] {
+    let [a, b, c] = [corners[0].0[1], corners[1].0[1], corners[2].0[1]];
+    let [first, second, third] =
+        SORTED[usize::from(a > b) | usize::from(b > c) << 1 | usize::from(a > c) << 2];
+    [corners[first], corners[second], corners[third]]
+}
+
+/// The order of three numbers: by whether the first is above the second, the second above the third, and the
+/// first above the third.
+const SORTED: [[usize; 3]; 8] =
+    [[0, 1, 2], [1, 0, 2], [0, 2, 1], [0, 1, 2], [0, 1, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
 /// Bits of a step of the lattice behind the point.
 const STEP_BITS: u32 = 32;
@@ -186,6 +224,7 @@ impl Edge {
 }
 
 /// The slopes of a triangle along both axes, in heights a cell.
+#[inline(always)]
 fn slopes([(a, za), (b, zb), (c, zc)]: [Corner; 3]) -> [f64; 2] {
     let cells = |from: i32, to: i32| f64::from(to - from) / f64::from(STEPS);
     let [b, c] = [b, c].map(|to| [cells(a[0], to[0]), cells(a[1], to[1])]);
@@ -213,69 +252,9 @@ impl Row {
         f64::from(height) - (self.start + self.slope * k as f64)
     }
 
-    fn line(&self) -> Line {
-        Line { start: self.start as f32, slope: self.slope as f32 }
-    }
-}
-
-/// A triangle along a row, in `f32`: half as exact, and twice as fast.
-#[derive(Clone, Copy, Debug)]
-struct Line {
-    start: f32,
-    slope: f32,
-}
-
-/// Corners that are looked at together.
-const LANES: usize = 8;
-
-impl Line {
-    fn gap(&self, k: f32, height: f32) -> f32 {
-        height - (self.start + self.slope * k)
-    }
-
-    /// The greatest and the least distance of these heights.
-    fn extremes(&self, heights: &[f32]) -> [f32; 2] {
-        let (mut above, mut below) = (f32::NEG_INFINITY, f32::INFINITY);
-        let mut done = 0.0_f32;
-        let (lanes, rest) = heights.as_chunks::<LANES>();
-        if !lanes.is_empty() {
-            let (mut most, mut least) = ([above; LANES], [below; LANES]);
-            for chunk in lanes {
-                for k in 0..LANES {
-                    let gap = self.gap(done + k as f32, chunk[k]);
-                    most[k] = if gap > most[k] { gap } else { most[k] };
-                    least[k] = if gap < least[k] { gap } else { least[k] };
-                }
-                done += LANES as f32;
-            }
-            above = most.into_iter().fold(above, f32::max);
-            below = least.into_iter().fold(below, f32::min);
-        }
-        for (k, &height) in rest.iter().enumerate() {
-            let gap = self.gap(done + k as f32, height);
-            above = if gap > above { gap } else { above };
-            below = if gap < below { gap } else { below };
-        }
-        [above, below]
-    }
-}
-
-/// The greatest distance so far, and its row.
-#[derive(Clone, Copy, Debug)]
-struct Best {
-    height: f32,
-    row: Row,
-}
-
-impl Best {
-    /// With the place in its row.
-    fn gap(&self, window: &Window) -> Option<Gap> {
-        let (row, line) = (self.row, self.row.line());
-        let heights = &window.row(row.j as usize)[row.from as usize..];
-        let is_there = |(k, &height): (usize, &f32)| line.gap(k as f32, height) == self.height;
-        let k = heights.iter().enumerate().position(is_there)?;
-        let place = [row.from + k as i32, row.j].map(|at| f64::from(at * STEPS));
-        Some(Gap { height: f64::from(self.height), place })
+    /// The number of the first corner in the window.
+    fn first(&self, window: &Window) -> i32 {
+        self.j * window.columns() as i32 + self.from
     }
 }
 

@@ -23,8 +23,8 @@ pub struct Refined<'a, G> {
     worst: Vec<Gap>,
     /// The worst of each half-edge, with the points at its ends, as far as they are known.
     edges: Vec<([u32; 2], Gap)>,
-    /// Triangles that are too far off by their worst, as a number that grows with it.
-    queue: BinaryHeap<(u32, u32)>,
+    /// Triangles that are too far off by their worst: a number that grows with it, then the triangle's.
+    queue: BinaryHeap<u64>,
     changed: Vec<u32>,
     /// How often changed triangles were looked at, and the last time that each was.
     turn: u32,
@@ -140,13 +140,21 @@ impl<'a, G: Ground> Refined<'a, G> {
         (self.mesh.points()[point as usize], self.heights[point as usize])
     }
 
+    /// The corners of a triangle.
+    #[inline(always)]
+    fn corners(&self, triangle: u32) -> [Corner; 3] {
+        let [a, b, c] = self.mesh.triangle(triangle);
+        [self.corner(a), self.corner(b), self.corner(c)]
+    }
+
     /// Inserts points until no triangle is farther from the surface than `tolerance`, or none of those that
     /// are can be cut. None where there are more triangles than `most` by then.
     pub fn refine(&mut self, tolerance: f64, most: u32) -> Option<()> {
         self.look(tolerance);
-        while let Some((key, triangle)) = self.queue.pop() {
+        while let Some(queued) = self.queue.pop() {
+            let triangle = queued as u32;
             let gap = self.worst[triangle as usize];
-            if key_of(gap) != key {
+            if queue_key(gap, triangle) != queued {
                 continue;
             }
             if self.mesh.count() > most {
@@ -179,7 +187,7 @@ impl<'a, G: Ground> Refined<'a, G> {
             if std::mem::replace(&mut self.looked[triangle as usize], self.turn) == self.turn {
                 continue;
             }
-            let corners = self.mesh.triangle(triangle).map(|point| self.corner(point));
+            let corners = self.corners(triangle);
             if self.ground.is_left_out(corners) {
                 self.worst[triangle as usize] = LEVEL;
                 continue;
@@ -204,7 +212,7 @@ impl<'a, G: Ground> Refined<'a, G> {
             }
             self.worst[triangle as usize] = worst;
             if worst.height.abs() > tolerance {
-                self.queue.push((key_of(worst), triangle));
+                self.queue.push(queue_key(worst, triangle));
             }
         }
         changed.clear();
@@ -272,7 +280,7 @@ impl<'a, G: Ground> Refined<'a, G> {
         let level = Gap { height: 0.0, place: corner.map(f64::from) };
         let mut seen = Seen { above: level, below: level, ..Seen::NOTHING };
         for triangle in 0..self.mesh.count() {
-            let corners = self.mesh.triangle(triangle).map(|point| self.corner(point));
+            let corners = self.corners(triangle);
             if ground.is_left_out(corners) {
                 continue;
             }
@@ -323,7 +331,7 @@ const AROUND: [[i32; 2]; 25] = {
     all
 };
 
-/// A number that grows with a gap.
-fn key_of(gap: Gap) -> u32 {
-    (gap.height.abs() as f32).to_bits()
+/// A number that grows with a gap, and then with a triangle's number, which it ends with.
+fn queue_key(gap: Gap, triangle: u32) -> u64 {
+    u64::from((gap.height.abs() as f32).to_bits()) << 32 | u64::from(triangle)
 }

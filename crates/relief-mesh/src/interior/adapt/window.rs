@@ -9,6 +9,7 @@ pub const STEPS: i32 = 16;
 pub struct Window {
     /// Corners along both axes, at least two.
     corners: [usize; 2],
+    /// And three numbers more, so that four are there from each corner.
     heights: Vec<f32>,
     /// Which cells are holes, row by row; empty where none is.
     holes: Vec<bool>,
@@ -27,6 +28,7 @@ impl Window {
         for j in 0..corners[1] {
             heights.extend((0..corners[0]).map(|i| height([i, j])));
         }
+        heights.extend([0.0; 3]);
         Self { corners, heights, holes: Vec::new(), from, to }
     }
 
@@ -64,9 +66,19 @@ impl Window {
         (0..down).flat_map(move |j| (0..across).map(move |i| [i, j])).filter(is_between)
     }
 
+    /// The heights at all corners, row by row.
+    pub fn heights(&self) -> &[f32] {
+        &self.heights[..self.corners[0] * self.corners[1]]
+    }
+
     /// The heights at a row of corners.
     pub fn row(&self, j: usize) -> &[f32] {
         &self.heights[j * self.corners[0]..][..self.corners[0]]
+    }
+
+    /// The heights at four corners, the first by its number. There is always something to read.
+    pub fn four(&self, at: i32) -> &[f32; 4] {
+        self.heights[at as usize..].first_chunk().unwrap_or(&[0.0; 4])
     }
 
     /// The heights at the corners of a cell: `h00`, `h10`, `h01`, `h11`.
