@@ -111,6 +111,13 @@ fn place_in(map: &HeightMap, uv: DVec2) -> [f64; 2] {
     [uv.x * f64::from(map.width()) - 0.5, uv.y * f64::from(map.height()) - 0.5]
 }
 
+/// The height at texture coordinates, and its derivatives by `u` and `v`.
+#[inline(always)]
+fn seen_in(map: &HeightMap, uv: DVec2) -> [f64; 3] {
+    let (height, [along, down]) = per_tile(map, place_in(map, uv));
+    [height, along, down]
+}
+
 /// The height at a place, counted from the centre of the first texel, and its derivatives by `u` and `v`.
 #[inline(always)]
 fn per_tile(map: &HeightMap, [x, y]: [f64; 2]) -> (f64, [f64; 2]) {
@@ -161,16 +168,19 @@ impl Relief {
     }
 
     /// A base point displaced by the height that is seen there.
+    #[inline(always)]
     pub fn displaced(&self, placed: &Placed) -> DVec3 {
         self.displaced_by(&placed.base, self.metres_at(placed))
     }
 
     /// A base point displaced by so many metres.
+    #[inline(always)]
     pub fn displaced_by(&self, base: &BasePoint, metres: f64) -> DVec3 {
         BasePoint { normal: self.direction(base.normal), ..*base }.displaced(metres)
     }
 
     /// Along what a point with that normal is displaced.
+    #[inline(always)]
     pub fn direction(&self, normal: DVec3) -> DVec3 {
         match self.directions {
             Directions::Raw => normal,
@@ -202,6 +212,7 @@ impl Relief {
     }
 
     /// The height at a place where `i + ½` is the centre of texel `i`.
+    #[inline(always)]
     pub fn height(&self, [x, y]: [f64; 2]) -> f64 {
         self.map.height_at_place(x - 0.5, y - 0.5)
     }
@@ -274,21 +285,29 @@ impl Relief {
         self.map.displacement_m(height)
     }
 
+    #[inline(always)]
     fn metres_at(&self, placed: &Placed) -> f64 {
-        let [height] = self.mixed(placed.level, |map| {
+        let height_in = |map: &HeightMap| {
             let [x, y] = place_in(map, placed.base.uv);
-            [map.height_at_place(x, y)]
-        });
+            map.height_at_place(x, y)
+        };
+        let height = if self.has_levels() {
+            self.mixed(placed.level, |map| [height_in(map)])[0]
+        } else {
+            height_in(&self.map)
+        };
         self.metres(height) + placed.lift_m
     }
 
     /// What displaces a point.
     #[inline(always)]
     pub fn seen(&self, placed: &Placed) -> Seen {
-        let [height, along, down] = self.mixed(placed.level, |map| {
-            let (height, [along, down]) = per_tile(map, place_in(map, placed.base.uv));
-            [height, along, down]
-        });
+        let uv = placed.base.uv;
+        let [height, along, down] = if self.has_levels() {
+            self.mixed(placed.level, |map| seen_in(map, uv))
+        } else {
+            seen_in(&self.map, uv)
+        };
         Seen { metres: self.metres(height) + placed.lift_m, slope: [along, down] }
     }
 
@@ -299,12 +318,8 @@ impl Relief {
         Seen { metres: self.metres(height), slope }
     }
 
-    /// What two levels say, mixed.
-    #[inline(always)]
+    /// What two levels say, mixed, where there are some.
     fn mixed<const N: usize>(&self, level: f64, of: impl Fn(&HeightMap) -> [f64; N]) -> [f64; N] {
-        if self.coarser.is_empty() {
-            return of(&self.map);
-        }
         let at = |level: usize| level.checked_sub(1).map_or(&self.map, |coarser| &self.coarser[coarser]);
         let level = level.clamp(0.0, self.coarser.len() as f64);
         let part = level.fract();

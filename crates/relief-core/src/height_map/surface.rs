@@ -21,7 +21,7 @@ impl HeightMap {
 
     /// The four corners `[h00, h10, h01, h11]` of dual cell `(i, j)`: the texels `(i, j)`, `(i + 1, j)`,
     /// `(i, j + 1)` and `(i + 1, j + 1)`.
-    #[inline]
+    #[inline(always)]
     pub fn cell(&self, i: i64, j: i64) -> [f32; 4] {
         let [i0, i1] = self.wrap.pair(i, self.width).map(|column| column as usize);
         let [j0, j1] = self.wrap.pair(j, self.height).map(|row| row as usize * self.width as usize);
@@ -36,6 +36,7 @@ impl HeightMap {
 
     /// The bilinear surface at a place counted in texels, in `[0, 1]`: whole numbers are the centres of
     /// texels, so that `(0, 0)` is the centre of the first one.
+    #[inline(always)]
     pub fn height_at_place(&self, x: f64, y: f64) -> f64 {
         let (i, j) = (x.floor(), y.floor());
         bilinear(self.cell(i as i64, j as i64).map(f64::from), [x - i, y - j])
@@ -43,7 +44,7 @@ impl HeightMap {
 
     /// Both [`height_at_place`](Self::height_at_place) and [`slope_at_place`](Self::slope_at_place), the same
     /// bits, in less time than one after the other.
-    #[inline]
+    #[inline(always)]
     pub fn height_and_slope_at_place(&self, x: f64, y: f64) -> (f64, [f64; 2]) {
         let (i, j) = (x.floor(), y.floor());
         let cell = self.cell(i as i64, j as i64).map(f64::from);

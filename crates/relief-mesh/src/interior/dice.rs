@@ -93,29 +93,30 @@ impl Rows {
     }
 
     /// Adds the points of a row, whose first inner one has that number, and gives their places.
-    fn add(&self, number: u32, first: u32, cut: &mut Cut) -> Vec<u32> {
+    fn add(&self, number: u32, first: u32, cut: &mut Cut) -> Range<u32> {
+        let from = cut.points.len() as u32;
         let Row { ends, parts } = self.row(number);
         if number == 0 {
-            return vec![cut.point(self.border(0, 0))];
+            cut.points.push(self.border(0, 0));
+        } else if number == self.count() {
+            cut.points.extend((0..=parts).map(|at| self.border(1, at)));
+        } else {
+            cut.points.push(self.border(0, ends[0]));
+            let [of_first, of_second] =
+                [0, 1].map(|end| f64::from(ends[end]) / f64::from(self.parts[2 * end]));
+            cut.points.extend((1..parts).map(|at| {
+                let part = f64::from(at) / f64::from(parts);
+                // Of the two corners at the ends of the short side, and of `A`.
+                let of_ends = [(1.0 - part) * of_first, part * of_second];
+                let mut weights = [0.0; 3];
+                weights[self.sides[1] as usize] = of_ends[0];
+                weights[self.sides[2] as usize] = of_ends[1];
+                weights[self.sides[0] as usize] = 1.0 - of_ends[0] - of_ends[1];
+                PatchPoint::Inner { number: first + at - 1, weights: [weights[1], weights[2]] }
+            }));
+            cut.points.push(self.border(2, ends[1]));
         }
-        if number == self.count() {
-            return (0..=parts).map(|at| cut.point(self.border(1, at))).collect();
-        }
-        let mut places = vec![cut.point(self.border(0, ends[0]))];
-        let [from, to] = [0, 1].map(|end| f64::from(ends[end]) / f64::from(self.parts[2 * end]));
-        for at in 1..parts {
-            let part = f64::from(at) / f64::from(parts);
-            // Of the two corners at the ends of the short side, and of `A`.
-            let of_ends = [(1.0 - part) * from, part * to];
-            let mut weights = [0.0; 3];
-            weights[self.sides[1] as usize] = of_ends[0];
-            weights[self.sides[2] as usize] = of_ends[1];
-            weights[self.sides[0] as usize] = 1.0 - of_ends[0] - of_ends[1];
-            let inner = PatchPoint::Inner { number: first + at - 1, weights: [weights[1], weights[2]] };
-            places.push(cut.point(inner));
-        }
-        places.push(cut.point(self.border(2, ends[1])));
-        places
+        from..cut.points.len() as u32
     }
 
     fn cut(&self, rows: Range<u32>, first: u32, cut: &mut Cut) {
@@ -126,31 +127,29 @@ impl Rows {
             first += self.inner(row);
             let [before, after] = [self.row(row - 1), self.row(row)];
             let shared = [0, 1].map(|end| row > 1 && before.ends[end] == after.ends[end]);
-            zip(&above, &below, shared, cut);
+            zip([above, below.clone()], shared, cut);
             above = below;
         }
     }
 }
 
 /// The triangles between two rows, without those at ends that the rows share.
-fn zip(above: &[u32], below: &[u32], shared: [bool; 2], cut: &mut Cut) {
-    let [last_above, last_below] = [above, below].map(|row| row.len() - 1);
+fn zip([above, below]: [Range<u32>; 2], shared: [bool; 2], cut: &mut Cut) {
+    let [last_above, last_below] = [&above, &below].map(|row| row.len() as u64 - 1);
     let (mut i, mut j) = (0, 0);
+    cut.triangles.reserve((last_above + last_below) as usize);
     while i < last_above || j < last_below {
         // Halfway to the next point of each row, in parts of the row, times both rows' parts.
         let goes_below =
             i == last_above || (j < last_below && (2 * j + 1) * last_above <= (2 * i + 1) * last_below);
         let is_first = i + j == 0;
-        let next = if goes_below { below[j + 1] } else { above[i + 1] };
-        let corners = [above[i], below[j], next];
-        if goes_below {
-            j += 1;
-        } else {
-            i += 1;
-        }
+        let corners = [above.start + i as u32, below.start + j as u32];
+        let next = if goes_below { corners[1] + 1 } else { corners[0] + 1 };
+        i += u64::from(!goes_below);
+        j += u64::from(goes_below);
         let is_last = i == last_above && j == last_below;
         if !(is_first && shared[0] || is_last && shared[1]) {
-            cut.triangles.push(corners);
+            cut.triangles.push([corners[0], corners[1], next]);
         }
     }
 }

@@ -290,7 +290,7 @@ impl Sweep {
             first += after.below_top as u32 - 1;
             before.chain(Top::Next, &mut left);
             after.chain(Top::Before, &mut right);
-            self.zip(&left, &right, cut);
+            self.zip(&left, &right, [before.below_top, after.below_top], cut);
             self.roof(&after, cut);
             std::mem::swap(&mut before, &mut after);
         }
@@ -307,11 +307,12 @@ impl Sweep {
         if let (Some(&up), Some(&down)) = (left.first(), right.first()) {
             self.piece([under, down, up], cut);
         }
-        self.zip(left, &right, cut);
+        self.zip(left, &right, [0; 2], cut);
     }
 
-    /// The triangles between two chains from below, the first one to the left of the second.
-    fn zip(&self, left: &[Point], right: &[Point], cut: &mut Cut) {
+    /// The triangles between two chains from below, the first one to the left of the second: of columns, in
+    /// which the grid's points lie between the first one and that number, or other ones.
+    fn zip(&self, left: &[Point], right: &[Point], in_grid: [usize; 2], cut: &mut Cut) {
         let (mut i, mut j) = (0, 0);
         // Whether the end of a chain lies on the side on which the other one ends.
         let is_on = |end: &[Point], chain: &[Point]| match (end, chain) {
@@ -320,6 +321,10 @@ impl Sweep {
         };
         let [keeps_left, keeps_right] = [is_on(left, right), is_on(right, left)];
         while let (Some(at_left), Some(at_right)) = (left.get(i), right.get(j)) {
+            if i > 0 && j > 0 && i + 1 < in_grid[0] && j + 1 < in_grid[1] {
+                [i, j] = self.zip_grid([*at_left, *at_right], [i, j], in_grid, cut);
+                continue;
+            }
             let goes_left = match (left.get(i + 1), right.get(j + 1)) {
                 (None, None) => return,
                 (Some(_), None) => true,
@@ -328,16 +333,9 @@ impl Sweep {
                 (Some(_), Some(_)) if keeps_right && j + 2 == right.len() => true,
                 (Some(_), Some(_)) if keeps_left && i + 2 == left.len() => false,
                 (Some(up_left), Some(up_right)) => {
-                    let places = [at_left.1, at_right.1, up_left.1, up_right.1];
-                    if places.iter().all(|place| place.w == 1) {
-                        // Of the grid itself, in two columns: nothing is turned over.
-                        let [left, right, up_left, up_right] = places.map(|place| place.y);
-                        (up_left - right).abs() <= (left - up_right).abs()
-                    } else {
-                        let of = [up_left, up_right].map(|up| turn([at_left.1, at_right.1, up.1]));
-                        let shorter = is_no_longer([up_left.1, at_right.1], [at_left.1, up_right.1]);
-                        if of[0] == of[1] { shorter } else { of[0] > 0 && (of[1] <= 0 || shorter) }
-                    }
+                    let of = [up_left, up_right].map(|up| turn([at_left.1, at_right.1, up.1]));
+                    let shorter = is_no_longer([up_left.1, at_right.1], [at_left.1, up_right.1]);
+                    if of[0] == of[1] { shorter } else { of[0] > 0 && (of[1] <= 0 || shorter) }
                 }
             };
             let up = if goes_left { left.get(i + 1) } else { right.get(j + 1) };
@@ -350,6 +348,25 @@ impl Sweep {
                 j += 1;
             }
         }
+    }
+
+    /// The triangles between the grid's points of two columns, from these on until the last one of either is
+    /// reached, and which that are. Each is a voxel above the one before, so that nothing is turned over, and
+    /// the lower one of two has the shorter diagonal to its next.
+    fn zip_grid(&self, from: [Point; 2], at: [usize; 2], in_grid: [usize; 2], cut: &mut Cut) -> [usize; 2] {
+        let [(mut left, Place { y: mut y_left, .. }), (mut right, Place { y: mut y_right, .. })] = from;
+        let [mut i, mut j] = at;
+        cut.triangles.reserve(in_grid[0] - i + in_grid[1] - j);
+        while i + 1 < in_grid[0] && j + 1 < in_grid[1] {
+            let goes_left = y_left <= y_right;
+            let up = if goes_left { left + 1 } else { right + 1 };
+            cut.triangles.push(if self.is_turned { [right, left, up] } else { [left, right, up] });
+            let [step_left, step_right] = [goes_left, !goes_left].map(u32::from);
+            (left, y_left, i) = (left + step_left, y_left + i64::from(step_left), i + step_left as usize);
+            (right, y_right, j) =
+                (right + step_right, y_right + i64::from(step_right), j + step_right as usize);
+        }
+        [i, j]
     }
 
     fn piece(&self, corners: [Point; 3], cut: &mut Cut) {

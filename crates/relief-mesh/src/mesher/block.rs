@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use glam::{DVec3, Vec3};
+use pulp::{Simd, WithSimd};
 use relief_core::Lanes;
 use relief_core::mesh::{MeshBlock, PositionGrid, Vertex};
 
@@ -17,6 +18,7 @@ use crate::patch::{Patch, PatchPoint};
 use crate::plan::Work;
 use crate::plane::{Adapted, Faces, Grid, Tile};
 use crate::smooth::Normals;
+use crate::surface::Relief;
 use crate::triangles::{self, EdgeVertices, Inside, Numbered, PatchBorder, Triangles};
 use crate::{Rounded, Shading, Stream};
 
@@ -162,26 +164,18 @@ impl Mesher {
             (pattern.cut)(&shape, begin..end, first_inner, &mut cut);
             let (border, inside) = (PatchBorder::new(base, &self.relief, patch), Inside::new(base, patch));
             self.leave_out(&mut cut, |point| self.relief.place(inside.uv(base, patch, point)));
-            let mut own = 0;
+            let numbers = [first_inner, first_vertex];
+            let placing = Placing {
+                cut: &cut,
+                border: &border,
+                inside: &inside,
+                relief: &self.relief,
+                numbers,
+                making,
+                points: &mut points,
+            };
             // Compiled for the vectors that the machine has; the bits are the same.
-            Lanes::Eight.run(|| {
-                for point in &cut.points {
-                    points.push(match *point {
-                        PatchPoint::Border { side, at } => border.point(side, at),
-                        PatchPoint::Inner { number, weights } => {
-                            let number_of = first_vertex.wrapping_add(number).wrapping_sub(first_inner);
-                            let numbered = Numbered::both(number_of);
-                            if number < first_inner {
-                                (numbered, inside.position(&self.relief, weights))
-                            } else {
-                                own += 1;
-                                let vertex = inside.vertex(&self.relief, weights);
-                                (numbered, making.vertex(vertex, numbered))
-                            }
-                        }
-                    });
-                }
-            });
+            let own = Lanes::Eight.run(placing);
             making.triangles(&cut.triangles, &points, false);
             making.folds.extend(self.folded(base, patch, &cut, &points));
             first_vertex += own;
@@ -200,12 +194,14 @@ impl Mesher {
         if !base.can_fold() {
             return None;
         }
-        let of_corners = base.directions(patch);
+        // Directions between are sums of the corners'. Nearly always that is all.
+        let directions = base.directions(patch);
+        if !Lanes::Eight.run(Folding { triangles: &cut.triangles, points, directions }) {
+            return None;
+        }
         let is_folded = |corners: &&[u32; 3]| {
-            let [a, b, c] = **corners;
-            let positions = [points[a as usize].1, points[b as usize].1, points[c as usize].1];
-            // Directions between are sums of the corners'.
-            folds::may_be_folded(positions, &of_corners) && {
+            let positions = corners.map(|corner| points[corner as usize].1);
+            folds::may_be_folded(positions, &directions) && {
                 let direction = |corner: u32| base.direction(patch, &cut.points[corner as usize]);
                 folds::is_folded(positions, corners.map(|corner| self.relief.direction(direction(corner))))
             }
@@ -279,21 +275,103 @@ impl Mesher {
             // A grid has lines alone.
             PatchPoint::Inner { .. } => [f64::NAN; 2],
         });
+        let points = Lanes::Eight.run(Tiling { cut: &cut, plane, tile, relief: &self.relief, making });
+        making.triangles(&cut.triangles, &points, plane.is_turned());
+    }
+}
+
+/// The points of a patch, about to be placed.
+struct Placing<'a, 'm> {
+    cut: &'a Cut,
+    border: &'a PatchBorder<'a>,
+    inside: &'a Inside,
+    relief: &'a Relief,
+    /// The first inner point of the patch that belongs to this block, and the number of its vertex.
+    numbers: [u32; 2],
+    making: &'a mut Making<'m>,
+    points: &'a mut Vec<(Numbered, Vec3)>,
+}
+
+impl WithSimd for Placing<'_, '_> {
+    /// How many vertices were made.
+    type Output = u32;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> u32 {
+        let [first_inner, first_vertex] = self.numbers;
+        let mut own = 0;
+        for point in &self.cut.points {
+            self.points.push(match *point {
+                PatchPoint::Border { side, at } => self.border.point(side, at),
+                PatchPoint::Inner { number, weights } => {
+                    let number_of = first_vertex.wrapping_add(number).wrapping_sub(first_inner);
+                    let numbered = Numbered::both(number_of);
+                    if number < first_inner {
+                        (numbered, self.inside.position(self.relief, weights))
+                    } else {
+                        own += 1;
+                        let vertex = self.inside.vertex(self.relief, weights);
+                        (numbered, self.making.vertex(vertex, numbered))
+                    }
+                }
+            });
+        }
+        own
+    }
+}
+
+/// The points of a tile of a plane, about to be placed.
+struct Tiling<'a, 'm> {
+    cut: &'a Cut,
+    plane: &'a Grid,
+    tile: &'a Tile,
+    relief: &'a Relief,
+    making: &'a mut Making<'m>,
+}
+
+impl WithSimd for Tiling<'_, '_> {
+    /// Where they are.
+    type Output = Vec<(Numbered, Vec3)>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> Self::Output {
+        let Self { cut, plane, tile, relief, making } = self;
         let mut points = Vec::with_capacity(cut.points.len());
         for point in &cut.points {
             if let PatchPoint::Border { side, at } = *point {
                 let lines = [tile.first[0] + side as usize, tile.first[1] + at as usize];
-                let number = plane.number(lines);
-                let numbered = Numbered::both(number);
+                let numbered = Numbered::both(plane.number(lines));
                 let position = if Grid::is_own(tile, lines) {
-                    making.vertex(plane.vertex(&self.relief, lines), numbered)
+                    making.vertex(plane.vertex(relief, lines), numbered)
                 } else {
-                    plane.position(&self.relief, lines)
+                    plane.position(relief, lines)
                 };
                 points.push((numbered, position));
             }
         }
-        making.triangles(&cut.triangles, &points, plane.is_turned());
+        points
+    }
+}
+
+/// Triangles that are looked at for folds, with the directions of displacement at their patch's corners.
+struct Folding<'a> {
+    triangles: &'a [[u32; 3]],
+    points: &'a [(Numbered, Vec3)],
+    directions: [DVec3; 3],
+}
+
+impl WithSimd for Folding<'_> {
+    /// Whether any of them may be folded over.
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> bool {
+        let mut found = false;
+        for &[a, b, c] in self.triangles {
+            let positions = [a, b, c].map(|corner| self.points[corner as usize].1);
+            found |= folds::may_be_folded(positions, &self.directions);
+        }
+        found
     }
 }
 
@@ -312,6 +390,7 @@ struct Making<'a> {
 
 impl Making<'_> {
     /// Adds a vertex, unless no triangle has it, and gives its position.
+    #[inline(always)]
     fn vertex(&mut self, mut vertex: Vertex, numbered: Numbered) -> Vec3 {
         if let Some(normals) = self.normals {
             vertex.normal = normals.of(numbered.smooth, vertex.normal);

@@ -126,12 +126,14 @@ impl Grid {
     }
 
     /// The position where two lines meet.
+    #[inline(always)]
     pub fn position(&self, relief: &Relief, lines: [usize; 2]) -> Vec3 {
         let place = self.place(lines);
         self.rectangle.position(relief, place, relief.height(place))
     }
 
     /// The vertex where two lines meet.
+    #[inline(always)]
     pub fn vertex(&self, relief: &Relief, lines: [usize; 2]) -> Vertex {
         self.rectangle.vertex(relief, self.place(lines))
     }

@@ -158,6 +158,7 @@ impl Rectangle {
         Ok(Mesh::new(vertices, triangles)?)
     }
 
+    #[inline(always)]
     fn base(&self, relief: &Relief, [x, y]: [f64; 2]) -> BasePoint {
         let sides = relief.sides();
         let uv = DVec2::new(x / sides[0], y / sides[1]);
@@ -172,16 +173,19 @@ impl Rectangle {
     }
 
     /// The position of a place displaced by so many metres.
+    #[inline(always)]
     fn displaced(&self, relief: &Relief, place: [f64; 2], metres: f64) -> Vec3 {
         point::stored(relief.displaced_by(&self.base(relief, place), metres))
     }
 
     /// The position of a place at a height of the map.
+    #[inline(always)]
     pub fn position(&self, relief: &Relief, place: [f64; 2], height: f64) -> Vec3 {
         self.displaced(relief, place, relief.metres(height))
     }
 
     /// The vertex of a place on the relief.
+    #[inline(always)]
     pub fn vertex(&self, relief: &Relief, place: [f64; 2]) -> Vertex {
         self.vertex_of(relief, place, relief.seen_at(place))
     }
@@ -191,6 +195,7 @@ impl Rectangle {
         self.vertex_of(relief, place, relief.seen_at(place).at_metres(relief.metres(height)))
     }
 
+    #[inline(always)]
     fn vertex_of(&self, relief: &Relief, place: [f64; 2], seen: Seen) -> Vertex {
         let frame = Frame { normal: self.normal, tangents: self.tangents, turns: [DVec3::ZERO; 2] };
         relief.vertex_of(&self.base(relief, place), seen, &frame)
