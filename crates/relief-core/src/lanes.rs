@@ -68,7 +68,8 @@ impl Lanes {
         }
     }
 
-    /// Runs something in vectors of these lanes: what it does is compiled for them as far as it is inlined.
+    /// Runs something in vectors of these lanes: what it does is compiled for them as far as it is inlined. A
+    /// closure of some length is not; a type of its own whose `with_simd` is always inlined is.
     /// Where the machine lacks them it runs one by one, or on other processors than x86 in those that it has.
     #[inline(always)]
     pub fn run<Op: WithSimd>(self, op: Op) -> Op::Output {
