@@ -310,8 +310,8 @@ impl Sweep {
         self.zip(left, &right, [0; 2], cut);
     }
 
-    /// The triangles between two chains from below, the first one to the left of the second: of columns, in
-    /// which the grid's points lie between the first one and that number, or other ones.
+    /// The triangles between two chains from below, the first one to the left of the second. `in_grid` says
+    /// how many points each begins with before the top: one at the bottom, then the grid's. It is 0 in roofs.
     fn zip(&self, left: &[Point], right: &[Point], in_grid: [usize; 2], cut: &mut Cut) {
         let (mut i, mut j) = (0, 0);
         // Whether the end of a chain lies on the side on which the other one ends.
@@ -350,9 +350,9 @@ impl Sweep {
         }
     }
 
-    /// The triangles between the grid's points of two columns, from these on until the last one of either is
-    /// reached, and which that are. Each is a voxel above the one before, so that nothing is turned over, and
-    /// the lower one of two has the shorter diagonal to its next.
+    /// The triangles between the grid's points of two columns, from these on, until either column has none
+    /// left. Gives where both are then. Each point is a voxel above the one before, so that nothing is turned
+    /// over, and the shorter diagonal is the one to the point above the lower of the two.
     fn zip_grid(&self, from: [Point; 2], at: [usize; 2], in_grid: [usize; 2], cut: &mut Cut) -> [usize; 2] {
         let [(mut left, Place { y: mut y_left, .. }), (mut right, Place { y: mut y_right, .. })] = from;
         let [mut i, mut j] = at;
@@ -446,162 +446,4 @@ fn cut(patch: &Patch, steps: Range<u32>, first: u32, cut: &mut Cut) {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use std::collections::HashMap;
-
-    type Triangle = [[i32; 3]; 3];
-
-    /// What was found out about all pieces of some triangles.
-    #[derive(Debug, Default)]
-    struct Found {
-        pieces: u64,
-        without_area: u64,
-    }
-
-    /// Looks at the pieces of triangles; keeps what it needs for that.
-    #[derive(Default)]
-    struct Looking {
-        found: Found,
-        cut: Cut,
-        edges: HashMap<[u32; 2], u32>,
-    }
-
-    fn parts(voxels: Triangle) -> [u32; 3] {
-        [0, 1, 2].map(|k| {
-            let [a, b] = [voxels[k], voxels[(k + 1) % 3]];
-            (0..3).map(|axis| a[axis].abs_diff(b[axis])).fold(1, u32::max)
-        })
-    }
-
-    /// The barycentric weights of a point.
-    fn weights(point: PatchPoint, parts: [u32; 3]) -> [f64; 3] {
-        match point {
-            PatchPoint::Border { side, at } => {
-                let part = f64::from(at) / f64::from(parts[side as usize]);
-                let mut weights = [0.0; 3];
-                weights[side as usize] = 1.0 - part;
-                weights[(side as usize + 1) % 3] = part;
-                weights
-            }
-            PatchPoint::Inner { weights: [b, c], .. } => [1.0 - b - c, b, c],
-        }
-    }
-
-    /// The sides that a point lies on.
-    fn sides(point: PatchPoint) -> u32 {
-        match point {
-            PatchPoint::Border { side, at: 0 } => 1 << side | 1 << ((side + 2) % 3),
-            PatchPoint::Border { side, .. } => 1 << side,
-            PatchPoint::Inner { .. } => 0,
-        }
-    }
-
-    impl Looking {
-        /// Pieces tile the triangle, none is turned over or has three corners on a side, every point of the
-        /// border is used, and all is as it was counted.
-        fn at(&mut self, voxels: Triangle) {
-            let parts = parts(voxels);
-            let patch = Patch::Triangle { parts, voxels };
-            let count = steps(&patch);
-            self.cut.clear();
-            cut(&patch, 0..count, 0, &mut self.cut);
-            let Cut { points, triangles } = &self.cut;
-            let border: u32 = parts.iter().sum();
-            let number = |point: PatchPoint| match point {
-                PatchPoint::Border { side, at } => parts[..side as usize].iter().sum::<u32>() + at,
-                PatchPoint::Inner { number, .. } => border + number,
-            };
-            self.edges.clear();
-            let (mut area, mut highest) = (0.0, 0);
-            for corners in triangles {
-                let corners = corners.map(|corner| points[corner as usize]);
-                let [a, b, c] = corners.map(|corner| weights(corner, parts));
-                let twice = (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
-                assert!(twice >= -1e-12, "{voxels:?}: a piece of area {twice}");
-                self.found.without_area += u64::from(twice <= 1e-12);
-                area += twice;
-                let [a, b, c] = corners.map(sides);
-                assert_eq!(a & b & c, 0, "{voxels:?}: three corners on a side");
-                for k in 0..3 {
-                    let edge = [number(corners[k]), number(corners[(k + 1) % 3])];
-                    *self.edges.entry(edge).or_default() += 1;
-                    highest = highest.max(edge[0] + 1);
-                }
-            }
-            self.found.pieces += triangles.len() as u64;
-            assert!((area - 1.0).abs() < 1e-9, "{voxels:?}: {area}");
-            assert!(self.edges.values().all(|&count| count == 1), "{voxels:?}");
-            let mut open: Vec<[u32; 2]> =
-                self.edges.keys().filter(|[a, b]| !self.edges.contains_key(&[*b, *a])).copied().collect();
-            open.sort_unstable();
-            let around: Vec<[u32; 2]> = (0..border).map(|at| [at, (at + 1) % border]).collect();
-            assert_eq!(open, around, "{voxels:?}");
-            let mut counted = PatchCounts::default();
-            for step in 0..count {
-                let PatchCounts { points, triangles } = counts(&patch, step);
-                counted.points += points;
-                counted.triangles += triangles;
-            }
-            assert_eq!(counted.triangles, triangles.len() as u64, "{voxels:?}");
-            assert_eq!(counted.points, u64::from(highest - border), "{voxels:?}");
-        }
-    }
-
-    #[test]
-    fn all_triangles_of_a_small_lattice_are_tiled() {
-        let mut looking = Looking::default();
-        let corner = |code: i32| [code % 5, code / 5 % 5, code / 25];
-        for code in 0..125 * 125 * 125 {
-            let voxels = [corner(code % 125), corner(code / 125 % 125), corner(code / (125 * 125))];
-            // Those that are moved are the same.
-            let is_first = (0..3).all(|axis| voxels.iter().any(|corner| corner[axis] == 0));
-            if is_first {
-                looking.at(voxels);
-            }
-        }
-        println!("{:?}", looking.found);
-        assert!(looking.found.pieces > 1_000_000);
-    }
-
-    #[test]
-    fn a_million_triangles_are_tiled() {
-        let mut state = 1_u64;
-        let mut random = |below: u64| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            ((state >> 33) % below) as i32
-        };
-        let mut looking = Looking::default();
-        for made in 0..1_000_000_usize {
-            // Flat ones, narrow ones, and a few large ones.
-            let size = if made % 5000 == 0 { 300 } else { [3, 7, 12][made % 3] };
-            let flat = [1, 2, size][made / 3 % 3];
-            let mut corner = || [random(size), random(flat), random(size)];
-            let mut voxels = [corner(), corner(), corner()];
-            voxels.iter_mut().for_each(|corner| corner.rotate_left(made / 9 % 3));
-            looking.at(voxels);
-        }
-        println!("{:?}", looking.found);
-        assert!(looking.found.pieces > 10_000_000);
-    }
-
-    #[test]
-    fn steps_by_themselves_make_what_they_make_together() {
-        for voxels in [[[0, 0, 0], [40, 3, 9], [12, 30, -20]], [[0, 0, 0], [2, 50, 1], [-9, 20, 3]]] {
-            let patch = Patch::Triangle { parts: parts(voxels), voxels };
-            let shown = |cut: &Cut| -> Vec<[PatchPoint; 3]> {
-                cut.triangles.iter().map(|corners| corners.map(|at| cut.points[at as usize])).collect()
-            };
-            let (mut apart, mut first) = (Vec::new(), 0);
-            for step in 0..steps(&patch) {
-                let mut part = Cut::default();
-                cut(&patch, step..step + 1, first, &mut part);
-                first += counts(&patch, step).points as u32;
-                apart.extend(shown(&part));
-            }
-            let mut whole = Cut::default();
-            cut(&patch, 0..steps(&patch), 0, &mut whole);
-            assert_eq!(apart, shown(&whole));
-        }
-    }
-}
+mod tests;
