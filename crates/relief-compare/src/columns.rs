@@ -269,7 +269,7 @@ pub const COLUMNS: &[Column] = &[
     figure(
         "displacement_ms",
         "displacement ms",
-        "more than a frame of bump mapping without shadows",
+        "more than bump mapping without shadows: by a GPU's clock the pass that traces, else the frame",
         2,
         |row| time(row, |times| Some(times.displacement_ms)),
     ),

@@ -154,7 +154,9 @@ pub struct TimeRecord {
     pub frame_low_ms: f64,
     /// Its upper end.
     pub frame_high_ms: f64,
-    /// Milliseconds that finding the surface takes: more than bump mapping without shadows does.
+    /// Milliseconds that finding the surface takes: more than bump mapping without shadows does. By a GPU's
+    /// clock, where it has one, of the pass that traces; else of the whole frame. So are those of lighting and
+    /// of shadows, of the pass that shades.
     pub displacement_ms: f64,
     /// Its lower end.
     pub displacement_low_ms: f64,

@@ -2,7 +2,8 @@
 
 use std::time::Duration;
 
-/// How long a frame takes, without what is done once for many: baking, compiling, uploading, reading back.
+/// How long a frame takes, without what is done once for many: baking, compiling, uploading, making displaced
+/// triangles, reading back.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FrameTime {
     /// From its beginning until it is done, by the clock of the machine.
@@ -10,11 +11,15 @@ pub struct FrameTime {
     /// How long its passes took by the clock of the GPU; nothing on the CPU, and where a GPU has no such
     /// clock, or one that stands still.
     pub passes: Option<PassTimes>,
+    /// Displaced triangles that a GPU made itself and drew, of all surfaces.
+    pub made_triangles: u64,
 }
 
 /// How long the passes of a frame took on a GPU.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PassTimes {
+    /// Making displaced triangles for the view; nothing where they were there. It is no part of the frame.
+    pub make: Duration,
     /// Rasterising and tracing.
     pub trace: Duration,
     /// Shading, with rays to lights.

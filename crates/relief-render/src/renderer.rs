@@ -271,7 +271,7 @@ impl Renderer {
                 if ended.is_break() {
                     return Err(RenderError::Stopped);
                 }
-                Ok(FrameTime { elapsed: started.elapsed(), passes: None })
+                Ok(FrameTime { elapsed: started.elapsed(), ..FrameTime::default() })
             }
         }
     }

@@ -34,7 +34,7 @@ pub struct Arguments {
     rounds: u16,
 }
 
-fn size(text: &str) -> Result<[u32; 2], String> {
+pub fn size(text: &str) -> Result<[u32; 2], String> {
     let sides =
         text.split_once('x').and_then(|(width, height)| Some([width.parse().ok()?, height.parse().ok()?]));
     sides.ok_or_else(|| "it must be WIDTHxHEIGHT, as 640x480".to_owned())

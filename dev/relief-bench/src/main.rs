@@ -1,6 +1,6 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
 //! `embree`, `frame`, `impostors`, `judge`, `lanes`, `levels`, `mesh`, `object-slices`, `probe`, `pyramid`,
-//! `quadrics`, `remesh`, `shadow`, `sheet`, `slices`, `surfaces` and `trace`. Results are kept in `docs/`.
+//! `quadrics`, `remesh`, `shadow`, `sheet`, `slices`, `surfaces`, `tessellate` and `trace`. Results are kept in `docs/`.
 
 use std::process::ExitCode;
 
@@ -35,6 +35,7 @@ mod sheet;
 mod slices;
 mod surfaces;
 mod table;
+mod tessellate;
 mod trace;
 
 #[derive(Parser)]
@@ -97,6 +98,8 @@ enum Command {
     Slices(slices::Arguments),
     /// How near every surface comes to the exact judge on curved meshes
     Surfaces(surfaces::Arguments),
+    /// Triangles a second that a GPU makes of a height map
+    Tessellate(tessellate::Arguments),
     /// Rays a second of the exact tracer, beside other tracers and two other programs
     Trace(trace::Arguments),
 }
@@ -127,6 +130,7 @@ fn main() -> ExitCode {
         Command::ObjectSlices(arguments) => object_slices::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Slices(arguments) => slices::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Surfaces(arguments) => surfaces::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Tessellate(arguments) => tessellate::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Trace(arguments) => trace::run(&arguments).map(|()| ExitCode::SUCCESS),
     };
     match done {

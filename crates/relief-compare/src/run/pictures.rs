@@ -125,7 +125,7 @@ impl Comparison {
             }
         }
         work.next("times");
-        let times = self.times(shot, &shown, station, work)?;
+        let times = self.times(shot, &shown, &mut station.renderer, work)?;
         if self.timing.is_some() && !times.is_empty() && times.iter().all(Option::is_none) {
             let reason = "frames are timed beside bump mapping, of which this surface has none";
             work.compared.leave_out("times", reason);

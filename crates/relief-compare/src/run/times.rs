@@ -5,13 +5,13 @@ use std::time::Duration;
 
 use relief_core::MapFormat;
 use relief_render::scene::Scene;
-use relief_render::{FrameTime, PassTimes};
+use relief_render::{FrameTime, PassTimes, Renderer};
 use relief_shaders::{SHADOW, STAGES, Selection};
 
+use super::Work;
 use super::pictures::{Shot, of};
 use super::subject::with_selections;
-use super::{Station, Work};
-use crate::comparison::{Comparison, MachineBackend, Timing};
+use crate::comparison::{Comparison, Timing};
 use crate::contender::Contender;
 use crate::error::CompareError;
 use crate::record::TimeRecord;
@@ -42,9 +42,15 @@ impl Timed {
         Median::of((0..self.times.len()).map(|turn| self.ms(turn)).collect())
     }
 
-    /// By how much its frames take longer than those of another in the same turns.
-    fn beyond(&self, other: &Timed) -> Median {
-        Median::of((0..self.times.len()).map(|turn| self.ms(turn) - other.ms(turn)).collect())
+    /// By how much its frames take longer than those of another in the same turns: the pass in which they
+    /// differ, where a GPU's clock times it, else the whole frame.
+    fn beyond(&self, other: &Timed, pass: fn(&PassTimes) -> Duration) -> Median {
+        let of_pass = |of: &FrameTime| of.passes.as_ref().map(|passes| milliseconds(pass(passes)));
+        let turns = self.times.iter().zip(&other.times);
+        let each: Option<Vec<f64>> =
+            turns.map(|(own, other)| Some(of_pass(own)? - of_pass(other)?)).collect();
+        let whole = || (0..self.times.len()).map(|turn| self.ms(turn) - other.ms(turn)).collect();
+        Median::of(each.unwrap_or_else(whole))
     }
 
     /// Milliseconds of passes, where all were timed.
@@ -68,7 +74,7 @@ impl Comparison {
         &self,
         shot: &Shot,
         contenders: &[Contender],
-        Station { machine, renderer }: &mut Station,
+        renderer: &mut Renderer,
         Work { baked, watch, .. }: &mut Work,
     ) -> Result<Vec<Option<TimeRecord>>, CompareError> {
         let none = vec![None; contenders.len()];
@@ -95,10 +101,8 @@ impl Comparison {
                     // What was stopped did not fail.
                     time.map_err(|source| watch.check().err().unwrap_or_else(|| of(&timed.name, source)))
                 };
-                // The first frame of another scene makes it ready.
-                if machine.backend == MachineBackend::Cpu {
-                    frame()?;
-                }
+                // The first frame of another scene makes it ready; a GPU has been idle meanwhile.
+                frame()?;
                 let time = frame()?;
                 if turn >= timing.warm {
                     timed.times.push(time);
@@ -106,9 +110,10 @@ impl Comparison {
             }
         }
         let [base, lit, methods @ ..] = &all[..] else { return Ok(none) };
+        let (trace, shade): (fn(&PassTimes) -> _, fn(&PassTimes) -> _) = (|of| of.trace, |of| of.shade);
         let records = methods.as_chunks::<2>().0.iter().map(|[searched, shadowed]| {
-            let (frame, displacement) = (shadowed.frame(), searched.beyond(lit));
-            let trace_pass_ms = shadowed.passes(|passes| passes.trace);
+            let (frame, displacement) = (shadowed.frame(), searched.beyond(lit, trace));
+            let trace_pass_ms = shadowed.passes(trace);
             Some(TimeRecord {
                 clock: if trace_pass_ms.is_some() { PASSES } else { WALL }.to_owned(),
                 timed_size: shadowed.scene.size(),
@@ -119,10 +124,10 @@ impl Comparison {
                 displacement_low_ms: displacement.low,
                 displacement_high_ms: displacement.high,
                 base_ms: base.frame().middle,
-                shade_ms: lit.beyond(base).middle,
-                shadow_ms: shadowed.beyond(searched).middle,
+                shade_ms: lit.beyond(base, shade).middle,
+                shadow_ms: shadowed.beyond(searched, shade).middle,
                 trace_pass_ms,
-                shade_pass_ms: shadowed.passes(|passes| passes.shade),
+                shade_pass_ms: shadowed.passes(shade),
             })
         });
         Ok(records.collect())

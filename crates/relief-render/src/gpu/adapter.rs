@@ -1,5 +1,8 @@
 //! The choice of a GPU.
 
+#[cfg(not(target_arch = "wasm32"))]
+use std::sync::OnceLock;
+
 use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, Features, Instance, InstanceDescriptor, Limits};
 
 use super::GpuError;
@@ -37,11 +40,7 @@ impl AdapterChoice {
 
     /// The best adapter of that kind.
     pub(super) async fn find(self) -> Result<Adapter, GpuError> {
-        let instance = Instance::new(InstanceDescriptor {
-            backends: Backends::VULKAN | Backends::METAL | Backends::DX12,
-            ..InstanceDescriptor::new_without_display_handle()
-        });
-        let adapters = instance.enumerate_adapters(Backends::all()).await;
+        let adapters = instance().enumerate_adapters(Backends::all()).await;
         let found = adapters.iter().map(|adapter| described(&adapter.get_info())).collect();
         adapters
             .into_iter()
@@ -50,6 +49,27 @@ impl AdapterChoice {
             .map(|(_, adapter)| adapter)
             .ok_or(GpuError::NoAdapter { wanted: self, found })
     }
+}
+
+/// The way to the machine's drivers. There is one a process: some drivers crash where several threads load and
+/// unload them at once (NVIDIA's on Linux), and loading takes long.
+#[cfg(not(target_arch = "wasm32"))]
+fn instance() -> &'static Instance {
+    static INSTANCE: OnceLock<Instance> = OnceLock::new();
+    INSTANCE.get_or_init(new_instance)
+}
+
+/// The way to the browser's GPU, which has one thread.
+#[cfg(target_arch = "wasm32")]
+fn instance() -> Instance {
+    new_instance()
+}
+
+fn new_instance() -> Instance {
+    Instance::new(InstanceDescriptor {
+        backends: Backends::VULKAN | Backends::METAL | Backends::DX12,
+        ..InstanceDescriptor::new_without_display_handle()
+    })
 }
 
 /// Name, backend and driver in one line.

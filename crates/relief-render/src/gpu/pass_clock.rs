@@ -3,7 +3,10 @@
 use std::cell::RefCell;
 use std::time::Duration;
 
-use wgpu::{BufferUsages, Features, QUERY_RESOLVE_BUFFER_ALIGNMENT, QuerySet, QuerySetDescriptor, QueryType};
+use wgpu::{
+    BufferUsages, ComputePassDescriptor, ComputePassTimestampWrites, Features,
+    QUERY_RESOLVE_BUFFER_ALIGNMENT, QuerySet, QuerySetDescriptor, QueryType,
+};
 
 use super::{Gpu, GpuError};
 use crate::frame_time::PassTimes;
@@ -14,6 +17,8 @@ const MAX_PASSES: usize = 2048;
 /// What a pass does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PassKind {
+    /// It makes triangles.
+    Make,
     /// It rasterises and traces.
     Trace,
     /// It shades.
@@ -25,6 +30,16 @@ pub struct Timed<'a> {
     pub queries: &'a QuerySet,
     pub begin: u32,
     pub end: u32,
+}
+
+/// What a compute pass is to do so that it is timed.
+pub fn timed_compute(timed: Option<Timed<'_>>) -> ComputePassDescriptor<'_> {
+    let timestamp_writes = timed.map(|Timed { queries, begin, end }| ComputePassTimestampWrites {
+        query_set: queries,
+        beginning_of_pass_write_index: Some(begin),
+        end_of_pass_write_index: Some(end),
+    });
+    ComputePassDescriptor { label: None, timestamp_writes }
 }
 
 /// Timestamps around passes.
@@ -88,13 +103,13 @@ impl PassClock {
 
 /// The times of passes of each kind, added up.
 fn sums(passes: &[PassKind], times: &[u64], period_ns: f64) -> Option<PassTimes> {
-    let mut sums = [0u64; 2];
+    let mut sums = [0u64; 3];
     for (kind, stamps) in passes.iter().zip(times.as_chunks::<2>().0) {
         let [begin, end] = *stamps;
-        sums[usize::from(*kind == PassKind::Shade)] += end.checked_sub(begin)?;
+        sums[*kind as usize] += end.checked_sub(begin)?;
     }
-    let [trace, shade] = sums.map(|ticks| Duration::from_nanos((ticks as f64 * period_ns) as u64));
-    (!trace.is_zero() && !shade.is_zero()).then_some(PassTimes { trace, shade })
+    let [make, trace, shade] = sums.map(|ticks| Duration::from_nanos((ticks as f64 * period_ns) as u64));
+    (!trace.is_zero() && !shade.is_zero()).then_some(PassTimes { make, trace, shade })
 }
 
 #[cfg(test)]
@@ -103,10 +118,10 @@ mod tests {
 
     #[test]
     fn passes_are_added_up_and_what_is_no_time_is_none() {
-        use PassKind::{Shade, Trace};
-        let times = sums(&[Trace, Shade, Trace], &[10, 20, 20, 25, 100, 101], 1000.0);
+        use PassKind::{Make, Shade, Trace};
+        let times = sums(&[Make, Trace, Shade, Trace], &[3, 5, 10, 20, 20, 25, 100, 101], 1000.0);
         let micros = Duration::from_micros;
-        assert_eq!(times, Some(PassTimes { trace: micros(11), shade: micros(5) }));
+        assert_eq!(times, Some(PassTimes { make: micros(2), trace: micros(11), shade: micros(5) }));
         assert_eq!(sums(&[Trace, Shade], &[10, 20, 20, 15], 1.0), None);
         assert_eq!(sums(&[Trace, Shade], &[7, 7, 7, 7], 1.0), None);
     }

@@ -9,14 +9,14 @@ use relief_shaders::cpu::{PixelOut, Record, read_all};
 use relief_shaders::wgsl::{SHADE_GROUP, Sampling};
 use web_time::Instant;
 use wgpu::{
-    BindGroup, Color, CommandEncoder, ComputePassDescriptor, ComputePassTimestampWrites, ComputePipeline,
-    Features, LoadOp, Operations, RenderPassColorAttachment, RenderPassDepthStencilAttachment,
-    RenderPassDescriptor, RenderPassTimestampWrites, RenderPipeline, StoreOp, Texture,
+    BindGroup, Color, CommandEncoder, ComputePipeline, Features, LoadOp, Operations,
+    RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,
+    RenderPassTimestampWrites, RenderPipeline, StoreOp, Texture,
 };
 
 use super::drawn::{Drawn, check_triangles};
 use super::light_map::{Caster, Frames, LightMap};
-use super::pass_clock::{PassClock, PassKind, Timed};
+use super::pass_clock::{PassClock, PassKind, Timed, timed_compute};
 use super::programs::{Programs, Seer};
 use super::resident::{Common, Resident};
 use super::stencil::Counted;
@@ -192,7 +192,7 @@ impl GpuRenderer {
             return Ok(ControlFlow::Continue(()));
         }
         let before = self.work_so_far();
-        let ready = self.prepare(job, sampling, samples(job.samples, numbers)).await?;
+        let ready = self.prepare(job, sampling, samples(job.samples, numbers), None).await?;
         let mut pixels = Vec::new();
         for number in 0..self.targets()?.bands.len() {
             pixels.clear();
@@ -218,7 +218,7 @@ impl GpuRenderer {
         }
         targets::check_whole(&self.gpu, [job.width, job.height])?;
         let before = self.work_so_far();
-        let ready = self.prepare(job, sampling, samples(job.samples, false)).await?;
+        let ready = self.prepare(job, sampling, samples(job.samples, false), None).await?;
         let show = self.programs.show(&self.gpu, sampling).await?;
         // Every surface's group 0 binds the frame and the passes; without one there is nothing to show but
         // the background.
@@ -251,12 +251,12 @@ impl GpuRenderer {
     }
 
     async fn time_async(&mut self, job: &Job, sampling: Sampling) -> Result<FrameTime, GpuError> {
-        let ready = self.prepare(job, sampling, samples(job.samples, false)).await?;
         let gpu = self.gpu.clone();
-        let targets = self.targets()?;
-        // What was uploaded has arrived before the clock starts.
-        gpu.flush()?;
         let clock = PassClock::new(&gpu);
+        let ready = self.prepare(job, sampling, samples(job.samples, false), clock.as_ref()).await?;
+        let targets = self.targets()?;
+        // What was uploaded has arrived, and what is made is there, before the clock starts.
+        gpu.flush()?;
         let started = Instant::now();
         gpu.guarded(|| {
             for passes in &targets.bands {
@@ -271,7 +271,11 @@ impl GpuRenderer {
             Some(clock) => clock.read(&gpu).await?,
             None => None,
         };
-        Ok(FrameTime { elapsed, passes })
+        let mut made_triangles = 0;
+        for surface in &self.surfaces {
+            made_triangles += surface.made_triangles(&gpu).await?;
+        }
+        Ok(FrameTime { elapsed, passes, made_triangles })
     }
 
     fn work_so_far(&self) -> Work {
@@ -298,6 +302,7 @@ impl GpuRenderer {
         job: &Job,
         sampling: Sampling,
         samples: Vec<Sample>,
+        clock: Option<&PassClock>,
     ) -> Result<Passes, GpuError> {
         let gpu = self.gpu.clone();
         targets::check(&gpu, [job.width, job.height])?;
@@ -380,7 +385,7 @@ impl GpuRenderer {
                 };
                 let each = job.surfaces.iter().zip(surfaces.iter_mut()).map(|(surface, resident)| {
                     let maps = resident.maps(&gpu, surface, sampling, layouts.maps(sampling), &common)?;
-                    let mesh = resident.mesh(&gpu, surface, layouts, tessellator.as_ref(), &maps)?;
+                    let mesh = resident.mesh(&gpu, surface, layouts, tessellator.as_ref(), &maps, clock)?;
                     seen_otherwise |= maps.changed || mesh.is_other;
                     Ok((maps, mesh.group, mesh.drawn))
                 });
@@ -535,12 +540,7 @@ fn dispatch(
     pass: &Pass,
     timed: Option<Timed>,
 ) {
-    let timestamp_writes = timed.map(|Timed { queries, begin, end }| ComputePassTimestampWrites {
-        query_set: queries,
-        beginning_of_pass_write_index: Some(begin),
-        end_of_pass_write_index: Some(end),
-    });
-    let mut run = encoder.begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes });
+    let mut run = encoder.begin_compute_pass(&timed_compute(timed));
     run.set_pipeline(program);
     for (number, group) in (0u32..).zip(groups) {
         let offsets = [CAMERA, pass.offset];

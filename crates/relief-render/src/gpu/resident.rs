@@ -11,6 +11,7 @@ use wgpu::{BindGroup, BindGroupLayout, BindingResource, Buffer, BufferUsages, Sa
 
 use super::drawn::Drawn;
 use super::layouts::group;
+use super::pass_clock::PassClock;
 use super::programs::Layouts;
 use super::pyramid::Builder;
 use super::tessellate::{Tessellated, Tessellator};
@@ -217,6 +218,7 @@ impl Resident {
         layouts: &Layouts,
         tessellator: Option<&Tessellator>,
         maps: &MapGroups,
+        clock: Option<&PassClock>,
     ) -> Result<ResidentMesh, GpuError> {
         let triangles = &surface.triangles;
         let made_here = triangles.tessellation().zip(tessellator).zip(layouts.tessellated.as_ref());
@@ -235,9 +237,18 @@ impl Resident {
             Some(tessellated) => tessellated,
             none => none.insert(Tessellated::new(gpu, of, groups, &layouts.mesh)?),
         };
-        let is_other = tessellated.make(gpu, of, tessellator, &maps.by_lights, is_new || maps.changed);
+        let is_other_surface = is_new || maps.changed;
+        let is_other = tessellated.make(gpu, of, tessellator, &maps.by_lights, is_other_surface, clock);
         let drawn = Drawn::Indirect(tessellated.drawn().clone());
         Ok(ResidentMesh { group: tessellated.mesh().clone(), drawn, is_other })
+    }
+
+    /// How many triangles were made last of a base that is tessellated here, once that is done.
+    pub async fn made_triangles(&self, gpu: &Gpu) -> Result<u64, GpuError> {
+        match &self.tessellated {
+            Some(tessellated) => tessellated.triangles(gpu).await,
+            None => Ok(0),
+        }
     }
 
     /// What was made last where the base is tessellated here.

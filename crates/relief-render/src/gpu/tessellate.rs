@@ -11,6 +11,7 @@ use relief_shaders::wgsl::{TESSELLATE_BLOCK, TESSELLATE_COARSEST, TESSELLATE_GRO
 use wgpu::{BindGroup, BindGroupLayout, Buffer, BufferUsages, ComputePass, ComputePipeline, Device};
 
 use super::layouts::group;
+use super::pass_clock::{PassClock, PassKind, timed_compute};
 use super::resident::Uniform;
 use super::{Gpu, GpuError};
 use crate::tessellation::{Room, TessellatedBase, Tessellation};
@@ -181,6 +182,23 @@ impl Tessellated {
         &self.drawn
     }
 
+    /// How many triangles were made, once that is done.
+    pub async fn triangles(&self, gpu: &Gpu) -> Result<u64, GpuError> {
+        let size = MadeTotals::SIZE as u64;
+        let readable = gpu
+            .guarded(|| {
+                let readable = gpu.buffer("made", size, BufferUsages::MAP_READ | BufferUsages::COPY_DST);
+                let mut encoder = gpu.device().create_command_encoder(&Default::default());
+                encoder.copy_buffer_to_buffer(&self.totals, 0, &readable, 0, size);
+                gpu.queue().submit([encoder.finish()]);
+                Ok(readable)
+            })
+            .await?;
+        let mut made = 0;
+        gpu.read(&readable, size, |bytes| made = MadeTotals::read(bytes).triangles).await?;
+        Ok(made.into())
+    }
+
     /// Makes the triangles of a view, unless they are there. True when they were not, or when the surface's
     /// maps or settings are others. Nothing is waited for.
     pub fn make(
@@ -190,6 +208,7 @@ impl Tessellated {
         tessellator: &Tessellator,
         maps: &BindGroup,
         is_other_surface: bool,
+        clock: Option<&PassClock>,
     ) -> bool {
         let Room { triangles, points } = self.room;
         let grid = Grid { most_points: points, most_triangles: triangles, ..of.grid };
@@ -197,14 +216,15 @@ impl Tessellated {
             return false;
         }
         let mut encoder = gpu.device().create_command_encoder(&Default::default());
+        let timed = || timed_compute(clock.and_then(|clock| clock.next(PassKind::Make)));
         {
-            let mut pass = encoder.begin_compute_pass(&Default::default());
+            let mut pass = encoder.begin_compute_pass(&timed());
             pass.set_bind_group(1, &self.counting, &[]);
             self.count(&mut pass, tessellator, &grid);
         }
         encoder.copy_buffer_to_buffer(&self.totals, 0, &self.drawn, 0, MadeTotals::SIZE as u64);
         {
-            let mut pass = encoder.begin_compute_pass(&Default::default());
+            let mut pass = encoder.begin_compute_pass(&timed());
             // Nothing of a frame or a pass is read.
             pass.set_bind_group(0, maps, &[0, 0]);
             pass.set_bind_group(1, &self.making, &[]);

@@ -1,10 +1,12 @@
 //! Whether a method that is chosen keeps its budget or its error in another run, and whether another one does
 //! better there.
 
-use relief_compare::{Candidate, Contender, Goal, Machine, Records, Timing, Watch, choose, with_other_steps};
+use relief_compare::{Candidate, Contender, Goal, Records, Timing, Watch, choose, with_other_steps};
+
+use relief_render::scene::Sampling;
 
 use super::maps::maps;
-use super::{Arguments, SIZE, compared, on_square};
+use super::{Arguments, compared, on_square};
 use crate::table::table;
 
 /// Milliseconds of a frame, over that of the fastest search, and texels that are asked for.
@@ -31,7 +33,8 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         "with a tenth of the time to spare",
     ]);
     for (name, map) in maps()? {
-        let mut comparison = on_square(name, map, SIZE, vec![Machine::CPU])?;
+        let machine = arguments.machines(&[Sampling::Exact]).into_iter().take(1).collect();
+        let mut comparison = on_square(name, map, arguments.size, machine)?;
         let searches: Vec<Contender> = Contender::all().into_iter().filter(Contender::is_of_rays).collect();
         comparison.contenders = with_other_steps(&searches);
         (comparison.rays, comparison.steps) = (arguments.rays.min(4_000), Vec::new());
@@ -50,9 +53,9 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         }
     }
     println!(
-        "Methods that search, with 8 to 256 steps, chosen for frames of {}x{} pixels without shadows on the \
-         CPU, {} frames of each by turns; another run of all of them after it\n\n{rows}\n",
-        SIZE[0], SIZE[1], arguments.frames
+        "Methods that search, with 8 to 256 steps, chosen for frames of {}x{} pixels without shadows, \
+         {} frames of each by turns; another run of all of them after it\n\n{rows}\n",
+        arguments.size[0], arguments.size[1], arguments.frames
     );
     Ok(())
 }

@@ -3,7 +3,7 @@
 
 use relief_compare::PictureRecord;
 
-use super::{Arguments, SIZE, compared, contender, timed_cobbles};
+use super::{Arguments, compared, contender, timed_cobbles};
 use crate::table::table;
 
 /// How many times as many pixels are timed.
@@ -37,7 +37,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
             table(&["refinement", "linear: ns a read", "dependent: ns a read", "dependent over linear"]);
         for (refinement, of) in REFINEMENTS.iter().zip(of_machine.as_chunks::<3>().0) {
             let [few, linear, dependent] = of;
-            let [linear, dependent] = [linear, dependent].map(|more| a_read_ns(few, more));
+            let [linear, dependent] = [linear, dependent].map(|more| a_read_ns(few, more, arguments.size));
             let ratio = linear.zip(dependent).map(|(linear, dependent)| dependent / linear);
             let cell = |number: Option<f64>| number.map_or("-".to_owned(), |number| format!("{number:.2}"));
             rows.add_row([(*refinement).to_owned(), cell(linear), cell(dependent), cell(ratio)]);
@@ -52,12 +52,12 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
 }
 
 /// Nanoseconds of a read, of those that one picture has more than another.
-fn a_read_ns(few: &PictureRecord, more: &PictureRecord) -> Option<f64> {
+fn a_read_ns(few: &PictureRecord, more: &PictureRecord, size: [u32; 2]) -> Option<f64> {
     let [(few, few_ms), (more, more_ms)] = [(few, few.times.as_ref()?), (more, more.times.as_ref()?)]
         .map(|(record, times)| (record, times.displacement_ms));
     let reads = more.cost?.reads - few.cost?.reads;
-    let pixels = f64::from(SIZE[0] * SIZE[1] * PIXELS);
+    let pixels = f64::from(size[0] * size[1] * PIXELS);
     // Of the pixels those are searched that show the surface.
-    let shown = more.error.map_or(1.0, |error| error.rays as f64 / f64::from(SIZE[0] * SIZE[1]));
+    let shown = more.error.map_or(1.0, |error| error.rays as f64 / f64::from(size[0] * size[1]));
     Some(1e6 * (more_ms - few_ms) / (reads * pixels * shown))
 }

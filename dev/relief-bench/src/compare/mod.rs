@@ -37,6 +37,21 @@ pub struct Arguments {
     /// Times on a GPU, too, or on a program that plays one
     #[arg(long)]
     gpu: bool,
+    /// No times on the CPU
+    #[arg(long, requires = "gpu")]
+    no_cpu: bool,
+    /// Columns and rows of the least pictures whose frames are timed on a GPU without the CPU
+    #[arg(long, requires = "no_cpu", default_value = "320x240", value_parser = crate::frame::size)]
+    size: [u32; 2],
+}
+
+impl Arguments {
+    /// Where frames are timed: on the CPU, and with those ways of sampling on a GPU, as asked for.
+    fn machines(&self, samplings: &[Sampling]) -> Vec<Machine> {
+        let cpu = (!self.no_cpu).then_some(Machine::CPU);
+        let gpu = samplings.iter().filter(|_| self.gpu).map(|sampling| Machine::gpu(*sampling));
+        cpu.into_iter().chain(gpu).collect()
+    }
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -76,9 +91,6 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     Ok(())
 }
 
-/// Columns and rows of pictures whose frames are timed.
-const SIZE: [u32; 2] = [320, 240];
-
 /// How deep the relief is, in tiles.
 const SCALE_M: f64 = 0.1;
 
@@ -107,11 +119,8 @@ fn timed_cobbles(arguments: &Arguments, pixels: u32) -> Result<Comparison, Strin
         .into_iter()
         .find(|named| named.name == "cobbles")
         .ok_or("the sample map is missing")?;
-    let mut machines = vec![Machine::CPU];
-    if arguments.gpu {
-        machines.extend([Sampling::Exact, Sampling::Fast].map(Machine::gpu));
-    }
-    let mut comparison = on_square(named.name, named.map, SIZE, machines)?;
+    let machines = arguments.machines(&[Sampling::Exact, Sampling::Fast]);
+    let mut comparison = on_square(named.name, named.map, arguments.size, machines)?;
     comparison.timing = Some(Timing { frames: arguments.frames, warm: 2, pixels });
     Ok(comparison)
 }

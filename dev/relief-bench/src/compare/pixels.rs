@@ -1,7 +1,7 @@
 //! Times over the covered pixels and over the triangles: Szirmay-Kalos and Umenhoffer 2008, section 7, which
 //! has displaced vertices cost by triangles, seen or not, and fragments by covered pixels.
 
-use relief_compare::{Contender, Machine, Records, Timing};
+use relief_compare::{Contender, Records, Timing};
 use relief_render::camera::Camera;
 use relief_render::scene::Sampling;
 use relief_tests::accuracy::maps;
@@ -28,14 +28,10 @@ fn contenders() -> Result<Vec<Contender>, String> {
 
 /// Prints a table over sizes and one over distances, for each machine.
 pub fn run(arguments: &Arguments) -> Result<(), String> {
-    let machines = || {
-        let gpu = arguments.gpu.then_some(Machine::gpu(Sampling::Exact));
-        [Machine::CPU].into_iter().chain(gpu).collect::<Vec<_>>()
-    };
     let comparison = |size: [u32; 2]| {
         let named =
             maps().into_iter().find(|named| named.name == "cobbles").ok_or("the sample map is missing")?;
-        let mut comparison = on_square(named.name, named.map, size, machines())?;
+        let mut comparison = on_square(named.name, named.map, size, arguments.machines(&[Sampling::Exact]))?;
         (comparison.rays, comparison.contenders) = (0, contenders()?);
         comparison.timing = Some(Timing { frames: arguments.frames, warm: 2, pixels: 1 });
         Ok::<_, String>(comparison)

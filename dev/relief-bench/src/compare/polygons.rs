@@ -1,6 +1,6 @@
 //! Two polygons with maps beside triangles at every texel, in time and bytes: Oh, Ki and Lee 2006, Figure 20.
 
-use relief_compare::{Contender, Machine, Timing};
+use relief_compare::{Contender, Timing};
 use relief_core::{HeightMap, Wrap};
 use relief_maps::Maps;
 use relief_render::Renderer;
@@ -33,10 +33,7 @@ fn contenders() -> Result<Vec<Contender>, String> {
 pub fn run(arguments: &Arguments) -> Result<(), String> {
     let texels = fractal(11, SIDE, SIDE, 0.5);
     let map = HeightMap::new(SIDE, SIDE, texels, Wrap::Repeat).map_err(|error| error.to_string())?;
-    let mut machines = vec![Machine::CPU];
-    if arguments.gpu {
-        machines.push(Machine::gpu(Sampling::Exact));
-    }
+    let machines = arguments.machines(&[Sampling::Exact]);
     let mut comparison = on_square("ground", map, [PICTURE; 2], machines)?;
     (comparison.rays, comparison.contenders) = (0, contenders()?);
     comparison.timing = Some(Timing { frames: arguments.frames, warm: 2, pixels: 1 });

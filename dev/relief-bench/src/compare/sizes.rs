@@ -1,7 +1,7 @@
 //! Times and reads over the size of the map: Oh, Ki and Lee 2006, Figure 21, which has 1.28 times the time
 //! for 64 times the texels.
 
-use relief_compare::{Machine, Timing};
+use relief_compare::Timing;
 use relief_core::{HeightMap, Wrap};
 use relief_render::scene::Sampling;
 use relief_tests::maps::fractal;
@@ -22,10 +22,7 @@ const PUBLISHED: f64 = 1.28;
 pub fn run(arguments: &Arguments) -> Result<(), String> {
     let texels = fractal(11, SIDES[0], SIDES[0], 0.5);
     let map = HeightMap::new(SIDES[0], SIDES[0], texels, Wrap::Repeat).map_err(|error| error.to_string())?;
-    let mut machines = vec![Machine::CPU];
-    if arguments.gpu {
-        machines.push(Machine::gpu(Sampling::Fast));
-    }
+    let machines = arguments.machines(&[Sampling::Fast]);
     let mut comparison = on_square("ground", map, [512, 512], machines)?;
     comparison.contenders = METHODS.iter().map(|name| contender(name, &[])).collect::<Result<_, _>>()?;
     (comparison.rays, comparison.map_sides) = (0, SIDES.to_vec());
@@ -59,7 +56,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
                 };
                 frames.push(times.frame_ms);
                 let reads = record.cost.map_or(0.0, |cost| cost.reads);
-                row.push(format!("{:.1} / {reads:.1}", times.frame_ms));
+                row.push(format!("{:.2} / {reads:.1}", times.frame_ms));
             }
             let ratio =
                 frames.first().zip(frames.last()).map_or(f64::NAN, |(largest, least)| largest / least);

@@ -72,7 +72,7 @@ fn depths(gpu: &Gpu, job: &Job, clip: Clip) -> Vec<f32> {
         let common = Common { number: 0, frame, passes, builder: None, light_map: None };
         let mut resident = Resident::new(gpu);
         let maps = resident.maps(gpu, surface, Sampling::Exact, layouts.maps(Sampling::Exact), &common)?;
-        let mesh = resident.mesh(gpu, surface, &layouts, None, &maps)?;
+        let mesh = resident.mesh(gpu, surface, &layouts, None, &maps, None)?;
         let texture = gpu.device().create_texture(&TextureDescriptor {
             label: Some("prepass"),
             size,
