@@ -2,6 +2,7 @@
 //! files.
 
 use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use clap::Args;
@@ -50,6 +51,8 @@ struct Measured {
     render: Samples,
     /// Milliseconds of a picture from elsewhere by a renderer that has made one.
     frame: Samples,
+    /// Of these milliseconds those of drawing alone, where nothing is read back or made a picture of.
+    drawn: Samples,
     /// The most that such a picture uploaded and compiled.
     work: Work,
 }
@@ -64,6 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         "files, maps, picture ms",
         "`render` alone ms",
         "second frame ms",
+        "drawn, not read ms",
         "over the first",
         "over the second",
         "bytes uploaded",
@@ -82,7 +86,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
             };
             let spec = read_scene(file).map_err(|error| error.to_string())?.overridden_by(spec);
             let measured = measure(&spec, &cache, arguments.rounds)?;
-            let Measured { device, whole, render, frame, work } = measured;
+            let Measured { device, whole, render, frame, drawn, work } = measured;
             let share = frame.over(&whole);
             if share.median() > AIM_TIME || work.uploaded > AIM_UPLOADED || work.compiled > 0 {
                 missed.push(format!("{name} on the {backend}"));
@@ -93,6 +97,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
                 whole.to_string(),
                 render.to_string(),
                 frame.to_string(),
+                drawn.to_string(),
                 format!("{:.2}", share.median()),
                 format!("{:.2}", frame.over(&render).median()),
                 work.uploaded.to_string(),
@@ -132,7 +137,7 @@ fn measure(spec: &SceneSpec, cache: &Cache, rounds: u16) -> Result<Measured, Str
     // The first bakes the maps and puts them into the folder.
     let first = renderer.render(&scene, &mut maps, quiet).map_err(|error| error.to_string())?;
     let (mut whole, mut alone, mut frame) = (Samples::default(), Samples::default(), Samples::default());
-    let mut work = Work::default();
+    let (mut drawn, mut work) = (Samples::default(), Work::default());
     for round in 0..rounds {
         let start = Instant::now();
         let loaded = spec.load().map_err(|error| error.to_string())?;
@@ -153,8 +158,11 @@ fn measure(spec: &SceneSpec, cache: &Cache, rounds: u16) -> Result<Measured, Str
         work.uploaded = work.uploaded.max(last.uploaded);
         work.compiled = work.compiled.max(last.compiled);
         check_same(&fresh, &again)?;
+        let never = AtomicBool::new(false);
+        let time = renderer.time(&seen, &mut maps, &never).map_err(|error| error.to_string())?;
+        drawn.push(1e3 * time.elapsed.as_secs_f64());
     }
-    Ok(Measured { device: first.made.device, whole, render: alone, frame, work })
+    Ok(Measured { device: first.made.device, whole, render: alone, frame, drawn, work })
 }
 
 /// The scene with its camera turned around what it looks at, another way each round.

@@ -1,5 +1,7 @@
 //! The adapters that tests run on.
 
+use std::sync::OnceLock;
+
 use relief_render::gpu::{AdapterChoice, Gpu};
 
 /// A device of an adapter of that kind. Where there is none the test says that it skips, unless the
@@ -18,6 +20,36 @@ pub fn open(choice: AdapterChoice) -> Option<Gpu> {
             println!("the GPU is skipped: {error}");
             None
         }
+    }
+}
+
+/// How much less alike the pictures of the two backends may be than on an adapter that computes as IEEE 754
+/// says. Hardware contracts multiplications with additions: its roundings are others, and of the rays that
+/// graze something some find what is behind it.
+#[derive(Clone, Copy, Debug)]
+pub struct Leeway {
+    /// How many times as much numbers may differ that are the same.
+    pub rounding: f32,
+    /// How many times as many pixels may show something else.
+    pub outliers: f64,
+}
+
+impl Leeway {
+    const OF_SOFTWARE: Self = Self { rounding: 1.0, outliers: 1.0 };
+    const OF_HARDWARE: Self = Self { rounding: 10.0, outliers: 6.0 };
+
+    /// That of the adapter that [`AdapterChoice::Any`] chooses.
+    pub fn of_any() -> Self {
+        static LEEWAY: OnceLock<Leeway> = OnceLock::new();
+        *LEEWAY.get_or_init(|| match Gpu::new(AdapterChoice::Real) {
+            Ok(_) => Self::OF_HARDWARE,
+            Err(_) => Self::OF_SOFTWARE,
+        })
+    }
+
+    /// The share of pixels that must agree where so many must on a software adapter.
+    pub fn share(self, of_software: f64) -> f64 {
+        1.0 - self.outliers * (1.0 - of_software)
     }
 }
 

@@ -10,6 +10,7 @@ use relief_render::scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 
+use crate::adapter::Leeway;
 use crate::spheres::first_on_spheres;
 
 /// Columns and rows of the pictures.
@@ -21,6 +22,9 @@ pub const EYES: [DVec3; 3] =
 
 /// The share of covered pixels that must be alike.
 pub const ALIKE: f64 = 0.999;
+
+/// Places that are less far apart along each axis are the same.
+const SAME_PLACE_M: f32 = 1e-4;
 
 /// A method with settings, without shadows.
 pub fn selection(method: &str, settings: &[(&str, f64)]) -> Selection {
@@ -77,10 +81,20 @@ pub fn beside_truth(pixels: &[PixelOut], eye: DVec3) -> (f64, f64) {
 
 /// The share of covered pixels that show the same place.
 pub fn alike(one: &[PixelOut], other: &[PixelOut]) -> f64 {
+    alike_within(one, other, SAME_PLACE_M)
+}
+
+/// The share of covered pixels that show the same place on both backends, and the least that it may be.
+pub fn alike_on_both(cpu: &[PixelOut], gpu: &[PixelOut]) -> [f64; 2] {
+    let leeway = Leeway::of_any();
+    [alike_within(cpu, gpu, leeway.rounding * SAME_PLACE_M), leeway.share(ALIKE)]
+}
+
+fn alike_within(one: &[PixelOut], other: &[PixelOut], within_m: f32) -> f64 {
     let covered = one.iter().zip(other).filter(|(a, b)| a.hit == 1 || b.hit == 1);
     let alike = covered.clone().filter(|(a, b)| {
         let apart = [a.position.x - b.position.x, a.position.y - b.position.y, a.position.z - b.position.z];
-        a.hit == b.hit && apart.iter().all(|part| part.abs() <= 1e-4)
+        a.hit == b.hit && apart.iter().all(|part| part.abs() <= within_m)
     });
     let covered = covered.count();
     assert!(covered > 2500, "{covered} pixels");

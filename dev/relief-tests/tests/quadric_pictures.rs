@@ -9,7 +9,7 @@ use relief_render::render;
 use relief_render::scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
-use relief_tests::adapter::has_adapter;
+use relief_tests::adapter::{Leeway, has_adapter};
 
 const SIZE: [u32; 2] = [200, 150];
 
@@ -171,6 +171,7 @@ fn both_backends_show_the_same() {
         return;
     }
     let eye = DVec3::new(0.5, 0.9, 1.2);
+    let leeway = Leeway::of_any();
     let cases = [
         ("relief", "quadric-vertical", 0.0, -0.05, false),
         ("exact", "quadric-vertical", 1.0, 0.02, true),
@@ -185,8 +186,10 @@ fn both_backends_show_the_same() {
             pixels(surface.with_two_sided(two_sided), eye, backend)
         };
         let (cpu, gpu) = (of(BackendChoice::Cpu), of(BackendChoice::Gpu));
+        let within_m = 4e-6 * leeway.rounding;
         let same = |(a, b): &(&PixelOut, &PixelOut)| {
-            a.hit == b.hit && (a.hit == 0 || ((a.t - b.t).abs() < 4e-6 && a.cell == b.cell && a.lit == b.lit))
+            a.hit == b.hit
+                && (a.hit == 0 || ((a.t - b.t).abs() < within_m && a.cell == b.cell && a.lit == b.lit))
         };
         let (seen, equal) =
             (cpu.iter().filter(|pixel| pixel.hit == 1).count(), cpu.iter().zip(&gpu).filter(same).count());
@@ -194,6 +197,7 @@ fn both_backends_show_the_same() {
             "{method} {surface} lift {lift} bias {bias_m}: {equal} of {} pixels, {seen} seen",
             cpu.len()
         );
-        assert!(seen > 3000 && (cpu.len() - equal) * 1000 <= seen, "{method} {surface} {bias_m}");
+        let most = leeway.outliers * seen as f64 / 1000.0;
+        assert!(seen > 3000 && (cpu.len() - equal) as f64 <= most, "{method} {surface} {bias_m}");
     }
 }

@@ -10,7 +10,7 @@ use relief_render::render;
 use relief_render::scene::{BackendChoice, Scene, Surface};
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::{Selection, surface};
-use relief_tests::adapter::has_adapter;
+use relief_tests::adapter::{Leeway, has_adapter};
 use relief_tests::maps;
 
 /// The share of covered pixels that must agree: on edges of polygons rasterisers may choose the other one.
@@ -72,7 +72,7 @@ fn every_surface_gives_the_same_picture() {
             let covered = cpu.iter().filter(|pixel| pixel.hit == 1).count();
             println!("{}: {covered} pixels, {share:.5} alike", entry.name);
             assert!(covered > 3000, "{}: {covered} pixels", entry.name);
-            assert!(share >= ALIKE, "{}: {share}", entry.name);
+            assert!(share >= Leeway::of_any().share(ALIKE), "{}: {share}", entry.name);
             // Others show something else.
             assert!(alike(&cpu, &before) < ALIKE, "{}", entry.name);
             before = cpu;

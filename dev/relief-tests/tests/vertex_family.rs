@@ -17,7 +17,7 @@ use relief_render::scene::{Sampling, Scene, SceneBuilder, Surface};
 use relief_render::{GeometryError, RenderError, Renderer};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
-use relief_tests::adapter::open;
+use relief_tests::adapter::{Leeway, open};
 use relief_tests::outline::{Mask, distances};
 
 const SIZE: [u32; 2] = [200, 150];
@@ -260,7 +260,8 @@ fn both_backends_show_the_same_triangles() {
         };
         println!("{} {method} {way:?}: {:.5}", case.name, alike(&cpu, &gpu));
         // At edges rasterisers may choose the other triangle.
-        assert!(alike(&cpu, &gpu) >= 0.996, "{} {method}: {}", case.name, alike(&cpu, &gpu));
+        let least = Leeway::of_any().share(0.996);
+        assert!(alike(&cpu, &gpu) >= least, "{} {method}: {}", case.name, alike(&cpu, &gpu));
         assert!(alike(&cpu, &before) < 0.5, "{} {method}: another picture is the same", case.name);
         before = cpu;
     }

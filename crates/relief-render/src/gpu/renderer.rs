@@ -4,8 +4,9 @@
 use std::borrow::Cow;
 use std::ops::ControlFlow;
 
+use rayon::prelude::*;
 use relief_shaders::MapNeed;
-use relief_shaders::cpu::{PixelOut, Record, read_all};
+use relief_shaders::cpu::{PixelOut, Record, Shared};
 use relief_shaders::wgsl::{SHADE_GROUP, Sampling};
 use web_time::Instant;
 use wgpu::{
@@ -447,7 +448,8 @@ impl GpuRenderer {
             })
             .await?;
         let read = gpu.read(&readable, bytes, |bytes| {
-            pixels.extend(read_all::<Record>(bytes).into_iter().map(pixel_of));
+            let records = bytes.par_chunks_exact(Record::SIZE).map(Record::read);
+            pixels.par_extend(records.map(pixel_of));
         });
         read.await?;
         Ok(band)
