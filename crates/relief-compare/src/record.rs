@@ -155,8 +155,8 @@ pub struct TimeRecord {
     /// Its upper end.
     pub frame_high_ms: f64,
     /// Milliseconds that finding the surface takes: more than bump mapping without shadows does. By a GPU's
-    /// clock, where it has one, of the pass that traces; else of the whole frame. So are those of lighting and
-    /// of shadows, of the pass that shades.
+    /// clock, where it has one, of the pass that traces, as those of lighting and of shadows are of the pass
+    /// that shades; else of the whole frame.
     pub displacement_ms: f64,
     /// Its lower end.
     pub displacement_low_ms: f64,

@@ -253,6 +253,16 @@ pub enum StreamError<E> {
     /// A vertex is displaced too far.
     #[error("a vertex is displaced beyond what 32-bit numbers hold")]
     NotFinite,
+    /// All of it at once is more than there is memory for.
+    #[error(
+        "{count} {what} do not fit into the memory at once: take the mesh block by block, or make it coarser"
+    )]
+    OutOfMemory {
+        /// How many there are.
+        count: u64,
+        /// Of what.
+        what: &'static str,
+    },
     /// The numbers of all parts are no mesh.
     #[error(transparent)]
     Mesh(#[from] relief_core::mesh::MeshError),

@@ -291,7 +291,8 @@ impl Mesher {
             StreamError::NotFinite => MesherError::NotFinite,
             StreamError::Cancelled => MesherError::Cancelled,
             StreamError::Sink(never) => match never {},
-            StreamError::Mesh(_) => MesherError::Empty,
+            // A whole mesh alone is neither; none is kept here.
+            StreamError::Mesh(_) | StreamError::OutOfMemory { .. } => MesherError::Empty,
         })?;
         if kept.triangles() == 0 {
             return Err(MesherError::AllHoles);
@@ -409,12 +410,12 @@ impl Mesher {
     ///
     /// # Errors
     ///
-    /// When a vertex lies beyond what `f32` holds.
+    /// When a vertex lies beyond what `f32` holds, and when the memory for all of it cannot be had.
     pub fn mesh(&self) -> Result<Mesh, StreamError<Infallible>> {
         let watch = Watch::NOBODY;
         let how = Stream { size: 1.0, check: false, grid: None, cache_order: false, watch };
-        let mut vertices = Vec::with_capacity(self.vertices as usize);
-        let mut triangles = Vec::with_capacity(self.triangles as usize);
+        let mut vertices = room_for("vertices", self.vertices)?;
+        let mut triangles = room_for("triangles", self.triangles)?;
         self.stream(&how, |block| {
             vertices.extend_from_slice(&block.vertices);
             triangles.extend_from_slice(&block.triangles);
@@ -468,5 +469,24 @@ impl Mesher {
             }
             ready = next;
         }
+    }
+}
+
+/// An empty list with room for so many, where the memory for it can be had.
+fn room_for<T>(what: &'static str, count: u64) -> Result<Vec<T>, StreamError<Infallible>> {
+    let mut list = Vec::new();
+    let room = usize::try_from(count).ok().and_then(|count| list.try_reserve_exact(count).ok());
+    room.map(|()| list).ok_or(StreamError::OutOfMemory { count, what })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_list_that_no_memory_holds_is_refused() {
+        assert!(room_for::<u64>("vertices", 3).is_ok_and(|list| list.capacity() >= 3));
+        let refused = room_for::<u64>("vertices", u64::MAX / 4).map(drop);
+        assert!(matches!(refused, Err(StreamError::OutOfMemory { what: "vertices", .. })), "{refused:?}");
     }
 }

@@ -51,7 +51,7 @@ struct Measured {
     render: Samples,
     /// Milliseconds of a picture from elsewhere by a renderer that has made one.
     frame: Samples,
-    /// Of these milliseconds those of drawing alone, where nothing is read back or made a picture of.
+    /// Of these milliseconds those of drawing alone, where a GPU reads nothing back.
     drawn: Samples,
     /// The most that such a picture uploaded and compiled.
     work: Work,
@@ -97,7 +97,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
                 whole.to_string(),
                 render.to_string(),
                 frame.to_string(),
-                drawn.to_string(),
+                if backend == "gpu" { drawn.to_string() } else { "-".to_owned() },
                 format!("{:.2}", share.median()),
                 format!("{:.2}", frame.over(&render).median()),
                 work.uploaded.to_string(),
@@ -158,9 +158,11 @@ fn measure(spec: &SceneSpec, cache: &Cache, rounds: u16) -> Result<Measured, Str
         work.uploaded = work.uploaded.max(last.uploaded);
         work.compiled = work.compiled.max(last.compiled);
         check_same(&fresh, &again)?;
-        let never = AtomicBool::new(false);
-        let time = renderer.time(&seen, &mut maps, &never).map_err(|error| error.to_string())?;
-        drawn.push(1e3 * time.elapsed.as_secs_f64());
+        if renderer.backend() == "gpu" {
+            let never = AtomicBool::new(false);
+            let time = renderer.time(&seen, &mut maps, &never).map_err(|error| error.to_string())?;
+            drawn.push(1e3 * time.elapsed.as_secs_f64());
+        }
     }
     Ok(Measured { device: first.made.device, whole, render: alone, frame, drawn, work })
 }

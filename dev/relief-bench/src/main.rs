@@ -1,6 +1,7 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
 //! `embree`, `frame`, `impostors`, `judge`, `lanes`, `levels`, `mesh`, `object-slices`, `probe`, `pyramid`,
-//! `quadrics`, `remesh`, `shadow`, `sheet`, `slices`, `surfaces`, `tessellate` and `trace`. Results are kept in `docs/`.
+//! `quadrics`, `remesh`, `shadow`, `sheet`, `slices`, `surfaces`, `tessellate` and `trace`. Results are kept
+//! in `docs/`.
 
 use std::process::ExitCode;
 

@@ -7,10 +7,13 @@ use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{BasePoint, Builtin, Mesh, Vertex, cube, cylinder, sphere, torus};
 use relief_core::{HeightMap, Wrap};
 use relief_mesh::{
-    BaseSurface, CrackTest, EDGE_RULES, INTERIORS, Interior, MeshSettings, Mesher, MesherError, Part, Seams,
-    Spacing, View, Watch, Weights, check_pair,
+    BaseSurface, CrackTest, Cracks, EDGE_RULES, INTERIORS, Interior, MeshSettings, Mesher, MesherError, Part,
+    Seams, Spacing, View, Watch, Weights, check_pair,
 };
 use relief_tests::maps;
+
+/// Views of a scanned mesh.
+const SPOT_VIEWS: usize = 200;
 
 /// The interiors that fill sides which are divided by voxels.
 fn interiors() -> Vec<&'static Interior> {
@@ -76,6 +79,26 @@ fn meshes_are_closed_from_everywhere() {
         }
     }
     println!("{triangles} triangles");
+}
+
+#[test]
+fn spot_is_closed_from_everywhere() {
+    let Some(base) = relief_tests::spot("spot_triangulated.obj") else { return };
+    let was = CrackTest::of_mesh(&base);
+    let map = map("natural 101x67", Wrap::Mirror, 0.03);
+    let levels = coarser(&map, Filter::Average);
+    for (at, camera) in cameras(SPOT_VIEWS).enumerate() {
+        for interior in interiors() {
+            // Some of the eyes lie within it.
+            let view = View { near_m: 0.3, ..seen(camera, 150, [2.0, 3.7, 40.0][at % 3]) };
+            let base_surface = BaseSurface::ALL[at % 3];
+            let settings = MeshSettings { interior, base: base_surface, ..MeshSettings::seen_by(view) };
+            let mesher = Mesher::with_levels(&base, &map, &levels, &settings, &Watch::NOBODY);
+            let cracks = CrackTest::of_mesh(&mesher.expect("a mesh").mesh().expect("finite"));
+            let counts = |of: &Cracks| [of.open, of.branching, of.pieces];
+            assert_eq!(counts(&cracks), counts(&was), "{camera:?} {}", interior.name);
+        }
+    }
 }
 
 #[test]

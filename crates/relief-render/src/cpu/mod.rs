@@ -34,6 +34,16 @@ mod tiled;
 /// Pixels of a band of rows: enough for all cores, and few enough to keep.
 const BAND_PIXELS: u32 = 1 << 18;
 
+/// So many pixels that nothing covers, unless the memory cannot be had. They are written on all cores, since
+/// the first touch of so much memory takes its time.
+fn all_uncovered(count: usize) -> Option<Vec<PixelOut>> {
+    let mut pixels = Vec::new();
+    pixels.try_reserve_exact(count).ok()?;
+    let nothing = uncovered();
+    (0..count).into_par_iter().map(|_| nothing).collect_into_vec(&mut pixels);
+    Some(pixels)
+}
+
 /// Renders jobs on all cores, and keeps the hierarchies of their meshes and height maps, and what their
 /// lights see, from one job to the next.
 #[derive(Debug, Default)]
@@ -64,12 +74,7 @@ impl CpuRenderer {
     /// A surface whose selection is the exact pair is traced by the core's fast exact tracer in place of
     /// search and refinement.
     pub fn render(&mut self, job: &Job, progress: &(dyn Fn(f32) + Sync)) -> Option<Rendering> {
-        let count = (job.width as usize).checked_mul(job.height as usize)?;
-        let mut pixels = Vec::new();
-        pixels.try_reserve_exact(count).ok()?;
-        // On all cores, since the first touch of so much memory takes its time.
-        let nothing = uncovered();
-        (0..count).into_par_iter().map(|_| nothing).collect_into_vec(&mut pixels);
+        let mut pixels = all_uncovered((job.width as usize).checked_mul(job.height as usize)?)?;
         let samples = samples(job.samples, true);
         let done = Done::of(job, progress);
         let job = &*self.tessellated.job(job);
@@ -104,7 +109,7 @@ impl CpuRenderer {
             Err(NoLightMap::OutOfMemory) => return None,
         };
         let rows = (BAND_PIXELS / job.width.max(1)).clamp(1, job.height.max(1));
-        let mut pixels = vec![uncovered(); job.width as usize * rows as usize];
+        let mut pixels = all_uncovered(job.width as usize * rows as usize)?;
         for first in (0..job.height).step_by(rows as usize) {
             let rows = rows.min(job.height - first);
             let pixels = &mut pixels[..job.width as usize * rows as usize];

@@ -51,8 +51,8 @@ impl AdapterChoice {
     }
 }
 
-/// The way to the machine's drivers. There is one a process: some drivers crash where several threads load and
-/// unload them at once (NVIDIA's on Linux), and loading takes long.
+/// The way to the machine's drivers. There is one a process: some drivers crash where several threads load
+/// and unload them at once (NVIDIA's on Linux), and loading takes long.
 #[cfg(not(target_arch = "wasm32"))]
 fn instance() -> &'static Instance {
     static INSTANCE: OnceLock<Instance> = OnceLock::new();

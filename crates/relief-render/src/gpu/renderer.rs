@@ -151,7 +151,8 @@ impl GpuRenderer {
         let mut pixels = Vec::new();
         pixels.try_reserve_exact(width as usize * height as usize).map_err(|_| GpuError::OutOfMemory)?;
         let mut sink = |band: &[PixelOut]| {
-            pixels.extend_from_slice(band);
+            // On all cores, since the first touch of so much memory takes its time.
+            pixels.par_extend(band);
             ControlFlow::Continue(())
         };
         let _ = self.render_bands_async(job, sampling, true, progress, &mut sink).await?;
