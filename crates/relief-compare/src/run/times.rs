@@ -64,6 +64,16 @@ impl Timed {
     }
 }
 
+/// What the pass took that traces.
+fn trace(passes: &PassTimes) -> Duration {
+    passes.trace
+}
+
+/// What the pass took that shades.
+fn shade(passes: &PassTimes) -> Duration {
+    passes.shade
+}
+
 fn milliseconds(duration: Duration) -> f64 {
     1e3 * duration.as_secs_f64()
 }
@@ -110,7 +120,6 @@ impl Comparison {
             }
         }
         let [base, lit, methods @ ..] = &all[..] else { return Ok(none) };
-        let (trace, shade): (fn(&PassTimes) -> _, fn(&PassTimes) -> _) = (|of| of.trace, |of| of.shade);
         let records = methods.as_chunks::<2>().0.iter().map(|[searched, shadowed]| {
             let (frame, displacement) = (shadowed.frame(), searched.beyond(lit, trace));
             let trace_pass_ms = shadowed.passes(trace);
