@@ -22,7 +22,8 @@ use crate::streams::{Files, answer};
     Frames have one sample a pixel. Methods take turns, so that what slows the machine for a while slows \
     all of them; medians are given, with what the true ones lie between at 95 in 100. Compiling, \
     uploading, baking and reading back are no part of a frame. What finding the surface takes is what a \
-    frame takes more than one of bump mapping. A GPU's passes are timed by its own clock where it has one."
+    frame takes more than one of bump mapping; where a GPU's own clock times its passes, what the pass takes \
+    more that traces."
 )]
 pub struct Arguments {
     /// Frames of each that count

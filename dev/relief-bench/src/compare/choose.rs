@@ -2,7 +2,6 @@
 //! better there.
 
 use relief_compare::{Candidate, Contender, Goal, Records, Timing, Watch, choose, with_other_steps};
-
 use relief_render::scene::Sampling;
 
 use super::maps::maps;
