@@ -6,7 +6,7 @@
 //! Slopes do not bound how triangles of chords are turned, though: three points that are nearly on one line
 //! can make one that faces anywhere. So triangles themselves are looked at.
 
-use glam::{DVec3, DVec4, Vec3};
+use glam::{DVec2, DVec3, DVec4, Vec3};
 use relief_core::camera::Camera;
 
 use crate::edge::Divides;
@@ -20,9 +20,9 @@ use crate::{MeshSettings, MesherError, Shading, View};
 /// until few points are there, so that most of what is behind can be left out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cull {
-    /// Patches that lie beside the picture, or behind the eye, whatever their relief.
+    /// What lies beside the picture, or behind the eye: patches, whatever their relief, and single triangles.
     pub outside: Outside,
-    /// Patches of which all triangles turn their back to the eye, by more than a rasteriser rounds.
+    /// Triangles that turn their back to the eye, by more than a rasteriser rounds.
     pub backs: bool,
 }
 
@@ -68,6 +68,11 @@ impl Outside {
 }
 
 impl Cull {
+    /// Whether it leaves anything out.
+    pub(crate) fn leaves_out(&self) -> bool {
+        self.backs || self.outside.planes.contains(&true)
+    }
+
     /// The planes beyond which something is left out, for a program that tests points of 32 bits, none of
     /// whose coordinates is larger than that many metres: what is left out has a positive sum of the plane's
     /// parts times the point's and 1.
@@ -131,9 +136,13 @@ impl Hull {
 
     /// The largest coordinate of its points, and of another.
     fn largest(&self, other: DVec3) -> f64 {
-        self.points.iter().fold(other.abs(), |most, point| most.max(point.abs())).max_element()
-            + self.radius_m
+        largest(&self.points, other) + self.radius_m
     }
+}
+
+/// The largest coordinate of some points, and of another.
+fn largest(points: &[DVec3], other: DVec3) -> f64 {
+    points.iter().fold(other.abs(), |most, point| most.max(point.abs())).max_element()
 }
 
 /// What the camera of a view sees.
@@ -169,16 +178,27 @@ impl Sight {
     /// depth is not negative. A hull whose points are farther before one of them than its radius lies before
     /// it.
     pub fn misses(&self, hull: &Hull, outside: &Outside) -> bool {
+        self.misses_points(&hull.points, hull.radius_m, outside)
+    }
+
+    #[inline(always)]
+    fn misses_points(&self, points: &[DVec3], radius_m: f64, outside: &Outside) -> bool {
         let eye = self.camera.eye();
-        let largest = hull.largest(eye);
+        let largest = largest(points, eye) + radius_m;
         // What is displaced beyond what is stored is kept, and refused when it is made.
         let is_stored = largest <= f64::from(f32::MAX);
-        let room = hull.radius_m + ROUNDING * largest + outside.beside_m;
-        let is_before = |(normal, out): &(DVec3, f64)| {
-            hull.points.iter().all(|point| normal.dot(*point - eye) > out + room)
-        };
+        let room = radius_m + ROUNDING * largest + outside.beside_m;
+        let is_before =
+            |(normal, out): &(DVec3, f64)| points.iter().all(|point| normal.dot(*point - eye) > out + room);
         let planes = self.planes.iter().zip(outside.planes).filter(|(_, is_left_out)| *is_left_out);
         is_stored && planes.map(|(plane, _)| plane).any(is_before)
+    }
+
+    /// Whether nothing of a triangle is to be made.
+    #[inline(always)]
+    pub fn is_unseen(&self, corners: [Vec3; 3], cull: &Cull) -> bool {
+        (cull.backs && self.is_back(corners))
+            || self.misses_points(&corners.map(Vec3::as_dvec3), 0.0, &cull.outside)
     }
 
     /// From where to where something within a hull may lie along the view axis, in metres from the eye.
@@ -194,26 +214,33 @@ impl Sight {
 
     /// Whether no rasteriser sees the front of a triangle: it has no area, or its corners run clockwise in
     /// the picture and are not so nearly in one line that rounding may turn it over.
+    #[inline(always)]
     pub fn is_back(&self, corners: [Vec3; 3]) -> bool {
         let [a, b, c] = corners.map(Vec3::as_dvec3);
-        if (b - a).cross(c - a) == DVec3::ZERO {
+        let normal = (b - a).cross(c - a);
+        if normal == DVec3::ZERO {
             return true;
         }
         let Self { camera, pixels, .. } = self;
-        let mut places = [[0.0; 2]; 3];
-        for (place, corner) in places.iter_mut().zip(corners) {
-            let from_eye = corner.as_dvec3() - camera.eye();
+        let toward = if camera.is_orthographic() { -camera.forward() } else { camera.eye() - a };
+        if normal.dot(toward) > 0.0 {
+            return false;
+        }
+        let mut places = [DVec2::ZERO; 3];
+        for (place, corner) in places.iter_mut().zip([a, b, c]) {
+            let from_eye = corner - camera.eye();
             let depth = if camera.is_orthographic() { 1.0 } else { camera.forward().dot(from_eye) };
             if depth.is_nan() || depth <= 0.0 {
                 return false;
             }
-            *place = [camera.right(), camera.up()].map(|axis| axis.dot(from_eye) / depth * pixels);
+            let aside = DVec2::new(camera.right().dot(from_eye), camera.up().dot(from_eye));
+            *place = aside * (pixels / depth);
         }
         let [a, b, c] = places;
-        let side = |from: [f64; 2], to: [f64; 2]| [to[0] - from[0], to[1] - from[1]];
-        let [ab, bc, ca] = [side(a, b), side(b, c), side(c, a)];
-        let longest = [ab, bc, ca].map(|[x, y]| x.hypot(y)).into_iter().fold(0.0, f64::max);
-        let twice_area = ab[0] * bc[1] - ab[1] * bc[0];
-        -twice_area > LEAST_PIXELS * longest
+        let (ab, ac, bc) = (b - a, c - a, c - b);
+        let longest_squared = ab.length_squared().max(ac.length_squared()).max(bc.length_squared());
+        let twice_area = ab.perp_dot(ac);
+        // The height over the longest side, squared like the side.
+        twice_area < 0.0 && twice_area * twice_area > LEAST_PIXELS * LEAST_PIXELS * longest_squared
     }
 }

@@ -179,9 +179,6 @@ pub enum MesherError {
     /// Nothing but holes.
     #[error("every triangle lies over a hole of the height map: nothing is left")]
     AllHoles,
-    /// A vertex beyond all numbers, found while triangles were counted.
-    #[error("a vertex lies beyond what 32-bit floats hold")]
-    NotFinite,
     /// A part of a mesh that is not a plane.
     #[error("only planes are cut into parts: two triangles that make a rectangle with straight texture")]
     PartOfNoPlane,

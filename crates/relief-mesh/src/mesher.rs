@@ -14,13 +14,13 @@ use relief_core::mesh::{Mesh, MeshBlock};
 use self::block::Made;
 use self::solid::Solid;
 use crate::crack::CrackTest;
-use crate::cull::{self, Everything};
+use crate::cull::{self, Cull, Everything, Sight};
 use crate::edge::Divides;
 use crate::error::MOST;
 use crate::filling::Filling;
 use crate::folds::{FoldedBase, Folds};
-use crate::holes::Kept;
 use crate::interior::{Fills, Pattern};
+use crate::kept::Kept;
 use crate::plan::{Plan, Work};
 use crate::plane::{Adapted, Grid, Rectangle};
 use crate::smooth::{self, Normals};
@@ -45,7 +45,9 @@ pub struct Mesher {
     relief: Relief,
     shading: Shading,
     blocks: Vec<Work>,
-    /// What is left beside holes; none where nothing is left out.
+    /// What of the triangles that are made is left out, as a camera does not see it.
+    unseen: Option<(Sight, Cull)>,
+    /// What is left of all; none where nothing is left out.
     kept: Option<Kept>,
     /// Vertices as they are made, with those that are left out.
     made_vertices: u64,
@@ -212,7 +214,7 @@ impl Mesher {
                 let base = Triangles::new(mesh, &relief, settings, most, watch)?;
                 // Also those that are halved, and left out.
                 patches = base.count() as usize;
-                Base::Triangles(base.culled(&relief, &pattern, settings, watch)?, pattern)
+                Base::Triangles(base.culled(&relief, settings, watch)?, pattern)
             }
             (Fills::Patch(pattern), _, None) => {
                 Base::Triangles(Triangles::new(mesh, &relief, settings, most, watch)?, pattern)
@@ -254,11 +256,14 @@ impl Mesher {
             Base::Filled(filled) => filled.bytes(),
             Base::Adapted(plane) => plane.bytes(),
         };
+        let cull = settings.cull.filter(|cull| cull.leaves_out());
+        let unseen = settings.view.as_ref().map(Sight::new).zip(cull);
+        let is_left_out = relief.has_holes() || unseen.is_some();
         let bytes = patches as u64 * Self::BYTES_PER_TRIANGLE
             + (blocks.len() * size_of::<Work>()) as u64
             + of_normals
             + of_tiles
-            + if relief.has_holes() { Kept::bytes(vertices) } else { 0 }
+            + if is_left_out { Kept::bytes(vertices) } else { 0 }
             + solid.as_ref().map_or(0, Solid::bytes)
             + at_hand as u64 * largest * BYTES_IN_A_BLOCK;
         let made_vertices = vertices;
@@ -269,32 +274,30 @@ impl Mesher {
             relief,
             shading,
             blocks,
+            unseen,
             kept: None,
             made_vertices,
             vertices,
             triangles,
             bytes,
         };
-        if mesher.relief.has_holes() { mesher.without_holes(watch) } else { Ok(mesher) }
+        if is_left_out { mesher.without_what_is_left_out(watch) } else { Ok(mesher) }
     }
 
-    /// The same without what lies over holes. What that is follows from where triangles are: all are made for
-    /// it and thrown away.
-    fn without_holes(self, watch: &Watch) -> Result<Self, MesherError> {
-        let how = Stream { size: 1.0, check: false, grid: None, cache_order: false, watch: *watch };
+    /// The same without triangles over holes and those that are not seen. Which these are follows from where
+    /// points are: all triangles are made for it and thrown away.
+    fn without_what_is_left_out(self, watch: &Watch) -> Result<Self, MesherError> {
         let mut kept = Kept::of_none(self.vertices);
-        let counted = self.each_block::<Infallible>(&how, None, &|_| (), |made| {
-            kept.add(&made.block.triangles);
-            Ok(())
-        });
-        counted.map_err(|error| match error {
-            StreamError::NotFinite => MesherError::NotFinite,
-            StreamError::Cancelled => MesherError::Cancelled,
-            StreamError::Sink(never) => match never {},
-            // A whole mesh alone is neither; none is kept here.
-            StreamError::Mesh(_) | StreamError::OutOfMemory { .. } => MesherError::Empty,
-        })?;
-        if kept.triangles() == 0 {
+        for group in self.blocks.chunks(rayon::current_num_threads() * BLOCKS_PER_THREAD) {
+            if watch.cancel.load(Ordering::Relaxed) {
+                return Err(MesherError::Cancelled);
+            }
+            let left: Vec<Vec<[u32; 3]>> = group.par_iter().map(|work| self.left(work)).collect();
+            for triangles in left {
+                kept.add(&triangles);
+            }
+        }
+        if self.relief.has_holes() && kept.triangles() == 0 {
             return Err(MesherError::AllHoles);
         }
         kept.count();

@@ -12,8 +12,8 @@ use super::{Base, EMPTY, Mesher};
 use crate::cache_order::cache_order;
 use crate::crack::CrackPart;
 use crate::folds::{self, FoldedBase};
-use crate::holes::Kept;
 use crate::interior::{Cut, Pattern};
+use crate::kept::Kept;
 use crate::patch::{Patch, PatchPoint};
 use crate::plan::Work;
 use crate::plane::{Adapted, Faces, Grid, Tile};
@@ -48,12 +48,44 @@ impl Mesher {
         let smooth = (self.shading == Shading::Mesh && normals.is_none()).then(Vec::new);
         let kept = self.kept.as_ref();
         let mut making = Making { block: emptied(block), normals, smooth, kept, ..Making::default() };
+        self.make(work, &mut making);
+        if how.cache_order {
+            making.order();
+        }
+        let Making { mut block, smooth, folds, folds_below, .. } = making;
+        scale(&mut block, how.size);
+        let rounded = how.grid.map(|grid| round(&mut block, &grid)).unwrap_or_default();
+        let (mut bounds_m, mut is_finite) = (EMPTY, true);
+        for Vertex { position, .. } in &block.vertices {
+            bounds_m = [bounds_m[0].min(*position), bounds_m[1].max(*position)];
+            is_finite &= position.is_finite();
+        }
+        if !is_finite {
+            return None;
+        }
+        let part = how.check.then(|| CrackPart::of(&block.points, &block.corners));
+        let smooth = smooth.unwrap_or_default();
+        Some(Made { block, part, smooth, bounds_m, folds, folds_below, rounded })
+    }
+
+    /// The triangles of a block that are not left out, by the numbers of vertices with those that are.
+    pub fn left(&self, work: &Work) -> Vec<[u32; 3]> {
+        // These have none.
+        if matches!(work, Work::Corners(_) | Work::Edges(_)) {
+            return Vec::new();
+        }
+        let mut making = Making { is_counted: true, ..Making::default() };
+        self.make(work, &mut making);
+        making.block.triangles
+    }
+
+    fn make(&self, work: &Work, making: &mut Making) {
         match (&self.base, work) {
             (Base::Triangles(base, pattern), Work::Patches { from, to, first_inner, first_vertex }) => {
-                self.patches(base, pattern, [*from, *to], [*first_inner, *first_vertex], &mut making);
+                self.patches(base, pattern, [*from, *to], [*first_inner, *first_vertex], making);
             }
             (Base::Grid(grid, pattern), Work::Tile(number)) => {
-                self.tile(grid, pattern, &grid.tile(*number), &mut making);
+                self.tile(grid, pattern, &grid.tile(*number), making);
             }
             (Base::Adapted(plane), Work::Corners(range)) => {
                 for number in range.clone() {
@@ -68,10 +100,10 @@ impl Mesher {
                     }
                 }
             }
-            (Base::Adapted(plane), Work::Tile(number)) => self.filled_tile(plane, *number, &mut making),
+            (Base::Adapted(plane), Work::Tile(number)) => self.filled_tile(plane, *number, making),
             (Base::Filled(filled), Work::Filled(range)) => {
                 for patch in range.clone() {
-                    self.filled_patch(filled, patch, &mut making);
+                    self.filled_patch(filled, patch, making);
                 }
             }
             (base, Work::Solid(first)) => {
@@ -121,23 +153,6 @@ impl Mesher {
             // The plan of one base has no work of the other.
             _ => {}
         }
-        if how.cache_order {
-            making.order();
-        }
-        let Making { mut block, smooth, folds, folds_below, .. } = making;
-        scale(&mut block, how.size);
-        let rounded = how.grid.map(|grid| round(&mut block, &grid)).unwrap_or_default();
-        let (mut bounds_m, mut is_finite) = (EMPTY, true);
-        for Vertex { position, .. } in &block.vertices {
-            bounds_m = [bounds_m[0].min(*position), bounds_m[1].max(*position)];
-            is_finite &= position.is_finite();
-        }
-        if !is_finite {
-            return None;
-        }
-        let part = how.check.then(|| CrackPart::of(&block.points, &block.corners));
-        let smooth = smooth.unwrap_or_default();
-        Some(Made { block, part, smooth, bounds_m, folds, folds_below, rounded })
     }
 
     fn patches(
@@ -176,6 +191,14 @@ impl Mesher {
             };
             // Compiled for the vectors that the machine has; the bits are the same.
             let own = Lanes::Eight.run(placing);
+            if let Some((sight, cull)) = &self.unseen {
+                // Those without all of their corners were left out when they were counted.
+                cut.triangles.retain(|corners| {
+                    let corners = corners.map(|corner| points[corner as usize]);
+                    corners.iter().all(|(numbered, _)| making.knows(numbered.number))
+                        && !sight.is_unseen(corners.map(|(_, position)| position), cull)
+                });
+            }
             making.triangles(&cut.triangles, &points, false);
             making.folds.extend(self.folded(base, patch, &cut, &points));
             first_vertex += own;
@@ -302,14 +325,20 @@ impl WithSimd for Placing<'_, '_> {
         let mut own = 0;
         for point in &self.cut.points {
             self.points.push(match *point {
-                PatchPoint::Border { side, at } => self.border.point(side, at),
+                PatchPoint::Border { side, at } => {
+                    let numbered = self.border.numbered(side, at);
+                    let is_known = self.making.knows(numbered.number);
+                    (numbered, if is_known { self.border.position(side, at) } else { Vec3::NAN })
+                }
                 PatchPoint::Inner { number, weights } => {
                     let number_of = first_vertex.wrapping_add(number).wrapping_sub(first_inner);
                     let numbered = Numbered::both(number_of);
-                    if number < first_inner {
+                    own += u32::from(number >= first_inner);
+                    if !self.making.knows(number_of) {
+                        (numbered, Vec3::NAN)
+                    } else if number < first_inner || self.making.is_counted {
                         (numbered, self.inside.position(self.relief, weights))
                     } else {
-                        own += 1;
                         let vertex = self.inside.vertex(self.relief, weights);
                         (numbered, self.making.vertex(vertex, numbered))
                     }
@@ -382,8 +411,10 @@ struct Making<'a> {
     /// The smooth numbers of the triangles' corners, if normals are to be made of these triangles.
     smooth: Option<Vec<[u32; 3]>>,
     normals: Option<&'a Normals>,
-    /// What is left beside holes, once it is known.
+    /// What is left, once it is known.
     kept: Option<&'a Kept>,
+    /// Whether it is only to be known which triangles there are.
+    is_counted: bool,
     folds: Vec<FoldedBase>,
     folds_below: Vec<FoldedBase>,
 }
@@ -395,10 +426,16 @@ impl Making<'_> {
         if let Some(normals) = self.normals {
             vertex.normal = normals.of(numbered.smooth, vertex.normal);
         }
-        if self.kept.is_none_or(|kept| kept.contains(numbered.number)) {
+        if !self.is_counted && self.knows(numbered.number) {
             self.block.vertices.push(vertex);
         }
         vertex.position
+    }
+
+    /// Whether a triangle may have the vertex of that number.
+    #[inline(always)]
+    fn knows(&self, number: u32) -> bool {
+        self.kept.is_none_or(|kept| kept.contains(number))
     }
 
     /// Adds faces that have all of their vertices, of which the first has that number.

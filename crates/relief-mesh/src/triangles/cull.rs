@@ -1,4 +1,4 @@
-//! Patches that a camera cannot see are not made.
+//! Patches beside what a camera sees are not made.
 
 use std::ops::Range;
 use std::sync::atomic::Ordering;
@@ -7,10 +7,8 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use relief_core::HeightBounds;
 
-use super::{Inside, PatchBorder, Triangles};
+use super::Triangles;
 use crate::cull::{Everything, Hull, Sight};
-use crate::interior::{Cut, Pattern};
-use crate::patch::PatchPoint;
 use crate::surface::Relief;
 use crate::view::log2;
 use crate::{BaseSurface, MeshSettings, MesherError, Watch, cubic};
@@ -21,14 +19,6 @@ const BESIDE_TEXELS: f64 = 1e-3;
 /// Levels beside its own that a point may have its height from, by rounding.
 const BESIDE_LEVELS: f64 = 1e-6;
 
-/// Steps of a patch that are made at once to see whether any triangle shows its front, and in how many rounds
-/// through the patch.
-const STEPS: u32 = 4;
-const ROUNDS: u32 = 8;
-
-/// A number of an inner point where these are no matter: others are counted from it, up and down.
-const ANY_NUMBER: u32 = 1 << 31;
-
 /// The heights of a relief: bounds of each level that may be seen.
 pub struct Bounds<'a> {
     pub relief: &'a Relief,
@@ -36,12 +26,11 @@ pub struct Bounds<'a> {
 }
 
 impl Triangles {
-    /// The same without the patches that are to be left out, and without the points that none but these have.
+    /// The same without the patches that lie outside, and without the points that none but these have.
     /// Everything else is as it was: directions, levels, and who says where seams are.
     pub fn culled(
         mut self,
         relief: &Relief,
-        pattern: &Pattern,
         settings: &MeshSettings,
         watch: &Watch,
     ) -> Result<Self, MesherError> {
@@ -53,9 +42,7 @@ impl Triangles {
                 return Err(MesherError::Cancelled);
             }
             let hull = self.hull(&bounds, patch);
-            let is_out = sight.misses(&hull, &cull.outside)
-                || (cull.backs && self.turns_its_back(relief, pattern, &sight, patch));
-            Ok((is_out, hull))
+            Ok((sight.misses(&hull, &cull.outside), hull))
         };
         let looked: Result<Vec<(bool, Hull)>, MesherError> =
             (0..self.count()).into_par_iter().map(look).collect();
@@ -181,28 +168,6 @@ impl Triangles {
         let first = (level(texels[0], depths[0]) - BESIDE_LEVELS).floor().clamp(0.0, last);
         let end = (level(texels[1], depths[1]) + BESIDE_LEVELS).ceil().clamp(0.0, last);
         first as usize..end as usize + 1
-    }
-
-    /// Whether all triangles that would be made of a patch turn their back.
-    fn turns_its_back(&self, relief: &Relief, pattern: &Pattern, sight: &Sight, patch: u32) -> bool {
-        let shape = self.patch(patch);
-        let (border, inside) = (PatchBorder::new(self, relief, patch), Inside::new(self, patch));
-        let (mut cut, mut points) = (Cut::default(), Vec::new());
-        let steps = (pattern.steps)(&shape);
-        let are_backs = |part: u32| {
-            let from = part * STEPS;
-            cut.clear();
-            points.clear();
-            (pattern.cut)(&shape, from..steps.min(from + STEPS), ANY_NUMBER, &mut cut);
-            points.extend(cut.points.iter().map(|point| match *point {
-                PatchPoint::Border { side, at } => border.point(side, at).1,
-                PatchPoint::Inner { weights, .. } => inside.position(relief, weights),
-            }));
-            cut.triangles.iter().all(|corners| sight.is_back(corners.map(|at| points[at as usize])))
-        };
-        // Parts all over the patch come first, so that what is turned is found soon.
-        let parts = steps.div_ceil(STEPS);
-        (0..ROUNDS).flat_map(|round| (round..parts).step_by(ROUNDS as usize)).all(are_backs)
     }
 }
 

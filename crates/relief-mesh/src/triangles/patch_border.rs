@@ -29,14 +29,30 @@ impl<'a> PatchBorder<'a> {
     }
 
     /// The number and the position of the point of a side that so many parts lie before.
-    #[inline(always)]
     pub fn point(&self, side: u32, at: u32) -> (Numbered, Vec3) {
+        (self.numbered(side, at), self.position(side, at))
+    }
+
+    /// The number alone.
+    #[inline(always)]
+    pub fn numbered(&self, side: u32, at: u32) -> Numbered {
         match (at, &self.sides[side as usize]) {
-            (0, _) | (_, None) => self.corners[side as usize],
+            (0, _) | (_, None) => self.corners[side as usize].0,
+            _ => {
+                let (edge, at) = self.base.on_side(self.patch, side, at);
+                self.base.edges.numbered(edge, at)
+            }
+        }
+    }
+
+    /// The position alone.
+    #[inline(always)]
+    pub fn position(&self, side: u32, at: u32) -> Vec3 {
+        match (at, &self.sides[side as usize]) {
+            (0, _) | (_, None) => self.corners[side as usize].1,
             (_, Some(along)) => {
                 let (edge, at) = self.base.on_side(self.patch, side, at);
-                let edges = &self.base.edges;
-                (edges.numbered(edge, at), along.position(self.relief, edges.place(edge, at)))
+                along.position(self.relief, self.base.edges.place(edge, at))
             }
         }
     }

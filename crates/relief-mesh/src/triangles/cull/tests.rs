@@ -8,8 +8,10 @@ use relief_core::{HeightMap, Wrap};
 
 use super::*;
 use crate::error::MOST;
-use crate::interior::Fills;
+use crate::interior::{Cut, Fills, Pattern};
+use crate::patch::PatchPoint;
 use crate::plane::Rectangle;
+use crate::triangles::{Inside, PatchBorder};
 use crate::{CrackTest, Cull, Directions, Mesher, Outside, Part, Seams, Shading, Stream, View, Watch};
 
 const SIZE: [u32; 2] = [96, 72];
@@ -74,13 +76,20 @@ impl Case {
     }
 
     /// The patches that are left, by their numbers.
-    fn kept(&self, cull: Cull) -> Vec<u32> {
-        let settings = MeshSettings { cull: Some(cull), ..self.settings };
+    fn kept(&self, outside: Outside) -> Vec<u32> {
+        let settings = MeshSettings { cull: Some(Cull { outside, backs: true }), ..self.settings };
         let mut whole = self.whole();
         // Parts of a triangle are told apart.
         whole.whole = (0..whole.count()).collect();
-        let culled = whole.culled(&self.relief, &self.pattern(), &settings, &Watch::NOBODY);
+        let culled = whole.culled(&self.relief, &settings, &Watch::NOBODY);
         culled.expect("patches").whole
+    }
+
+    fn mesher(&self, cull: Option<Cull>) -> Mesher {
+        let coarser: Vec<HeightMap> = self.relief.levels().skip(1).cloned().collect();
+        let settings = MeshSettings { cull, ..self.settings };
+        let mesher = Mesher::with_levels(&self.mesh, &self.map, &coarser, &settings, &Watch::NOBODY);
+        mesher.expect("a mesh")
     }
 
     /// The triangles of each patch.
@@ -186,8 +195,8 @@ fn is_front(view: &View, [a, b, c]: [DVec3; 3]) -> bool {
     (b - a).cross(c - a).dot(toward) > 0.0
 }
 
-/// How many patches that are left out are seen, that are left out, and that nothing is seen of.
-#[derive(Debug, Default)]
+/// How many that are left out are seen, are left out, and are not seen.
+#[derive(Clone, Copy, Debug, Default)]
 struct Found {
     seen: usize,
     out: usize,
@@ -208,7 +217,7 @@ const CHOICES: [Cull; 3] = [
     Cull { outside: Outside::ALL, backs: true },
 ];
 
-/// Whether brute force sees a patch.
+/// Whether brute force sees any triangle.
 fn sees(view: &View, cull: Cull, triangles: &[[DVec3; 3]]) -> bool {
     triangles.iter().any(|corners| {
         (cull.outside == Outside::NOTHING || is_in_picture(view, *corners))
@@ -217,26 +226,22 @@ fn sees(view: &View, cull: Cull, triangles: &[[DVec3; 3]]) -> bool {
 }
 
 #[test]
-fn nothing_that_is_seen_is_left_out_and_most_that_is_not_is() {
-    let mut all = [(); 3].map(|()| Found::default());
+fn no_patch_that_is_seen_is_left_out_and_most_that_are_not_are() {
+    let mut all = Found::default();
     for case in cases() {
         let (view, made) = (case.view(), case.made());
-        let nothing = case.kept(Cull::default());
-        assert!(nothing.into_iter().eq(0..made.len() as u32), "{}", case.what);
-        for (cull, all) in CHOICES.into_iter().zip(&mut all) {
-            let kept = case.kept(cull);
-            let mut found = Found::default();
-            for (patch, triangles) in made.iter().enumerate() {
-                let is_out = kept.binary_search(&(patch as u32)).is_err();
-                found.add(is_out, sees(&view, cull, triangles));
-            }
-            println!("{}: {cull:?}: {found:?}", case.what);
-            assert_eq!(found.seen, 0, "{}: {cull:?}: {found:?}", case.what);
-            (all.out, all.unseen) = (all.out + found.out, all.unseen + found.unseen);
+        assert!(case.kept(Outside::NOTHING).into_iter().eq(0..made.len() as u32), "{}", case.what);
+        let kept = case.kept(Outside::ALL);
+        let mut found = Found::default();
+        for (patch, triangles) in made.iter().enumerate() {
+            let is_out = kept.binary_search(&(patch as u32)).is_err();
+            found.add(is_out, sees(&view, CHOICES[0], triangles));
         }
+        assert_eq!(found.seen, 0, "{}: {found:?}", case.what);
+        (all.out, all.unseen) = (all.out + found.out, all.unseen + found.unseen);
     }
     println!("{all:?}");
-    assert!(all.iter().all(|all| 2 * all.out > all.unseen && all.out > 1000), "{all:?}");
+    assert!(2 * all.out > all.unseen && all.out > 1000, "{all:?}");
 }
 
 #[test]
@@ -279,45 +284,47 @@ fn by_vertices(mesher: &Mesher) -> Vec<[Vertex; 3]> {
 }
 
 #[test]
-fn what_is_left_has_the_bits_that_it_has_in_the_whole_mesh() {
-    let (mut left, mut all, mut empty, mut uncut) = (0, 0, 0, 0);
-    for case in cases().into_iter().step_by(3) {
-        let coarser: Vec<HeightMap> = case.relief.levels().skip(1).cloned().collect();
-        let mesher = |cull: Cull| {
-            let settings = MeshSettings { cull: Some(cull), ..case.settings };
-            let mesher = Mesher::with_levels(&case.mesh, &case.map, &coarser, &settings, &Watch::NOBODY);
-            mesher.expect("a mesh")
-        };
-        let whole = mesher(Cull::default());
-        let plain = Mesher::with_levels(&case.mesh, &case.map, &coarser, &case.settings, &Watch::NOBODY);
-        let plain = plain.expect("a mesh");
+fn no_triangle_that_is_seen_is_left_out_most_that_are_not_are_and_the_rest_is_as_it_was() {
+    let mut sums = [(); 3].map(|()| Found::default());
+    let (mut empty, mut uncut) = (0, 0);
+    for case in cases() {
+        let (whole, plain) = (case.mesher(Some(Cull::default())), case.mesher(None));
         let triangles = by_vertices(&whole);
         assert!(plain.everything().is_none());
         if case.whole().triangles.len() == case.mesh.triangles().len() {
             assert!(triangles == by_vertices(&plain), "{}", case.what);
             uncut += 1;
         }
+        let view = case.view();
         let [near, far] = whole.everything().expect("it is for a view").depths_m;
-        let camera = case.view().camera;
         for corner in triangles.iter().flatten() {
-            let depth = camera.forward().dot(corner.position.as_dvec3() - camera.eye());
+            let depth = view.camera.forward().dot(corner.position.as_dvec3() - view.camera.eye());
             assert!((near..=far).contains(&depth), "{}: {depth} of {near} to {far}", case.what);
         }
-        for cull in CHOICES {
-            let culled = mesher(cull);
+        for (cull, sums) in CHOICES.into_iter().zip(&mut sums) {
+            let culled = case.mesher(Some(cull));
             assert!(culled.everything() == whole.everything(), "{}", case.what);
             let kept = by_vertices(&culled);
-            let mut rest = triangles.iter();
-            assert!(kept.iter().all(|one| rest.any(|of_all| of_all == one)), "{}: {cull:?}", case.what);
-            (left, all) = (left + kept.len(), all + triangles.len());
+            let (mut left, mut found) = (kept.iter().peekable(), Found::default());
+            for corners in &triangles {
+                let is_kept = left.next_if_eq(&corners).is_some();
+                let positions = corners.map(|corner| corner.position.as_dvec3());
+                found.add(!is_kept, sees(&view, cull, &[positions]));
+            }
+            assert!(left.next().is_none(), "{}: {cull:?}", case.what);
+            println!("{}: {cull:?}: {found:?}", case.what);
+            assert_eq!(found.seen, 0, "{}: {cull:?}: {found:?}", case.what);
+            // Backs alone are not told of what reaches behind the eye, and some room is left around pictures.
+            let few = cull.outside == Outside::NOTHING || 10 * found.unseen < triangles.len();
+            assert!(few || 2 * found.out > found.unseen, "{}: {cull:?}: {found:?}", case.what);
+            (sums.out, sums.unseen) = (sums.out + found.out, sums.unseen + found.unseen);
             empty += usize::from(kept.is_empty());
         }
     }
-    println!("{left} of {all}, {empty} empty, {uncut} uncut");
-    assert!(
-        left < all * 2 / 3 && left > all / 50 && empty > 0 && uncut > 5,
-        "{left} of {all}, {empty} empty"
-    );
+    println!("{sums:?}, {empty} empty, {uncut} uncut");
+    assert!(sums.iter().all(|sums| sums.out > 100_000), "{sums:?}");
+    assert!([sums[0], sums[2]].iter().all(|sums| 10 * sums.out > 9 * sums.unseen), "{sums:?}");
+    assert!(empty > 0 && uncut > 15, "{empty} {uncut}");
 }
 
 #[test]
@@ -351,7 +358,7 @@ fn nothing_on_the_way_from_what_is_seen_to_a_light_is_left_out() {
         let (view, made, lights) = (case.view(), case.made(), lights[at % 3]);
         let outside = Outside::of_ways_to(lights, &view, 0.0);
         let of = |outside: Outside| -> Vec<usize> {
-            let kept = case.kept(Cull { outside, backs: false });
+            let kept = case.kept(outside);
             (0..made.len()).filter(|patch| kept.binary_search(&(*patch as u32)).is_err()).collect()
         };
         let meet = |patches: &[usize], from: DVec3, light: DVec4| {

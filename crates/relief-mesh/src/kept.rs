@@ -1,4 +1,4 @@
-//! What is left of a mesh whose triangles over holes are left out.
+//! What is left of a mesh some of whose triangles are left out: over holes, or since nothing sees them.
 
 /// Vertices of a bit set's word.
 const WORD: u32 = u64::BITS;
