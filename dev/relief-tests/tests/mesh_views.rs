@@ -12,8 +12,8 @@ use relief_mesh::{
 };
 use relief_tests::maps;
 
-/// Views of a scanned mesh.
-const SPOT_VIEWS: usize = 200;
+/// Views from all around.
+const VIEWS: usize = 200;
 
 /// The interiors that fill sides which are divided by voxels.
 fn interiors() -> Vec<&'static Interior> {
@@ -58,7 +58,7 @@ fn meshes_are_closed_from_everywhere() {
     let map = map("natural 101x67", Wrap::Mirror, 0.05);
     let levels = coarser(&map, Filter::Average);
     let mut triangles = 0;
-    for (at, camera) in cameras(50).enumerate() {
+    for (at, camera) in cameras(VIEWS).enumerate() {
         for base in &bases {
             for interior in interiors() {
                 let view = seen(camera, 150, [1.0, 3.7, 40.0][at % 3]);
@@ -87,7 +87,7 @@ fn spot_is_closed_from_everywhere() {
     let was = CrackTest::of_mesh(&base);
     let map = map("natural 101x67", Wrap::Mirror, 0.03);
     let levels = coarser(&map, Filter::Average);
-    for (at, camera) in cameras(SPOT_VIEWS).enumerate() {
+    for (at, camera) in cameras(VIEWS).enumerate() {
         for interior in interiors() {
             // Some of the eyes lie within it.
             let view = View { near_m: 0.3, ..seen(camera, 150, [2.0, 3.7, 40.0][at % 3]) };
