@@ -20,7 +20,7 @@ pub const ENTRY: Entry = Entry {
             unit: "texels",
             min: 0.000_976_562_5,
             max: 1.0,
-            default: 0.0625,
+            default: 0.05,
             integer: false,
             names: &[],
         },
