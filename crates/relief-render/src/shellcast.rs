@@ -9,7 +9,9 @@ use glam::{DVec3, Vec3, Vec3A};
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::{Bvh2, builder::build_bvh2};
-use relief_shaders::cpu::{Corner, Triangle};
+use relief_core::Lanes;
+use relief_core::pulp::{Simd, WithSimd};
+use relief_shaders::cpu::{BLOCK, Corner, Row, Triangle, places};
 
 use crate::camera::Ray;
 use crate::triangles::Triangles;
@@ -84,6 +86,112 @@ impl ShellCaster {
             waiting.extend(second);
             waiting.extend(first);
         }
+    }
+
+    /// The same of a block of rays: with the numbers of triangles come those of the rays, a bit for each, and
+    /// up to which parameter of each ray shells are still of interest, to be made less.
+    pub fn each_of_block(
+        &self,
+        rays: &BlockRays,
+        lanes: Lanes,
+        mut visit: impl FnMut(u32, u16, &mut Row<f64>),
+    ) {
+        let mut reach = [f64::INFINITY; BLOCK];
+        let enter = |node: u32, which: u16, reach: &Row<f64>| {
+            let bounds = self.bvh.nodes.get(node as usize)?.aabb();
+            let (met, nearest) = lanes.run(BoxTest { rays, bounds, extent: self.extent, reach, which });
+            (met != 0).then_some((nearest, node, met))
+        };
+        let mut waiting = Vec::with_capacity(64);
+        waiting.extend(enter(0, rays.which, &reach));
+        while let Some((_, number, which)) = waiting.pop() {
+            // Something may have been found since.
+            let Some((_, _, which)) = enter(number, which, &reach) else { continue };
+            let node = &self.bvh.nodes[number as usize];
+            if node.is_leaf() {
+                let first = node.first_index as usize;
+                for triangle in &self.bvh.primitive_indices[first..first + node.prim_count as usize] {
+                    visit(*triangle, which, &mut reach);
+                }
+                continue;
+            }
+            let [left, right] =
+                [node.first_index, node.first_index + 1].map(|child| enter(child, which, &reach));
+            // The nearer one is taken first.
+            let is_right_nearer = right.zip(left).is_some_and(|(right, left)| right.0 < left.0);
+            let (first, second) = if is_right_nearer { (right, left) } else { (left, right) };
+            waiting.extend(second);
+            waiting.extend(first);
+        }
+    }
+}
+
+/// The rays of a block, side by side.
+pub struct BlockRays {
+    origin: [Row<f64>; 3],
+    inverse: [Row<f64>; 3],
+    /// The largest absolute coordinate of each ray's origin.
+    largest: Row<f64>,
+    /// Those that there are, and that go somewhere.
+    which: u16,
+}
+
+impl BlockRays {
+    /// Those of these that `which` has bits for.
+    pub fn new(rays: Row<Ray>, which: u16) -> Self {
+        let goes = |ray: &Ray| {
+            ray.direction.abs().max_element() > 0.0 && ray.direction.is_finite() && ray.origin.is_finite()
+        };
+        Self {
+            origin: [0, 1, 2].map(|axis| rays.map(|ray| ray.origin[axis])),
+            inverse: [0, 1, 2].map(|axis| rays.map(|ray| ray.direction[axis].recip())),
+            largest: rays.map(|ray| ray.origin.abs().max_element()),
+            which: places(which).filter(|place| goes(&rays[*place])).fold(0, |bits, place| bits | 1 << place),
+        }
+    }
+}
+
+/// A box that the rays of a block may meet.
+struct BoxTest<'a> {
+    rays: &'a BlockRays,
+    bounds: &'a Aabb,
+    extent: f64,
+    reach: &'a Row<f64>,
+    which: u16,
+}
+
+impl WithSimd for BoxTest<'_> {
+    /// Which rays meet it within their reach, and where the first of them does.
+    type Output = (u16, f64);
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> Self::Output {
+        let Self { rays, bounds, extent, reach, which } = self;
+        let mut slack = [0.0; BLOCK];
+        for (slack, largest) in slack.iter_mut().zip(&rays.largest) {
+            *slack = extent.max(*largest) * BOX_SLACK;
+        }
+        let (mut entry, mut exit) = ([f64::NEG_INFINITY; BLOCK], [f64::INFINITY; BLOCK]);
+        for axis in 0..3 {
+            let [low, high] = [bounds.min[axis], bounds.max[axis]].map(f64::from);
+            let (origin, inverse) = (&rays.origin[axis], &rays.inverse[axis]);
+            for place in 0..BLOCK {
+                let a = (low - slack[place] - origin[place]) * inverse[place];
+                let b = (high + slack[place] - origin[place]) * inverse[place];
+                entry[place] = entry[place].max(a.min(b));
+                exit[place] = exit[place].min(a.max(b));
+            }
+        }
+        let (mut met, mut nearest) = (0, f64::INFINITY);
+        for place in 0..BLOCK {
+            let meets = which >> place & 1 == 1
+                && entry[place] <= exit[place]
+                && exit[place] >= 0.0
+                && entry[place] <= reach[place];
+            met |= u16::from(meets) << place;
+            nearest = if meets { nearest.min(entry[place]) } else { nearest };
+        }
+        (met, nearest)
     }
 }
 

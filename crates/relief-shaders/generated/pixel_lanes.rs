@@ -82,6 +82,16 @@ lanes! { fn zero_corner() -> Corner {
         of_surface: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
     }
 } }
+lanes! { fn splat_corner(value: &single::Corner) -> Corner {
+    Corner {
+        position: Vec3 { x: splat(value.position.x), y: splat(value.position.y), z: splat(value.position.z) },
+        normal: Vec3 { x: splat(value.normal.x), y: splat(value.normal.y), z: splat(value.normal.z) },
+        tangent: Vec3 { x: splat(value.tangent.x), y: splat(value.tangent.y), z: splat(value.tangent.z) },
+        bitangent: Vec3 { x: splat(value.bitangent.x), y: splat(value.bitangent.y), z: splat(value.bitangent.z) },
+        uv: Vec2 { x: splat(value.uv.x), y: splat(value.uv.y) },
+        of_surface: Vec3 { x: splat(value.of_surface.x), y: splat(value.of_surface.y), z: splat(value.of_surface.z) },
+    }
+} }
 
 #[derive(Clone, Copy)]
 pub struct Detail {
@@ -472,6 +482,13 @@ lanes! { fn zero_shell() -> Shell {
         lift: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
     }
 } }
+lanes! { fn splat_shell(value: &single::Shell) -> Shell {
+    Shell {
+        heights: Vec2 { x: splat(value.heights.x), y: splat(value.heights.y) },
+        order: splat_u(value.order),
+        lift: Vec3 { x: splat(value.lift.x), y: splat(value.lift.y), z: splat(value.lift.z) },
+    }
+} }
 
 #[derive(Clone, Copy)]
 pub struct PixelIn {
@@ -555,6 +572,39 @@ lanes! { fn zero_pixel_out() -> PixelOut {
         level: splat_u(0u32),
         z: splat(0f32),
         surface: splat_u(0u32),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Prism {
+    pub p0: Vec3<F>,
+    pub p1: Vec3<F>,
+    pub p2: Vec3<F>,
+    pub n0: Vec3<F>,
+    pub n1: Vec3<F>,
+    pub n2: Vec3<F>,
+    pub lift: Vec3<F>,
+}
+lanes! { fn sel_prism(m: M, a: &Prism, b: &Prism) -> Prism {
+    Prism {
+        p0: Vec3 { x: sel(m, a.p0.x, b.p0.x), y: sel(m, a.p0.y, b.p0.y), z: sel(m, a.p0.z, b.p0.z) },
+        p1: Vec3 { x: sel(m, a.p1.x, b.p1.x), y: sel(m, a.p1.y, b.p1.y), z: sel(m, a.p1.z, b.p1.z) },
+        p2: Vec3 { x: sel(m, a.p2.x, b.p2.x), y: sel(m, a.p2.y, b.p2.y), z: sel(m, a.p2.z, b.p2.z) },
+        n0: Vec3 { x: sel(m, a.n0.x, b.n0.x), y: sel(m, a.n0.y, b.n0.y), z: sel(m, a.n0.z, b.n0.z) },
+        n1: Vec3 { x: sel(m, a.n1.x, b.n1.x), y: sel(m, a.n1.y, b.n1.y), z: sel(m, a.n1.z, b.n1.z) },
+        n2: Vec3 { x: sel(m, a.n2.x, b.n2.x), y: sel(m, a.n2.y, b.n2.y), z: sel(m, a.n2.z, b.n2.z) },
+        lift: Vec3 { x: sel(m, a.lift.x, b.lift.x), y: sel(m, a.lift.y, b.lift.y), z: sel(m, a.lift.z, b.lift.z) },
+    }
+} }
+lanes! { fn zero_prism() -> Prism {
+    Prism {
+        p0: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        p1: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        p2: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        n0: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        n1: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        n2: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        lift: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
     }
 } }
 
@@ -648,6 +698,45 @@ lanes! { fn zero_seen_texel() -> SeenTexel {
     SeenTexel {
         first: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
         second: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct ShellPoint {
+    pub weights: Vec3<F>,
+    pub height: F,
+}
+lanes! { fn sel_shell_point(m: M, a: &ShellPoint, b: &ShellPoint) -> ShellPoint {
+    ShellPoint {
+        weights: Vec3 { x: sel(m, a.weights.x, b.weights.x), y: sel(m, a.weights.y, b.weights.y), z: sel(m, a.weights.z, b.weights.z) },
+        height: sel(m, a.height, b.height),
+    }
+} }
+lanes! { fn zero_shell_point() -> ShellPoint {
+    ShellPoint {
+        weights: Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) },
+        height: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct Tetrahedron {
+    pub inside: Vec2<F>,
+    pub weights: Vec4<F>,
+    pub change: Vec4<F>,
+}
+lanes! { fn sel_tetrahedron(m: M, a: &Tetrahedron, b: &Tetrahedron) -> Tetrahedron {
+    Tetrahedron {
+        inside: Vec2 { x: sel(m, a.inside.x, b.inside.x), y: sel(m, a.inside.y, b.inside.y) },
+        weights: Vec4 { x: sel(m, a.weights.x, b.weights.x), y: sel(m, a.weights.y, b.weights.y), z: sel(m, a.weights.z, b.weights.z), w: sel(m, a.weights.w, b.weights.w) },
+        change: Vec4 { x: sel(m, a.change.x, b.change.x), y: sel(m, a.change.y, b.change.y), z: sel(m, a.change.z, b.change.z), w: sel(m, a.change.w, b.change.w) },
+    }
+} }
+lanes! { fn zero_tetrahedron() -> Tetrahedron {
+    Tetrahedron {
+        inside: Vec2 { x: splat(0f32), y: splat(0f32) },
+        weights: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
+        change: Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) },
     }
 } }
 
@@ -1717,8 +1806,8 @@ lanes! { fn angle_to_image(r: &Resources<'_>, within: M, image_a0: &Image, point
     let off_39 = abs(sub(place_12.z, e_37));
     return add(angle_10, sel(le(mul(mul(off_39, width_20), div(deeper_33, wider_27)), splat(2.0f32)), splat(0.0f32), splat(2.0f32)));
 } }
-lanes! { fn lift_of(r: &Resources<'_>, lift_a0: Vec3<f32>, w_a1: Vec3<F>) -> F {
-    return add(add(mul(mul(splat(lift_a0.x), w_a1.y), w_a1.z), mul(mul(splat(lift_a0.y), w_a1.z), w_a1.x)), mul(mul(splat(lift_a0.z), w_a1.x), w_a1.y));
+lanes! { fn lift_of(r: &Resources<'_>, lift_a0: Vec3<F>, w_a1: Vec3<F>) -> F {
+    return add(add(mul(mul(lift_a0.x, w_a1.y), w_a1.z), mul(mul(lift_a0.y, w_a1.z), w_a1.x)), mul(mul(lift_a0.z, w_a1.x), w_a1.y));
 } }
 lanes! { fn path_uv(r: &Resources<'_>, path_a0: &Path, t_a1: F) -> Vec2<F> {
     return Vec2 { x: add(path_a0.uv.x, mul(path_a0.duv.x, t_a1)), y: add(path_a0.uv.y, mul(path_a0.duv.y, t_a1)) };
@@ -1774,6 +1863,35 @@ lanes! { fn bent_exit(r: &Resources<'_>, within: M, h_a0: Vec3<F>) -> F {
     let e_71 = exit_v0;
     return e_71;
 } }
+lanes! { fn ordered(r: &Resources<'_>, pixel_a0: &PixelIn, place_a1: u32) -> Corner {
+    let corner_8 = (pixel_a0.shell.order.unbounded_shr(2u32.wrapping_mul(place_a1)) & 3u32);
+    if (corner_8 == 0u32) {
+        return splat_corner(&pixel_a0.a);
+    }
+    if (corner_8 == 1u32) {
+        return splat_corner(&pixel_a0.b);
+    }
+    return splat_corner(&pixel_a0.c);
+} }
+lanes! { fn uv_of(r: &Resources<'_>, pixel_a0: &PixelIn, weights_a1: Vec3<F>) -> Vec2<F> {
+    let e_3 = ordered(r, pixel_a0, 0u32);
+    let e_8 = ordered(r, pixel_a0, 1u32);
+    let e_14 = ordered(r, pixel_a0, 2u32);
+    return Vec2 { x: add(add(mul(e_3.uv.x, weights_a1.x), mul(e_8.uv.x, weights_a1.y)), mul(e_14.uv.x, weights_a1.z)), y: add(add(mul(e_3.uv.y, weights_a1.x), mul(e_8.uv.y, weights_a1.y)), mul(e_14.uv.y, weights_a1.z)) };
+} }
+lanes! { fn beside_chord(r: &Resources<'_>, pixel_a0: &PixelIn, a_a1: &ShellPoint, m_a2: &ShellPoint, b_a3: &ShellPoint, at_a4: &ShellPoint, part_a5: f32) -> F {
+    let line_16 = Vec3 { x: add(a_a1.weights.x, mul(min_with(sub(b_a3.weights.x, a_a1.weights.x), splat(3e38f32)), splat(part_a5))), y: add(a_a1.weights.y, mul(min_with(sub(b_a3.weights.y, a_a1.weights.y), splat(3e38f32)), splat(part_a5))), z: add(a_a1.weights.z, mul(min_with(sub(b_a3.weights.z, a_a1.weights.z), splat(3e38f32)), splat(part_a5))) };
+    let e_19 = uv_of(r, pixel_a0, Vec3 { x: sub(at_a4.weights.x, line_16.x), y: sub(at_a4.weights.y, line_16.y), z: sub(at_a4.weights.z, line_16.z) });
+    let e_21 = height_size(r, splat_u(0u32));
+    let apart_23 = Vec2 { x: abs(mul(e_19.x, e_21.x)), y: abs(mul(e_19.y, e_21.y)) };
+    let bend_32 = mul(splat(2.0f32), sub(add(a_a1.height, b_a3.height), mul(splat(2.0f32), m_a2.height)));
+    let slope_36 = sub(sub(b_a3.height, a_a1.height), bend_32);
+    let height_41 = add(a_a1.height, mul(splat(part_a5), add(slope_36, mul(splat(part_a5), bend_32))));
+    return max(max(apart_23.x, apart_23.y), div(abs(sub(at_a4.height, height_41)), splat(0.0625f32)));
+} }
+lanes! { fn between(r: &Resources<'_>, a_a0: &ShellPoint, b_a1: &ShellPoint) -> ShellPoint {
+    return ShellPoint { weights: Vec3 { x: mul(splat(0.5f32), add(a_a0.weights.x, b_a1.weights.x)), y: mul(splat(0.5f32), add(a_a0.weights.y, b_a1.weights.y)), z: mul(splat(0.5f32), add(a_a0.weights.z, b_a1.weights.z)) }, height: mul(splat(0.5f32), add(a_a0.height, b_a1.height)), };
+} }
 lanes! { fn beyond_image(r: &Resources<'_>, image_a0: &Image) -> Vec2<F> {
     let e_6 = height_size(r, splat_u(0u32));
     return Vec2 { x: div(splat(0.5f32), mul(image_a0.extent.x, e_6.x)), y: div(splat(0.5f32), mul(image_a0.extent.y, e_6.y)) };
@@ -1805,22 +1923,72 @@ lanes! { fn path_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F) -> F
     let e_5 = height_at_ll(r, ex, e_3, path_a0.level);
     return sub(e_2, e_5);
 } }
-lanes! { fn gap_to(r: &Resources<'_>, path_a0: &Path, grid_a1: &Grid, cell_a2: Vec2<F>, h_a3: Vec4<F>, t_a4: f32) -> Vec3<F> {
+lanes! { fn gap_to(r: &Resources<'_>, path_a0: &Path, grid_a1: &Grid, cell_a2: Vec2<F>, h_a3: Vec4<F>, t_a4: F) -> Vec3<F> {
     let bx_7 = sub(h_a3.y, h_a3.x);
     let by_10 = sub(h_a3.z, h_a3.x);
     let twist_17 = add(sub(h_a3.x, h_a3.y), sub(h_a3.w, h_a3.z));
-    let at_22 = Vec2 { x: add(sub(grid_a1.origin.x, cell_a2.x), mul(grid_a1.step.x, splat(t_a4))), y: add(sub(grid_a1.origin.y, cell_a2.y), mul(grid_a1.step.y, splat(t_a4))) };
-    let z_32 = add(path_a0.h.x, mul(splat(t_a4), add(path_a0.h.y, mul(splat(t_a4), path_a0.h.z))));
-    let dz_40 = add(path_a0.h.y, mul(splat((2.0f32 * t_a4)), path_a0.h.z));
+    let at_22 = Vec2 { x: add(sub(grid_a1.origin.x, cell_a2.x), mul(grid_a1.step.x, t_a4)), y: add(sub(grid_a1.origin.y, cell_a2.y), mul(grid_a1.step.y, t_a4)) };
+    let z_32 = add(path_a0.h.x, mul(t_a4, add(path_a0.h.y, mul(t_a4, path_a0.h.z))));
+    let dz_40 = add(path_a0.h.y, mul(mul(splat(2.0f32), t_a4), path_a0.h.z));
     return Vec3 { x: sub(z_32, add(add(add(h_a3.x, mul(bx_7, at_22.x)), mul(by_10, at_22.y)), mul(mul(twist_17, at_22.x), at_22.y))), y: sub(dz_40, add(add(mul(bx_7, grid_a1.step.x), mul(by_10, grid_a1.step.y)), mul(twist_17, add(mul(at_22.x, grid_a1.step.y), mul(at_22.y, grid_a1.step.x))))), z: sub(path_a0.h.z, mul(mul(twist_17, grid_a1.step.x), grid_a1.step.y)) };
 } }
-lanes! { fn object_none_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32, params_a2: Vec4<f32>) -> Vec4<F> {
+lanes! { fn object_none_cell_lls(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: U, params_a2: Vec4<f32>) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_3 = height_cell_ll(r, ex, cell_a0, level_a1);
+    return e_3;
+} }
+lanes! { fn object_none_cell_lss(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32, params_a2: Vec4<f32>) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let e_3 = height_cell_ls(r, ex, cell_a0, level_a1);
     return e_3;
 } }
-lanes! { fn cell_of_images(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+lanes! { fn cell_of_images_ll(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: U) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let mut both_v0: M = splat_m(false);
+    if (r.surface_settings.cells == 0u32) {
+        let e_7 = height_cell_ll(r, ex, cell_a0, level_a1);
+        return e_7;
+    }
+    if (r.surface_settings.cells == 2u32) {
+        let h_13 = height_cell_ll(r, ex, cell_a0, level_a1);
+        let most_20 = max(max(h_13.x, h_13.y), max(h_13.z, h_13.w));
+        let least_27 = min(min(h_13.x, h_13.y), min(h_13.z, h_13.w));
+        let c1 = gt(sub(most_20, least_27), splat(r.surface_settings.jump));
+        ret = Vec4 { x: most_20, y: most_20, z: most_20, w: most_20 };
+        ex = and_not(ex, c1);
+        let y2 = h_13;
+        return Vec4 { x: sel(ex, y2.x, ret.x), y: sel(ex, y2.y, ret.y), z: sel(ex, y2.z, ret.z), w: sel(ex, y2.w, ret.w) };
+    }
+    let dual_40 = Vec2 { x: shr_i(cell_a0.x, splat_u(1u32)), y: shr_i(cell_a0.y, splat_u(1u32)) };
+    if none(ex) { return ret; }
+    let h_41 = height_cell_ll(r, ex, dual_40, level_a1);
+    let most_48 = max(max(h_41.x, h_41.y), max(h_41.z, h_41.w));
+    let least_55 = min(min(h_41.x, h_41.y), min(h_41.z, h_41.w));
+    let right_62 = eq_i(sub_i(sub_i(cell_a0.x, dual_40.x), dual_40.x), splat_i(1i32));
+    let lower_69 = eq_i(sub_i(sub_i(cell_a0.y, dual_40.y), dual_40.y), splat_i(1i32));
+    if !(r.surface_settings.cells == 3u32) {
+        both_v0 = gt(sub(most_48, least_55), splat(r.surface_settings.jump));
+    } else {
+        both_v0 = splat_m(true);
+    }
+    let e_84 = both_v0;
+    let c3 = e_84;
+    let nearest_91 = sel(lower_69, sel(right_62, h_41.w, h_41.z), sel(right_62, h_41.y, h_41.x));
+    let y4 = Vec4 { x: nearest_91, y: nearest_91, z: nearest_91, w: nearest_91 };
+    ret = Vec4 { x: sel(and(ex, c3), y4.x, ret.x), y: sel(and(ex, c3), y4.y, ret.y), z: sel(and(ex, c3), y4.z, ret.z), w: sel(and(ex, c3), y4.w, ret.w) };
+    ex = and_not(ex, c3);
+    let top_97 = mul(splat(0.5f32), add(h_41.x, h_41.y));
+    let bottom_102 = mul(splat(0.5f32), add(h_41.z, h_41.w));
+    let left_107 = mul(splat(0.5f32), add(h_41.x, h_41.z));
+    let side_112 = mul(splat(0.5f32), add(h_41.y, h_41.w));
+    let middle_115 = mul(splat(0.5f32), add(top_97, bottom_102));
+    let y5 = Vec4 { x: sel(lower_69, sel(right_62, middle_115, left_107), sel(right_62, top_97, h_41.x)), y: sel(lower_69, sel(right_62, side_112, middle_115), sel(right_62, h_41.y, top_97)), z: sel(lower_69, sel(right_62, bottom_102, h_41.z), sel(right_62, middle_115, left_107)), w: sel(lower_69, sel(right_62, h_41.w, bottom_102), sel(right_62, side_112, middle_115)) };
+    return Vec4 { x: sel(ex, y5.x, ret.x), y: sel(ex, y5.y, ret.y), z: sel(ex, y5.z, ret.z), w: sel(ex, y5.w, ret.w) };
+} }
+lanes! { fn cell_of_images_ls(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let mut both_v0: M = splat_m(false);
@@ -1864,51 +2032,111 @@ lanes! { fn cell_of_images(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level
     let y5 = Vec4 { x: sel(lower_69, sel(right_62, middle_115, left_107), sel(right_62, top_97, h_41.x)), y: sel(lower_69, sel(right_62, side_112, middle_115), sel(right_62, h_41.y, top_97)), z: sel(lower_69, sel(right_62, bottom_102, h_41.z), sel(right_62, middle_115, left_107)), w: sel(lower_69, sel(right_62, h_41.w, bottom_102), sel(right_62, side_112, middle_115)) };
     return Vec4 { x: sel(ex, y5.x, ret.x), y: sel(ex, y5.y, ret.y), z: sel(ex, y5.z, ret.z), w: sel(ex, y5.w, ret.w) };
 } }
-lanes! { fn object_depth_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32, params_a2: Vec4<f32>) -> Vec4<F> {
+lanes! { fn object_depth_cell_lls(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: U, params_a2: Vec4<f32>) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
-    let e_3 = cell_of_images(r, ex, cell_a0, level_a1);
+    let e_3 = cell_of_images_ll(r, ex, cell_a0, level_a1);
     return e_3;
 } }
-lanes! { fn cell_of_mask(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+lanes! { fn object_depth_cell_lss(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32, params_a2: Vec4<f32>) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_3 = cell_of_images_ls(r, ex, cell_a0, level_a1);
+    return e_3;
+} }
+lanes! { fn cell_of_mask_ll(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: U) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let h_2 = height_cell_ll(r, ex, cell_a0, level_a1);
+    return Vec4 { x: sel(gt(h_2.x, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), y: sel(gt(h_2.y, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), z: sel(gt(h_2.z, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), w: sel(gt(h_2.w, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)) };
+} }
+lanes! { fn cell_of_mask_ls(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let h_2 = height_cell_ls(r, ex, cell_a0, level_a1);
     return Vec4 { x: sel(gt(h_2.x, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), y: sel(gt(h_2.y, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), z: sel(gt(h_2.z, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)), w: sel(gt(h_2.w, splat(1e-5f32)), splat(1.0f32), splat(0.0f32)) };
 } }
-lanes! { fn object_hull_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32, params_a2: Vec4<f32>) -> Vec4<F> {
+lanes! { fn object_hull_cell_lls(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: U, params_a2: Vec4<f32>) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
-    let e_3 = cell_of_mask(r, ex, cell_a0, level_a1);
+    let e_3 = cell_of_mask_ll(r, ex, cell_a0, level_a1);
     return e_3;
 } }
-lanes! { fn object_blend_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32, params_a2: Vec4<f32>) -> Vec4<F> {
+lanes! { fn object_hull_cell_lss(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32, params_a2: Vec4<f32>) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_3 = cell_of_mask_ls(r, ex, cell_a0, level_a1);
+    return e_3;
+} }
+lanes! { fn object_blend_cell_lls(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: U, params_a2: Vec4<f32>) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_3 = height_cell_ll(r, ex, cell_a0, level_a1);
+    return e_3;
+} }
+lanes! { fn object_blend_cell_lss(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32, params_a2: Vec4<f32>) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let e_3 = height_cell_ls(r, ex, cell_a0, level_a1);
     return e_3;
 } }
-lanes! { fn object_cell_stage(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+lanes! { fn object_cell_stage_ll(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: U) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     match r.surface_settings.choices[3].number {
         0u32 => {
-            let e_12 = object_none_cell(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
+            let e_12 = object_none_cell_lls(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
             return e_12;
         }
         1u32 => {
-            let e_18 = object_depth_cell(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
+            let e_18 = object_depth_cell_lls(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
             return e_18;
         }
         2u32 => {
-            let e_24 = object_hull_cell(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
+            let e_24 = object_hull_cell_lls(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
             return e_24;
         }
         _ => {
-            let e_30 = object_blend_cell(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
+            let e_30 = object_blend_cell_lls(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
             return e_30;
         }
     }
+} }
+lanes! { fn object_cell_stage_ls(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    match r.surface_settings.choices[3].number {
+        0u32 => {
+            let e_12 = object_none_cell_lss(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
+            return e_12;
+        }
+        1u32 => {
+            let e_18 = object_depth_cell_lss(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
+            return e_18;
+        }
+        2u32 => {
+            let e_24 = object_hull_cell_lss(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
+            return e_24;
+        }
+        _ => {
+            let e_30 = object_blend_cell_lss(r, ex, cell_a0, level_a1, r.surface_settings.choices[3].params);
+            return e_30;
+        }
+    }
+} }
+lanes! { fn cell_gap_llll(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: &Grid, cell_a2: Vec2<F>, t_a3: F) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let e_6 = object_cell_stage_ll(r, ex, Vec2 { x: i_of_f(cell_a2.x), y: i_of_f(cell_a2.y) }, path_a0.level);
+    let e_7 = gap_to(r, path_a0, grid_a1, cell_a2, e_6, t_a3);
+    return e_7;
+} }
+lanes! { fn cell_gap_llls(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: &Grid, cell_a2: Vec2<F>, t_a3: f32) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let e_6 = object_cell_stage_ll(r, ex, Vec2 { x: i_of_f(cell_a2.x), y: i_of_f(cell_a2.y) }, path_a0.level);
+    let e_7 = gap_to(r, path_a0, grid_a1, cell_a2, e_6, splat(t_a3));
+    return e_7;
 } }
 lanes! { fn cell_leave(r: &Resources<'_>, within: M, grid_a0: &Grid, cell_a1: Vec2<F>) -> Vec2<F> {
     let mut ex = within;
@@ -1925,11 +2153,43 @@ lanes! { fn cell_leave(r: &Resources<'_>, within: M, grid_a0: &Grid, cell_a1: Ve
     let e_58 = leave_v0;
     return e_58;
 } }
+lanes! { fn cell_next(r: &Resources<'_>, within: M, grid_a0: &Grid, cell_a1: Vec2<F>, leave_a2: Vec2<F>) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut next_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    next_v0 = cell_a1;
+    let c1 = le(leave_a2.x, leave_a2.y);
+    next_v0.x = sel(c1, add(cell_a1.x, sel(gt(grid_a0.step.x, splat(0.0f32)), splat(1.0f32), splat((-1.0f32)))), next_v0.x);
+    next_v0.y = sel(not(c1), add(cell_a1.y, sel(gt(grid_a0.step.y, splat(0.0f32)), splat(1.0f32), splat((-1.0f32)))), next_v0.y);
+    let e_27 = next_v0;
+    return e_27;
+} }
 lanes! { fn cell_slopes(r: &Resources<'_>, h_a0: Vec4<F>, part_a1: Vec2<F>) -> Vec2<F> {
     let top_4 = sub(h_a0.y, h_a0.x);
     let left_7 = sub(h_a0.z, h_a0.x);
     let twist_11 = sub(sub(h_a0.w, h_a0.z), top_4);
     return Vec2 { x: add(top_4, mul(twist_11, part_a1.y)), y: add(left_7, mul(twist_11, part_a1.x)) };
+} }
+lanes! { fn chord_end(r: &Resources<'_>, at_a0: &Entered, k_a1: u32) -> F {
+    return add(at_a0.span.x, mul(min_with(sub(at_a0.span.y, at_a0.span.x), splat(3e38f32)), div(splat((k_a1 as f32)), f_of_u(at_a0.segments))));
+} }
+lanes! { fn shell_slack(r: &Resources<'_>, pixel_a0: &PixelIn, middle_a1: F) -> F {
+    let origin_3 = Vec3 { x: abs(pixel_a0.origin.x), y: abs(pixel_a0.origin.y), z: abs(pixel_a0.origin.z) };
+    return mul(splat(9.536743e-7f32), add(max(max(origin_3.x, origin_3.y), origin_3.z), abs(middle_a1)));
+} }
+lanes! { fn where_positive(r: &Resources<'_>, within: M, interval_a0: Vec2<F>, weight_a1: F, change_a2: F, slack_a3: F) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let c1 = eq(change_a2, splat(0.0f32));
+    ret = Vec2 { x: sel(ge(weight_a1, sub(splat(0.0f32), slack_a3)), interval_a0.x, splat(3e38f32)), y: interval_a0.y };
+    ex = and_not(ex, c1);
+    let t_17 = div(sub(sub(splat(0.0f32), slack_a3), weight_a1), change_a2);
+    let c2 = gt(change_a2, splat(0.0f32));
+    let y3 = Vec2 { x: max(interval_a0.x, t_17), y: interval_a0.y };
+    ret = Vec2 { x: sel(and(ex, c2), y3.x, ret.x), y: sel(and(ex, c2), y3.y, ret.y) };
+    ex = and_not(ex, c2);
+    let y4 = Vec2 { x: interval_a0.x, y: min(interval_a0.y, t_17) };
+    return Vec2 { x: sel(ex, y4.x, ret.x), y: sel(ex, y4.y, ret.y) };
 } }
 lanes! { fn inside_unit(r: &Resources<'_>, within: M, x0_a0: F, dx_a1: F, interval_a2: Vec2<F>) -> Vec2<F> {
     let mut ex = within;
@@ -2006,6 +2266,193 @@ lanes! { fn grid_of(r: &Resources<'_>, path_a0: &Path) -> Grid {
     let e_4 = object_parts_stage(r, path_a0.level);
     let parts_5 = f_of_i(e_4);
     return Grid { origin: Vec2 { x: mul(sub(mul(path_a0.uv.x, size_2.x), splat(0.5f32)), parts_5), y: mul(sub(mul(path_a0.uv.y, size_2.y), splat(0.5f32)), parts_5) }, step: Vec2 { x: mul(mul(path_a0.duv.x, size_2.x), parts_5), y: mul(mul(path_a0.duv.y, size_2.y), parts_5) }, };
+} }
+lanes! { fn rounded_gap(r: &Resources<'_>, within: M, path_a0: &Path, slack_a1: F, texels_a2: f32) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let size_4 = height_size(r, path_a0.level);
+    let e_11 = cell_of(r, Vec2 { x: sub(mul(path_a0.uv.x, size_4.x), splat(0.5f32)), y: sub(mul(path_a0.uv.y, size_4.y), splat(0.5f32)) });
+    let h_14 = height_cell_ll(r, ex, Vec2 { x: i_of_small(e_11.x), y: i_of_small(e_11.y) }, path_a0.level);
+    let range_29 = sub(max(max(h_14.x, h_14.y), max(h_14.z, h_14.w)), min(min(h_14.x, h_14.y), min(h_14.z, h_14.w)));
+    let change_32 = Vec2 { x: mul(abs(path_a0.duv.x), size_4.x), y: mul(abs(path_a0.duv.y), size_4.y) };
+    let places_37 = Vec2 { x: mul(mul(abs(path_a0.uv.x), size_4.x), splat(9.536743e-7f32)), y: mul(mul(abs(path_a0.uv.y), size_4.y), splat(9.536743e-7f32)) };
+    let aside_46 = add(add(add(mul(add(change_32.x, change_32.y), slack_a1), places_37.x), places_37.y), splat(texels_a2));
+    return add(add(mul(abs(path_a0.h.y), slack_a1), mul(range_29, aside_46)), splat(9.536743e-7f32));
+} }
+stage! { fn out_of_ground(r: &Resources<'_>, within: M, path_a0: &Path, slack_a1: F, texels_a2: f32) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let mut alive = ex;
+    let mut cell_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut t_v1: F = splat(0.0f32);
+    let mut both_v2: M = splat_m(false);
+    let mut both_v3: M = splat_m(false);
+    let mut both_v4: M = splat_m(false);
+    let grid_3 = grid_of(r, path_a0);
+    let least_4 = rounded_gap(r, ex, path_a0, slack_a1, texels_a2);
+    let e_6 = cell_of(r, Vec2 { x: grid_3.origin.x, y: grid_3.origin.y });
+    cell_v0 = e_6;
+    let e_10 = cell_v0;
+    let begin_12 = cell_gap_llls(r, ex, path_a0, &grid_3, e_10, 0.0f32);
+    let is_near_16 = ge(begin_12.x, sub(splat(0.0f32), least_4));
+    both_v2 = and(le(begin_12.x, splat(0.0f32)), gt(begin_12.y, splat(0.0f32)));
+    let comes_out_26 = both_v2;
+    both_v3 = and(is_near_16, not(comes_out_26));
+    let e_31 = both_v3;
+    let c1 = e_31;
+    ret = splat(0.0f32);
+    ex = and_not(ex, c1);
+    if none(ex) { return ret; }
+    let above_34 = rounded_gap(r, ex, path_a0, slack_a1, 0.0f32);
+    let b3 = ex;
+    'l2: loop {
+        let e_35 = t_v1;
+        let c4 = lt(e_35, path_a0.exit);
+        ex = and(ex, c4);
+        let e_38 = cell_v0;
+        if none(ex) { break 'l2; }
+        let leave_39 = cell_leave(r, ex, &grid_3, e_38);
+        let end_44 = min(min(leave_39.x, leave_39.y), path_a0.exit);
+        let e_48 = cell_v0;
+        let e_49 = t_v1;
+        let e_50 = cell_gap_llll(r, ex, path_a0, &grid_3, e_48, e_49);
+        let below_51 = Vec3 { x: sub(above_34, e_50.x), y: sub(splat(0.0f32), e_50.y), z: sub(splat(0.0f32), e_50.z) };
+        let (b5, c6) = (ex, not(gt(below_51.x, splat(0.0f32))));
+        ex = and(b5, c6);
+        if any(ex) {
+            let e_56 = t_v1;
+            ret = sel(ex, e_56, ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b5, c6);
+        let e_57 = t_v1;
+        let span_60 = max_with(sub(end_44, e_57), splat(0.0f32));
+        if none(ex) { break 'l2; }
+        let s_61 = first_root(r, ex, below_51, span_60);
+        let (b7, c8) = (ex, lt(s_61, splat(3e38f32)));
+        ex = and(b7, c8);
+        if any(ex) {
+            let e_64 = t_v1;
+            ret = sel(ex, add(e_64, s_61), ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b7, c8);
+        if none(ex) { break 'l2; }
+        let (b9, c10) = (ex, is_near_16);
+        ex = and(b9, c10);
+        if any(ex) {
+            let e_68 = quadratic(r, below_51, span_60);
+            both_v4 = sel_m(ex, gt(e_68, add(above_34, least_4)), both_v4);
+        }
+        ex = and_not(b9, c10);
+        if any(ex) {
+            both_v4 = sel_m(ex, splat_m(false), both_v4);
+        }
+        ex = b9;
+        let e_72 = both_v4;
+        let (b11, c12) = (ex, e_72);
+        ex = and(b11, c12);
+        if any(ex) {
+            ret = sel(ex, splat(0.0f32), ret);
+            alive = and_not(alive, ex);
+            ex = no_lane();
+        }
+        ex = and_not(b11, c12);
+        let e_74 = cell_v0;
+        if none(ex) { break 'l2; }
+        let e_75 = cell_next(r, ex, &grid_3, e_74, leave_39);
+        cell_v0 = e_75;
+        let e_76 = t_v1;
+        t_v1 = max(e_76, end_44);
+    }
+    ex = and(b3, alive);
+    return sel(ex, path_a0.exit, ret);
+} }
+lanes! { fn chord_path(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, middle_a2: F, params_a3: Vec4<f32>, a_a4: &ShellPoint, b_a5: &ShellPoint, bend_a6: F, ends_a7: Vec2<F>, beyond_a8: Vec3<F>) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let mut inside_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut path_v1: Path = zero_path();
+    let long_14 = sub(ends_a7.y, ends_a7.x);
+    let uv_16 = uv_of(r, pixel_a0, Vec3 { x: a_a4.weights.x, y: a_a4.weights.y, z: a_a4.weights.z });
+    let e_18 = uv_of(r, pixel_a0, Vec3 { x: b_a5.weights.x, y: b_a5.weights.y, z: b_a5.weights.z });
+    let duv_21 = Vec2 { x: div(sub(e_18.x, uv_16.x), long_14), y: div(sub(e_18.y, uv_16.y), long_14) };
+    let slope_25 = sub(sub(b_a5.height, a_a4.height), bend_a6);
+    let slack_26 = shell_slack(r, pixel_a0, middle_a2);
+    let change_31 = Vec3 { x: div(sub(b_a5.weights.x, a_a4.weights.x), long_14), y: div(sub(b_a5.weights.y, a_a4.weights.y), long_14), z: div(sub(b_a5.weights.z, a_a4.weights.z), long_14) };
+    inside_v0 = Vec2 { x: max_with(sub(sub(splat(0.0f32), middle_a2), ends_a7.x), splat(0.0f32)), y: long_14 };
+    let e_39 = inside_v0;
+    let e_44 = where_positive(r, ex, e_39, a_a4.weights.x, change_31.x, beyond_a8.x);
+    inside_v0 = e_44;
+    let e_45 = inside_v0;
+    let e_50 = where_positive(r, ex, e_45, a_a4.weights.y, change_31.y, beyond_a8.y);
+    inside_v0 = e_50;
+    let e_51 = inside_v0;
+    let e_56 = where_positive(r, ex, e_51, a_a4.weights.z, change_31.z, beyond_a8.z);
+    inside_v0 = e_56;
+    if (r.surface_settings.wrap == 1u32) {
+        let e_64 = inside_v0;
+        let e_65 = inside_unit(r, ex, uv_16.x, duv_21.x, e_64);
+        inside_v0 = e_65;
+        let e_68 = inside_v0;
+        let e_69 = inside_unit(r, ex, uv_16.y, duv_21.y, e_68);
+        inside_v0 = e_69;
+    }
+    let e_76 = inside_v0.y;
+    path_v1 = Path { uv: uv_16, duv: duv_21, h: Vec3 { x: a_a4.height, y: div(slope_25, long_14), z: div(bend_a6, mul(long_14, long_14)) }, exit: e_76, base: splat(0.0f32), metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(middle_a2, ends_a7.x), share: div(splat(1.0f32), f_of_u(at_a1.segments)), bend: splat(0.0f32), };
+    let e_90 = inside_v0.y;
+    let e_92 = inside_v0.x;
+    let (b1, c2) = (ex, not(gt(e_90, e_92)));
+    ex = and(b1, c2);
+    if any(ex) {
+        path_v1.exit = sel(ex, splat(0.0f32), path_v1.exit);
+        let e_97 = path_v1;
+        ret = e_97;
+        ex = no_lane();
+    }
+    ex = and_not(b1, c2);
+    let e_98 = path_v1;
+    let e_100 = inside_v0.x;
+    if none(ex) { return ret; }
+    let e_101 = path_from(r, &e_98, e_100);
+    path_v1 = e_101;
+    let e_104 = path_v1.h.x;
+    let above_106 = sub(e_104, splat(pixel_a0.shell.heights.y));
+    let (b3, c4) = (ex, gt(above_106, splat(0.0f32)));
+    ex = and(b3, c4);
+    if any(ex) {
+        let e_109 = path_v1;
+        let e_112 = path_v1.h.y;
+        let e_115 = path_v1.h.z;
+        let e_118 = path_v1.exit;
+        let e_119 = first_root(r, ex, Vec3 { x: above_106, y: e_112, z: e_115 }, e_118);
+        let e_121 = path_v1.exit;
+        let e_123 = path_from(r, &e_109, min(e_119, e_121));
+        path_v1 = sel_path(ex, &e_123, &path_v1);
+    }
+    ex = b3;
+    let e_125 = path_v1.exit;
+    let (b5, c6) = (ex, gt(e_125, splat(0.0f32)));
+    ex = and(b5, c6);
+    if any(ex) {
+        let e_128 = path_v1;
+        let e_129 = path_v1;
+        let e_133 = out_of_ground(r, ex, &e_129, mul(splat(4.0f32), slack_26), params_a3.x);
+        let e_134 = path_from(r, &e_128, e_133);
+        path_v1 = sel_path(ex, &e_134, &path_v1);
+    }
+    ex = b5;
+    let e_135 = path_v1;
+    return sel_path(ex, &e_135, &ret);
+} }
+lanes! { fn chord_reach(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, middle_a2: F, params_a3: Vec4<f32>) -> F {
+    let e_11 = height_size(r, splat_u(0u32));
+    let e_14 = height_size(r, splat_u(0u32));
+    let texel_17 = div(sqrt(max(at_a1.metric.x, at_a1.metric.z)), max(e_11.x, e_14.y));
+    let e_18 = shell_slack(r, pixel_a0, middle_a2);
+    return add(e_18, mul(splat((2.0f32 * params_a3.x)), texel_17));
 } }
 lanes! { fn color_at_ll(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: U) -> Vec4<F> {
     let mut ex = within;
@@ -2338,6 +2785,9 @@ lanes! { fn color_or_white(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, footpri
     let y3 = Vec3 { x: e_20.x, y: e_20.y, z: e_20.z };
     return Vec3 { x: sel(ex, y3.x, ret.x), y: sel(ex, y3.y, ret.y), z: sel(ex, y3.z, ret.z) };
 } }
+lanes! { fn comes_before(r: &Resources<'_>, a_a0: Vec2<F>, b_a1: Vec2<F>) -> U {
+    return sel_u(le(a_a0.x, b_a1.x), splat_u(1u32), splat_u(0u32));
+} }
 lanes! { fn plane_distance(r: &Resources<'_>, pixel_a0: &PixelIn, normal_a1: Vec3<F>) -> F {
     return div(add(add(add(mul(normal_a1.x, sub(splat(pixel_a0.a.position.x), pixel_a0.origin.x)), mul(normal_a1.y, sub(splat(pixel_a0.a.position.y), pixel_a0.origin.y))), mul(normal_a1.z, sub(splat(pixel_a0.a.position.z), pixel_a0.origin.z))), splat(0.0f32)), add(add(add(mul(normal_a1.x, pixel_a0.direction.x), mul(normal_a1.y, pixel_a0.direction.y)), mul(normal_a1.z, pixel_a0.direction.z)), splat(0.0f32)));
 } }
@@ -2472,16 +2922,64 @@ lanes! { fn surface_plane_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn
     let segments_87 = sel_u(e_86, splat_u(1u32), splat_u(0u32));
     return Entered { segments: segments_87, point: point_7, uv: uv_22, tangent: tangent_33, bitangent: bitangent_44, normal: normal_58, metric: metric_68, level: splat_u(0u32), facing: n_2, span: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, of_surface: Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
 } }
-lanes! { fn passed_by(r: &Resources<'_>) -> Entered {
-    let zero_3 = Vec3 { x: 0.0f32, y: 0.0f32, z: 0.0f32 };
-    let zeros_8 = Vec4 { x: 0.0f32, y: 0.0f32, z: 0.0f32, w: 0.0f32 };
-    let uv_11 = Vec2 { x: 0.0f32, y: 0.0f32 };
-    return Entered { segments: splat_u(0u32), point: Vec3 { x: splat(zero_3.x), y: splat(zero_3.y), z: splat(zero_3.z) }, uv: Vec2 { x: splat(uv_11.x), y: splat(uv_11.y) }, tangent: Vec3 { x: splat(zero_3.x), y: splat(zero_3.y), z: splat(zero_3.z) }, bitangent: Vec3 { x: splat(zero_3.x), y: splat(zero_3.y), z: splat(zero_3.z) }, normal: Vec3 { x: splat(zero_3.x), y: splat(zero_3.y), z: splat(zero_3.z) }, metric: Vec4 { x: splat(zeros_8.x), y: splat(zeros_8.y), z: splat(zeros_8.z), w: splat(zeros_8.w) }, level: splat_u(0u32), facing: Vec3 { x: splat(zero_3.x), y: splat(zero_3.y), z: splat(zero_3.z) }, span: Vec2 { x: splat(uv_11.x), y: splat(uv_11.y) }, of_surface: Vec4 { x: splat(zeros_8.x), y: splat(zeros_8.y), z: splat(zeros_8.z), w: splat(zeros_8.w) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
+lanes! { fn middle_of(r: &Resources<'_>, pixel_a0: &PixelIn, along_a1: Vec3<F>) -> F {
+    let centre_11 = Vec3 { x: (((pixel_a0.a.position.x + pixel_a0.b.position.x) + pixel_a0.c.position.x) * 0.33333334f32), y: (((pixel_a0.a.position.y + pixel_a0.b.position.y) + pixel_a0.c.position.y) * 0.33333334f32), z: (((pixel_a0.a.position.z + pixel_a0.b.position.z) + pixel_a0.c.position.z) * 0.33333334f32) };
+    return add(add(add(mul(sub(splat(centre_11.x), pixel_a0.origin.x), along_a1.x), mul(sub(splat(centre_11.y), pixel_a0.origin.y), along_a1.y)), mul(sub(splat(centre_11.z), pixel_a0.origin.z), along_a1.z)), splat(0.0f32));
 } }
-stage! { fn surface_prism_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
+lanes! { fn prism_of(r: &Resources<'_>, pixel_a0: &PixelIn, along_a1: Vec3<F>, middle_a2: F, params_a3: Vec4<f32>) -> Prism {
+    let origin_6 = Vec3 { x: add(pixel_a0.origin.x, mul(along_a1.x, middle_a2)), y: add(pixel_a0.origin.y, mul(along_a1.y, middle_a2)), z: add(pixel_a0.origin.z, mul(along_a1.z, middle_a2)) };
+    let a_8 = ordered(r, pixel_a0, 0u32);
+    let b_10 = ordered(r, pixel_a0, 1u32);
+    let c_12 = ordered(r, pixel_a0, 2u32);
+    let e_32 = (params_a3.y * pixel_a0.side);
+    return Prism { p0: Vec3 { x: sub(a_8.position.x, origin_6.x), y: sub(a_8.position.y, origin_6.y), z: sub(a_8.position.z, origin_6.z) }, p1: Vec3 { x: sub(b_10.position.x, origin_6.x), y: sub(b_10.position.y, origin_6.y), z: sub(b_10.position.z, origin_6.z) }, p2: Vec3 { x: sub(c_12.position.x, origin_6.x), y: sub(c_12.position.y, origin_6.y), z: sub(c_12.position.z, origin_6.z) }, n0: Vec3 { x: mul(a_8.normal.x, splat(pixel_a0.side)), y: mul(a_8.normal.y, splat(pixel_a0.side)), z: mul(a_8.normal.z, splat(pixel_a0.side)) }, n1: Vec3 { x: mul(b_10.normal.x, splat(pixel_a0.side)), y: mul(b_10.normal.y, splat(pixel_a0.side)), z: mul(b_10.normal.z, splat(pixel_a0.side)) }, n2: Vec3 { x: mul(c_12.normal.x, splat(pixel_a0.side)), y: mul(c_12.normal.y, splat(pixel_a0.side)), z: mul(c_12.normal.z, splat(pixel_a0.side)) }, lift: Vec3 { x: splat((pixel_a0.shell.lift.x * e_32)), y: splat((pixel_a0.shell.lift.y * e_32)), z: splat((pixel_a0.shell.lift.z * e_32)) }, };
+} }
+lanes! { fn frame_at(r: &Resources<'_>, pixel_a0: &PixelIn, weights_a1: Vec3<F>, point_a2: Vec3<F>, uv_a3: Vec2<F>, facing_a4: Vec3<F>) -> Entered {
+    let a_6 = ordered(r, pixel_a0, 0u32);
+    let b_8 = ordered(r, pixel_a0, 1u32);
+    let c_10 = ordered(r, pixel_a0, 2u32);
+    let tangent_21 = Vec3 { x: add(add(mul(a_6.tangent.x, weights_a1.x), mul(b_8.tangent.x, weights_a1.y)), mul(c_10.tangent.x, weights_a1.z)), y: add(add(mul(a_6.tangent.y, weights_a1.x), mul(b_8.tangent.y, weights_a1.y)), mul(c_10.tangent.y, weights_a1.z)), z: add(add(mul(a_6.tangent.z, weights_a1.x), mul(b_8.tangent.z, weights_a1.y)), mul(c_10.tangent.z, weights_a1.z)) };
+    let bitangent_32 = Vec3 { x: add(add(mul(a_6.bitangent.x, weights_a1.x), mul(b_8.bitangent.x, weights_a1.y)), mul(c_10.bitangent.x, weights_a1.z)), y: add(add(mul(a_6.bitangent.y, weights_a1.x), mul(b_8.bitangent.y, weights_a1.y)), mul(c_10.bitangent.y, weights_a1.z)), z: add(add(mul(a_6.bitangent.z, weights_a1.x), mul(b_8.bitangent.z, weights_a1.y)), mul(c_10.bitangent.z, weights_a1.z)) };
+    let normal_43 = Vec3 { x: add(add(mul(a_6.normal.x, weights_a1.x), mul(b_8.normal.x, weights_a1.y)), mul(c_10.normal.x, weights_a1.z)), y: add(add(mul(a_6.normal.y, weights_a1.x), mul(b_8.normal.y, weights_a1.y)), mul(c_10.normal.y, weights_a1.z)), z: add(add(mul(a_6.normal.z, weights_a1.x), mul(b_8.normal.z, weights_a1.y)), mul(c_10.normal.z, weights_a1.z)) };
+    let metric_50 = Vec4 { x: add(add(add(mul(tangent_21.x, tangent_21.x), mul(tangent_21.y, tangent_21.y)), mul(tangent_21.z, tangent_21.z)), splat(0.0f32)), y: add(add(add(mul(tangent_21.x, bitangent_32.x), mul(tangent_21.y, bitangent_32.y)), mul(tangent_21.z, bitangent_32.z)), splat(0.0f32)), z: add(add(add(mul(bitangent_32.x, bitangent_32.x), mul(bitangent_32.y, bitangent_32.y)), mul(bitangent_32.z, bitangent_32.z)), splat(0.0f32)), w: splat(r.surface_settings.scale_m) };
+    let length1 = sqrt(add(add(mul(normal_43.x, normal_43.x), mul(normal_43.y, normal_43.y)), mul(normal_43.z, normal_43.z)));
+    let e_51 = Vec3 { x: div(normal_43.x, length1), y: div(normal_43.y, length1), z: div(normal_43.z, length1) };
+    let unit_53 = Vec3 { x: mul(e_51.x, splat(pixel_a0.side)), y: mul(e_51.y, splat(pixel_a0.side)), z: mul(e_51.z, splat(pixel_a0.side)) };
+    return Entered { segments: splat_u(1u32), point: point_a2, uv: uv_a3, tangent: tangent_21, bitangent: bitangent_32, normal: unit_53, metric: metric_50, level: splat_u(0u32), facing: facing_a4, span: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, of_surface: Vec4 { x: splat(0.0f32), y: splat(0.0f32), z: splat(0.0f32), w: splat(0.0f32) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
+} }
+lanes! { fn facing_of(r: &Resources<'_>, pixel_a0: &PixelIn, along_a1: Vec3<F>) -> Vec3<F> {
+    let normal_2 = plane_normal(r, pixel_a0);
+    let e_6 = div(splat(pixel_a0.side), sqrt(add(add(add(mul(normal_2.x, normal_2.x), mul(normal_2.y, normal_2.y)), mul(normal_2.z, normal_2.z)), splat(0.0f32))));
+    let unit_7 = Vec3 { x: mul(normal_2.x, e_6), y: mul(normal_2.y, e_6), z: mul(normal_2.z, e_6) };
+    let cosine_10 = sub(splat(0.0f32), add(add(add(mul(unit_7.x, along_a1.x), mul(unit_7.y, along_a1.y)), mul(unit_7.z, along_a1.z)), splat(0.0f32)));
+    let e_14 = max_with(sub(splat(0.0625f32), cosine_10), splat(0.0f32));
+    return Vec3 { x: sub(unit_7.x, mul(along_a1.x, e_14)), y: sub(unit_7.y, mul(along_a1.y, e_14)), z: sub(unit_7.z, mul(along_a1.z, e_14)) };
+} }
+lanes! { fn shell_middle(r: &Resources<'_>, pixel_a0: &PixelIn, along_a1: Vec3<F>) -> Entered {
+    let mut at_v0: Entered = zero_entered();
+    let third_5 = Vec3 { x: 0.33333334f32, y: 0.33333334f32, z: 0.33333334f32 };
+    let uv_15 = Vec2 { x: (((pixel_a0.a.uv.x + pixel_a0.b.uv.x) + pixel_a0.c.uv.x) * 0.33333334f32), y: (((pixel_a0.a.uv.y + pixel_a0.b.uv.y) + pixel_a0.c.uv.y) * 0.33333334f32) };
+    let e_17 = middle_of(r, pixel_a0, along_a1);
+    let point_19 = Vec3 { x: add(pixel_a0.origin.x, mul(along_a1.x, e_17)), y: add(pixel_a0.origin.y, mul(along_a1.y, e_17)), z: add(pixel_a0.origin.z, mul(along_a1.z, e_17)) };
+    let e_20 = facing_of(r, pixel_a0, along_a1);
+    let e_21 = frame_at(r, pixel_a0, Vec3 { x: splat(third_5.x), y: splat(third_5.y), z: splat(third_5.z) }, point_19, Vec2 { x: splat(uv_15.x), y: splat(uv_15.y) }, e_20);
+    at_v0 = e_21;
+    at_v0.segments = splat_u(0u32);
+    let e_25 = at_v0;
+    return e_25;
+} }
+lanes! { fn offsets_of(r: &Resources<'_>, shell_a0: &Shell) -> Vec2<F> {
+    let width_11 = (r.surface_settings.shell_m.y - r.surface_settings.shell_m.x).min(3e38f32);
+    let quarter_15 = Vec3 { x: 0.25f32, y: 0.25f32, z: 0.25f32 };
+    let zero_19 = Vec3 { x: 0.0f32, y: 0.0f32, z: 0.0f32 };
+    let lowered_22 = add(add(add(mul(min_with(shell_a0.lift.x, splat(zero_19.x)), splat(quarter_15.x)), mul(min_with(shell_a0.lift.y, splat(zero_19.y)), splat(quarter_15.y))), mul(min_with(shell_a0.lift.z, splat(zero_19.z)), splat(quarter_15.z))), splat(0.0f32));
+    let lifted_25 = add(add(add(mul(max_with(shell_a0.lift.x, splat(zero_19.x)), splat(quarter_15.x)), mul(max_with(shell_a0.lift.y, splat(zero_19.y)), splat(quarter_15.y))), mul(max_with(shell_a0.lift.z, splat(zero_19.z)), splat(quarter_15.z))), splat(0.0f32));
+    return Vec2 { x: add(add(splat(r.surface_settings.shell_m.x), mul(splat(width_11), shell_a0.heights.x)), lowered_22), y: add(add(splat(r.surface_settings.shell_m.x), mul(splat(width_11), shell_a0.heights.y)), lifted_25) };
+} }
+stage! { fn folded_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
     if none(within) { return zero_entered(); }
     let pixel_a0 = singles_pixel_in(pixel_a0);
-    let one = |lane: usize| r.surface_prism_enter(pixel_a0[lane], params_a1);
+    let one = |lane: usize| r.folded_enter(pixel_a0[lane], params_a1);
     let mut rest = bits_of(within);
     let mut results = [one(rest.trailing_zeros() as usize); LANES];
     rest &= rest - 1;
@@ -2491,6 +2989,209 @@ stage! { fn surface_prism_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn
         rest &= rest - 1;
     }
     lanes_of_entered(&results)
+} }
+lanes! { fn in_slab(r: &Resources<'_>, within: M, interval_a0: Vec2<F>, normal_a1: Vec3<F>, a_a2: Vec3<F>, b_a3: Vec3<F>, c_a4: Vec3<F>, d_a5: Vec3<F>, along_a6: Vec3<F>, slack_a7: F) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let far_12 = Vec4 { x: add(add(add(mul(normal_a1.x, a_a2.x), mul(normal_a1.y, a_a2.y)), mul(normal_a1.z, a_a2.z)), splat(0.0f32)), y: add(add(add(mul(normal_a1.x, b_a3.x), mul(normal_a1.y, b_a3.y)), mul(normal_a1.z, b_a3.z)), splat(0.0f32)), z: add(add(add(mul(normal_a1.x, c_a4.x), mul(normal_a1.y, c_a4.y)), mul(normal_a1.z, c_a4.z)), splat(0.0f32)), w: add(add(add(mul(normal_a1.x, d_a5.x), mul(normal_a1.y, d_a5.y)), mul(normal_a1.z, d_a5.z)), splat(0.0f32)) };
+    let least_19 = min(min(far_12.x, far_12.y), min(far_12.z, far_12.w));
+    let most_26 = max(max(far_12.x, far_12.y), max(far_12.z, far_12.w));
+    let beyond_28 = mul(slack_a7, sqrt(add(add(mul(normal_a1.x, normal_a1.x), mul(normal_a1.y, normal_a1.y)), mul(normal_a1.z, normal_a1.z))));
+    let change_29 = add(add(add(mul(normal_a1.x, along_a6.x), mul(normal_a1.y, along_a6.y)), mul(normal_a1.z, along_a6.z)), splat(0.0f32));
+    let inside_32 = where_positive(r, ex, interval_a0, sub(splat(0.0f32), least_19), change_29, beyond_28);
+    let e_35 = where_positive(r, ex, inside_32, most_26, sub(splat(0.0f32), change_29), beyond_28);
+    return e_35;
+} }
+lanes! { fn span_of(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, prism_a1: &Prism, along_a2: Vec3<F>, middle_a3: F, params_a4: Vec4<f32>) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut shell_v0: Shell = zero_shell();
+    let mut span_v1: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    shell_v0 = splat_shell(&pixel_a0.shell);
+    let e_9 = shell_v0.lift;
+    shell_v0.lift = Vec3 { x: mul(e_9.x, splat(params_a4.y)), y: mul(e_9.y, splat(params_a4.y)), z: mul(e_9.z, splat(params_a4.y)) };
+    let e_12 = shell_v0;
+    let offsets_13 = offsets_of(r, &e_12);
+    let slack_14 = shell_slack(r, pixel_a0, middle_a3);
+    let low0_19 = Vec3 { x: add(prism_a1.p0.x, mul(prism_a1.n0.x, offsets_13.x)), y: add(prism_a1.p0.y, mul(prism_a1.n0.y, offsets_13.x)), z: add(prism_a1.p0.z, mul(prism_a1.n0.z, offsets_13.x)) };
+    let low1_24 = Vec3 { x: add(prism_a1.p1.x, mul(prism_a1.n1.x, offsets_13.x)), y: add(prism_a1.p1.y, mul(prism_a1.n1.y, offsets_13.x)), z: add(prism_a1.p1.z, mul(prism_a1.n1.z, offsets_13.x)) };
+    let low2_29 = Vec3 { x: add(prism_a1.p2.x, mul(prism_a1.n2.x, offsets_13.x)), y: add(prism_a1.p2.y, mul(prism_a1.n2.y, offsets_13.x)), z: add(prism_a1.p2.z, mul(prism_a1.n2.z, offsets_13.x)) };
+    let high0_34 = Vec3 { x: add(prism_a1.p0.x, mul(prism_a1.n0.x, offsets_13.y)), y: add(prism_a1.p0.y, mul(prism_a1.n0.y, offsets_13.y)), z: add(prism_a1.p0.z, mul(prism_a1.n0.z, offsets_13.y)) };
+    let high1_39 = Vec3 { x: add(prism_a1.p1.x, mul(prism_a1.n1.x, offsets_13.y)), y: add(prism_a1.p1.y, mul(prism_a1.n1.y, offsets_13.y)), z: add(prism_a1.p1.z, mul(prism_a1.n1.z, offsets_13.y)) };
+    let high2_44 = Vec3 { x: add(prism_a1.p2.x, mul(prism_a1.n2.x, offsets_13.y)), y: add(prism_a1.p2.y, mul(prism_a1.n2.y, offsets_13.y)), z: add(prism_a1.p2.z, mul(prism_a1.n2.z, offsets_13.y)) };
+    span_v1 = Vec2 { x: sub(splat(0.0f32), middle_a3), y: splat(3e38f32) };
+    let e_50 = span_v1;
+    let e_51 = Vec3 { x: sub(low1_24.x, low0_19.x), y: sub(low1_24.y, low0_19.y), z: sub(low1_24.z, low0_19.z) };
+    let e_52 = Vec3 { x: sub(low2_29.x, low0_19.x), y: sub(low2_29.y, low0_19.y), z: sub(low2_29.z, low0_19.z) };
+    let e_54 = in_slab(r, ex, e_50, Vec3 { x: sub(mul(e_51.y, e_52.z), mul(e_51.z, e_52.y)), y: sub(mul(e_51.z, e_52.x), mul(e_51.x, e_52.z)), z: sub(mul(e_51.x, e_52.y), mul(e_51.y, e_52.x)) }, low0_19, high0_34, high1_39, high2_44, along_a2, slack_14);
+    span_v1 = e_54;
+    let e_55 = span_v1;
+    let e_56 = Vec3 { x: sub(high1_39.x, high0_34.x), y: sub(high1_39.y, high0_34.y), z: sub(high1_39.z, high0_34.z) };
+    let e_57 = Vec3 { x: sub(high2_44.x, high0_34.x), y: sub(high2_44.y, high0_34.y), z: sub(high2_44.z, high0_34.z) };
+    let e_59 = in_slab(r, ex, e_55, Vec3 { x: sub(mul(e_56.y, e_57.z), mul(e_56.z, e_57.y)), y: sub(mul(e_56.z, e_57.x), mul(e_56.x, e_57.z)), z: sub(mul(e_56.x, e_57.y), mul(e_56.y, e_57.x)) }, high0_34, low0_19, low1_24, low2_29, along_a2, slack_14);
+    span_v1 = e_59;
+    let e_61 = span_v1.y;
+    let e_63 = span_v1.x;
+    let c1 = not(gt(e_61, e_63));
+    let e_66 = span_v1;
+    ret = e_66;
+    ex = and_not(ex, c1);
+    let e_67 = span_v1;
+    if none(ex) { return ret; }
+    let e_68 = Vec3 { x: sub(high1_39.x, low0_19.x), y: sub(high1_39.y, low0_19.y), z: sub(high1_39.z, low0_19.z) };
+    let e_69 = Vec3 { x: sub(low1_24.x, high0_34.x), y: sub(low1_24.y, high0_34.y), z: sub(low1_24.z, high0_34.z) };
+    let e_71 = in_slab(r, ex, e_67, Vec3 { x: sub(mul(e_68.y, e_69.z), mul(e_68.z, e_69.y)), y: sub(mul(e_68.z, e_69.x), mul(e_68.x, e_69.z)), z: sub(mul(e_68.x, e_69.y), mul(e_68.y, e_69.x)) }, low0_19, low1_24, low2_29, high2_44, along_a2, slack_14);
+    span_v1 = e_71;
+    let e_72 = span_v1;
+    let e_73 = Vec3 { x: sub(high2_44.x, low1_24.x), y: sub(high2_44.y, low1_24.y), z: sub(high2_44.z, low1_24.z) };
+    let e_74 = Vec3 { x: sub(low2_29.x, high1_39.x), y: sub(low2_29.y, high1_39.y), z: sub(low2_29.z, high1_39.z) };
+    let e_76 = in_slab(r, ex, e_72, Vec3 { x: sub(mul(e_73.y, e_74.z), mul(e_73.z, e_74.y)), y: sub(mul(e_73.z, e_74.x), mul(e_73.x, e_74.z)), z: sub(mul(e_73.x, e_74.y), mul(e_73.y, e_74.x)) }, low1_24, low2_29, low0_19, high0_34, along_a2, slack_14);
+    span_v1 = e_76;
+    let e_78 = span_v1.y;
+    let e_80 = span_v1.x;
+    let c2 = not(gt(e_78, e_80));
+    let e_83 = span_v1;
+    let y3 = e_83;
+    ret = Vec2 { x: sel(and(ex, c2), y3.x, ret.x), y: sel(and(ex, c2), y3.y, ret.y) };
+    ex = and_not(ex, c2);
+    let e_84 = span_v1;
+    if none(ex) { return ret; }
+    let e_85 = Vec3 { x: sub(high0_34.x, low2_29.x), y: sub(high0_34.y, low2_29.y), z: sub(high0_34.z, low2_29.z) };
+    let e_86 = Vec3 { x: sub(low0_19.x, high2_44.x), y: sub(low0_19.y, high2_44.y), z: sub(low0_19.z, high2_44.z) };
+    let e_88 = in_slab(r, ex, e_84, Vec3 { x: sub(mul(e_85.y, e_86.z), mul(e_85.z, e_86.y)), y: sub(mul(e_85.z, e_86.x), mul(e_85.x, e_86.z)), z: sub(mul(e_85.x, e_86.y), mul(e_85.y, e_86.x)) }, low2_29, low0_19, low1_24, high1_39, along_a2, slack_14);
+    span_v1 = e_88;
+    let e_89 = span_v1;
+    let y4 = e_89;
+    return Vec2 { x: sel(ex, y4.x, ret.x), y: sel(ex, y4.y, ret.y) };
+} }
+lanes! { fn passed_by(r: &Resources<'_>) -> Entered {
+    let zero_3 = Vec3 { x: 0.0f32, y: 0.0f32, z: 0.0f32 };
+    let zeros_8 = Vec4 { x: 0.0f32, y: 0.0f32, z: 0.0f32, w: 0.0f32 };
+    let uv_11 = Vec2 { x: 0.0f32, y: 0.0f32 };
+    return Entered { segments: splat_u(0u32), point: Vec3 { x: splat(zero_3.x), y: splat(zero_3.y), z: splat(zero_3.z) }, uv: Vec2 { x: splat(uv_11.x), y: splat(uv_11.y) }, tangent: Vec3 { x: splat(zero_3.x), y: splat(zero_3.y), z: splat(zero_3.z) }, bitangent: Vec3 { x: splat(zero_3.x), y: splat(zero_3.y), z: splat(zero_3.z) }, normal: Vec3 { x: splat(zero_3.x), y: splat(zero_3.y), z: splat(zero_3.z) }, metric: Vec4 { x: splat(zeros_8.x), y: splat(zeros_8.y), z: splat(zeros_8.z), w: splat(zeros_8.w) }, level: splat_u(0u32), facing: Vec3 { x: splat(zero_3.x), y: splat(zero_3.y), z: splat(zero_3.z) }, span: Vec2 { x: splat(uv_11.x), y: splat(uv_11.y) }, of_surface: Vec4 { x: splat(zeros_8.x), y: splat(zeros_8.y), z: splat(zeros_8.z), w: splat(zeros_8.w) }, footprint: splat(0.0f32), fade: splat(0.0f32), depth: splat(0.0f32), };
+} }
+stage! { fn shell_point_from(r: &Resources<'_>, within: M, prism_a0: &Prism, place_a1: Vec3<F>, from_point_a2: &ShellPoint) -> ShellPoint {
+    let mut ex = within;
+    let mut ret: ShellPoint = zero_shell_point();
+    let mut w_v0: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let mut h_v1: F = splat(0f32);
+    let mut step_v2: U = splat_u(0u32);
+    let width_13 = (r.surface_settings.shell_m.y - r.surface_settings.shell_m.x).min(3e38f32);
+    w_v0 = Vec3 { x: from_point_a2.weights.x, y: from_point_a2.weights.y, z: from_point_a2.weights.z };
+    h_v1 = from_point_a2.height;
+    let b2 = ex;
+    'l1: loop {
+        let e_21 = step_v2;
+        let c3 = lt_u(e_21, splat_u(6u32));
+        ex = and(ex, c3);
+        let e_24 = step_v2;
+        step_v2 = add_u(e_24, splat_u(1u32));
+        let e_27 = h_v1;
+        let e_30 = w_v0;
+        if none(ex) { break 'l1; }
+        let e_31 = lift_of(r, Vec3 { x: prism_a0.lift.x, y: prism_a0.lift.y, z: prism_a0.lift.z }, e_30);
+        let offset_32 = add(add(splat(r.surface_settings.shell_m.x), mul(splat(width_13), e_27)), e_31);
+        let e_35 = w_v0.x;
+        let e_39 = w_v0.y;
+        let e_44 = w_v0.z;
+        let normal_46 = Vec3 { x: add(add(mul(prism_a0.n0.x, e_35), mul(prism_a0.n1.x, e_39)), mul(prism_a0.n2.x, e_44)), y: add(add(mul(prism_a0.n0.y, e_35), mul(prism_a0.n1.y, e_39)), mul(prism_a0.n2.y, e_44)), z: add(add(mul(prism_a0.n0.z, e_35), mul(prism_a0.n1.z, e_39)), mul(prism_a0.n2.z, e_44)) };
+        let e_49 = w_v0.x;
+        let e_53 = w_v0.y;
+        let e_58 = w_v0.z;
+        let base_60 = Vec3 { x: add(add(mul(prism_a0.p0.x, e_49), mul(prism_a0.p1.x, e_53)), mul(prism_a0.p2.x, e_58)), y: add(add(mul(prism_a0.p0.y, e_49), mul(prism_a0.p1.y, e_53)), mul(prism_a0.p2.y, e_58)), z: add(add(mul(prism_a0.p0.z, e_49), mul(prism_a0.p1.z, e_53)), mul(prism_a0.p2.z, e_58)) };
+        let rest_63 = Vec3 { x: sub(sub(place_a1.x, base_60.x), mul(normal_46.x, offset_32)), y: sub(sub(place_a1.y, base_60.y), mul(normal_46.y, offset_32)), z: sub(sub(place_a1.z, base_60.z), mul(normal_46.z, offset_32)) };
+        let e_66 = w_v0.x;
+        let e_68 = w_v0.y;
+        let e_72 = w_v0.z;
+        let second_77 = add(mul(prism_a0.lift.z, sub(e_66, e_68)), mul(e_72, sub(prism_a0.lift.x, prism_a0.lift.y)));
+        let e_80 = w_v0.x;
+        let e_82 = w_v0.z;
+        let e_86 = w_v0.y;
+        let third_91 = add(mul(prism_a0.lift.y, sub(e_80, e_82)), mul(e_86, sub(prism_a0.lift.x, prism_a0.lift.z)));
+        let a_101 = Vec3 { x: add(add(sub(prism_a0.p1.x, prism_a0.p0.x), mul(sub(prism_a0.n1.x, prism_a0.n0.x), offset_32)), mul(normal_46.x, second_77)), y: add(add(sub(prism_a0.p1.y, prism_a0.p0.y), mul(sub(prism_a0.n1.y, prism_a0.n0.y), offset_32)), mul(normal_46.y, second_77)), z: add(add(sub(prism_a0.p1.z, prism_a0.p0.z), mul(sub(prism_a0.n1.z, prism_a0.n0.z), offset_32)), mul(normal_46.z, second_77)) };
+        let b_111 = Vec3 { x: add(add(sub(prism_a0.p2.x, prism_a0.p0.x), mul(sub(prism_a0.n2.x, prism_a0.n0.x), offset_32)), mul(normal_46.x, third_91)), y: add(add(sub(prism_a0.p2.y, prism_a0.p0.y), mul(sub(prism_a0.n2.y, prism_a0.n0.y), offset_32)), mul(normal_46.y, third_91)), z: add(add(sub(prism_a0.p2.z, prism_a0.p0.z), mul(sub(prism_a0.n2.z, prism_a0.n0.z), offset_32)), mul(normal_46.z, third_91)) };
+        let c_112 = Vec3 { x: mul(normal_46.x, splat(width_13)), y: mul(normal_46.y, splat(width_13)), z: mul(normal_46.z, splat(width_13)) };
+        let across_113 = Vec3 { x: sub(mul(b_111.y, c_112.z), mul(b_111.z, c_112.y)), y: sub(mul(b_111.z, c_112.x), mul(b_111.x, c_112.z)), z: sub(mul(b_111.x, c_112.y), mul(b_111.y, c_112.x)) };
+        let one_over_116 = div(splat(1.0f32), add(add(add(mul(a_101.x, across_113.x), mul(a_101.y, across_113.y)), mul(a_101.z, across_113.z)), splat(0.0f32)));
+        let db_118 = mul(add(add(add(mul(rest_63.x, across_113.x), mul(rest_63.y, across_113.y)), mul(rest_63.z, across_113.z)), splat(0.0f32)), one_over_116);
+        let dc_121 = mul(add(add(add(mul(rest_63.x, sub(mul(c_112.y, a_101.z), mul(c_112.z, a_101.y))), mul(rest_63.y, sub(mul(c_112.z, a_101.x), mul(c_112.x, a_101.z)))), mul(rest_63.z, sub(mul(c_112.x, a_101.y), mul(c_112.y, a_101.x)))), splat(0.0f32)), one_over_116);
+        let dh_124 = mul(add(add(add(mul(rest_63.x, sub(mul(a_101.y, b_111.z), mul(a_101.z, b_111.y))), mul(rest_63.y, sub(mul(a_101.z, b_111.x), mul(a_101.x, b_111.z)))), mul(rest_63.z, sub(mul(a_101.x, b_111.y), mul(a_101.y, b_111.x)))), splat(0.0f32)), one_over_116);
+        let e_126 = w_v0.x;
+        let e_130 = w_v0.y;
+        let e_133 = w_v0.z;
+        let (m4, y5) = (ex, Vec3 { x: sub(sub(e_126, db_118), dc_121), y: add(e_130, db_118), z: add(e_133, dc_121) });
+        w_v0 = Vec3 { x: sel(m4, y5.x, w_v0.x), y: sel(m4, y5.y, w_v0.y), z: sel(m4, y5.z, w_v0.z) };
+        let e_136 = h_v1;
+        h_v1 = sel(ex, add(e_136, dh_124), h_v1);
+        let c6 = lt(max(max(abs(db_118), abs(dc_121)), abs(dh_124)), splat(0.001f32));
+        ex = and_not(ex, c6);
+        if none(ex) { break 'l1; }
+    }
+    ex = b2;
+    let e_145 = w_v0;
+    let e_146 = h_v1;
+    return ShellPoint { weights: e_145, height: e_146, };
+} }
+lanes! { fn shell_point(r: &Resources<'_>, within: M, prism_a0: &Prism, place_a1: Vec3<F>, height_a2: F) -> ShellPoint {
+    let mut ex = within;
+    let mut ret: ShellPoint = zero_shell_point();
+    let e_8 = shell_point_from(r, ex, prism_a0, place_a1, &ShellPoint { weights: Vec3 { x: splat(0.28125f32), y: splat(0.375f32), z: splat(0.34375f32) }, height: height_a2, });
+    return e_8;
+} }
+lanes! { fn surface_prism_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut both_v0: M = splat_m(false);
+    let mut at_v1: Entered = zero_entered();
+    if (pixel_a0.shell.order >= 64u32) {
+        let e_6 = folded_enter(r, ex, pixel_a0, params_a1);
+        return e_6;
+    }
+    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let along_8 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let middle_9 = middle_of(r, pixel_a0, along_8);
+    let prism_10 = prism_of(r, pixel_a0, along_8, middle_9, params_a1);
+    let span_11 = span_of(r, ex, pixel_a0, &prism_10, along_8, middle_9, params_a1);
+    let long_16 = min_with(sub(span_11.y, span_11.x), splat(3e38f32));
+    both_v0 = or(not(gt(long_16, splat(0.0f32))), not(lt(long_16, splat(3e38f32))));
+    let e_27 = both_v0;
+    let (b2, c3) = (ex, e_27);
+    ex = and(b2, c3);
+    if any(ex) {
+        let e_28 = passed_by(r);
+        ret = e_28;
+        ex = no_lane();
+    }
+    ex = and_not(b2, c3);
+    if none(ex) { return ret; }
+    let e_29 = shell_middle(r, pixel_a0, along_8);
+    at_v1 = e_29;
+    at_v1.span = span_11;
+    let height_40 = (0.5f32 * (pixel_a0.shell.heights.x + pixel_a0.shell.heights.y));
+    let e_43 = at_v1.span.x;
+    let a_45 = shell_point(r, ex, &prism_10, Vec3 { x: mul(along_8.x, e_43), y: mul(along_8.y, e_43), z: mul(along_8.z, e_43) }, splat(height_40));
+    let e_48 = at_v1.span.y;
+    let b_50 = shell_point(r, ex, &prism_10, Vec3 { x: mul(along_8.x, e_48), y: mul(along_8.y, e_48), z: mul(along_8.z, e_48) }, splat(height_40));
+    let e_53 = at_v1.span.x;
+    let e_58 = between(r, &a_45, &b_50);
+    let e_56 = add(e_53, mul(splat(0.5f32), long_16));
+    let m_59 = shell_point_from(r, ex, &prism_10, Vec3 { x: mul(along_8.x, e_56), y: mul(along_8.y, e_56), z: mul(along_8.z, e_56) }, &e_58);
+    let e_62 = at_v1.span.x;
+    let e_67 = between(r, &a_45, &m_59);
+    let e_65 = add(e_62, mul(splat(0.25f32), long_16));
+    let before_68 = shell_point_from(r, ex, &prism_10, Vec3 { x: mul(along_8.x, e_65), y: mul(along_8.y, e_65), z: mul(along_8.z, e_65) }, &e_67);
+    let e_71 = at_v1.span.x;
+    let e_76 = between(r, &m_59, &b_50);
+    let e_74 = add(e_71, mul(splat(0.75f32), long_16));
+    let after_77 = shell_point_from(r, ex, &prism_10, Vec3 { x: mul(along_8.x, e_74), y: mul(along_8.y, e_74), z: mul(along_8.z, e_74) }, &e_76);
+    let e_79 = beside_chord(r, pixel_a0, &a_45, &m_59, &b_50, &before_68, 0.25f32);
+    let e_81 = beside_chord(r, pixel_a0, &a_45, &m_59, &b_50, &after_77, 0.75f32);
+    let quarters_82 = max(e_79, e_81);
+    let e_84 = beside_chord(r, pixel_a0, &a_45, &m_59, &b_50, &m_59, 0.5f32);
+    let most_85 = max(e_84, quarters_82);
+    at_v1.segments = u_of_f(min_with(max_with(ceil(sqrt(div(most_85, splat(params_a1.x)))), splat(1.0f32)), splat(32.0f32)));
+    let e_95 = at_v1;
+    return sel_entered(ex, &e_95, &ret);
 } }
 lanes! { fn weight_at(r: &Resources<'_>, order_a0: u32, weights_a1: Vec3<F>) -> F {
     let corner_3 = (order_a0 & 3u32);
@@ -2514,7 +3215,7 @@ lanes! { fn quadric_of(r: &Resources<'_>, pixel_a0: &PixelIn, point_a1: Vec3<F>,
         height_v0 = (if (pixel_a0.side > 0.0f32) { 1.0f32 } else { ((2.0f32 * e_30) - 1.0f32) });
     }
     let e_43 = ordered_weights(r, &pixel_a0.shell, w_4);
-    let e_44 = lift_of(r, Vec3 { x: pixel_a0.shell.lift.x, y: pixel_a0.shell.lift.y, z: pixel_a0.shell.lift.z }, e_43);
+    let e_44 = lift_of(r, Vec3 { x: splat(pixel_a0.shell.lift.x), y: splat(pixel_a0.shell.lift.y), z: splat(pixel_a0.shell.lift.z) }, e_43);
     let lifted_47 = mul(e_44, splat((lift_a2 * pixel_a0.side)));
     let e_50 = height_v0;
     let e_51 = r.traced_scale_m();
@@ -2560,19 +3261,139 @@ lanes! { fn surface_quadric_perpendicular_enter(r: &Resources<'_>, within: M, pi
     let e_34 = at_v0;
     return e_34;
 } }
-stage! { fn surface_tetrahedra_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
-    if none(within) { return zero_entered(); }
-    let pixel_a0 = singles_pixel_in(pixel_a0);
-    let one = |lane: usize| r.surface_tetrahedra_enter(pixel_a0[lane], params_a1);
-    let mut rest = bits_of(within);
-    let mut results = [one(rest.trailing_zeros() as usize); LANES];
-    rest &= rest - 1;
-    while rest != 0 {
-        let lane = rest.trailing_zeros() as usize;
-        results[lane] = one(lane);
-        rest &= rest - 1;
+lanes! { fn moved_out(r: &Resources<'_>, corner_a0: &Corner, side_a1: f32, offset_a2: f32) -> Vec3<F> {
+    let e_5 = (side_a1 * offset_a2);
+    return Vec3 { x: add(corner_a0.position.x, mul(corner_a0.normal.x, splat(e_5))), y: add(corner_a0.position.y, mul(corner_a0.normal.y, splat(e_5))), z: add(corner_a0.position.z, mul(corner_a0.normal.z, splat(e_5))) };
+} }
+lanes! { fn raised(r: &Resources<'_>, corner_a0: &Corner, side_a1: f32, height_a2: f32) -> Vec3<F> {
+    let e_14 = moved_out(r, corner_a0, side_a1, (r.surface_settings.shell_m.x + ((r.surface_settings.shell_m.y - r.surface_settings.shell_m.x).min(3e38f32) * height_a2)));
+    return e_14;
+} }
+lanes! { fn tetrahedron(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, along_a1: Vec3<F>, middle_a2: F, number_a3: u32) -> Tetrahedron {
+    let mut ex = within;
+    let mut ret: Tetrahedron = zero_tetrahedron();
+    let mut inside_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut both_v1: M = splat_m(false);
+    let origin_6 = Vec3 { x: add(pixel_a0.origin.x, mul(along_a1.x, middle_a2)), y: add(pixel_a0.origin.y, mul(along_a1.y, middle_a2)), z: add(pixel_a0.origin.z, mul(along_a1.z, middle_a2)) };
+    let is_first_8 = (number_a3 == 0u32);
+    let is_last_10 = (number_a3 == 2u32);
+    let e_12 = ordered(r, pixel_a0, 0u32);
+    let e_15 = raised(r, &e_12, pixel_a0.side, 0.0f32);
+    let q0_16 = Vec3 { x: sub(e_15.x, origin_6.x), y: sub(e_15.y, origin_6.y), z: sub(e_15.z, origin_6.z) };
+    let e_20 = ordered(r, pixel_a0, (if is_last_10 { 0u32 } else { 1u32 }));
+    let e_25 = raised(r, &e_20, pixel_a0.side, (if is_last_10 { 1.0f32 } else { 0.0f32 }));
+    let q1_26 = Vec3 { x: sub(e_25.x, origin_6.x), y: sub(e_25.y, origin_6.y), z: sub(e_25.z, origin_6.z) };
+    let third_30 = ordered(r, pixel_a0, (if is_first_8 { 2u32 } else { 1u32 }));
+    let e_35 = raised(r, &third_30, pixel_a0.side, (if is_first_8 { 0.0f32 } else { 1.0f32 }));
+    let q2_36 = Vec3 { x: sub(e_35.x, origin_6.x), y: sub(e_35.y, origin_6.y), z: sub(e_35.z, origin_6.z) };
+    let e_38 = ordered(r, pixel_a0, 2u32);
+    let e_41 = raised(r, &e_38, pixel_a0.side, 1.0f32);
+    let q3_42 = Vec3 { x: sub(e_41.x, origin_6.x), y: sub(e_41.y, origin_6.y), z: sub(e_41.z, origin_6.z) };
+    let e1_43 = Vec3 { x: sub(q1_26.x, q0_16.x), y: sub(q1_26.y, q0_16.y), z: sub(q1_26.z, q0_16.z) };
+    let e2_44 = Vec3 { x: sub(q2_36.x, q0_16.x), y: sub(q2_36.y, q0_16.y), z: sub(q2_36.z, q0_16.z) };
+    let e3_45 = Vec3 { x: sub(q3_42.x, q0_16.x), y: sub(q3_42.y, q0_16.y), z: sub(q3_42.z, q0_16.z) };
+    let n1_46 = Vec3 { x: sub(mul(e2_44.y, e3_45.z), mul(e2_44.z, e3_45.y)), y: sub(mul(e2_44.z, e3_45.x), mul(e2_44.x, e3_45.z)), z: sub(mul(e2_44.x, e3_45.y), mul(e2_44.y, e3_45.x)) };
+    let n2_47 = Vec3 { x: sub(mul(e3_45.y, e1_43.z), mul(e3_45.z, e1_43.y)), y: sub(mul(e3_45.z, e1_43.x), mul(e3_45.x, e1_43.z)), z: sub(mul(e3_45.x, e1_43.y), mul(e3_45.y, e1_43.x)) };
+    let n3_48 = Vec3 { x: sub(mul(e1_43.y, e2_44.z), mul(e1_43.z, e2_44.y)), y: sub(mul(e1_43.z, e2_44.x), mul(e1_43.x, e2_44.z)), z: sub(mul(e1_43.x, e2_44.y), mul(e1_43.y, e2_44.x)) };
+    let e_49 = Vec3 { x: sub(e2_44.x, e1_43.x), y: sub(e2_44.y, e1_43.y), z: sub(e2_44.z, e1_43.z) };
+    let e_50 = Vec3 { x: sub(e3_45.x, e1_43.x), y: sub(e3_45.y, e1_43.y), z: sub(e3_45.z, e1_43.z) };
+    let n0_51 = Vec3 { x: sub(mul(e_49.y, e_50.z), mul(e_49.z, e_50.y)), y: sub(mul(e_49.z, e_50.x), mul(e_49.x, e_50.z)), z: sub(mul(e_49.x, e_50.y), mul(e_49.y, e_50.x)) };
+    let volume_52 = add(add(add(mul(e1_43.x, n1_46.x), mul(e1_43.y, n1_46.y)), mul(e1_43.z, n1_46.z)), splat(0.0f32));
+    let w1_56 = div(sub(splat(0.0f32), add(add(add(mul(q0_16.x, n1_46.x), mul(q0_16.y, n1_46.y)), mul(q0_16.z, n1_46.z)), splat(0.0f32))), volume_52);
+    let w2_60 = div(sub(splat(0.0f32), add(add(add(mul(q0_16.x, n2_47.x), mul(q0_16.y, n2_47.y)), mul(q0_16.z, n2_47.z)), splat(0.0f32))), volume_52);
+    let w3_64 = div(sub(splat(0.0f32), add(add(add(mul(q0_16.x, n3_48.x), mul(q0_16.y, n3_48.y)), mul(q0_16.z, n3_48.z)), splat(0.0f32))), volume_52);
+    let w0_66 = div(add(add(add(mul(q1_26.x, n0_51.x), mul(q1_26.y, n0_51.y)), mul(q1_26.z, n0_51.z)), splat(0.0f32)), volume_52);
+    let g1_68 = div(add(add(add(mul(along_a1.x, n1_46.x), mul(along_a1.y, n1_46.y)), mul(along_a1.z, n1_46.z)), splat(0.0f32)), volume_52);
+    let g2_70 = div(add(add(add(mul(along_a1.x, n2_47.x), mul(along_a1.y, n2_47.y)), mul(along_a1.z, n2_47.z)), splat(0.0f32)), volume_52);
+    let g3_72 = div(add(add(add(mul(along_a1.x, n3_48.x), mul(along_a1.y, n3_48.y)), mul(along_a1.z, n3_48.z)), splat(0.0f32)), volume_52);
+    let g0_76 = sub(splat(0.0f32), div(add(add(add(mul(along_a1.x, n0_51.x), mul(along_a1.y, n0_51.y)), mul(along_a1.z, n0_51.z)), splat(0.0f32)), volume_52));
+    let e_77 = shell_slack(r, pixel_a0, middle_a2);
+    let slack_79 = div(e_77, abs(volume_52));
+    inside_v0 = Vec2 { x: sub(splat(0.0f32), middle_a2), y: splat(3e38f32) };
+    let e_85 = inside_v0;
+    let e_88 = where_positive(r, ex, e_85, w0_66, g0_76, mul(slack_79, sqrt(add(add(mul(n0_51.x, n0_51.x), mul(n0_51.y, n0_51.y)), mul(n0_51.z, n0_51.z)))));
+    inside_v0 = e_88;
+    let e_89 = inside_v0;
+    let e_92 = where_positive(r, ex, e_89, w1_56, g1_68, mul(slack_79, sqrt(add(add(mul(n1_46.x, n1_46.x), mul(n1_46.y, n1_46.y)), mul(n1_46.z, n1_46.z)))));
+    inside_v0 = e_92;
+    let e_93 = inside_v0;
+    let e_96 = where_positive(r, ex, e_93, w2_60, g2_70, mul(slack_79, sqrt(add(add(mul(n2_47.x, n2_47.x), mul(n2_47.y, n2_47.y)), mul(n2_47.z, n2_47.z)))));
+    inside_v0 = e_96;
+    let e_97 = inside_v0;
+    let e_100 = where_positive(r, ex, e_97, w3_64, g3_72, mul(slack_79, sqrt(add(add(mul(n3_48.x, n3_48.x), mul(n3_48.y, n3_48.y)), mul(n3_48.z, n3_48.z)))));
+    inside_v0 = e_100;
+    let e_109 = inside_v0.y;
+    both_v1 = or(not(gt(abs(volume_52), splat(0.0f32))), not(lt(e_109, splat(3e38f32))));
+    let e_114 = both_v1;
+    let c1 = e_114;
+    let (m2, y3) = (c1, Vec2 { x: splat(3e38f32), y: splat((-3e38f32)) });
+    inside_v0 = Vec2 { x: sel(m2, y3.x, inside_v0.x), y: sel(m2, y3.y, inside_v0.y) };
+    if is_first_8 {
+        let e_118 = inside_v0;
+        return Tetrahedron { inside: e_118, weights: Vec4 { x: w0_66, y: w1_56, z: add(w2_60, w3_64), w: w3_64 }, change: Vec4 { x: g0_76, y: g1_68, z: add(g2_70, g3_72), w: g3_72 }, };
     }
-    lanes_of_entered(&results)
+    if is_last_10 {
+        let upper_128 = Vec2 { x: add(add(w1_56, w2_60), w3_64), y: add(add(g1_68, g2_70), g3_72) };
+        let e_129 = inside_v0;
+        return Tetrahedron { inside: e_129, weights: Vec4 { x: add(w0_66, w1_56), y: w2_60, z: w3_64, w: upper_128.x }, change: Vec4 { x: add(g0_76, g1_68), y: g2_70, z: g3_72, w: upper_128.y }, };
+    }
+    let e_137 = inside_v0;
+    return Tetrahedron { inside: e_137, weights: Vec4 { x: w0_66, y: add(w1_56, w2_60), z: w3_64, w: add(w2_60, w3_64) }, change: Vec4 { x: g0_76, y: add(g1_68, g2_70), z: g3_72, w: add(g2_70, g3_72) }, };
+} }
+lanes! { fn is_met(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, along_a1: Vec3<F>, middle_a2: F, number_a3: u32) -> M {
+    let mut ex = within;
+    let mut ret: M = splat_m(false);
+    let e_4 = tetrahedron(r, ex, pixel_a0, along_a1, middle_a2, number_a3);
+    return gt(e_4.inside.y, e_4.inside.x);
+} }
+lanes! { fn surface_tetrahedra_enter(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, params_a1: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut both_v0: M = splat_m(false);
+    let mut both_v1: M = splat_m(false);
+    let mut at_v2: Entered = zero_entered();
+    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let along_3 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let middle_4 = middle_of(r, pixel_a0, along_3);
+    let e_6 = is_met(r, ex, pixel_a0, along_3, middle_4, 0u32);
+    let (b2, c3) = (ex, not(e_6));
+    ex = and(b2, c3);
+    if any(ex) {
+        let e_11 = is_met(r, ex, pixel_a0, along_3, middle_4, 1u32);
+        both_v0 = sel_m(ex, not(e_11), both_v0);
+    }
+    ex = and_not(b2, c3);
+    if any(ex) {
+        both_v0 = sel_m(ex, splat_m(false), both_v0);
+    }
+    ex = b2;
+    let e_14 = both_v0;
+    let (b4, c5) = (ex, e_14);
+    ex = and(b4, c5);
+    if any(ex) {
+        let e_18 = is_met(r, ex, pixel_a0, along_3, middle_4, 2u32);
+        both_v1 = sel_m(ex, not(e_18), both_v1);
+    }
+    ex = and_not(b4, c5);
+    if any(ex) {
+        both_v1 = sel_m(ex, splat_m(false), both_v1);
+    }
+    ex = b4;
+    let is_passed_by_21 = both_v1;
+    let (b6, c7) = (ex, is_passed_by_21);
+    ex = and(b6, c7);
+    if any(ex) {
+        let e_22 = passed_by(r);
+        ret = e_22;
+        ex = no_lane();
+    }
+    ex = and_not(b6, c7);
+    if none(ex) { return ret; }
+    let e_23 = shell_middle(r, pixel_a0, along_3);
+    at_v2 = e_23;
+    at_v2.segments = splat_u(3u32);
+    let e_27 = at_v2;
+    return sel_entered(ex, &e_27, &ret);
 } }
 lanes! { fn triangle_distance(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, normal_a1: Vec3<F>) -> F {
     let mut ex = within;
@@ -2942,11 +3763,11 @@ lanes! { fn surface_plane_segment(r: &Resources<'_>, within: M, pixel_a0: &Pixel
     let e_87 = enter_v0;
     return Path { uv: Vec2 { x: add(at_a1.uv.x, mul(e_9.x, e_76)), y: add(at_a1.uv.y, mul(e_9.y, e_76)) }, duv: Vec2 { x: e_9.x, y: e_9.y }, h: Vec3 { x: entry_height_68, y: slope_19, z: splat(0.0f32) }, exit: sub(e_81, e_82), base: base_74, metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(distance_22, e_87), share: splat(1.0f32), bend: splat(0.0f32), };
 } }
-stage! { fn surface_prism_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+stage! { fn folded_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
     if none(within) { return zero_path(); }
     let pixel_a0 = singles_pixel_in(pixel_a0);
     let at_a1 = singles_entered(at_a1);
-    let one = |lane: usize| r.surface_prism_segment(pixel_a0[lane], at_a1[lane], k_a2, params_a3);
+    let one = |lane: usize| r.folded_segment(pixel_a0[lane], at_a1[lane], k_a2, params_a3);
     let mut rest = bits_of(within);
     let mut results = [one(rest.trailing_zeros() as usize); LANES];
     rest &= rest - 1;
@@ -2956,6 +3777,38 @@ stage! { fn surface_prism_segment(r: &Resources<'_>, within: M, pixel_a0: &Pixel
         rest &= rest - 1;
     }
     lanes_of_path(&results)
+} }
+lanes! { fn surface_prism_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    if (pixel_a0.shell.order >= 64u32) {
+        let e_8 = folded_segment(r, ex, pixel_a0, at_a1, k_a2, params_a3);
+        return e_8;
+    }
+    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let along_10 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let middle_11 = middle_of(r, pixel_a0, along_10);
+    let prism_12 = prism_of(r, pixel_a0, along_10, middle_11, params_a3);
+    let mean_19 = (0.5f32 * (pixel_a0.shell.heights.x + pixel_a0.shell.heights.y));
+    let first_20 = chord_end(r, at_a1, k_a2);
+    let last_23 = chord_end(r, at_a1, k_a2.wrapping_add(1u32));
+    let a_25 = shell_point(r, ex, &prism_12, Vec3 { x: mul(along_10.x, first_20), y: mul(along_10.y, first_20), z: mul(along_10.z, first_20) }, splat(mean_19));
+    let b_27 = shell_point(r, ex, &prism_12, Vec3 { x: mul(along_10.x, last_23), y: mul(along_10.y, last_23), z: mul(along_10.z, last_23) }, splat(mean_19));
+    let e_32 = between(r, &a_25, &b_27);
+    let e_30 = mul(splat(0.5f32), add(first_20, last_23));
+    let m_33 = shell_point_from(r, ex, &prism_12, Vec3 { x: mul(along_10.x, e_30), y: mul(along_10.y, e_30), z: mul(along_10.z, e_30) }, &e_32);
+    let bend_42 = mul(splat(2.0f32), sub(add(a_25.height, b_27.height), mul(splat(2.0f32), m_33.height)));
+    let e_56 = chord_reach(r, pixel_a0, at_a1, middle_11, params_a3);
+    let e_45 = Vec3 { x: sub(prism_12.p2.x, prism_12.p1.x), y: sub(prism_12.p2.y, prism_12.p1.y), z: sub(prism_12.p2.z, prism_12.p1.z) };
+    let e_59 = Vec3 { x: sub(prism_12.p1.x, prism_12.p0.x), y: sub(prism_12.p1.y, prism_12.p0.y), z: sub(prism_12.p1.z, prism_12.p0.z) };
+    let e_62 = Vec3 { x: sub(prism_12.p2.x, prism_12.p0.x), y: sub(prism_12.p2.y, prism_12.p0.y), z: sub(prism_12.p2.z, prism_12.p0.z) };
+    let e_63 = Vec3 { x: sub(mul(e_59.y, e_62.z), mul(e_59.z, e_62.y)), y: sub(mul(e_59.z, e_62.x), mul(e_59.x, e_62.z)), z: sub(mul(e_59.x, e_62.y), mul(e_59.y, e_62.x)) };
+    let e_65 = div(e_56, sqrt(add(add(mul(e_63.x, e_63.x), mul(e_63.y, e_63.y)), mul(e_63.z, e_63.z))));
+    let e_49 = Vec3 { x: sub(prism_12.p0.x, prism_12.p2.x), y: sub(prism_12.p0.y, prism_12.p2.y), z: sub(prism_12.p0.z, prism_12.p2.z) };
+    let e_53 = Vec3 { x: sub(prism_12.p1.x, prism_12.p0.x), y: sub(prism_12.p1.y, prism_12.p0.y), z: sub(prism_12.p1.z, prism_12.p0.z) };
+    let beyond_66 = Vec3 { x: mul(sqrt(add(add(mul(e_45.x, e_45.x), mul(e_45.y, e_45.y)), mul(e_45.z, e_45.z))), e_65), y: mul(sqrt(add(add(mul(e_49.x, e_49.x), mul(e_49.y, e_49.y)), mul(e_49.z, e_49.z))), e_65), z: mul(sqrt(add(add(mul(e_53.x, e_53.x), mul(e_53.y, e_53.y)), mul(e_53.z, e_53.z))), e_65) };
+    let e_68 = chord_path(r, ex, pixel_a0, at_a1, middle_11, params_a3, &a_25, &b_27, bend_42, Vec2 { x: first_20, y: last_23 }, beyond_66);
+    return e_68;
 } }
 lanes! { fn surface_quadric_perpendicular_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
     let mut ex = within;
@@ -3101,20 +3954,73 @@ lanes! { fn surface_quadric_vertical_segment(r: &Resources<'_>, within: M, pixel
     let e_156 = path_v5;
     return e_156;
 } }
-stage! { fn surface_tetrahedra_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
-    if none(within) { return zero_path(); }
-    let pixel_a0 = singles_pixel_in(pixel_a0);
-    let at_a1 = singles_entered(at_a1);
-    let one = |lane: usize| r.surface_tetrahedra_segment(pixel_a0[lane], at_a1[lane], k_a2, params_a3);
-    let mut rest = bits_of(within);
-    let mut results = [one(rest.trailing_zeros() as usize); LANES];
-    rest &= rest - 1;
-    while rest != 0 {
-        let lane = rest.trailing_zeros() as usize;
-        results[lane] = one(lane);
-        rest &= rest - 1;
+lanes! { fn surface_tetrahedra_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
+    let mut ex = within;
+    let mut ret: Path = zero_path();
+    let mut chosen_v0: Tetrahedron = zero_tetrahedron();
+    let mut inside_v1: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut path_v2: Path = zero_path();
+    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let along_5 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let middle_6 = middle_of(r, pixel_a0, along_5);
+    let first_8 = tetrahedron(r, ex, pixel_a0, along_5, middle_6, 0u32);
+    let second_10 = tetrahedron(r, ex, pixel_a0, along_5, middle_6, 1u32);
+    let third_12 = tetrahedron(r, ex, pixel_a0, along_5, middle_6, 2u32);
+    let first_second_15 = comes_before(r, Vec2 { x: first_8.inside.x, y: first_8.inside.y }, Vec2 { x: second_10.inside.x, y: second_10.inside.y });
+    let first_third_18 = comes_before(r, Vec2 { x: first_8.inside.x, y: first_8.inside.y }, Vec2 { x: third_12.inside.x, y: third_12.inside.y });
+    let second_third_21 = comes_before(r, Vec2 { x: second_10.inside.x, y: second_10.inside.y }, Vec2 { x: third_12.inside.x, y: third_12.inside.y });
+    chosen_v0 = first_8;
+    let c2 = eq_u(add_u(first_second_15, sub_u(splat_u(1u32), second_third_21)), splat_u(k_a2));
+    chosen_v0 = sel_tetrahedron(c2, &second_10, &chosen_v0);
+    let c3 = eq_u(add_u(first_third_18, second_third_21), splat_u(k_a2));
+    chosen_v0 = sel_tetrahedron(c3, &third_12, &chosen_v0);
+    let a_30 = ordered(r, pixel_a0, 0u32);
+    let b_32 = ordered(r, pixel_a0, 1u32);
+    let c_34 = ordered(r, pixel_a0, 2u32);
+    let w_36 = chosen_v0.weights;
+    let g_38 = chosen_v0.change;
+    let uv_49 = Vec2 { x: add(add(mul(a_30.uv.x, w_36.x), mul(b_32.uv.x, w_36.y)), mul(c_34.uv.x, w_36.z)), y: add(add(mul(a_30.uv.y, w_36.x), mul(b_32.uv.y, w_36.y)), mul(c_34.uv.y, w_36.z)) };
+    let duv_60 = Vec2 { x: add(add(mul(a_30.uv.x, g_38.x), mul(b_32.uv.x, g_38.y)), mul(c_34.uv.x, g_38.z)), y: add(add(mul(a_30.uv.y, g_38.x), mul(b_32.uv.y, g_38.y)), mul(c_34.uv.y, g_38.z)) };
+    let slack_61 = shell_slack(r, pixel_a0, middle_6);
+    let beyond_66 = add(splat(1e-6f32), mul(slack_61, abs(g_38.w)));
+    let e_68 = chosen_v0.inside;
+    inside_v1 = e_68;
+    let e_70 = inside_v1;
+    let e_77 = where_positive(r, ex, e_70, sub(w_36.w, splat(pixel_a0.shell.heights.x)), g_38.w, beyond_66);
+    inside_v1 = e_77;
+    let e_78 = inside_v1;
+    let e_87 = where_positive(r, ex, e_78, sub(splat(pixel_a0.shell.heights.y), w_36.w), sub(splat(0.0f32), g_38.w), beyond_66);
+    inside_v1 = e_87;
+    if (r.surface_settings.wrap == 1u32) {
+        let e_95 = inside_v1;
+        let e_96 = inside_unit(r, ex, uv_49.x, duv_60.x, e_95);
+        inside_v1 = e_96;
+        let e_99 = inside_v1;
+        let e_100 = inside_unit(r, ex, uv_49.y, duv_60.y, e_99);
+        inside_v1 = e_100;
     }
-    lanes_of_path(&results)
+    let whole_123 = add(add(max_with(sub(first_8.inside.y, first_8.inside.x), splat(0.0f32)), max_with(sub(second_10.inside.y, second_10.inside.x), splat(0.0f32))), max_with(sub(third_12.inside.y, third_12.inside.x), splat(0.0f32)));
+    let e_125 = inside_v1.x;
+    let e_131 = inside_v1.x;
+    let e_138 = inside_v1.y;
+    let e_140 = inside_v1.x;
+    let e_146 = inside_v1.x;
+    let e_149 = inside_v1.y;
+    let e_151 = inside_v1.x;
+    path_v2 = Path { uv: Vec2 { x: add(uv_49.x, mul(duv_60.x, e_125)), y: add(uv_49.y, mul(duv_60.y, e_125)) }, duv: duv_60, h: Vec3 { x: add(w_36.w, mul(g_38.w, e_131)), y: g_38.w, z: splat(0.0f32) }, exit: sub(e_138, e_140), base: splat(0.0f32), metric: Vec4 { x: at_a1.metric.x, y: at_a1.metric.y, z: at_a1.metric.z, w: at_a1.metric.w }, ray: splat_u(0u32), level: at_a1.level, start: add(middle_6, e_146), share: div(sub(e_149, e_151), whole_123), bend: splat(0.0f32), };
+    let e_159 = path_v2.exit;
+    let (b4, c5) = (ex, gt(e_159, splat(0.0f32)));
+    ex = and(b4, c5);
+    if any(ex) {
+        let e_162 = path_v2;
+        let e_163 = path_v2;
+        let e_167 = out_of_ground(r, ex, &e_163, mul(splat(4.0f32), slack_61), 0.0f32);
+        let e_168 = path_from(r, &e_162, e_167);
+        path_v2 = sel_path(ex, &e_168, &path_v2);
+    }
+    ex = b4;
+    let e_169 = path_v2;
+    return e_169;
 } }
 lanes! { fn surface_facets_segment(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, k_a2: u32, params_a3: Vec4<f32>) -> Path {
     let mut ex = within;
@@ -3420,7 +4326,7 @@ lanes! { fn on_image(r: &Resources<'_>, within: M, image_a0: &Image, point_a1: V
     let at_51 = Vec2 { x: mul(sub(mul(uv_40.x, e_42.x), splat(0.5f32)), e_50), y: mul(sub(mul(uv_40.y, e_42.y), splat(0.5f32)), e_50) };
     let cell_52 = cell_of(r, at_51);
     let part_53 = Vec2 { x: sub(at_51.x, cell_52.x), y: sub(at_51.y, cell_52.y) };
-    let heights_56 = object_cell_stage(r, ex, Vec2 { x: i_of_small(cell_52.x), y: i_of_small(cell_52.y) }, 0u32);
+    let heights_56 = object_cell_stage_ls(r, ex, Vec2 { x: i_of_small(cell_52.x), y: i_of_small(cell_52.y) }, 0u32);
     let top_63 = add(heights_56.x, mul(sub(heights_56.y, heights_56.x), part_53.x));
     let bottom_70 = add(heights_56.z, mul(sub(heights_56.w, heights_56.z), part_53.x));
     let map_74 = add(top_63, mul(sub(bottom_70, top_63), part_53.y));
@@ -3603,22 +4509,113 @@ stage! { pub(super) fn segment_of(r: &Resources<'_>, within: M, pixel_a0: &Pixel
 lanes! { fn surface_plane_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
     return *hit_a3;
 } }
-stage! { fn surface_prism_polish(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
-    if none(within) { return zero_hit(); }
-    let pixel_a0 = singles_pixel_in(pixel_a0);
-    let at_a1 = singles_entered(at_a1);
-    let path_a2 = singles_path(path_a2);
-    let hit_a3 = singles_hit(hit_a3);
-    let one = |lane: usize| r.surface_prism_polish(pixel_a0[lane], at_a1[lane], path_a2[lane], hit_a3[lane], params_a4);
-    let mut rest = bits_of(within);
-    let mut results = [one(rest.trailing_zeros() as usize); LANES];
-    rest &= rest - 1;
-    while rest != 0 {
-        let lane = rest.trailing_zeros() as usize;
-        results[lane] = one(lane);
-        rest &= rest - 1;
+lanes! { fn weights_at_offset(r: &Resources<'_>, within: M, prism_a0: &Prism, place_a1: Vec3<F>, offset_a2: F) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let corner_6 = Vec3 { x: add(prism_a0.p0.x, mul(prism_a0.n0.x, offset_a2)), y: add(prism_a0.p0.y, mul(prism_a0.n0.y, offset_a2)), z: add(prism_a0.p0.z, mul(prism_a0.n0.z, offset_a2)) };
+    let a_14 = Vec3 { x: add(sub(prism_a0.p1.x, prism_a0.p0.x), mul(sub(prism_a0.n1.x, prism_a0.n0.x), offset_a2)), y: add(sub(prism_a0.p1.y, prism_a0.p0.y), mul(sub(prism_a0.n1.y, prism_a0.n0.y), offset_a2)), z: add(sub(prism_a0.p1.z, prism_a0.p0.z), mul(sub(prism_a0.n1.z, prism_a0.n0.z), offset_a2)) };
+    let b_22 = Vec3 { x: add(sub(prism_a0.p2.x, prism_a0.p0.x), mul(sub(prism_a0.n2.x, prism_a0.n0.x), offset_a2)), y: add(sub(prism_a0.p2.y, prism_a0.p0.y), mul(sub(prism_a0.n2.y, prism_a0.n0.y), offset_a2)), z: add(sub(prism_a0.p2.z, prism_a0.p0.z), mul(sub(prism_a0.n2.z, prism_a0.n0.z), offset_a2)) };
+    let rest_23 = Vec3 { x: sub(place_a1.x, corner_6.x), y: sub(place_a1.y, corner_6.y), z: sub(place_a1.z, corner_6.z) };
+    let across_24 = Vec3 { x: sub(mul(a_14.y, b_22.z), mul(a_14.z, b_22.y)), y: sub(mul(a_14.z, b_22.x), mul(a_14.x, b_22.z)), z: sub(mul(a_14.x, b_22.y), mul(a_14.y, b_22.x)) };
+    let square_25 = add(add(add(mul(across_24.x, across_24.x), mul(across_24.y, across_24.y)), mul(across_24.z, across_24.z)), splat(0.0f32));
+    let c1 = not(gt(square_25, splat(0.0f32)));
+    ret = Vec3 { x: splat(0.28125f32), y: splat(0.375f32), z: splat(0.34375f32) };
+    ex = and_not(ex, c1);
+    let second_35 = div(add(add(add(mul(sub(mul(rest_23.y, b_22.z), mul(rest_23.z, b_22.y)), across_24.x), mul(sub(mul(rest_23.z, b_22.x), mul(rest_23.x, b_22.z)), across_24.y)), mul(sub(mul(rest_23.x, b_22.y), mul(rest_23.y, b_22.x)), across_24.z)), splat(0.0f32)), square_25);
+    let third_38 = div(add(add(add(mul(sub(mul(a_14.y, rest_23.z), mul(a_14.z, rest_23.y)), across_24.x), mul(sub(mul(a_14.z, rest_23.x), mul(a_14.x, rest_23.z)), across_24.y)), mul(sub(mul(a_14.x, rest_23.y), mul(a_14.y, rest_23.x)), across_24.z)), splat(0.0f32)), square_25);
+    let y2 = Vec3 { x: sub(sub(splat(1.0f32), second_35), third_38), y: second_35, z: third_38 };
+    return Vec3 { x: sel(ex, y2.x, ret.x), y: sel(ex, y2.y, ret.y), z: sel(ex, y2.z, ret.z) };
+} }
+lanes! { fn shell_point_near(r: &Resources<'_>, within: M, prism_a0: &Prism, place_a1: Vec3<F>, height_a2: F) -> ShellPoint {
+    let mut ex = within;
+    let mut ret: ShellPoint = zero_shell_point();
+    let offset_15 = add(splat(r.surface_settings.shell_m.x), mul(splat((r.surface_settings.shell_m.y - r.surface_settings.shell_m.x).min(3e38f32)), height_a2));
+    let flat_16 = weights_at_offset(r, ex, prism_a0, place_a1, offset_15);
+    let e_18 = lift_of(r, Vec3 { x: prism_a0.lift.x, y: prism_a0.lift.y, z: prism_a0.lift.z }, flat_16);
+    let e_20 = weights_at_offset(r, ex, prism_a0, place_a1, add(offset_15, e_18));
+    let near_21 = ShellPoint { weights: e_20, height: height_a2, };
+    let point_22 = shell_point_from(r, ex, prism_a0, place_a1, &near_21);
+    let moved_26 = Vec3 { x: abs(sub(point_22.weights.x, near_21.weights.x)), y: abs(sub(point_22.weights.y, near_21.weights.y)), z: abs(sub(point_22.weights.z, near_21.weights.z)) };
+    let away_35 = max(max(moved_26.x, moved_26.y), max(moved_26.z, abs(sub(point_22.height, height_a2))));
+    let (b1, c2) = (ex, lt(away_35, splat(0.5f32)));
+    ex = and(b1, c2);
+    if any(ex) {
+        ret = point_22;
+        ex = no_lane();
     }
-    lanes_of_hit(&results)
+    ex = and_not(b1, c2);
+    return sel_shell_point(ex, &near_21, &ret);
+} }
+lanes! { fn point_of_way(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, prism_a1: &Prism, place_a2: Vec3<F>, height_a3: F) -> ShellPoint {
+    let mut ex = within;
+    let mut ret: ShellPoint = zero_shell_point();
+    if (pixel_a0.shell.order >= 64u32) {
+        let e_8 = shell_point_near(r, ex, prism_a1, place_a2, height_a3);
+        return e_8;
+    }
+    let e_9 = shell_point(r, ex, prism_a1, place_a2, height_a3);
+    return e_9;
+} }
+stage! { fn surface_prism_polish(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
+    let mut ex = within;
+    let mut ret: Hit = zero_hit();
+    let mut t_v0: F = splat(0f32);
+    let mut point_v1: ShellPoint = zero_shell_point();
+    let mut step_v2: u32 = 0u32;
+    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let along_6 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let middle_7 = middle_of(r, pixel_a0, along_6);
+    let prism_8 = prism_of(r, pixel_a0, along_6, middle_7, params_a4);
+    let wanted_10 = path_gap(r, ex, path_a2, hit_a3.t);
+    let grid_11 = grid_of(r, path_a2);
+    let texels_13 = Vec2 { x: abs(grid_11.step.x), y: abs(grid_11.step.y) };
+    let most_26 = div(splat((2.0f32 * params_a4.x)), max(max(texels_13.x, texels_13.y), div(abs(path_a2.h.y), splat(0.0625f32))));
+    t_v0 = hit_a3.t;
+    let e_30 = t_v0;
+    let e_34 = t_v0;
+    let e_35 = path_height(r, path_a2, e_34);
+    let e_32 = sub(add(path_a2.start, e_30), middle_7);
+    let e_36 = point_of_way(r, ex, pixel_a0, &prism_8, Vec3 { x: mul(along_6.x, e_32), y: mul(along_6.y, e_32), z: mul(along_6.z, e_32) }, e_35);
+    point_v1 = e_36;
+    'l2: loop {
+        let e_40 = step_v2;
+        if (e_40 < 3u32) {
+        } else {
+            break 'l2;
+        }
+        let e_43 = step_v2;
+        step_v2 = e_43.wrapping_add(1u32);
+        let e_47 = point_v1.height;
+        let e_49 = point_v1.weights;
+        let e_50 = uv_of(r, pixel_a0, e_49);
+        let e_52 = height_at_ll(r, ex, e_50, path_a2.level);
+        let gap_54 = sub(sub(e_47, e_52), wanted_10);
+        let e_57 = t_v0;
+        let e_60 = cell_of(r, Vec2 { x: add(grid_11.origin.x, mul(grid_11.step.x, e_57)), y: add(grid_11.origin.y, mul(grid_11.step.y, e_57)) });
+        let e_61 = t_v0;
+        let e_62 = cell_gap_llll(r, ex, path_a2, &grid_11, e_60, e_61);
+        let c3 = lt(e_62.y, splat(0.0f32));
+        let e_66 = t_v0;
+        t_v0 = sel(c3, min(max(sub(e_66, div(gap_54, e_62.y)), sub(hit_a3.t, most_26)), add(hit_a3.t, most_26)), t_v0);
+        let e_75 = t_v0;
+        let e_77 = sub(add(path_a2.start, e_75), middle_7);
+        let place_78 = Vec3 { x: mul(along_6.x, e_77), y: mul(along_6.y, e_77), z: mul(along_6.z, e_77) };
+        if (pixel_a0.shell.order >= 64u32) {
+            let e_83 = t_v0;
+            let e_84 = path_height(r, path_a2, e_83);
+            let e_85 = shell_point_near(r, ex, &prism_8, place_78, e_84);
+            point_v1 = e_85;
+        } else {
+            let e_86 = point_v1;
+            let e_87 = shell_point_from(r, ex, &prism_8, place_78, &e_86);
+            point_v1 = e_87;
+        }
+    }
+    let e_91 = point_v1.weights;
+    let e_92 = uv_of(r, pixel_a0, e_91);
+    let e_94 = point_v1.height;
+    let e_95 = t_v0;
+    return Hit { found: splat_u(1u32), exhausted: hit_a3.exhausted, uv: e_92, height: e_94, t: e_95, cost: Vec3 { x: hit_a3.cost.x, y: hit_a3.cost.y, z: hit_a3.cost.z }, };
 } }
 lanes! { fn surface_quadric_perpendicular_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
     return *hit_a3;
@@ -3626,22 +4623,8 @@ lanes! { fn surface_quadric_perpendicular_polish(r: &Resources<'_>, pixel_a0: &P
 lanes! { fn surface_quadric_vertical_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
     return *hit_a3;
 } }
-stage! { fn surface_tetrahedra_polish(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
-    if none(within) { return zero_hit(); }
-    let pixel_a0 = singles_pixel_in(pixel_a0);
-    let at_a1 = singles_entered(at_a1);
-    let path_a2 = singles_path(path_a2);
-    let hit_a3 = singles_hit(hit_a3);
-    let one = |lane: usize| r.surface_tetrahedra_polish(pixel_a0[lane], at_a1[lane], path_a2[lane], hit_a3[lane], params_a4);
-    let mut rest = bits_of(within);
-    let mut results = [one(rest.trailing_zeros() as usize); LANES];
-    rest &= rest - 1;
-    while rest != 0 {
-        let lane = rest.trailing_zeros() as usize;
-        results[lane] = one(lane);
-        rest &= rest - 1;
-    }
-    lanes_of_hit(&results)
+lanes! { fn surface_tetrahedra_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
+    return *hit_a3;
 } }
 lanes! { fn surface_facets_polish(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Hit {
     return *hit_a3;
@@ -3700,7 +4683,7 @@ lanes! { fn surface_polish_stage(r: &Resources<'_>, within: M, pixel_a0: &PixelI
             return e_32;
         }
         4u32 => {
-            let e_38 = surface_tetrahedra_polish(r, ex, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
+            let e_38 = surface_tetrahedra_polish(r, pixel_a0, at_a1, path_a2, hit_a3, r.surface_settings.choices[1].params);
             return e_38;
         }
         5u32 => {
@@ -3841,7 +4824,7 @@ lanes! { fn light_ray(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hi
     let leave_20 = cell_leave(r, ex, &grid_17, cell_19);
     let end_26 = max_with(min(min(leave_20.x, leave_20.y), exit_11), splat(0.0f32));
     let e_29 = height_cell_ll(r, ex, Vec2 { x: i_of_small(cell_19.x), y: i_of_small(cell_19.y) }, way_3.level);
-    let c_31 = gap_to(r, &way_3, &grid_17, cell_19, e_29, 0.0f32);
+    let c_31 = gap_to(r, &way_3, &grid_17, cell_19, e_29, splat(0.0f32));
     both_v0 = or(lt(c_31.y, splat(0.0f32)), lt(add(c_31.y, mul(c_31.z, end_26)), splat(0.0f32)));
     let e_45 = both_v0;
     let (b5, c6) = (ex, e_45);
@@ -4269,7 +5252,7 @@ lanes! { fn own_slope(r: &Resources<'_>, within: M, way_a0: &Path) -> F {
     level_v0.exit = end_9;
     let e_18 = level_v0;
     let e_21 = height_cell_ll(r, ex, Vec2 { x: i_of_small(cell_3.x), y: i_of_small(cell_3.y) }, way_a0.level);
-    let c_23 = gap_to(r, &e_18, &grid_1, cell_3, e_21, 0.0f32);
+    let c_23 = gap_to(r, &e_18, &grid_1, cell_3, e_21, splat(0.0f32));
     return sub(splat(0.0f32), min(c_23.y, add(c_23.y, mul(c_23.z, end_9))));
 } }
 lanes! { fn part_above(r: &Resources<'_>, height_a0: F) -> F {
@@ -4466,7 +5449,7 @@ lanes! { fn rise_of_mask(r: &Resources<'_>, within: M, uv_a0: Vec2<F>) -> Vec2<F
     let e_2 = height_size(r, splat_u(0u32));
     let at_7 = Vec2 { x: sub(mul(uv_a0.x, e_2.x), splat(0.5f32)), y: sub(mul(uv_a0.y, e_2.y), splat(0.5f32)) };
     let cell_8 = cell_of(r, at_7);
-    let h_11 = object_cell_stage(r, ex, Vec2 { x: i_of_small(cell_8.x), y: i_of_small(cell_8.y) }, 0u32);
+    let h_11 = object_cell_stage_ls(r, ex, Vec2 { x: i_of_small(cell_8.x), y: i_of_small(cell_8.y) }, 0u32);
     let part_12 = Vec2 { x: sub(at_7.x, cell_8.x), y: sub(at_7.y, cell_8.y) };
     return Vec2 { x: add(mul(sub(h_11.y, h_11.x), sub(splat(1.0f32), part_12.y)), mul(sub(h_11.w, h_11.z), part_12.y)), y: add(mul(sub(h_11.z, h_11.x), sub(splat(1.0f32), part_12.x)), mul(sub(h_11.w, h_11.y), part_12.x)) };
 } }
@@ -4561,22 +5544,28 @@ lanes! { fn surface_plane_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn
     let e_6 = placed_over(r, ex, at_a1, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y });
     return e_6;
 } }
-stage! { fn surface_prism_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
-    if none(within) { return zero_entered(); }
-    let pixel_a0 = singles_pixel_in(pixel_a0);
-    let at_a1 = singles_entered(at_a1);
-    let path_a2 = singles_path(path_a2);
-    let hit_a3 = singles_hit(hit_a3);
-    let one = |lane: usize| r.surface_prism_place(pixel_a0[lane], at_a1[lane], path_a2[lane], hit_a3[lane], params_a4);
-    let mut rest = bits_of(within);
-    let mut results = [one(rest.trailing_zeros() as usize); LANES];
-    rest &= rest - 1;
-    while rest != 0 {
-        let lane = rest.trailing_zeros() as usize;
-        results[lane] = one(lane);
-        rest &= rest - 1;
-    }
-    lanes_of_entered(&results)
+lanes! { fn placed_at(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, weights_a2: Vec3<F>, point_a3: Vec3<F>, uv_a4: Vec2<F>) -> Entered {
+    let mut placed_v0: Entered = zero_entered();
+    let e_6 = frame_at(r, pixel_a0, weights_a2, point_a3, uv_a4, Vec3 { x: at_a1.facing.x, y: at_a1.facing.y, z: at_a1.facing.z });
+    placed_v0 = e_6;
+    placed_v0.level = at_a1.level;
+    placed_v0.footprint = at_a1.footprint;
+    placed_v0.fade = at_a1.fade;
+    let e_14 = placed_v0;
+    return e_14;
+} }
+lanes! { fn surface_prism_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let along_6 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let middle_7 = middle_of(r, pixel_a0, along_6);
+    let prism_8 = prism_of(r, pixel_a0, along_6, middle_7, params_a4);
+    let s_12 = sub(add(path_a2.start, hit_a3.t), middle_7);
+    let e_15 = point_of_way(r, ex, pixel_a0, &prism_8, Vec3 { x: mul(along_6.x, s_12), y: mul(along_6.y, s_12), z: mul(along_6.z, s_12) }, hit_a3.height);
+    let e_20 = add(path_a2.start, hit_a3.t);
+    let e_24 = placed_at(r, pixel_a0, at_a1, Vec3 { x: e_15.weights.x, y: e_15.weights.y, z: e_15.weights.z }, Vec3 { x: add(pixel_a0.origin.x, mul(along_6.x, e_20)), y: add(pixel_a0.origin.y, mul(along_6.y, e_20)), z: add(pixel_a0.origin.z, mul(along_6.z, e_20)) }, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y });
+    return e_24;
 } }
 lanes! { fn quadric_frame(r: &Resources<'_>, within: M, at_a0: &Entered, aside_a1: Vec2<F>) -> Entered {
     let mut ex = within;
@@ -4651,21 +5640,43 @@ lanes! { fn surface_quadric_vertical_place(r: &Resources<'_>, within: M, pixel_a
     return e_47;
 } }
 stage! { fn surface_tetrahedra_place(r: &Resources<'_>, within: M, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
-    if none(within) { return zero_entered(); }
-    let pixel_a0 = singles_pixel_in(pixel_a0);
-    let at_a1 = singles_entered(at_a1);
-    let path_a2 = singles_path(path_a2);
-    let hit_a3 = singles_hit(hit_a3);
-    let one = |lane: usize| r.surface_tetrahedra_place(pixel_a0[lane], at_a1[lane], path_a2[lane], hit_a3[lane], params_a4);
-    let mut rest = bits_of(within);
-    let mut results = [one(rest.trailing_zeros() as usize); LANES];
-    rest &= rest - 1;
-    while rest != 0 {
-        let lane = rest.trailing_zeros() as usize;
-        results[lane] = one(lane);
-        rest &= rest - 1;
+    let mut ex = within;
+    let mut ret: Entered = zero_entered();
+    let mut nearest_v0: Tetrahedron = zero_tetrahedron();
+    let mut beside_v1: F = splat(0f32);
+    let mut number_v2: u32 = 1u32;
+    let length1 = sqrt(add(add(mul(pixel_a0.direction.x, pixel_a0.direction.x), mul(pixel_a0.direction.y, pixel_a0.direction.y)), mul(pixel_a0.direction.z, pixel_a0.direction.z)));
+    let along_6 = Vec3 { x: div(pixel_a0.direction.x, length1), y: div(pixel_a0.direction.y, length1), z: div(pixel_a0.direction.z, length1) };
+    let middle_7 = middle_of(r, pixel_a0, along_6);
+    let t_11 = sub(add(path_a2.start, hit_a3.t), middle_7);
+    let e_13 = tetrahedron(r, ex, pixel_a0, along_6, middle_7, 0u32);
+    nearest_v0 = e_13;
+    let e_17 = nearest_v0.inside.x;
+    let e_21 = nearest_v0.inside.y;
+    beside_v1 = max(sub(e_17, t_11), sub(t_11, e_21));
+    'l2: loop {
+        let e_27 = number_v2;
+        if (e_27 < 3u32) {
+        } else {
+            break 'l2;
+        }
+        let e_30 = number_v2;
+        let other_31 = tetrahedron(r, ex, pixel_a0, along_6, middle_7, e_30);
+        let aside_38 = max(sub(other_31.inside.x, t_11), sub(t_11, other_31.inside.y));
+        let e_39 = beside_v1;
+        let c3 = lt(aside_38, e_39);
+        nearest_v0 = sel_tetrahedron(c3, &other_31, &nearest_v0);
+        beside_v1 = sel(c3, aside_38, beside_v1);
+        let e_41 = number_v2;
+        number_v2 = e_41.wrapping_add(1u32);
     }
-    lanes_of_entered(&results)
+    let e_45 = nearest_v0.weights;
+    let e_47 = nearest_v0.change;
+    let weights_49 = Vec4 { x: add(e_45.x, mul(e_47.x, t_11)), y: add(e_45.y, mul(e_47.y, t_11)), z: add(e_45.z, mul(e_47.z, t_11)), w: add(e_45.w, mul(e_47.w, t_11)) };
+    let e_53 = add(path_a2.start, hit_a3.t);
+    let point_55 = Vec3 { x: add(pixel_a0.origin.x, mul(along_6.x, e_53)), y: add(pixel_a0.origin.y, mul(along_6.y, e_53)), z: add(pixel_a0.origin.z, mul(along_6.z, e_53)) };
+    let e_58 = placed_at(r, pixel_a0, at_a1, Vec3 { x: weights_49.x, y: weights_49.y, z: weights_49.z }, point_55, Vec2 { x: hit_a3.uv.x, y: hit_a3.uv.y });
+    return e_58;
 } }
 lanes! { fn surface_facets_place(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, path_a2: &Path, hit_a3: &Hit, params_a4: Vec4<f32>) -> Entered {
     return *at_a1;

@@ -20,6 +20,11 @@ pub fn places_where(holds: impl Fn(usize) -> bool) -> u16 {
     (0..BLOCK).fold(0, |which, place| which | u16::from(holds(place)) << place)
 }
 
+/// The lanes for so many places.
+pub fn lanes_for(which: u16, lanes: Lanes) -> Lanes {
+    if which.count_ones() < LEAST_IN_LANES { Lanes::One } else { lanes }
+}
+
 /// Which side of which triangle the rays of a block meet.
 #[derive(Clone)]
 pub struct Faces {
@@ -50,8 +55,8 @@ impl Faces {
             let first = rest.trailing_zeros() as usize;
             let (number, side) = (self.rank[first].1, self.side[first]);
             let same = rest & places_where(|place| self.rank[place].1 == number && self.side[place] == side);
-            let lanes = if same.count_ones() < LEAST_IN_LANES { Lanes::One } else { lanes };
-            of(TriangleRays { triangle: &surface.triangle(number), side, points }, same, lanes);
+            let rays = TriangleRays { triangle: &surface.triangle(number), side, points };
+            of(rays, same, lanes_for(same, lanes));
             rest &= !same;
         }
     }

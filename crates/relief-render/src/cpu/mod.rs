@@ -28,6 +28,7 @@ mod light_map;
 mod ready;
 mod seen;
 mod shading;
+mod shells;
 pub(crate) mod tessellated;
 mod tiled;
 

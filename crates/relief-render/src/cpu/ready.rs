@@ -67,13 +67,21 @@ pub struct Aim {
     pub direction: ShaderVec3<f32>,
 }
 
+impl Aim {
+    /// The same in 64 bits.
+    pub fn ray(&self) -> Ray {
+        let three = |v: ShaderVec3<f32>| [v.x, v.y, v.z].map(f64::from).into();
+        Ray { origin: three(self.origin), direction: three(self.direction) }
+    }
+}
+
 /// A surface ready to be traced.
 pub struct Ready<'a> {
     pub(super) program: Program<'a>,
     rays: PictureRays,
     triangles: &'a Triangles,
-    base: Base,
-    sides: Sides,
+    pub(super) base: Base,
+    pub(super) sides: Sides,
     /// The exact tracers of all levels of detail.
     pub(super) tracers: Option<Arc<[FastTracer]>>,
     /// Whether they serve shadows, too.
@@ -154,7 +162,7 @@ impl<'a> Ready<'a> {
     /// Calls `look` with the triangles that a ray may meet the relief of, roughly from near to far, and with
     /// their sides, until what comes begins beyond a depth: at first `reach`, then what `look` says.
     pub(super) fn propose(&self, aim: Aim, mut reach: f64, mut look: impl FnMut((bool, u32), f32) -> f64) {
-        let ray = ray_of(aim);
+        let ray = aim.ray();
         match &self.base {
             Base::Polygons(caster) => {
                 self.propose_polygons(caster.hits(&ray, self.sides).map(TileHit::from), reach, look);
@@ -285,11 +293,6 @@ impl<'a> SceneRays<'a> {
         let surfaces = ready.map(|(surface, made)| Ready::for_light(surface, frame, made.clone()));
         Self { surfaces: surfaces.collect(), reach_m: reach_m as f32 }
     }
-}
-
-fn ray_of(aim: Aim) -> Ray {
-    let three = |v: ShaderVec3<f32>| [v.x, v.y, v.z].map(f64::from).into();
-    Ray { origin: three(aim.origin), direction: three(aim.direction) }
 }
 
 /// The rays of a frame's picture, which are those of the shaders.

@@ -4,7 +4,7 @@ use relief_core::Lanes;
 use relief_shaders::cpu::{BLOCK, EnteredBlock, HitBlock, PathBlock, Row};
 
 use super::block::{Faces, places, places_where};
-use super::ready::{Met, Ready};
+use super::ready::{Base, Met, Ready};
 use crate::raycast::tiles::{TileCaster, TileHit, TileHits};
 
 /// The tile that a block is in, where it was cast, and the numbers in it of the block's points.
@@ -48,48 +48,75 @@ impl Seen {
     /// Keeps what a polygon shows where that is the nearest so far, and of equally near ones that of the
     /// least rank.
     fn keep(&mut self, place: usize, rank: (bool, u32), side: f32, met: &Met) {
-        let (key, known) = (met.first.key, self.keys[place]);
-        let is_nearer = key > known || (key == known && rank < self.faces.rank[place]);
-        if self.which >> place & 1 == 0 || is_nearer {
-            self.which |= 1 << place;
-            self.keys[place] = key;
-            (self.faces.rank[place], self.faces.side[place]) = (rank, side);
+        if self.is_nearest(place, rank, met.first.key) {
+            self.put(place, rank, side, met.first.key);
             self.at.set(place, &met.at);
             self.paths.set(place, &met.path);
             self.hits.set(place, &met.first.hit);
         }
     }
+
+    /// The same of what the rays of a block meet; says whether it was kept.
+    pub fn keep_of(
+        &mut self,
+        place: usize,
+        rank: (bool, u32),
+        side: f32,
+        key: f32,
+        (at, paths, hits): (&EnteredBlock, &PathBlock, &HitBlock),
+    ) -> bool {
+        let is_nearest = self.is_nearest(place, rank, key);
+        if is_nearest {
+            self.put(place, rank, side, key);
+            self.at.set(place, &at.get(place));
+            self.paths.set(place, &paths.get(place));
+            self.hits.set(place, &hits.get(place));
+        }
+        is_nearest
+    }
+
+    fn is_nearest(&self, place: usize, rank: (bool, u32), key: f32) -> bool {
+        let known = self.keys[place];
+        self.which >> place & 1 == 0 || key > known || (key == known && rank < self.faces.rank[place])
+    }
+
+    fn put(&mut self, place: usize, rank: (bool, u32), side: f32, key: f32) {
+        self.which |= 1 << place;
+        self.keys[place] = key;
+        (self.faces.rank[place], self.faces.side[place]) = (rank, side);
+    }
 }
 
 impl Ready<'_> {
     /// What the points of a block that `which` has bits for see of the surface: the nearest hit of all base
-    /// polygons along each ray. `cast` is the tile that the block is in, where that was cast.
+    /// polygons or shells along each ray. Polygons are cast for the tile that the block is in.
     pub fn see(&self, points: [Row<f32>; 2], which: u16, cast: Option<Cast>, lanes: Lanes, seen: &mut Seen) {
         (seen.which, seen.points) = (0, points);
-        let first = cast.map_or(0, |cast| self.see_first(which, cast, lanes, seen));
-        for place in places(which) {
-            if cast.is_some_and(|cast| cast.hits.is_miss(cast.numbers[place])) {
-                continue;
-            }
-            let aim = || self.aim(points.map(|row| row[place]));
+        match (cast, &self.base) {
+            (Some(cast), _) => self.see_polygons(which, cast, lanes, seen),
+            (None, Base::Shells(caster)) => self.see_shells(caster, which, lanes, seen),
+            // Polygons are cast in tiles.
+            (None, Base::Polygons(_)) => {}
+        }
+    }
+
+    fn see_polygons(&self, which: u16, cast: Cast, lanes: Lanes, seen: &mut Seen) {
+        let first = self.see_first(which, cast, lanes, seen);
+        let Cast { caster, hits, numbers } = cast;
+        for place in places(which).filter(|place| !hits.is_miss(numbers[*place])) {
+            let aim = self.aim(seen.points.map(|row| row[place]));
             let mut is_first = first >> place & 1 == 1;
-            let look = |rank: (bool, u32), side| {
+            self.propose_polygons(caster.hits(hits, numbers[place]), f64::INFINITY, |rank, side| {
                 let met = match std::mem::take(&mut is_first) {
                     true => self.after_first_segment(seen, place),
-                    false => self.look(rank.1, side, aim()),
+                    false => self.look(rank.1, side, aim),
                 };
                 if let Some(met) = met {
                     seen.keep(place, rank, side, &met);
                 }
                 let has_hit = seen.which >> place & 1 == 1;
                 if has_hit { self.reach(seen.keys[place]) } else { f64::INFINITY }
-            };
-            match cast {
-                Some(Cast { caster, hits, numbers }) => {
-                    self.propose_polygons(caster.hits(hits, numbers[place]), f64::INFINITY, look);
-                }
-                None => self.propose(aim(), f64::INFINITY, look),
-            }
+            });
         }
     }
 
@@ -117,7 +144,7 @@ impl Ready<'_> {
             self.trace_block(paths, traced, lanes, hits);
             let found = traced & places_where(|place| hits.found[place] == 1);
             faces.each(self, points, found, lanes, |rays, which, lanes| {
-                self.program.meet_block(rays, which, lanes, (at, paths), hits, keys);
+                self.program.meet_block((rays, 0), which, lanes, (at, paths), hits, keys);
             });
         }
         seen.which |= first & places_where(|place| seen.hits.found[place] == 1);

@@ -151,18 +151,32 @@ impl<'a> Program<'a> {
         lanes::run(&self.0, lanes, which, Task::Enter { rays, at, paths });
     }
 
-    /// [`Self::hit_on_segment`] over lanes, of what was found on first segments, with what orders it.
+    /// [`Self::segment`] over lanes, of rays that have a segment of that number.
+    #[inline]
+    pub fn segment_block(
+        &self,
+        rays: TriangleRays<'_>,
+        number: u32,
+        which: u16,
+        lanes: Lanes,
+        at: &EnteredBlock,
+        paths: &mut PathBlock,
+    ) {
+        lanes::run(&self.0, lanes, which, Task::Segment { rays, number, at, paths });
+    }
+
+    /// [`Self::hit_on_segment`] over lanes, of what was found on segments of that number, with what orders it.
     #[inline]
     pub fn meet_block(
         &self,
-        rays: TriangleRays<'_>,
+        (rays, number): (TriangleRays<'_>, u32),
         which: u16,
         lanes: Lanes,
         (at, paths): (&EnteredBlock, &PathBlock),
         hits: &mut HitBlock,
         keys: &mut Row<f32>,
     ) {
-        lanes::run(&self.0, lanes, which, Task::Meet { rays, at, paths, hits, keys });
+        lanes::run(&self.0, lanes, which, Task::Meet { rays, number, at, paths, hits, keys });
     }
 
     /// The places in the world of hits on those paths, and the frames there, over lanes.

@@ -40,10 +40,15 @@ pub(super) fn run(r: &Resources<'_>, which: u16, task: Task<'_>) {
                 }
             }
         }
-        Task::Meet { rays, at, paths, hits, keys } => {
+        Task::Segment { rays, number, at, paths } => {
+            for place in places(which) {
+                paths.set(place, &r.segment_of(rays.pixel(r, place), at.get(place), number));
+            }
+        }
+        Task::Meet { rays, number, at, paths, hits, keys } => {
             for place in places(which) {
                 let (entered, path, hit) = (at.get(place), paths.get(place), hits.get(place));
-                let first = r.hit_on_segment(rays.pixel(r, place), entered, path, hit, 0u32);
+                let first = r.hit_on_segment(rays.pixel(r, place), entered, path, hit, number);
                 hits.set(place, &first.hit);
                 keys[place] = first.key;
             }

@@ -35,12 +35,19 @@ lanes! {
                     }
                 }
             }
-            Task::Meet { rays, at, paths, hits, keys } => {
+            Task::Segment { rays, number, at, paths } => {
+                for (part, bits) in parts(which) {
+                    let (lanes, pixel) = (lanes_of(bits), pixel_of(r, &rays, part));
+                    let path = segment_of(r, lanes, &pixel, &load_entered(at, part), number);
+                    store_path(paths, part, lanes, &path);
+                }
+            }
+            Task::Meet { rays, number, at, paths, hits, keys } => {
                 for (part, bits) in parts(which) {
                     let (lanes, pixel) = (lanes_of(bits), pixel_of(r, &rays, part));
                     let (entered, path) = (load_entered(at, part), load_path(paths, part));
                     let hit = load_hit(hits, part);
-                    let first = hit_on_segment(r, lanes, &pixel, &entered, &path, &hit, 0);
+                    let first = hit_on_segment(r, lanes, &pixel, &entered, &path, &hit, number);
                     store_hit(hits, part, lanes, &first.hit);
                     store(&mut keys.as_chunks_mut().0[part], lanes, first.key);
                 }

@@ -36,9 +36,12 @@ pub(in crate::cpu) enum Task<'a> {
     Free { paths: &'a PathBlock, free: &'a mut u16 },
     /// Where rays meet the surface, and their first segments, where they have any.
     Enter { rays: TriangleRays<'a>, at: &'a mut EnteredBlock, paths: &'a mut PathBlock },
-    /// What was found on first segments, as what rays meet there, and what orders that.
+    /// The segments of that number of rays that have as many.
+    Segment { rays: TriangleRays<'a>, number: u32, at: &'a EnteredBlock, paths: &'a mut PathBlock },
+    /// What was found on segments of that number, as what rays meet there, and what orders that.
     Meet {
         rays: TriangleRays<'a>,
+        number: u32,
         at: &'a EnteredBlock,
         paths: &'a PathBlock,
         hits: &'a mut HitBlock,

@@ -98,7 +98,31 @@ impl Writer<'_> {
     /// A whole value that is no reference.
     pub fn owned(&mut self, handle: Handle<Expression>, is_lanes: bool) -> Text {
         let value = self.value(handle, is_lanes)?;
+        if let (true, Some(structure)) = (is_lanes, self.shared_struct(handle)) {
+            return Ok(format!("{}(&{value})", types::function_of("splat", structure)));
+        }
         Ok(if self.is_reference(handle) { format!("*{value}") } else { value })
+    }
+
+    /// The name of the struct that a value is where all lanes share it: a member that they share, or of such
+    /// a member one.
+    fn shared_struct(&self, handle: Handle<Expression>) -> Option<&str> {
+        let ty = self.info[handle].ty.handle()?;
+        let is_struct = matches!(self.module.types[ty].inner, TypeInner::Struct { .. });
+        let mut at = handle;
+        while is_struct && self.named(at).is_none() {
+            at = match self.function.expressions[at] {
+                Expression::AccessIndex { base, index } => {
+                    if types::is_shared_member(self.module, self.program.text, &self.info[base].ty, index) {
+                        return self.module.types[ty].name.as_deref();
+                    }
+                    base
+                }
+                Expression::Load { pointer } => pointer,
+                _ => return None,
+            };
+        }
+        None
     }
 
     /// A struct made of these members.

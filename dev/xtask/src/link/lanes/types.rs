@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
+use naga::proc::TypeResolution;
 use naga::{ArraySize, Handle, Module, Scalar, ScalarKind, Type, TypeInner};
 
 use super::LaneText;
@@ -154,36 +155,68 @@ pub fn members(module: &Module, text: &LaneText, ty: Handle<Type>) -> Result<Vec
     members.iter().map(member).collect()
 }
 
+/// Whether all lanes share that member of a struct, or of what points to one.
+pub fn is_shared_member(module: &Module, text: &LaneText, of: &TypeResolution, index: u32) -> bool {
+    let structure = match *of.inner_with(&module.types) {
+        TypeInner::Pointer { base, .. } => Some(base),
+        _ => of.handle(),
+    };
+    let Some(structure) = structure.map(|handle| &module.types[handle]) else { return false };
+    let TypeInner::Struct { members, .. } = &structure.inner else { return false };
+    let name = |name: &Option<String>| name.clone().unwrap_or_default();
+    text.is_shared(&name(&structure.name), &name(&members[index as usize].name))
+}
+
+/// Whether lanes share a member of that type.
+fn has_shared(module: &Module, text: &LaneText, ty: Handle<Type>) -> bool {
+    module.types.iter().any(|(_, of)| {
+        let TypeInner::Struct { members, .. } = &of.inner else { return false };
+        let structure = of.name.as_deref().unwrap_or_default();
+        let mut shared = members
+            .iter()
+            .filter(|member| text.is_shared(structure, member.name.as_deref().unwrap_or_default()));
+        shared.any(|member| member.ty == ty)
+    })
+}
+
 /// A struct of lanes, with the functions that choose between two and, where no other struct is shared by its
 /// lanes, that make one of zeros.
 pub fn structure(module: &Module, text: &LaneText, ty: Handle<Type>) -> Result<String, String> {
     let structure = module.types[ty].name.clone().unwrap_or_default();
-    let (mut declared, mut chosen, mut zeros) = (String::new(), String::new(), String::new());
+    let [mut declared, mut chosen, mut zeros, mut splats] = [(); 4].map(|()| String::new());
     let mut has_zero = true;
     for Member { name, ty, what } in members(module, text, ty)? {
         let declaration = self::name(module, ty, what.is_some())?;
-        let (choice, zero) = match what {
+        let (choice, zero, splat) = match what {
             None => {
                 let kind = vector(&module.types[ty].inner).filter(|(_, size)| *size == 1);
                 has_zero &= kind.is_some();
-                (format!("a.{name}"), kind.map_or("", |(kind, _)| kind.zero()).to_owned())
+                let zero = kind.map_or("", |(kind, _)| kind.zero()).to_owned();
+                (format!("a.{name}"), zero, format!("value.{name}"))
             }
             Some(What::Vector(kind, size)) => {
-                let parts = (0..size).map(|at| {
-                    let part = if size == 1 { name.clone() } else { format!("{name}.{}", COMPONENTS[at]) };
-                    format!("sel{}(m, a.{part}, b.{part})", kind.suffix())
-                });
-                let zero = format!("splat{}({})", kind.suffix(), kind.zero());
-                (made(size, parts), made(size, (0..size).map(|_| zero.clone())))
+                let part =
+                    |at: usize| if size == 1 { name.clone() } else { format!("{name}.{}", COMPONENTS[at]) };
+                let suffix = kind.suffix();
+                let choice = |at: usize| format!("sel{suffix}(m, a.{0}, b.{0})", part(at));
+                let zero = format!("splat{suffix}({})", kind.zero());
+                let splat = |at: usize| format!("splat{suffix}(value.{})", part(at));
+                (
+                    made(size, (0..size).map(choice)),
+                    made(size, (0..size).map(|_| zero.clone())),
+                    made(size, (0..size).map(splat)),
+                )
             }
             Some(What::Struct(of)) => {
                 let (select, zero) = (function_of("sel", &of), function_of("zero", &of));
-                (format!("{select}(m, &a.{name}, &b.{name})"), format!("{zero}()"))
+                let splat = format!("{}(&value.{name})", function_of("splat", &of));
+                (format!("{select}(m, &a.{name}, &b.{name})"), format!("{zero}()"), splat)
             }
         };
         let _ = writeln!(declared, "    pub {name}: {declaration},");
         let _ = writeln!(chosen, "        {name}: {choice},");
         let _ = writeln!(zeros, "        {name}: {zero},");
+        let _ = writeln!(splats, "        {name}: {splat},");
     }
     let (select, zero) = (function_of("sel", &structure), function_of("zero", &structure));
     let mut out = format!(
@@ -195,6 +228,14 @@ pub fn structure(module: &Module, text: &LaneText, ty: Handle<Type>) -> Result<S
         let _ = writeln!(
             out,
             "lanes! {{ fn {zero}() -> {structure} {{\n    {structure} {{\n{zeros}    }}\n}} }}"
+        );
+    }
+    if has_shared(module, text, ty) {
+        let splat = function_of("splat", &structure);
+        let _ = writeln!(
+            out,
+            "lanes! {{ fn {splat}(value: &single::{structure}) -> {structure} {{\n    \
+             {structure} {{\n{splats}    }}\n}} }}"
         );
     }
     Ok(out)

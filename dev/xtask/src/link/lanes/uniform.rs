@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use naga::valid::{FunctionInfo, ModuleInfo};
 use naga::{Block, Expression, Function, Handle, Module, Statement, TypeInner};
 
-use super::types::is_by_reference;
+use super::types::{self, is_by_reference};
 use super::{LaneText, reach};
 
 /// What of a function is the same in all lanes.
@@ -225,7 +225,13 @@ impl Pass<'_, '_> {
                 false
             }
             Expression::AccessIndex { base, index } => {
-                self.facts.is_uniform(base) || self.is_shared_member(base, index)
+                self.facts.is_uniform(base)
+                    || types::is_shared_member(
+                        self.program.module,
+                        self.program.text,
+                        &self.info[base].ty,
+                        index,
+                    )
             }
             // A struct that a function makes has its lanes.
             Expression::Compose { ty, .. }
@@ -241,20 +247,6 @@ impl Pass<'_, '_> {
         let mut same = true;
         reach::operands(&self.function.expressions[handle], |operand| same &= self.facts.is_uniform(operand));
         same
-    }
-
-    fn is_shared_member(&self, base: Handle<Expression>, index: u32) -> bool {
-        let inner = self.info[base].ty.inner_with(&self.program.module.types);
-        let structure = match *inner {
-            TypeInner::Pointer { base, .. } => Some(base),
-            _ => self.info[base].ty.handle(),
-        };
-        let Some(structure) = structure.map(|handle| &self.program.module.types[handle]) else {
-            return false;
-        };
-        let TypeInner::Struct { members, .. } = &structure.inner else { return false };
-        let name = |name: &Option<String>| name.clone().unwrap_or_default();
-        self.program.text.is_shared(&name(&structure.name), &name(&members[index as usize].name))
     }
 
     /// `parted` says that not all lanes that are in the function need to be here.
