@@ -257,6 +257,47 @@ mod tests {
     }
 
     #[test]
+    fn a_block_is_proposed_what_each_of_its_rays_is() {
+        let caster = ShellCaster::new(&row(40), [0.1, 0.3], true);
+        // Along the row, across it, past it, and one that goes nowhere.
+        let ray = |place: usize| {
+            let at = place as f64;
+            let origin = DVec3::new(2.3 * at - 4.0, 0.25, 0.25 - 0.1 * at.sin());
+            let direction = DVec3::new(at - 5.0, 0.1, -0.05 * (at - 3.0));
+            Ray { origin, direction: if place == 11 { DVec3::ZERO } else { direction } }
+        };
+        let rays: Row<Ray> = std::array::from_fn(ray);
+        let which = 0b1011_1111_1111_1101;
+        for lanes in Lanes::available() {
+            // Rays want to know of nothing behind some place, each behind another one.
+            let least = |place: usize| [1.5, f64::INFINITY][place % 2];
+            let mut block: Row<Vec<u32>> = Default::default();
+            caster.each_of_block(&BlockRays::new(rays, which), lanes, |triangle, which, reach| {
+                for place in places(which) {
+                    block[place].push(triangle);
+                    reach[place] = least(place);
+                }
+            });
+            let mut met = 0;
+            for (place, mut of_block) in block.into_iter().enumerate() {
+                let mut alone = Vec::new();
+                if which >> place & 1 == 1 {
+                    caster.each(&rays[place], |triangle| {
+                        alone.push(triangle);
+                        least(place)
+                    });
+                }
+                alone.sort_unstable();
+                of_block.sort_unstable();
+                met += alone.len();
+                let is_all = least(place).is_infinite() || alone.len() < 2;
+                assert!(!is_all || of_block == alone, "{place}: {of_block:?} {alone:?}");
+            }
+            assert!(met > 60, "{met}");
+        }
+    }
+
+    #[test]
     fn what_is_behind_the_reach_is_left_out() {
         let caster = ShellCaster::new(&row(40), [0.0, 0.3], false);
         let ray = Ray { origin: DVec3::new(-5.0, 0.25, 0.2), direction: DVec3::X };

@@ -50,12 +50,17 @@ fn answers(
     say(&mut said, |place| at.get(place));
     say(&mut said, |place| (at.segments[place] > 0).then(|| paths.get(place)));
     program.trace_block(&paths, traced, lanes, &mut hits);
-    program.meet_block(rays, traced, lanes, (&at, &paths), &mut hits, &mut keys);
+    program.meet_block((rays, 0), traced, lanes, (&at, &paths), &mut hits, &mut keys);
     say(&mut said, |place| (hits.get(place), keys[place]));
     let found = (0..BLOCK).filter(|place| hits.found[*place] == 1);
     let found = found.fold(0, |bits, place| bits | 1 << place) & traced;
     program.place_block(rays, found, lanes, (&at, &paths, &hits), &mut placed);
     say(&mut said, |place| placed.get(place));
+    let has_second = (0..BLOCK).filter(|place| at.segments[*place] > 1);
+    let has_second = has_second.fold(0, |bits, place| bits | 1 << place) & which;
+    let mut second = paths;
+    program.segment_block(rays, 1, has_second, lanes, &at, &mut second);
+    say(&mut said, |place| (has_second >> place & 1 == 1).then(|| second.get(place)));
     let mut visible = [[0.0; BLOCK]; MAX_LIGHTS];
     for light in 0..lights {
         let (mut states, mut to_light) = ([0; BLOCK], PathBlock::default());
