@@ -165,7 +165,8 @@ impl<'a> Program<'a> {
         lanes::run(&self.0, lanes, which, Task::Segment { rays, number, at, paths });
     }
 
-    /// [`Self::hit_on_segment`] over lanes, of what was found on segments of that number, with what orders it.
+    /// [`Self::hit_on_segment`] over lanes, of what was found on segments of that number, with what orders
+    /// it.
     #[inline]
     pub fn meet_block(
         &self,
