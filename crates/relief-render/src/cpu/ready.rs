@@ -93,7 +93,7 @@ pub struct Ready<'a> {
     pub(super) rays_through_scene: Option<u32>,
     pub(super) lights: u32,
     /// Whether it is an object, whose segments are not parts of one way.
-    is_object: bool,
+    pub(super) is_object: bool,
     /// Whether the relief nowhere lies above its base, or there is none.
     is_carved: bool,
     /// As in [`Frame`].

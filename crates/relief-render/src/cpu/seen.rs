@@ -47,7 +47,7 @@ impl Seen {
 
     /// Keeps what a polygon shows where that is the nearest so far, and of equally near ones that of the
     /// least rank.
-    fn keep(&mut self, place: usize, rank: (bool, u32), side: f32, met: &Met) {
+    pub fn keep(&mut self, place: usize, rank: (bool, u32), side: f32, met: &Met) {
         if self.is_nearest(place, rank, met.first.key) {
             self.put(place, rank, side, met.first.key);
             self.at.set(place, &met.at);

@@ -25,10 +25,21 @@ impl Ready<'_> {
         let aims: [_; BLOCK] = std::array::from_fn(|place| self.aim(seen.points.map(|row| row[place])));
         let rays = BlockRays::new(aims.map(|aim| aim.ray()), which);
         let mut looked = Looked::default();
+        let mut look = |rank: (bool, u32), side: f32, which: u16, seen: &mut Seen| {
+            if !self.is_object {
+                return self.look_block(rank, side, which, lanes, &mut looked, seen);
+            }
+            // Segments of objects are not parts of one way.
+            for place in places(which) {
+                if let Some(met) = self.look(rank.1, side, aims[place]) {
+                    seen.keep(place, rank, side, &met);
+                }
+            }
+        };
         caster.each_of_block(&rays, lanes, |triangle, which, reach| {
-            self.look_block((false, triangle), 1.0, which, lanes, &mut looked, seen);
+            look((false, triangle), 1.0, which, seen);
             if self.sides == Sides::Both {
-                self.look_block((true, triangle), -1.0, which, lanes, &mut looked, seen);
+                look((true, triangle), -1.0, which, seen);
             }
             for place in places(which & seen.which) {
                 reach[place] = self.reach(seen.keys[place]);
