@@ -51,8 +51,7 @@ impl ShellCaster {
     /// Calls `visit` with the numbers of triangles whose shells the ray may meet, roughly from near to far.
     /// It tells up to which parameter of the ray shells are still of interest.
     pub fn each(&self, ray: &Ray, mut visit: impl FnMut(u32) -> f64) {
-        let longest = ray.direction.abs().max_element();
-        if !(longest > 0.0 && ray.direction.is_finite() && ray.origin.is_finite()) {
+        if !goes_somewhere(ray) {
             return;
         }
         let inverse = ray.direction.recip();
@@ -126,6 +125,11 @@ impl ShellCaster {
     }
 }
 
+/// Whether a ray begins somewhere and has a direction.
+fn goes_somewhere(ray: &Ray) -> bool {
+    ray.direction.abs().max_element() > 0.0 && ray.direction.is_finite() && ray.origin.is_finite()
+}
+
 /// The rays of a block, side by side.
 pub struct BlockRays {
     origin: [Row<f64>; 3],
@@ -139,14 +143,13 @@ pub struct BlockRays {
 impl BlockRays {
     /// Those of these that `which` has bits for.
     pub fn new(rays: Row<Ray>, which: u16) -> Self {
-        let goes = |ray: &Ray| {
-            ray.direction.abs().max_element() > 0.0 && ray.direction.is_finite() && ray.origin.is_finite()
-        };
         Self {
             origin: [0, 1, 2].map(|axis| rays.map(|ray| ray.origin[axis])),
             inverse: [0, 1, 2].map(|axis| rays.map(|ray| ray.direction[axis].recip())),
             largest: rays.map(|ray| ray.origin.abs().max_element()),
-            which: places(which).filter(|place| goes(&rays[*place])).fold(0, |bits, place| bits | 1 << place),
+            which: places(which)
+                .filter(|place| goes_somewhere(&rays[*place]))
+                .fold(0, |bits, place| bits | 1 << place),
         }
     }
 }
