@@ -29,6 +29,7 @@ mod sheared_lines;
 mod sink;
 mod texel_pyramid;
 mod transpose;
+mod upper_hulls;
 mod upper_planes;
 
 pub use bake::{bake, bake_last, bits_of_heights};

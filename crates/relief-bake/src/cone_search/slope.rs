@@ -186,7 +186,11 @@ fn falling_root(a: f64, b: f64, c: f64, d: f64) -> Option<f64> {
     }
     // Quadratic convergence; a root short of it by 1e-5 changes the slope by 1e-10, for the top is flat.
     const STEPS: usize = 24;
-    let mut x = inflection;
+    // On nearly level patches the inflection is far from the root, which the two middle terms tell nearly.
+    // From either side of the root the next place is behind it.
+    let middle = (a * b / (c * d)).sqrt();
+    let is_near = middle < inflection && slope(middle) < 0.0 && value(inflection) < 0.0;
+    let mut x = if is_near { (middle - value(middle) / slope(middle)).min(inflection) } else { inflection };
     for _ in 0..STEPS {
         let fall = slope(x);
         if fall >= 0.0 {

@@ -1,6 +1,7 @@
 //! A walk down a maximum pyramid, shared by texels side by side, to the vertices that may matter to them.
 
 mod above_plane;
+mod towards;
 
 use pulp::Simd;
 use relief_core::{HeightMap, Wrap};
@@ -15,11 +16,13 @@ use crate::upper_planes::UpperPlanes;
 /// passed over.
 const CAUTION: f64 = 1.0 - 1.0 / (1u64 << 19) as f64;
 
-/// Raises slopes by more than rounding, so that a plane as steep as what was found is not above it.
-const TIE: f64 = 1.0 + 1e-12;
+/// What slopes are raised by, in the search and in the end: a node whose plane is as steep as what was found
+/// to within this is passed over. Else the rounding of heights would decide what is steepest of much that is
+/// equally steep, and all of it had to be looked at.
+pub(super) const TIE: f64 = 1.0 + 1.0 / (1u64 << 16) as f64;
 
 /// Nodes that a walk looks into before it asks for planes: natural ground mostly takes fewer.
-const PATIENCE: u32 = 64;
+const PATIENCE: u32 = 32;
 
 /// The map's pyramid and the shape of its texels.
 pub(crate) struct Walk<'a> {
@@ -38,6 +41,8 @@ pub(crate) struct Walk<'a> {
     apexes: usize,
 }
 
+pub(crate) use self::towards::Bilinear;
+
 /// Texels side by side, what they have found so far, and the nodes that are still to be looked into.
 pub(crate) struct Group {
     /// The first texel.
@@ -48,8 +53,9 @@ pub(crate) struct Group {
     bar: [f32; LANES],
     /// The steepest slope so far, raised, in heights per metre.
     slope: Lanes,
-    /// The heights of the apexes.
+    /// The heights of the apexes, and of the texels' centres.
     apexes: [Lanes; APEXES],
+    centres: Lanes,
     pending: Vec<Node>,
 }
 
@@ -62,6 +68,7 @@ impl Group {
             bar: [0.0; LANES],
             slope: [0.0; LANES],
             apexes: [[0.0; LANES]; APEXES],
+            centres: [0.0; LANES],
             pending: Vec::with_capacity(64),
         }
     }
@@ -166,6 +173,7 @@ impl<'a> Walk<'a> {
         for (lanes, height) in group.apexes.iter_mut().zip(apexes.heights) {
             lanes[lane] = height;
         }
+        group.centres[lane] = apexes.centre;
     }
 
     /// Sets the squared slope, in heights per metre, above which a lane still looks.
@@ -188,7 +196,7 @@ impl<'a> Walk<'a> {
     ///
     /// On inclined ground that passes over nothing uphill, where all is equally steep. So a node is passed
     /// over as well where a plane above the cells around its vertices is not above the lane's cone: see
-    /// [`Self::above_plane`]. What is lost to a tie is 1e-12 of the slope.
+    /// [`Self::above_plane`]. What is lost to a tie is at most what a [`TIE`] raises the slope by.
     #[inline(always)]
     pub fn walk<S: Simd>(&self, simd: S, group: &mut Group, tiles: [i64; 2], look: &mut impl Look) {
         for y in 0..=tiles[1] {
@@ -231,11 +239,12 @@ impl<'a> Walk<'a> {
         pending.clear();
         pending.push(Node { level, at: [0, 0], sight, lanes: ALL_LANES });
         let mut looked_into = 0;
-        while let Some(Node { level, at, sight, mut lanes }) = pending.pop() {
+        while let Some(node) = pending.pop() {
+            let Node { level, at, sight, mut lanes } = node;
             let Some(mut excess) = self.worth::<S, L>(simd, group, &sight) else { continue };
             looked_into += 1;
             if looked_into > PATIENCE {
-                lanes &= self.above_plane(simd, group, &image, level, at, &sight);
+                lanes = self.above_plane(simd, group, &image, &node);
                 let mut any = false;
                 for (excess, bit) in excess.iter_mut().zip(LANE_BITS) {
                     *excess = if lanes & bit == 0 { 0.0 } else { *excess };

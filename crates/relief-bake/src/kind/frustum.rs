@@ -37,7 +37,8 @@
 //! # Guarantee
 //!
 //! *The inequality holds everywhere on the bilinear surface, in any wrap, for the values stored. In floats,
-//! `S` exceeds the least such slope by less than its last bit and 2⁻⁴⁸; in `bits`, by less than a step.*
+//! `S` exceeds the least such slope by less than 2⁻¹⁶ of it, and two of its last bits; in `bits`, by a step
+//! more.*
 //!
 //! Proof, for the quadrant forward along both axes; the others are its mirror images. Let `p, q` count
 //! columns and rows of texels from the cell's near corner, `d(p, q) = max(p, q, 1) - 1`, and call
@@ -67,10 +68,12 @@
 //! 5. *Rounding.* A corner's demand is a difference and a quotient in `f64`, below the true one by less than
 //!    2⁻⁵¹ of it; a diagonal's is never below the true one. The greatest is raised by 2⁻⁵⁰ of it and rounded
 //!    up to `f32`. The search passes over a node of the pyramid only where its bound is below what is found
-//!    already by more than the rounding of the comparison, or where without any rounding a plane above the
-//!    node is not above the frustum found. So it returns the greatest of all demands. Heights
-//!    and tops are not rounded. With `bits`, heights are decoded from so many bits first, so the top is one
-//!    that is stored exactly; slopes are rounded up, to steps of a power of two over `2^bits - 1`.
+//!    already by more than the rounding of the comparison, or where without any rounding a hull or a plane
+//!    above the node is not above the frustum found. So what it has found is the greatest of all demands, but
+//!    for those of nodes whose hull or plane is above that frustum and not above one steeper by 2⁻¹⁶: where
+//!    it passed over such a node it raises the slope by so much. Heights and tops are not rounded. With
+//!    `bits`, heights are decoded from so many bits first, so the top is one that is stored exactly; slopes
+//!    are rounded up, to steps of a power of two over `2^bits - 1`.
 //!
 //! The half cells before texel 0 of a clamped or mirrored map, and all cells outside, are found by
 //! [`FrustumMap::at`]; that is proven there.
@@ -86,6 +89,7 @@ use relief_core::{HeightMap, MaxPyramid, Rounding};
 
 use super::{BITS, Kind, Reach};
 use crate::texel_pyramid::TexelPyramid;
+use crate::upper_hulls::UpperHulls;
 use crate::upper_planes::UpperPlanes;
 use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink, Texture, quantise};
 
@@ -95,11 +99,11 @@ pub use map::{Frustum, FrustumMap, FrustumMapError, quadrant};
 pub const KIND: Kind = Kind {
     name: "frustum",
     summary: "for every dual cell its top, and in each quadrant the least slope of an empty frustum on it",
-    revision: 1,
+    revision: 2,
     publication: Publication { paper: "Relief", section: "kind `frustum`" },
     params: PARAMS,
     guarantee: "In each quadrant the bilinear surface is nowhere above top + slope * Chebyshev distance from the cell, in \
-        texels; the stored slope is the least such, rounded up.",
+        texels; the stored slope is the least such, at most 2^-16 of it more, rounded up.",
     is_picture: false,
     shapes: |size, _| vec![Shape::slices("top", size, 1, 1), Shape::slices("slopes", size, 1, 4)],
     reach: |_| Reach::Everything,
@@ -123,10 +127,10 @@ const QUADRANTS: [[bool; 2]; 4] = [[true, true], [false, true], [true, false], [
 pub fn frustum_map(map: &HeightMap, progress: &Progress) -> Result<FrustumMap, Cancelled> {
     let begin = progress.piece(0.0, 0.02);
     let top = MaxPyramid::try_new(map, |part| begin.at(part))?.nodes(0).to_vec();
-    let (levels, planes) = (TexelPyramid::new(map), UpperPlanes::new(map));
+    let (levels, planes, hulls) = (TexelPyramid::new(map), UpperPlanes::new(map), UpperHulls::new(map));
     let slopes = |place: usize| {
         let progress = progress.piece(0.02 + 0.245 * place as f32, 0.02 + 0.245 * (place + 1) as f32);
-        least_slopes::least_slopes(map, &top, &levels, &planes, QUADRANTS[place], &progress)
+        least_slopes::least_slopes(map, &top, (&levels, &planes, &hulls), QUADRANTS[place], &progress)
     };
     let slopes = [slopes(0)?, slopes(1)?, slopes(2)?, slopes(3)?];
     Ok(FrustumMap::of_map(map, top, slopes))

@@ -4,25 +4,20 @@ use pulp::Simd;
 
 use super::super::apexes::RIM;
 use super::super::lanes::{COLUMNS, LANE_BITS, LANES};
-use super::{ALL_LANES, CAUTION, Group, Image, Sight, Walk};
+use super::{Bilinear, CAUTION, Group, Image, Node, Walk};
 
 impl Walk<'_> {
     /// The lanes, a bit each, for which a node may matter by the plane above it; all where there is none.
     ///
     /// Let the plane be `A ≥ 0` above an apex and have the slope `b`. Then what is below the plane and at
     /// least `d` away is at most as steep as `b + A / d`, and as `b` where `A` is negative. Over a piece of
-    /// the rim on which the surface is linear, `A` is greatest at an end.
+    /// the rim on which the surface is linear, `A` is greatest at an end; from inside of the square it is
+    /// greatest at the centre or on the rim. A plane towards which the ground is inclined ends nothing so,
+    /// but aside: there [`Self::may_be_steeper`] tells more.
     #[inline(always)]
-    pub(super) fn above_plane<S: Simd>(
-        &self,
-        simd: S,
-        group: &Group,
-        image: &Image,
-        level: u32,
-        at: [u32; 2],
-        sight: &Sight,
-    ) -> u64 {
-        let Some(plane) = self.planes.plane(level, at) else { return ALL_LANES };
+    pub(super) fn above_plane<S: Simd>(&self, simd: S, group: &Group, image: &Image, node: &Node) -> u64 {
+        let Node { level, at, ref sight, lanes: among } = *node;
+        let Some(plane) = self.planes.plane(level, at) else { return among };
         // In columns and rows from the group's first texel.
         let mut along = plane.along.map(f64::from);
         let mut above = plane.height;
@@ -30,6 +25,7 @@ impl Walk<'_> {
             along[axis] = if image.is_mirrored[axis] { -along[axis] } else { along[axis] };
             above -= along[axis] * self.place(image, axis, at[axis] << level) as f64;
         }
+        let height = above;
         let slopes = [along[0] / self.texel_m[0], along[1] / self.texel_m[1]];
         let slope = simd.splat_f64s((slopes[0] * slopes[0] + slopes[1] * slopes[1]).sqrt());
         let half = f64::from(self.half);
@@ -43,7 +39,7 @@ impl Walk<'_> {
         let mut lanes = [0u64; LANES];
         for (part, lanes) in S::as_mut_simd_u64s(&mut lanes).0.iter_mut().enumerate() {
             let by = S::as_simd_f64s(&COLUMNS).0[part];
-            let mut most = simd.splat_f64s(f64::NEG_INFINITY);
+            let mut most = simd.sub_f64s(zero, S::as_simd_f64s(&group.centres).0[part]);
             for (apex, heights) in group.apexes.iter().enumerate().take(self.apexes) {
                 let [column, row] = RIM[apex];
                 let place = half * (along[0] * f64::from(column) + along[1] * f64::from(row));
@@ -60,7 +56,20 @@ impl Walk<'_> {
             let may = simd.or_m64s(is_above, is_steeper);
             *lanes = simd.select_u64s(may, S::as_simd_u64s(&LANE_BITS).0[part], simd.splat_u64s(0));
         }
-        lanes.into_iter().fold(0, |all, bit| all | bit)
+        let may = lanes.into_iter().fold(0, |all, bit| all | bit) & among;
+        if may == 0 {
+            return 0;
+        }
+        let [left, right] = [sight.columns[0] - 1.0, sight.columns[1] + 1.0].map(f64::from);
+        let [top, bottom] = self.span(image, 1, at[1], level).map(f64::from);
+        let (top, bottom) = (top - 1.0, bottom + 1.0);
+        let corner = |u: f64, v: f64| height + along[0] * u + along[1] * v;
+        let seen = Bilinear {
+            from: [left, top],
+            to: [right, bottom],
+            heights: [corner(left, top), corner(right, top), corner(left, bottom), corner(right, bottom)],
+        };
+        may & self.may_be_steeper(simd, group, &seen)
     }
 }
 

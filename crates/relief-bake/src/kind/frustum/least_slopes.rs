@@ -4,18 +4,23 @@
 //! passed over when its greatest height, at its least distance, is for none of them steeper than the best so
 //! far. What was steepest for the row before is looked at first; it is mostly steepest again, or nearly.
 //!
-//! On inclined ground all that is ahead is equally steep, and no node is passed over so. There a plane above
-//! the node tells that nothing of it asks for more.
+//! Aside of the diagonal the distance goes along one axis, so that the hull of a node's profile along it
+//! tells at once what is steepest in the node. Hulls and planes above nodes tell as well that nothing of a
+//! node asks for more: on inclined ground all that is ahead is equally steep, and heights tell nothing.
+
+mod bounds;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 use relief_core::HeightMap;
 
 use super::ahead::{self, Run};
 use super::diagonal;
 use crate::texel_pyramid::TexelPyramid;
-use crate::upper_planes::{EXACT, UpperPlane, UpperPlanes, floor};
+use crate::upper_hulls::UpperHulls;
+use crate::upper_planes::{UpperPlanes, floor};
 use crate::{Cancelled, Progress};
 
 /// How many cells are searched for at once. They share the walk through the pyramid and are compared
@@ -34,8 +39,12 @@ const RAISE: f64 = 1.0 + 1.0 / (1u64 << 50) as f64;
 /// Lowers slopes, so that in `f32`, with three roundings of 2⁻²⁴, no node that matters is passed over.
 const CAUTION: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
 
-/// Nodes that a search looks into before it asks for planes: natural ground mostly takes fewer.
-const PATIENCE: u32 = 256;
+/// What a slope is raised by where something else is as steep to within this. Else the rounding of heights
+/// would decide what is steepest of much that is equally steep, and all of it had to be looked at.
+const TIE: f64 = 1.0 + 1.0 / (1u64 << 16) as f64;
+
+/// Nodes that a search looks into before it asks for hulls and planes: natural ground mostly takes fewer.
+const PATIENCE: u32 = 64;
 
 /// No slope is steeper: heights differ by 1 at most, and the nearest that counts is half a texel away.
 const STEEPEST: f32 = 2.0;
@@ -45,8 +54,7 @@ const STEEPEST: f32 = 2.0;
 pub fn least_slopes(
     map: &HeightMap,
     tops: &[f32],
-    levels: &TexelPyramid,
-    planes: &UpperPlanes,
+    (levels, planes, hulls): (&TexelPyramid, &UpperPlanes, &UpperHulls),
     forward: [bool; 2],
     progress: &Progress,
 ) -> Result<Vec<f32>, Cancelled> {
@@ -60,8 +68,9 @@ pub fn least_slopes(
             let (column, row) = (tile % across * LANES, tile / across * ROWS);
             let columns = [column, (column + LANES).min(width) - 1].map(|column| column as u32);
             let rows = [row, (row + ROWS).min(height) - 1].map(|row| row as u32);
-            let mut search = Search::new(map, tops, (levels, planes), forward, columns);
-            let found = search.rows(rows);
+            let mut search = Search::new(map, tops, (levels, planes, hulls), forward, columns);
+            // Not wider ones: eight cells are searched for together.
+            let found = relief_core::Lanes::Eight.run(Rows { search: &mut search, rows });
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
             progress.at(done as f32 / tiles as f32).map(|()| (columns, rows, found))
         };
@@ -76,6 +85,21 @@ pub fn least_slopes(
         }
     }
     Ok(slopes)
+}
+
+/// Rows of a tile, to be searched with the vectors that the machine has.
+struct Rows<'a, 'b> {
+    search: &'b mut Search<'a>,
+    rows: [u32; 2],
+}
+
+impl WithSimd for Rows<'_, '_> {
+    type Output = Vec<[f32; LANES]>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> Self::Output {
+        self.search.rows(self.rows)
+    }
 }
 
 /// A node of the pyramid.
@@ -100,6 +124,7 @@ struct Search<'a> {
     tops: &'a [f32],
     levels: &'a TexelPyramid<'a>,
     planes: &'a UpperPlanes,
+    hulls: &'a UpperHulls,
     forward: [bool; 2],
     columns: [u32; 2],
     row: u32,
@@ -113,6 +138,8 @@ struct Search<'a> {
     /// Tops and slopes rounded down to multiples of one over [`GRID`](crate::upper_planes::GRID).
     fine_top: [f64; LANES],
     fine_slope: [f64; LANES],
+    /// Whether something that was passed over may be steeper, by no more than a [`TIE`].
+    is_tied: [bool; LANES],
     /// How many texels ahead it is.
     ahead: [[i64; 2]; LANES],
     /// Nodes still to be looked at.
@@ -123,7 +150,7 @@ impl<'a> Search<'a> {
     fn new(
         map: &'a HeightMap,
         tops: &'a [f32],
-        (levels, planes): (&'a TexelPyramid<'a>, &'a UpperPlanes),
+        (levels, planes, hulls): (&'a TexelPyramid<'a>, &'a UpperPlanes, &'a UpperHulls),
         forward: [bool; 2],
         columns: [u32; 2],
     ) -> Self {
@@ -133,6 +160,7 @@ impl<'a> Search<'a> {
             tops,
             levels,
             planes,
+            hulls,
             forward,
             columns,
             row: 0,
@@ -142,12 +170,14 @@ impl<'a> Search<'a> {
             cautious: [0.0; LANES],
             fine_top: [0.0; LANES],
             fine_slope: [0.0; LANES],
+            is_tied: [false; LANES],
             ahead: [[0; 2]; LANES],
             pending: Vec::new(),
         }
     }
 
     /// The least slopes of all lanes in those rows.
+    #[inline(always)]
     fn rows(&mut self, [first, last]: [u32; 2]) -> Vec<[f32; LANES]> {
         let mut found = vec![[0.0; LANES]; (last - first) as usize + 1];
         // From far to near, so that what is steepest for one row is ahead of the next.
@@ -159,6 +189,7 @@ impl<'a> Search<'a> {
         found
     }
 
+    #[inline(always)]
     fn least_slopes(&mut self) -> [f32; LANES] {
         let start = self.row as usize * self.map.width() as usize;
         let tops = &self.tops[start + self.columns[0] as usize..=start + self.columns[1] as usize];
@@ -168,6 +199,7 @@ impl<'a> Search<'a> {
         self.cautious = [0.0; LANES];
         self.fine_top = self.top.map(|top| floor(f64::from(top)));
         self.fine_slope = [0.0; LANES];
+        self.is_tied = [false; LANES];
         for lane in 0..tops.len() {
             let [u, v] = self.ahead[lane];
             self.look(lane, [u, v + 1]);
@@ -180,10 +212,15 @@ impl<'a> Search<'a> {
                 self.search(&[along_u, along_v]);
             }
         }
-        self.slope.map(round_up)
+        let mut found = [0.0; LANES];
+        for (lane, found) in found.iter_mut().enumerate() {
+            *found = round_up(if self.is_tied[lane] { self.slope[lane] * TIE } else { self.slope[lane] });
+        }
+        found
     }
 
     /// The height of a texel so many ahead of a lane's cell, above its top.
+    #[inline(always)]
     fn rise(&self, lane: usize, [u, v]: [i64; 2]) -> f64 {
         let column = ahead::texel(self.columns[0] + lane as u32, self.forward[0], u);
         let row = ahead::texel(self.row, self.forward[1], v);
@@ -191,6 +228,7 @@ impl<'a> Search<'a> {
     }
 
     /// Offers a lane what a texel ahead asks for, and the diagonal cell that it is a corner of.
+    #[inline(never)]
     fn look(&mut self, lane: usize, ahead: [i64; 2]) {
         let [u, v] = ahead;
         let distance = u.max(v) - 1;
@@ -208,7 +246,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn offer(&mut self, lane: usize, slope: f64, ahead: [i64; 2]) {
         if slope > self.slope[lane] {
             self.slope[lane] = slope;
@@ -219,6 +257,7 @@ impl<'a> Search<'a> {
     }
 
     /// Looks at the texels of a product of runs.
+    #[inline(always)]
     fn search(&mut self, runs: &[Run; 2]) {
         let mut pending = std::mem::take(&mut self.pending);
         pending.push(Node { level: self.levels.top(), at: [0, 0], lanes: [true; LANES] });
@@ -227,31 +266,33 @@ impl<'a> Search<'a> {
             let Some(sight) = self.worth(runs, node) else { continue };
             let mut lanes = node.lanes;
             looked_into += 1;
-            if looked_into > PATIENCE
-                && let Some(plane) = self.planes.plane(node.level, node.at)
-            {
-                let above = self.above_plane(runs, node, plane, &sight);
-                lanes = std::array::from_fn(|lane| lanes[lane] & above[lane]);
-                if lanes == [false; LANES] {
-                    continue;
-                }
+            if looked_into > PATIENCE && !self.may_be_steeper(runs, node, &sight, &mut lanes) {
+                continue;
             }
             if node.level == 0 {
-                let excess = self.excess(&sight);
-                for lane in (0..LANES).filter(|lane| lanes[*lane] && excess[*lane] > 0.0) {
-                    self.look(lane, [sight.near[0] + self.shift[lane] as i64, sight.near[1]]);
-                }
+                self.look_at_texel(&sight, &lanes);
                 continue;
             }
             let level = node.level - 1;
             let [columns, rows] = self.levels.level(level).size();
-            // The last one pushed is looked at first: that is to be the nearest.
-            let order = |axis: usize| {
+            let order = |axis: usize, is_near_first: bool| {
                 let first = 2 * node.at[axis];
-                if runs[axis].rising { [first + 1, first] } else { [first, first + 1] }
+                if runs[axis].rising == is_near_first { [first, first + 1] } else { [first + 1, first] }
             };
-            for row in order(1) {
-                for column in order(0) {
+            if level == 0 {
+                for row in order(1, true) {
+                    for column in order(0, true) {
+                        let child = Node { level, at: [column, row], lanes };
+                        if let Some(sight) = self.sight(runs, child) {
+                            self.look_at_texel(&sight, &lanes);
+                        }
+                    }
+                }
+                continue;
+            }
+            // The last one pushed is looked at first: that is to be the nearest.
+            for row in order(1, false) {
+                for column in order(0, false) {
                     let child = Node { level, at: [column, row], lanes };
                     if column < columns && row < rows && self.worth(runs, child).is_some() {
                         pending.push(child);
@@ -263,7 +304,7 @@ impl<'a> Search<'a> {
     }
 
     /// Where the texels of a node that are in the runs are; `None` without any.
-    #[inline]
+    #[inline(always)]
     fn sight(&self, runs: &[Run; 2], node: Node) -> Option<Sight> {
         let (mut near, mut far) = ([0; 2], [0; 2]);
         for axis in 0..2 {
@@ -279,77 +320,22 @@ impl<'a> Search<'a> {
         Some(Sight { near, far, highest: level.highest(node.at) })
     }
 
-    /// How much higher a node is than it must be to be steeper than each lane's best: positive where it may
-    /// be.
-    #[inline]
-    fn excess(&self, sight: &Sight) -> [f32; LANES] {
-        let [near_u, near_v] = sight.near.map(|ahead| ahead as i32 as f32);
-        let [far_u, far_v] = sight.far.map(|ahead| ahead as i32 as f32);
-        let mut excess = [0.0; LANES];
-        let lanes = self.shift.iter().zip(&self.top).zip(&self.cautious);
-        for (excess, ((shift, top), cautious)) in excess.iter_mut().zip(lanes) {
-            let (near, far) = (near_u + shift, far_u + shift);
-            // What is beside the diagonal counts in a diagonal cell too, from half a texel nearer.
-            let beside = (near <= far_v + 1.0) & (near_v <= far + 1.0);
-            let farther = if near > near_v { near } else { near_v };
-            let distance = farther - if beside { 1.5 } else { 1.0 };
-            let distance = if distance > 0.0 { distance } else { 0.0 };
-            *excess = (sight.highest - top) - cautious * distance;
-        }
-        excess
-    }
-
-    /// The lanes in which a node may ask for more than the best by the plane above it.
-    ///
-    /// Over the cells around the node's texels the surface is below the plane, and so below the frustum where
-    /// the plane is. The plane less the slope times `max(u, v)` is linear on either side of the diagonal, so
-    /// it is greatest at a corner of the box of these cells or where the diagonal crosses the box's rim. All
-    /// numbers are multiples of one over [`GRID`](crate::upper_planes::GRID), with top and slope rounded down
-    /// to such, and nothing is rounded: a tie is told from a rise by a last bit.
-    #[inline]
-    fn above_plane(&self, runs: &[Run; 2], node: Node, plane: &UpperPlane, sight: &Sight) -> [bool; LANES] {
-        let mut along = plane.along.map(f64::from);
-        let mut zero = plane.height;
-        let mut most = plane.height.abs() + 2.0;
-        let (mut from, mut to) = ([0.0; 2], [0.0; 2]);
-        for axis in 0..2 {
-            along[axis] = if runs[axis].rising { along[axis] } else { -along[axis] };
-            let first = runs[axis].ahead(node.at[axis] << node.level) as f64;
-            (from[axis], to[axis]) = (sight.near[axis] as f64 - 1.0, sight.far[axis] as f64 + 1.0);
-            zero -= along[axis] * first;
-            most += along[axis].abs() * (first.abs() + from[axis].abs().max(to[axis].abs()) + LANES as f64);
-        }
-        let mut above = [true; LANES];
-        let lanes = self.shift.iter().zip(&self.fine_slope).zip(&self.fine_top);
-        for (above, ((shift, &slope), &top)) in above.iter_mut().zip(lanes) {
-            let shift = f64::from(*shift);
-            let (left, right) = (from[0] + shift, to[0] + shift);
-            let over = |u: f64, v: f64| along[0] * (u - shift) + along[1] * v - slope * greater(u, v);
-            let near = greater(over(left, from[1]), over(right, from[1]));
-            let far = greater(over(left, to[1]), over(right, to[1]));
-            let (enter, leave) = (greater(left, from[1]), -greater(-right, -to[1]));
-            let diagonal = greater(over(enter, enter), over(leave, leave));
-            let diagonal = if enter <= leave { diagonal } else { f64::NEG_INFINITY };
-            let highest = greater(greater(near, far), diagonal);
-            let is_exact = most + slope * greater(right.abs(), to[1].abs()) < EXACT;
-            *above = !(is_exact & (zero + highest + slope <= top));
-        }
-        above
-    }
-
     /// Where a node is, if any lane must look into it.
-    #[inline]
+    #[inline(always)]
     fn worth(&self, runs: &[Run; 2], node: Node) -> Option<Sight> {
         let sight = self.sight(runs, node)?;
         let worth = self.excess(&sight).iter().fold(false, |worth, excess| worth | (*excess > 0.0));
         worth.then_some(sight)
     }
-}
 
-/// The greater one, in the form that compiles to one instruction.
-#[inline(always)]
-fn greater(x: f64, y: f64) -> f64 {
-    if x > y { x } else { y }
+    /// Looks at a texel for those lanes for which it may be steeper than their best.
+    #[inline(always)]
+    fn look_at_texel(&mut self, sight: &Sight, lanes: &[bool; LANES]) {
+        let excess = self.excess(sight);
+        for lane in (0..LANES).filter(|lane| lanes[*lane] && excess[*lane] > 0.0) {
+            self.look(lane, [sight.near[0] + self.shift[lane] as i64, sight.near[1]]);
+        }
+    }
 }
 
 /// The least `f32` that is surely not below the slope whose rounded value is given.

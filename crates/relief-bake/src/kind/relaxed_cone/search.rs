@@ -8,8 +8,8 @@ use super::fall::{ROUNDING, falls};
 use super::falling::falling_slope2;
 use super::own::own_bound;
 use crate::cone_search::{
-    Apexes, Block, COLUMNS, Group, LANE_BITS, LANES, Lanes, Look, Region, Search, Seen, Sort, State, bits_of,
-    cells_of_block, is_in_block, offset_of, steepest_in_quarter,
+    Apexes, Bilinear, Block, COLUMNS, Group, LANE_BITS, LANES, Lanes, Look, Region, Search, Seen, Sort,
+    State, bits_of, cells_of_block, is_in_block, offset_of, steepest_in_quarter,
 };
 
 /// The most images of the map that are looked at. Tiles a hundred times longer than wide need more; larger,
@@ -145,7 +145,8 @@ impl Sort for Relaxed {
         let block = Block::new(&search.field, texel);
         let apexes = block.apexes(texel, region);
         let mut best = [0.0; LANES];
-        let (group, seeds) = (&mut state.group, &mut state.seeds[texel[0] as usize..]);
+        let (before, seeds) = state.seeds.split_at_mut(texel[0] as usize);
+        let group = &mut state.group;
         group.begin(texel);
         let (lows, gradients2) = (apexes.each_ref().map(|apexes| apexes.low), [0.0; LANES]);
         let mut falling =
@@ -158,16 +159,23 @@ impl Sort for Relaxed {
             }
             search.walk.lower(group, lane, apexes);
         }
-        // What was steepest for the row above, then the nearest cells: after these little else is steeper.
         for lane in 0..count {
             search.walk.raise_bar(group, lane, falling.best[lane]);
-            if let Some(seed) = falling.seeds[lane] {
-                let mut only = [0.0; LANES];
-                only[lane] = 1.0;
-                falling.look(simd, group, &only, seed, f64::from(search.field.map.texel(seed[0], seed[1])));
-            }
         }
+        // What was steepest for the texel before, and in the row above, then the nearest cells: after these
+        // little else is steeper.
         let lanes = (1 << count) - 1;
+        let of_row_above: [_; LANES] = std::array::from_fn(|lane| falling.seeds.get(lane).copied().flatten());
+        let of_texel_before = before.last().copied().flatten().map(|seed| (lanes, seed));
+        let of_row_above =
+            LANE_BITS.into_iter().zip(of_row_above).filter_map(|(lane, seed)| Some((lane, seed?)));
+        for (lanes, seed) in of_texel_before.into_iter().chain(of_row_above) {
+            let mut only = [0.0; LANES];
+            for (only, lane) in only.iter_mut().zip(LANE_BITS) {
+                *only = if lanes & lane == 0 { 0.0 } else { 1.0 };
+            }
+            falling.look(simd, group, &only, seed, f64::from(search.field.map.texel(seed[0], seed[1])));
+        }
         for first in cells_of_block() {
             for lane in bits_of(lanes & falling.may_matter_in_block(simd, &block, first)) {
                 falling.raise(simd, lane, &block.cell(lane, first));
@@ -279,7 +287,13 @@ impl Look for Falling<'_, '_> {
             if (h00 > height) | (h10 > height) | (h01 > height) | (h11 > height) {
                 continue;
             }
-            for lane in bits_of(wanted & self.may_fall(simd, &seen)) {
+            let from = seen.offset.map(|offset| offset as f64);
+            let cell = Bilinear { from, to: [from[0] + 1.0, from[1] + 1.0], heights: seen.heights };
+            let mut lanes = wanted & self.may_fall(simd, &seen);
+            if lanes != 0 {
+                lanes &= self.search.walk.may_be_steeper(simd, group, &cell);
+            }
+            for lane in bits_of(lanes) {
                 let offset = [seen.offset[0] - lane as i64, seen.offset[1]];
                 let before = self.best[lane];
                 if !is_in_block(offset) {

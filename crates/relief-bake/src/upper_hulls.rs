@@ -1,0 +1,250 @@
+//! Upper hulls of the profiles of squares of texels, for searches that would else look at every texel.
+//!
+//! The profile of a square along an axis holds, for each column (or row), its highest texel. Seen from a
+//! place before the first of them, the greatest slope to a profile, with distances along the axis alone, is
+//! that to a vertex of its upper hull: what lies on or below an edge is nowhere steeper than both of its
+//! ends. Hulls have few vertices: some ten of hundreds of columns of natural ground, and two of a plane.
+
+use rayon::prelude::*;
+use relief_core::HeightMap;
+
+use crate::upper_planes::GRID;
+
+/// The first level of the pyramid that has hulls: on lower ones there are as few texels as vertices.
+pub const FIRST: u32 = 3;
+
+/// The largest side of a square of which hulls are exact: whole numbers of texels times multiples of one over
+/// [`GRID`] are exact in `f64`.
+const EXACT_SIDE: u32 = 1 << 12;
+
+/// By how much a texel must be below an edge to be dropped where edges are rounded. It is more than the
+/// roundings of a slope to it and of that to an end, so none that may be steepest is lost.
+const SLACK: f64 = 1.0 / (1u64 << 48) as f64;
+
+/// A vertex of a hull.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HullVertex {
+    /// The highest texel of a column, or row, of the node.
+    pub texel: [u32; 2],
+    /// Its height.
+    pub height: f32,
+}
+
+/// Upper hulls of the nodes of a maximum pyramid of texels, from level [`FIRST`] on.
+pub struct UpperHulls {
+    levels: Vec<[HullLevel; 2]>,
+}
+
+/// The hulls along one axis.
+struct HullLevel {
+    /// The vertices of all nodes, from the first column or row to the last.
+    vertices: Vec<HullVertex>,
+    /// Where each node's begin; one more at the end.
+    begins: Vec<usize>,
+    width: usize,
+}
+
+impl UpperHulls {
+    /// Those of a map.
+    pub fn new(map: &HeightMap) -> Self {
+        let is_fine = map.texels().par_iter().all(|&texel| (f64::from(texel) * GRID).fract() == 0.0);
+        let size = [map.width(), map.height()];
+        let top = size[0].max(size[1]).next_power_of_two().ilog2();
+        let mut levels = Vec::new();
+        let mut profiles = Profiles::new(map);
+        for level in FIRST..=top {
+            if level > FIRST {
+                profiles = profiles.above();
+            }
+            let slack = if is_fine && 1 << level <= EXACT_SIDE { 0.0 } else { SLACK };
+            levels.push([0, 1].map(|axis| profiles.hulls(axis, slack)));
+        }
+        Self { levels }
+    }
+
+    /// The hull above a node along the columns (axis 0) or rows (1); `None` below [`FIRST`].
+    #[inline(always)]
+    pub fn hull(&self, level: u32, [column, row]: [u32; 2], axis: usize) -> Option<&[HullVertex]> {
+        let level = &self.levels.get(level.checked_sub(FIRST)? as usize)?[axis];
+        let node = row as usize * level.width + column as usize;
+        let (begin, end) = (*level.begins.get(node)?, *level.begins.get(node + 1)?);
+        level.vertices.get(begin..end)
+    }
+}
+
+/// The highest texel of a node's column or row.
+#[derive(Clone, Copy)]
+struct Highest {
+    height: f32,
+    /// Its row in the map, or its column.
+    at: u32,
+}
+
+/// The profiles of all nodes of a level along both axes.
+struct Profiles {
+    /// Columns and rows of the map.
+    size: [u32; 2],
+    level: u32,
+    /// Along the columns: a line of the map's width for each row of nodes. Along the rows: a line of the
+    /// map's height for each column of nodes.
+    lines: [Vec<Highest>; 2],
+}
+
+impl Profiles {
+    /// Those of the nodes of level [`FIRST`] of a map.
+    fn new(map: &HeightMap) -> Self {
+        let size = [map.width(), map.height()];
+        let ([width, height], side) = (size.map(|side| side as usize), 1 << FIRST);
+        let below = Highest { height: -1.0, at: 0 };
+        let mut along_columns = vec![below; width * height.div_ceil(side)];
+        let rows = map.texels().par_chunks(side * width);
+        along_columns.par_chunks_mut(width).zip(rows).enumerate().for_each(|(node, (line, rows))| {
+            for (row, texels) in rows.chunks_exact(width).enumerate() {
+                let at = (node * side + row) as u32;
+                for (highest, &height) in line.iter_mut().zip(texels) {
+                    *highest = highest.or(Highest { height, at });
+                }
+            }
+        });
+        let mut along_rows = vec![below; width.div_ceil(side) * height];
+        along_rows.par_chunks_mut(height).enumerate().for_each(|(node, line)| {
+            let columns = side * node..(side * node + side).min(width);
+            for (highest, row) in line.iter_mut().zip(map.texels().chunks_exact(width)) {
+                for column in columns.clone() {
+                    *highest = highest.or(Highest { height: row[column], at: column as u32 });
+                }
+            }
+        });
+        Self { size, level: FIRST, lines: [along_columns, along_rows] }
+    }
+
+    /// Those of the next level: of each pair of lines the higher texels.
+    fn above(&self) -> Self {
+        let lines = [0, 1].map(|axis| {
+            let length = self.size[axis] as usize;
+            let halved = |lines: &[Highest]| -> Vec<Highest> {
+                let (first, second) = lines.split_at(length);
+                if second.is_empty() {
+                    return first.to_vec();
+                }
+                first.iter().zip(second).map(|(one, other)| one.or(*other)).collect()
+            };
+            self.lines[axis].par_chunks(2 * length).flat_map_iter(halved).collect()
+        });
+        Self { size: self.size, level: self.level + 1, lines }
+    }
+
+    /// The hulls of all nodes along an axis.
+    fn hulls(&self, axis: usize, slack: f64) -> HullLevel {
+        let [width, height] = self.size.map(|side| side.div_ceil(1 << self.level) as usize);
+        let (length, side) = (self.size[axis] as usize, 1usize << self.level);
+        let rows: Vec<Vec<Vec<HullVertex>>> = (0..height)
+            .into_par_iter()
+            .map(|row| {
+                let hull = |column: usize| {
+                    let [line, along] = if axis == 0 { [row, column] } else { [column, row] };
+                    let places = along * side..(along * side + side).min(length);
+                    upper_hull(&self.lines[axis][line * length..][places.clone()], places.start, axis, slack)
+                };
+                (0..width).map(hull).collect()
+            })
+            .collect();
+        let (mut vertices, mut begins) = (Vec::new(), vec![0]);
+        for hull in rows.iter().flatten() {
+            vertices.extend_from_slice(hull);
+            begins.push(vertices.len());
+        }
+        HullLevel { vertices, begins, width }
+    }
+}
+
+/// The vertices of the upper hull of a profile that begins at a column, or row. What is within `slack` below
+/// an edge is kept, too.
+fn upper_hull(profile: &[Highest], begin: usize, axis: usize, slack: f64) -> Vec<HullVertex> {
+    let mut hull: Vec<HullVertex> = Vec::new();
+    for (place, highest) in profile.iter().enumerate() {
+        let place = (begin + place) as u32;
+        let texel = if axis == 0 { [place, highest.at] } else { [highest.at, place] };
+        while let [.., before, last] = hull[..] {
+            let rise = f64::from(last.height) - f64::from(before.height) + slack;
+            let all = f64::from(highest.height) - f64::from(before.height);
+            let to = |at: u32| f64::from(at - before.texel[axis]);
+            if rise * to(place) > all * to(last.texel[axis]) {
+                break;
+            }
+            hull.pop();
+        }
+        hull.push(HullVertex { texel, height: highest.height });
+    }
+    hull
+}
+
+impl Highest {
+    /// The higher one; of equal ones this.
+    #[inline(always)]
+    fn or(self, other: Self) -> Self {
+        if other.height > self.height { other } else { self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use relief_core::Wrap;
+    use relief_tests::maps;
+
+    use super::*;
+
+    #[test]
+    fn what_is_steepest_of_a_profile_is_a_vertex_of_its_hull() {
+        let mut fewer = 0;
+        for named in maps::ALL {
+            let map = named.build(Wrap::Clamp);
+            let hulls = UpperHulls::new(&map);
+            let size = [map.width(), map.height()];
+            for level in FIRST..=size[0].max(size[1]).ilog2() {
+                let nodes = size.map(|side| side.div_ceil(1 << level));
+                for (row, column, axis) in
+                    (0..nodes[1]).flat_map(|j| (0..nodes[0]).flat_map(move |i| [(j, i, 0), (j, i, 1)]))
+                {
+                    let hull = hulls.hull(level, [column, row], axis).expect("a level with hulls");
+                    let at = [column, row].map(|at| at << level);
+                    let to = [0, 1].map(|axis| (at[axis] + (1 << level)).min(size[axis]));
+                    let texels = (at[1]..to[1]).flat_map(|j| (at[0]..to[0]).map(move |i| [i, j]));
+                    let texels: Vec<_> = texels
+                        .map(|texel| (texel[axis], map.texel(texel[0].into(), texel[1].into())))
+                        .collect();
+                    for vertex in hull {
+                        let [i, j] = vertex.texel.map(i64::from);
+                        assert_eq!(map.texel(i, j), vertex.height);
+                    }
+                    for (eye, low) in [(-1, 0.0), (-1, 0.5), (-40, 0.25), (1, 0.0), (1, 0.5), (40, 0.25)] {
+                        let from = f64::from(if eye < 0 { at[axis] } else { to[axis] - 1 }) + f64::from(eye);
+                        let slope = |place: u32, height: f32| {
+                            (f64::from(height) - low) / (f64::from(place) - from).abs()
+                        };
+                        let steepest =
+                            texels.iter().map(|&(place, height)| slope(place, height)).fold(-9.0, f64::max);
+                        let found = hull
+                            .iter()
+                            .map(|vertex| slope(vertex.texel[axis], vertex.height))
+                            .fold(-9.0, f64::max);
+                        assert_eq!(found, steepest, "{} {level} {column} {row} {axis} {eye}", named.name);
+                    }
+                    fewer += usize::from(hull.len() < (to[axis] - at[axis]) as usize);
+                }
+            }
+        }
+        assert!(fewer > 1000, "{fewer} hulls have fewer vertices than their profiles places");
+    }
+
+    #[test]
+    fn the_hull_of_a_plane_has_two_vertices_and_touches_the_higher_side() {
+        let plane = HeightMap::from_fn(64, 64, Wrap::Clamp, |i, j| (3 * i + 2 * j) as f32 / 512.0);
+        let hulls = UpperHulls::new(&plane.expect("a valid map"));
+        let ends =
+            |axis| hulls.hull(4, [1, 2], axis).map(|hull| hull.iter().map(|vertex| vertex.texel).collect());
+        assert_eq!(ends(0), Some(vec![[16, 47], [31, 47]]));
+        assert_eq!(ends(1), Some(vec![[31, 32], [31, 47]]));
+        assert!(hulls.hull(2, [0, 0], 0).is_none());
+    }
+}
