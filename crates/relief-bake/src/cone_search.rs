@@ -24,4 +24,4 @@ pub(crate) use self::field::{Field, Seen};
 pub(crate) use self::lanes::{COLUMNS, LANE_BITS, LANES, Lanes, bits_of};
 pub(crate) use self::search::{Search, Sort, State};
 pub(crate) use self::slope::{Patch, inside_segment, steepest_in_quarter, to_point};
-pub(crate) use self::walk::{Bilinear, Group, Look};
+pub(crate) use self::walk::{Bilinear, Group, Look, ProfileVertex};

@@ -41,7 +41,8 @@ pub(crate) struct Walk<'a> {
     apexes: usize,
 }
 
-pub(crate) use self::towards::Bilinear;
+use self::towards::Profile;
+pub(crate) use self::towards::{Bilinear, ProfileVertex};
 
 /// Texels side by side, what they have found so far, and the nodes that are still to be looked into.
 pub(crate) struct Group {
@@ -92,6 +93,11 @@ pub(crate) trait Look {
     /// Whether anything around the vertices of a node may matter. From the apexes of all lanes to these
     /// vertices and the cells around them it is at least `from` and at most `to` columns and rows of the map.
     fn may_matter(&self, level: u32, at: [u32; 2], from: [f32; 2], to: [f32; 2]) -> bool;
+
+    /// The upper hull of all that may matter in a node, along an axis; `None` where that is not known.
+    fn profile(&self, _level: u32, _at: [u32; 2], _axis: usize) -> Option<&[ProfileVertex]> {
+        None
+    }
 
     /// Looks at a vertex of that height for the lanes whose excess is positive.
     fn look<S: Simd>(
@@ -245,6 +251,13 @@ impl<'a> Walk<'a> {
             looked_into += 1;
             if looked_into > PATIENCE {
                 lanes = self.above_plane(simd, group, &image, &node);
+                for axis in 0..2 {
+                    if lanes != 0
+                        && let Some(hull) = look.profile(level, at, axis)
+                    {
+                        lanes &= self.above_profile(simd, group, &image, &node, (axis, hull));
+                    }
+                }
                 let mut any = false;
                 for (excess, bit) in excess.iter_mut().zip(LANE_BITS) {
                     *excess = if lanes & bit == 0 { 0.0 } else { *excess };
@@ -292,6 +305,25 @@ impl<'a> Walk<'a> {
         }
         group.pending = pending;
         true
+    }
+
+    /// The lanes, a bit each, for which a node may matter by a profile of what may matter in it.
+    #[inline(always)]
+    fn above_profile<S: Simd>(
+        &self,
+        simd: S,
+        group: &Group,
+        image: &Image,
+        node: &Node,
+        (axis, hull): (usize, &[ProfileVertex]),
+    ) -> u64 {
+        let sides = [0, 1].map(|axis| {
+            let [from, to] = self.span(image, axis, node.at[axis], node.level).map(f64::from);
+            [from - 1.0, to + 1.0]
+        });
+        let first = self.place(image, axis, node.at[axis] << node.level) as f64;
+        let step = if image.is_mirrored[axis] { -1.0 } else { 1.0 };
+        self.may_be_steeper(simd, group, &Profile { sides, axis, hull, first, step })
     }
 
     /// A column or row of an image, from the group's first texel.

@@ -10,6 +10,7 @@
 mod directions;
 mod fall;
 mod falling;
+mod hulls;
 mod own;
 mod search;
 

@@ -9,6 +9,16 @@ use super::{Group, Walk};
 /// What rounding may add, in parts of heights and of what a cone rises to them.
 const ROUNDING: f64 = 1e-14;
 
+/// A box, and what is nowhere below the surface in it.
+pub(crate) trait Above {
+    /// The sides of the box, in columns and rows from the group's first texel.
+    fn sides(&self) -> [[f64; 2]; 2];
+
+    /// The highest of it, less what a plane rises to there that passes through a lane's texel at 0. The plane
+    /// is inclined by `along` heights a texel; the texels are `by` columns from the group's first.
+    fn highest<S: Simd>(&self, simd: S, along: [S::f64s; 2], by: S::f64s) -> S::f64s;
+}
+
 /// A box over which nothing is higher than what is bilinear between its corners.
 #[derive(Clone, Copy)]
 pub(crate) struct Bilinear {
@@ -17,6 +27,68 @@ pub(crate) struct Bilinear {
     pub to: [f64; 2],
     /// The heights `h00 h10 h01 h11` of its corners.
     pub heights: [f64; 4],
+}
+
+impl Above for Bilinear {
+    fn sides(&self) -> [[f64; 2]; 2] {
+        [[self.from[0], self.to[0]], [self.from[1], self.to[1]]]
+    }
+
+    #[inline(always)]
+    fn highest<S: Simd>(&self, simd: S, [along_u, along_v]: [S::f64s; 2], by: S::f64s) -> S::f64s {
+        let splat = |x: f64| simd.splat_f64s(x);
+        let to_left = simd.mul_f64s(along_u, simd.sub_f64s(splat(self.from[0]), by));
+        let to_right = simd.mul_f64s(along_u, simd.sub_f64s(splat(self.to[0]), by));
+        let to_top = simd.mul_f64s(along_v, splat(self.from[1]));
+        let to_bottom = simd.mul_f64s(along_v, splat(self.to[1]));
+        let [h00, h10, h01, h11] = self.heights.map(splat);
+        let upper = simd.max_f64s(simd.sub_f64s(h00, to_left), simd.sub_f64s(h10, to_right));
+        let lower = simd.max_f64s(simd.sub_f64s(h01, to_left), simd.sub_f64s(h11, to_right));
+        simd.max_f64s(simd.sub_f64s(upper, to_top), simd.sub_f64s(lower, to_bottom))
+    }
+}
+
+/// A vertex of the upper hull of a profile: of the highest of a node's columns, or rows.
+#[derive(Clone, Copy)]
+pub(crate) struct ProfileVertex {
+    /// How many columns, or rows, behind the node's first one.
+    pub place: i32,
+    pub height: f32,
+}
+
+/// A box over which nothing is higher than the upper hull of a profile along an axis.
+pub(super) struct Profile<'a> {
+    pub sides: [[f64; 2]; 2],
+    pub axis: usize,
+    pub hull: &'a [ProfileVertex],
+    /// Where the node's first column, or row, is, and which way the next one lies.
+    pub first: f64,
+    pub step: f64,
+}
+
+impl Above for Profile<'_> {
+    fn sides(&self) -> [[f64; 2]; 2] {
+        self.sides
+    }
+
+    #[inline(always)]
+    fn highest<S: Simd>(&self, simd: S, along: [S::f64s; 2], by: S::f64s) -> S::f64s {
+        let zero = simd.splat_f64s(0.0);
+        // Along the profile's axis, and along the other one.
+        let (along, by) =
+            if self.axis == 0 { (along, [by, zero]) } else { ([along[1], along[0]], [zero, by]) };
+        let to = |axis: usize, place: f64| {
+            simd.mul_f64s(along[axis], simd.sub_f64s(simd.splat_f64s(place), by[axis]))
+        };
+        let mut highest = simd.splat_f64s(f64::NEG_INFINITY);
+        for vertex in self.hull {
+            let place = self.first + self.step * f64::from(vertex.place);
+            let height = simd.splat_f64s(f64::from(vertex.height));
+            highest = simd.max_f64s(highest, simd.sub_f64s(height, to(0, place)));
+        }
+        let [from, end] = self.sides[1 - self.axis];
+        simd.sub_f64s(highest, simd.min_f64s(to(1, from), to(1, end)))
+    }
 }
 
 impl Walk<'_> {
@@ -29,40 +101,26 @@ impl Walk<'_> {
     /// The direction is that to the box's middle; then of a box far away, or on ground inclined towards it,
     /// little is lost.
     #[inline(always)]
-    pub fn may_be_steeper<S: Simd>(&self, simd: S, group: &Group, seen: &Bilinear) -> u64 {
+    pub fn may_be_steeper<S: Simd, A: Above>(&self, simd: S, group: &Group, seen: &A) -> u64 {
         let splat = |x: f64| simd.splat_f64s(x);
         let [side_u, side_v] = self.texel_m;
-        let centre_v = 0.5 * (seen.from[1] + seen.to[1]) * side_v;
-        let half_u = 0.5 * (seen.to[0] - seen.from[0]) * side_u;
-        let size_m = half_u.abs() + 0.5 * (seen.to[1] - seen.from[1]).abs() * side_v;
+        let [columns, rows] = seen.sides();
+        let centre_v = 0.5 * (rows[0] + rows[1]) * side_v;
+        let centre_u = 0.5 * (columns[0] + columns[1]);
+        let size_m = 0.5 * ((columns[1] - columns[0]) * side_u + (rows[1] - rows[0]) * side_v);
         let half = f64::from(self.half);
         let mut lanes = [0u64; LANES];
         for (part, lanes) in S::as_mut_simd_u64s(&mut lanes).0.iter_mut().enumerate() {
             let by = S::as_simd_f64s(&COLUMNS).0[part];
             let best = S::as_simd_f64s(&group.slope).0[part];
-            let (left, right) =
-                (simd.sub_f64s(splat(seen.from[0]), by), simd.sub_f64s(splat(seen.to[0]), by));
-            let x = simd.add_f64s(simd.mul_f64s(left, splat(side_u)), splat(half_u));
+            let x = simd.mul_f64s(simd.sub_f64s(splat(centre_u), by), splat(side_u));
             let y = splat(centre_v);
             let far = simd.sqrt_f64s(simd.add_f64s(simd.mul_f64s(x, x), simd.mul_f64s(y, y)));
             let slope = simd.div_f64s(best, far);
             // Heights a texel along both axes.
             let along_u = simd.mul_f64s(simd.mul_f64s(slope, x), splat(side_u));
             let along_v = simd.mul_f64s(simd.mul_f64s(slope, y), splat(side_v));
-            let [to_left, to_right] = [simd.mul_f64s(along_u, left), simd.mul_f64s(along_u, right)];
-            let to_top = simd.mul_f64s(along_v, splat(seen.from[1]));
-            let to_bottom = simd.mul_f64s(along_v, splat(seen.to[1]));
-            let [h00, h10, h01, h11] = seen.heights;
-            let above = simd.max_f64s(
-                simd.sub_f64s(
-                    simd.max_f64s(simd.sub_f64s(splat(h00), to_left), simd.sub_f64s(splat(h10), to_right)),
-                    to_top,
-                ),
-                simd.sub_f64s(
-                    simd.max_f64s(simd.sub_f64s(splat(h01), to_left), simd.sub_f64s(splat(h11), to_right)),
-                    to_bottom,
-                ),
-            );
+            let above = seen.highest(simd, [along_u, along_v], by);
             // The lowest apex, so inclined.
             let mut low = S::as_simd_f64s(&group.centres).0[part];
             if half > 0.0 {
@@ -81,5 +139,75 @@ impl Walk<'_> {
             *lanes = simd.select_u64s(is_below, simd.splat_u64s(0), S::as_simd_u64s(&LANE_BITS).0[part]);
         }
         lanes.into_iter().fold(0, |all, bit| all | bit)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pulp::Scalar;
+    use relief_core::{HeightMap, Wrap};
+    use relief_tests::rng::Rng;
+
+    use super::super::super::apexes::{Apexes, Region};
+    use super::*;
+
+    #[test]
+    fn nothing_that_is_passed_over_is_steeper_and_most_that_is_flatter_is_passed_over() {
+        let map = HeightMap::from_fn(4, 4, Wrap::Clamp, |_, _| 0.0).expect("a valid map");
+        let texel_m = [1.0, 0.7];
+        let mut rng = Rng::new(3);
+        let (mut over, mut flatter) = (0, 0);
+        for case in 0..4000 {
+            let region = if case % 2 == 0 { Region::Centre } else { Region::Footprint };
+            let walk = Walk::new(&map, texel_m, region);
+            let mut group = Group::new();
+            group.begin([0, 0]);
+            // The surface in the square is a plane.
+            let lean = [0.0; 2].map(|_| rng.between(-0.05, 0.05));
+            let half = region.half();
+            let heights = RIM.map(|[u, v]| half * (lean[0] * f64::from(u) + lean[1] * f64::from(v)));
+            walk.lower(&mut group, 0, &Apexes::new([0, 0], heights, 0.0));
+            let from = [0.0; 2].map(|_| (rng.between(4.0, 30.0) * rng.pick(&[-1.0, 1.0])).round());
+            let side = rng.pick(&[1.0, 8.0]);
+            let corners = [0.0; 4].map(|_| rng.between(0.0, 1.0));
+            let hull: Vec<_> = (0..=side as i32)
+                .map(|place| ProfileVertex { place, height: rng.between(0.0, 1.0) as f32 })
+                .collect();
+            let bilinear = Bilinear { from, to: from.map(|x| x + side), heights: corners };
+            let (axis, step) = (rng.below(2) as usize, rng.pick(&[-1.0, 1.0]));
+            let first = from[axis] + if step < 0.0 { side } else { 0.0 };
+            let sides = from.map(|x| [x, x + side]);
+            let profile = Profile { sides, axis, hull: &hull, first, step };
+            let is_profile = rng.below(2) == 0;
+            let mut steepest = 0.0f64;
+            for _ in 0..400 {
+                let part = [0.0; 2].map(|_| rng.pick(&[0.0, 1.0, rng.clone().unit()]));
+                let height = if is_profile {
+                    let place = if step < 0.0 { 1.0 - part[axis] } else { part[axis] } * side;
+                    let (k, rest) = (place.floor().min(side - 1.0), place - place.floor().min(side - 1.0));
+                    let [a, b] = [hull[k as usize].height, hull[k as usize + 1].height].map(f64::from);
+                    a + (b - a) * rest
+                } else {
+                    let [h00, h10, h01, h11] = corners;
+                    (h00 + (h10 - h00) * part[0]) * (1.0 - part[1]) + (h01 + (h11 - h01) * part[0]) * part[1]
+                };
+                let apex = [0.0; 2].map(|_| half * rng.pick(&[-1.0, 1.0, rng.clone().between(-1.0, 1.0)]));
+                let low = lean[0] * apex[0] + lean[1] * apex[1];
+                let to = [0, 1].map(|axis| (from[axis] + side * part[axis] - apex[axis]) * texel_m[axis]);
+                steepest = steepest.max((height - low) / to[0].hypot(to[1]));
+            }
+            let slope = steepest * rng.between(0.8, 1.3);
+            walk.raise_bar(&mut group, 0, slope * slope);
+            let may = if is_profile {
+                walk.may_be_steeper(Scalar::new(), &group, &profile)
+            } else {
+                walk.may_be_steeper(Scalar::new(), &group, &bilinear)
+            };
+            let is_over = may & LANE_BITS[0] == 0;
+            assert!(!is_over || slope * super::super::TIE >= steepest, "case {case}: {slope} and {steepest}");
+            over += usize::from(is_over);
+            flatter += usize::from(slope > steepest);
+        }
+        assert!(over > flatter / 3, "{over} of {flatter} were passed over");
     }
 }

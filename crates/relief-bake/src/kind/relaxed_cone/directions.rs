@@ -196,7 +196,7 @@ fn of_vertex(around: &[[f64; 3]; 3]) -> u8 {
 }
 
 /// The octants in which a cell falls at some point. Where it is level it does not.
-fn of_cell([h00, h10, h01, h11]: [f64; 4]) -> u8 {
+pub(super) fn of_cell([h00, h10, h01, h11]: [f64; 4]) -> u8 {
     let (above, below, left, right) = (h10 - h00, h11 - h01, h01 - h00, h11 - h10);
     let (x0, x1) = (above.min(below), above.max(below));
     let (y0, y1) = (left.min(right), left.max(right));

@@ -6,10 +6,11 @@ use relief_core::{HeightMap, Wrap};
 use super::directions::Directions;
 use super::fall::{ROUNDING, falls};
 use super::falling::falling_slope2;
+use super::hulls::FallingHulls;
 use super::own::own_bound;
 use crate::cone_search::{
-    Apexes, Bilinear, Block, COLUMNS, Group, LANE_BITS, LANES, Lanes, Look, Region, Search, Seen, Sort,
-    State, bits_of, cells_of_block, is_in_block, offset_of, steepest_in_quarter,
+    Apexes, Bilinear, Block, COLUMNS, Group, LANE_BITS, LANES, Lanes, Look, ProfileVertex, Region, Search,
+    Seen, Sort, State, bits_of, cells_of_block, is_in_block, offset_of, steepest_in_quarter,
 };
 
 /// The most images of the map that are looked at. Tiles a hundred times longer than wide need more; larger,
@@ -24,6 +25,7 @@ pub(super) struct Relaxed {
     /// How many tiles away, along either axis, images may matter.
     tiles: [i64; 2],
     directions: Directions,
+    hulls: FallingHulls,
     /// The longest way inside of a texel's square.
     diagonal_m: f64,
 }
@@ -34,6 +36,7 @@ impl Relaxed {
         let of = |tiles| Self {
             tiles,
             directions: Directions::new(map),
+            hulls: FallingHulls::new(map),
             diagonal_m: texel_m[0].hypot(texel_m[1]),
         };
         if map.wrap() == Wrap::Clamp {
@@ -266,6 +269,11 @@ impl Look for Falling<'_, '_> {
     #[inline(always)]
     fn may_matter(&self, level: u32, at: [u32; 2], from: [f32; 2], to: [f32; 2]) -> bool {
         self.relaxed.directions.may_fall(level, at, from, to)
+    }
+
+    #[inline(always)]
+    fn profile(&self, level: u32, at: [u32; 2], axis: usize) -> Option<&[ProfileVertex]> {
+        self.relaxed.hulls.hull(level, at, axis)
     }
 
     #[inline(always)]
