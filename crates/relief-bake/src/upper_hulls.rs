@@ -32,16 +32,52 @@ pub struct HullVertex {
 
 /// Upper hulls of the nodes of a maximum pyramid of texels, from level [`FIRST`] on.
 pub struct UpperHulls {
-    levels: Vec<[HullLevel; 2]>,
+    levels: Vec<[HullLevel<HullVertex>; 2]>,
 }
 
-/// The hulls along one axis.
-struct HullLevel {
+/// The hulls of a level's nodes, row by row.
+pub struct HullLevel<V> {
     /// The vertices of all nodes, from the first column or row to the last.
-    vertices: Vec<HullVertex>,
+    vertices: Vec<V>,
     /// Where each node's begin; one more at the end.
     begins: Vec<usize>,
     width: usize,
+}
+
+impl<V: Copy> HullLevel<V> {
+    /// Of so many nodes a row.
+    pub fn new<'a>(width: usize, hulls: impl Iterator<Item = &'a Vec<V>> + Clone) -> Self
+    where
+        V: 'a,
+    {
+        let mut vertices = Vec::with_capacity(hulls.clone().map(Vec::len).sum());
+        let mut begins = vec![0];
+        for hull in hulls {
+            vertices.extend_from_slice(hull);
+            begins.push(vertices.len());
+        }
+        Self { vertices, begins, width }
+    }
+
+    /// The hull of a node.
+    #[inline(always)]
+    pub fn hull(&self, [column, row]: [u32; 2]) -> Option<&[V]> {
+        let node = row as usize * self.width + column as usize;
+        self.vertices.get(*self.begins.get(node)?..*self.begins.get(node + 1)?)
+    }
+}
+
+/// Adds a vertex to an upper hull, behind all others, with what `place` tells of a vertex: where it is and
+/// how high. What is within `slack` below an edge is kept, too.
+pub fn push_to_hull<V: Copy>(hull: &mut Vec<V>, next: V, slack: f64, place: impl Fn(&V) -> [f64; 2]) {
+    while let [.., before, last] = &hull[..] {
+        let ([from, low], [middle, high], [to, height]) = (place(before), place(last), place(&next));
+        if (high - low + slack) * (to - from) > (height - low) * (middle - from) {
+            break;
+        }
+        hull.pop();
+    }
+    hull.push(next);
 }
 
 impl UpperHulls {
@@ -64,11 +100,8 @@ impl UpperHulls {
 
     /// The hull above a node along the columns (axis 0) or rows (1); `None` below [`FIRST`].
     #[inline(always)]
-    pub fn hull(&self, level: u32, [column, row]: [u32; 2], axis: usize) -> Option<&[HullVertex]> {
-        let level = &self.levels.get(level.checked_sub(FIRST)? as usize)?[axis];
-        let node = row as usize * level.width + column as usize;
-        let (begin, end) = (*level.begins.get(node)?, *level.begins.get(node + 1)?);
-        level.vertices.get(begin..end)
+    pub fn hull(&self, level: u32, at: [u32; 2], axis: usize) -> Option<&[HullVertex]> {
+        self.levels.get(level.checked_sub(FIRST)? as usize)?[axis].hull(at)
     }
 }
 
@@ -135,7 +168,7 @@ impl Profiles {
     }
 
     /// The hulls of all nodes along an axis.
-    fn hulls(&self, axis: usize, slack: f64) -> HullLevel {
+    fn hulls(&self, axis: usize, slack: f64) -> HullLevel<HullVertex> {
         let [width, height] = self.size.map(|side| side.div_ceil(1 << self.level) as usize);
         let (length, side) = (self.size[axis] as usize, 1usize << self.level);
         let rows: Vec<Vec<Vec<HullVertex>>> = (0..height)
@@ -149,32 +182,19 @@ impl Profiles {
                 (0..width).map(hull).collect()
             })
             .collect();
-        let (mut vertices, mut begins) = (Vec::new(), vec![0]);
-        for hull in rows.iter().flatten() {
-            vertices.extend_from_slice(hull);
-            begins.push(vertices.len());
-        }
-        HullLevel { vertices, begins, width }
+        HullLevel::new(width, rows.iter().flatten())
     }
 }
 
 /// The vertices of the upper hull of a profile that begins at a column, or row. What is within `slack` below
 /// an edge is kept, too.
 fn upper_hull(profile: &[Highest], begin: usize, axis: usize, slack: f64) -> Vec<HullVertex> {
-    let mut hull: Vec<HullVertex> = Vec::new();
+    let mut hull = Vec::new();
     for (place, highest) in profile.iter().enumerate() {
         let place = (begin + place) as u32;
         let texel = if axis == 0 { [place, highest.at] } else { [highest.at, place] };
-        while let [.., before, last] = hull[..] {
-            let rise = f64::from(last.height) - f64::from(before.height) + slack;
-            let all = f64::from(highest.height) - f64::from(before.height);
-            let to = |at: u32| f64::from(at - before.texel[axis]);
-            if rise * to(place) > all * to(last.texel[axis]) {
-                break;
-            }
-            hull.pop();
-        }
-        hull.push(HullVertex { texel, height: highest.height });
+        let next = HullVertex { texel, height: highest.height };
+        push_to_hull(&mut hull, next, slack, |vertex| [vertex.texel[axis].into(), vertex.height.into()]);
     }
     hull
 }

@@ -12,6 +12,8 @@
 use rayon::prelude::*;
 use relief_core::{HeightMap, Wrap};
 
+use crate::upper_hulls::push_to_hull;
+
 /// The first level of the pyramid that has planes: on lower ones there are few nodes within a search's way,
 /// and as many planes would take more memory than the map.
 pub const FIRST: u32 = 3;
@@ -155,14 +157,7 @@ fn longest_edge(heights: &[f32], hull: &mut Vec<usize>) -> f64 {
     let height = |place: usize| f64::from(heights[place]);
     hull.clear();
     for place in 0..heights.len() {
-        while let [.., before, last] = hull[..] {
-            let (rise, all) = (height(last) - height(before), height(place) - height(before));
-            if rise * (place - before) as f64 > all * (last - before) as f64 {
-                break;
-            }
-            hull.pop();
-        }
-        hull.push(place);
+        push_to_hull(hull, place, 0.0, |&place| [place as f64, height(place)]);
     }
     let mut longest = (0, 0.0);
     for edge in hull.windows(2) {

@@ -9,20 +9,14 @@ use relief_core::HeightMap;
 
 use super::directions::of_cell;
 use crate::cone_search::{Field, ProfileVertex};
+use crate::upper_hulls::{HullLevel, push_to_hull};
 
 /// The first level of the pyramid that has hulls: on lower ones they would take as much memory as the map.
 const FIRST: u32 = 5;
 
 /// Upper hulls, along both axes, of all that falls around the vertices of the nodes of a pyramid.
 pub(super) struct FallingHulls {
-    levels: Vec<[HullLevel; 2]>,
-}
-
-struct HullLevel {
-    vertices: Vec<ProfileVertex>,
-    /// Where each node's begin; one more at the end.
-    begins: Vec<usize>,
-    width: usize,
+    levels: Vec<[HullLevel<ProfileVertex>; 2]>,
 }
 
 impl FallingHulls {
@@ -60,27 +54,16 @@ impl FallingHulls {
                     profiles.each_ref().map(|profile| upper_hull(profile))
                 })
                 .collect();
-            levels.push([0, 1].map(|axis| {
-                let count = hulls.iter().map(|hull| hull[axis].len()).sum();
-                let (mut vertices, mut begins) =
-                    (Vec::with_capacity(count), Vec::with_capacity(hulls.len() + 1));
-                begins.push(0);
-                for hull in &hulls {
-                    vertices.extend_from_slice(&hull[axis]);
-                    begins.push(vertices.len());
-                }
-                HullLevel { vertices, begins, width: nodes[0] }
-            }));
+            let along = |axis: usize| HullLevel::new(nodes[0], hulls.iter().map(move |hull| &hull[axis]));
+            levels.push([along(0), along(1)]);
         }
         Self { levels }
     }
 
     /// The hull along an axis of what falls around the vertices of a node; `None` on low levels.
     #[inline(always)]
-    pub fn hull(&self, level: u32, [column, row]: [u32; 2], axis: usize) -> Option<&[ProfileVertex]> {
-        let level = &self.levels.get(level.checked_sub(FIRST)? as usize)?[axis];
-        let node = row as usize * level.width + column as usize;
-        level.vertices.get(*level.begins.get(node)?..*level.begins.get(node + 1)?)
+    pub fn hull(&self, level: u32, at: [u32; 2], axis: usize) -> Option<&[ProfileVertex]> {
+        self.levels.get(level.checked_sub(FIRST)? as usize)?[axis].hull(at)
     }
 }
 
@@ -93,18 +76,10 @@ fn cell(field: &Field, [i, j]: [i64; 2]) -> [f64; 4] {
 /// The vertices of the upper hull of heights one apart, of which the first is at -1; where nothing falls
 /// there is nothing.
 fn upper_hull(profile: &[f32]) -> Vec<ProfileVertex> {
-    let mut hull: Vec<ProfileVertex> = Vec::new();
+    let mut hull = Vec::new();
     for (place, &height) in profile.iter().enumerate().filter(|(_, height)| **height >= 0.0) {
-        let place = place as i32 - 1;
-        while let [.., before, last] = hull[..] {
-            let rise = f64::from(last.height) - f64::from(before.height);
-            let all = f64::from(height) - f64::from(before.height);
-            if rise * f64::from(place - before.place) > all * f64::from(last.place - before.place) {
-                break;
-            }
-            hull.pop();
-        }
-        hull.push(ProfileVertex { place, height });
+        let next = ProfileVertex { place: place as i32 - 1, height };
+        push_to_hull(&mut hull, next, 0.0, |vertex| [vertex.place.into(), vertex.height.into()]);
     }
     hull
 }
