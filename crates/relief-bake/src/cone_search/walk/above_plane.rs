@@ -12,8 +12,8 @@ impl Walk<'_> {
     /// Let the plane be `A ≥ 0` above an apex and have the slope `b`. Then what is below the plane and at
     /// least `d` away is at most as steep as `b + A / d`, and as `b` where `A` is negative. Over a piece of
     /// the rim on which the surface is linear, `A` is greatest at an end; from inside of the square it is
-    /// greatest at the centre or on the rim. A plane towards which the ground is inclined ends nothing so,
-    /// but aside: there [`Self::may_be_steeper`] tells more.
+    /// greatest at the centre or on the rim. That takes the plane to be as steep in all directions; what lies
+    /// aside of its inclination is passed over by [`Self::may_be_steeper`].
     #[inline(always)]
     pub(super) fn above_plane<S: Simd>(&self, simd: S, group: &Group, image: &Image, node: &Node) -> u64 {
         let Node { level, at, ref sight, lanes: among } = *node;
