@@ -9,7 +9,7 @@ use relief_core::exact::FastTracer;
 use relief_core::registry::RayClass;
 use relief_core::{HeightMap, Lanes};
 use relief_shaders::cpu::PixelOut;
-use relief_shaders::surface::Proposal;
+use relief_shaders::surface::{Proposal, Shown};
 
 use self::block::{places, places_where};
 use self::light_map::{LightMap, NoLightMap};
@@ -142,7 +142,9 @@ impl CpuRenderer {
                 }
                 Proposal::Shells => {
                     let shell_m = [surface.settings.shell_m.x, surface.settings.shell_m.y];
-                    let caster = || Arc::new(ShellCaster::new(triangles, shell_m, surface.two_sided));
+                    let is_object = selection.paths().shown == Shown::Object;
+                    let of = if is_object { ShellCaster::of_boxes } else { ShellCaster::new };
+                    let caster = || Arc::new(of(triangles, shell_m, surface.two_sided));
                     Base::Shells(kept(&mut shells, &self.shells, triangles, caster))
                 }
             };

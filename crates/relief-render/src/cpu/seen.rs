@@ -4,7 +4,7 @@ use relief_core::Lanes;
 use relief_shaders::cpu::{BLOCK, EnteredBlock, HitBlock, PathBlock, Row};
 
 use super::block::{Faces, places, places_where};
-use super::ready::{Base, Met, Ready};
+use super::ready::{Met, Ready};
 use crate::raycast::tiles::{TileCaster, TileHit, TileHits};
 
 /// The tile that a block is in, where it was cast, and the numbers in it of the block's points.
@@ -45,6 +45,11 @@ impl Seen {
         }
     }
 
+    /// Nothing, of other points.
+    pub fn begin(&mut self, points: [Row<f32>; 2]) {
+        (self.which, self.points) = (0, points);
+    }
+
     /// Keeps what a polygon shows where that is the nearest so far, and of equally near ones that of the
     /// least rank.
     pub fn keep(&mut self, place: usize, rank: (bool, u32), side: f32, met: &Met) {
@@ -56,21 +61,22 @@ impl Seen {
         }
     }
 
-    /// The same of what the rays of a block meet; says whether it was kept.
+    /// The same of what a ray of another block meets, the one at the place `from` there; says whether it was
+    /// kept.
     pub fn keep_of(
         &mut self,
         place: usize,
         rank: (bool, u32),
         side: f32,
         key: f32,
-        (at, paths, hits): (&EnteredBlock, &PathBlock, &HitBlock),
+        (from, at, paths, hits): (usize, &EnteredBlock, &PathBlock, &HitBlock),
     ) -> bool {
         let is_nearest = self.is_nearest(place, rank, key);
         if is_nearest {
             self.put(place, rank, side, key);
-            self.at.set(place, &at.get(place));
-            self.paths.set(place, &paths.get(place));
-            self.hits.set(place, &hits.get(place));
+            self.at.set(place, &at.get(from));
+            self.paths.set(place, &paths.get(from));
+            self.hits.set(place, &hits.get(from));
         }
         is_nearest
     }
@@ -87,20 +93,26 @@ impl Seen {
     }
 }
 
+/// What the blocks of a region see of one of some surfaces.
+pub struct SeenOfSurface<'a> {
+    /// What they see of all, block by block.
+    pub seen: &'a mut [Seen],
+    pub surfaces: usize,
+    /// The number of the one.
+    pub number: usize,
+}
+
+impl SeenOfSurface<'_> {
+    /// What a block sees.
+    pub fn of(&mut self, block: u32) -> &mut Seen {
+        &mut self.seen[block as usize * self.surfaces + self.number]
+    }
+}
+
 impl Ready<'_> {
     /// What the points of a block that `which` has bits for see of the surface: the nearest hit of all base
-    /// polygons or shells along each ray. Polygons are cast for the tile that the block is in.
-    pub fn see(&self, points: [Row<f32>; 2], which: u16, cast: Option<Cast>, lanes: Lanes, seen: &mut Seen) {
-        (seen.which, seen.points) = (0, points);
-        match (cast, &self.base) {
-            (Some(cast), _) => self.see_polygons(which, cast, lanes, seen),
-            (None, Base::Shells(caster)) => self.see_shells(caster, which, lanes, seen),
-            // Polygons are cast in tiles.
-            (None, Base::Polygons(_)) => {}
-        }
-    }
-
-    fn see_polygons(&self, which: u16, cast: Cast, lanes: Lanes, seen: &mut Seen) {
+    /// polygons along each ray. These are cast for the tile that the block is in.
+    pub fn see_polygons(&self, which: u16, cast: Cast, lanes: Lanes, seen: &mut Seen) {
         let first = self.see_first(which, cast, lanes, seen);
         let Cast { caster, hits, numbers } = cast;
         for place in places(which).filter(|place| !hits.is_miss(numbers[*place])) {

@@ -1,104 +1,163 @@
-//! What the points of a block see of shells: each shell is looked at once for all rays that may meet it.
+//! What the points of a region see of shells.
+//!
+//! A block of neighbouring points goes down the hierarchy together. Then each ray takes the nearest shell
+//! that it may meet, and the rays of all blocks that took the same one look into it side by side: a block's
+//! own rays are spread over several shells, and would leave most of the lanes empty.
+
+mod looked;
 
 use relief_core::Lanes;
-use relief_shaders::cpu::{BLOCK, EnteredBlock, HitBlock, PathBlock, Row, TriangleRays};
-use relief_shaders::surface::FOLDED;
+use relief_shaders::cpu::{BLOCK, Row};
 
-use super::block::{lanes_for, places, places_where};
-use super::ready::Ready;
-use super::seen::Seen;
+use self::looked::{Gathered, Looked};
+use super::ready::{Base, Ready};
+use super::seen::SeenOfSurface;
+use super::tiled::Points;
 use crate::raycast::Sides;
 use crate::shellcast::{BlockRays, ShellCaster};
 
-/// Where the rays of a block come into a shell, their segments of one number, and what these hit.
+/// How many blocks of rays look into shells at a time, so that their paths can be searched together.
+const TOGETHER: usize = 16;
+
+/// How many shells a block goes ahead before its rays look into the first: enough for all of its rays, and
+/// few enough that hardly one of them is behind what they hit.
+const AHEAD: usize = 8;
+
+/// What looking into the shells of a region works with.
 #[derive(Default)]
-struct Looked {
-    at: EnteredBlock,
-    paths: PathBlock,
-    hits: HitBlock,
-    keys: Row<f32>,
+pub struct Shells {
+    blocks: Vec<Block>,
+    /// The shells that rays look into next.
+    next: Vec<Look>,
+    looked: Vec<Looked>,
+    gathered: Gathered,
+}
+
+/// A ray that looks into a triangle's shell: its block, and its place there.
+#[derive(Clone, Copy)]
+struct Look {
+    triangle: u32,
+    block: u32,
+    place: u32,
+}
+
+impl Look {
+    /// In this order rays of the same shell follow each other, and of these neighbours.
+    fn order(&self) -> u64 {
+        u64::from(self.triangle) << 32 | u64::from(self.block) << 4 | u64::from(self.place)
+    }
+}
+
+/// A block on its way down the hierarchy.
+#[derive(Default)]
+struct Block {
+    rays: BlockRays,
+    /// Triangles whose shells are ahead, and where each ray comes near to them: infinite where it does not,
+    /// or has looked already.
+    ahead: Vec<(u32, Row<f32>)>,
+}
+
+impl Block {
+    /// Goes ahead until enough shells are known. Says whether there is any.
+    fn go_ahead(&mut self, caster: &ShellCaster, lanes: Lanes) -> bool {
+        self.ahead.clear();
+        let mut at = [0.0; BLOCK];
+        while self.ahead.len() < AHEAD
+            && let Some(triangle) = caster.next_of_block(&mut self.rays, lanes, &mut at)
+        {
+            self.ahead.push((triangle, at));
+        }
+        !self.ahead.is_empty()
+    }
+
+    /// The nearest shell ahead of each ray that has one within its reach, which it then has looked into.
+    fn take(&mut self, mut take: impl FnMut(u32, u32)) {
+        let mut nearest = [f32::INFINITY; BLOCK];
+        let mut which = [0; BLOCK];
+        for (number, (_, at)) in self.ahead.iter().enumerate() {
+            for place in 0..BLOCK {
+                let is_nearer = at[place] < nearest[place];
+                nearest[place] = if is_nearer { at[place] } else { nearest[place] };
+                which[place] = if is_nearer { number } else { which[place] };
+            }
+        }
+        for place in 0..BLOCK {
+            if nearest[place] < f32::INFINITY && nearest[place] <= self.rays.reach[place] {
+                let (triangle, at) = &mut self.ahead[which[place]];
+                at[place] = f32::INFINITY;
+                take(*triangle, place as u32);
+            }
+        }
+    }
 }
 
 impl Ready<'_> {
-    /// What the points of a block that `which` has bits for see of the surface.
-    pub(super) fn see_shells(&self, caster: &ShellCaster, which: u16, lanes: Lanes, seen: &mut Seen) {
-        let aims: [_; BLOCK] = std::array::from_fn(|place| self.aim(seen.points.map(|row| row[place])));
-        let rays = BlockRays::new(aims.map(|aim| aim.ray()), which);
-        let mut looked = Looked::default();
-        let mut look = |rank: (bool, u32), side: f32, which: u16, seen: &mut Seen| {
-            if !self.is_object {
-                return self.look_block(rank, side, which, lanes, &mut looked, seen);
-            }
-            // Segments of objects are not parts of one way.
-            for place in places(which) {
-                if let Some(met) = self.look(rank.1, side, aims[place]) {
-                    seen.keep(place, rank, side, &met);
-                }
-            }
-        };
-        caster.each_of_block(&rays, lanes, |triangle, which, reach| {
-            look((false, triangle), 1.0, which, seen);
-            if self.sides == Sides::Both {
-                look((true, triangle), -1.0, which, seen);
-            }
-            for place in places(which & seen.which) {
-                reach[place] = self.reach(seen.keys[place]);
-            }
-        });
-    }
-
-    /// Keeps what the rays of a block see of a side of a triangle's shell where that is the nearest so far.
-    fn look_block(
+    /// What the points of a region's blocks see of the surface, if it has shells.
+    pub(super) fn see_shells(
         &self,
-        rank: (bool, u32),
-        side: f32,
-        which: u16,
+        points: &[Points],
         lanes: Lanes,
-        looked: &mut Looked,
-        seen: &mut Seen,
+        shells: &mut Shells,
+        seen: &mut SeenOfSurface,
     ) {
-        let (triangle, points) = (self.triangle(rank.1), seen.points);
-        let lanes = lanes_for(which, lanes);
-        let rays = TriangleRays { triangle: &triangle, side, points: &points };
-        let Looked { at, paths, hits, keys } = looked;
-        self.program.enter_block(rays, which, lanes, at, paths);
-        let (mut rest, mut nearest) = (which, 0);
-        let mut costs = [[0; BLOCK]; 3];
-        for number in 0.. {
-            rest &= places_where(|place| at.segments[place] > number);
-            if rest == 0 {
-                break;
-            }
-            if number > 0 {
-                self.program.segment_block(rays, number, rest, lanes, at, paths);
-            }
-            let traced = rest & places_where(|place| paths.exit[place] > 0.0);
-            if traced == 0 {
-                continue;
-            }
-            self.trace_block(paths, traced, lanes, hits);
-            for (sums, costs) in costs.iter_mut().zip(&hits.cost) {
-                places(traced).for_each(|place| sums[place] += costs[place]);
-            }
-            let found = traced & places_where(|place| hits.found[place] == 1);
-            if found == 0 {
-                continue;
-            }
-            self.program.meet_block((rays, number), found, lanes, (at, paths), hits, keys);
-            let found = found & places_where(|place| hits.found[place] == 1);
-            for place in places(found) {
-                if seen.keep_of(place, rank, side, keys[place], (at, paths, hits)) {
-                    nearest |= 1 << place;
+        let Base::Shells(caster) = &self.base else { return };
+        let Shells { blocks, next, looked, gathered } = shells;
+        blocks.resize_with(points.len(), Block::default);
+        for (block, points) in blocks.iter_mut().zip(points) {
+            let rays = |place| self.aim(points.points.map(|row| row[place])).ray();
+            let before = std::mem::take(&mut block.rays);
+            block.rays = caster.block(&std::array::from_fn(rays), points.which, before);
+        }
+        while blocks.iter_mut().fold(false, |any, block| block.go_ahead(caster, lanes) | any) {
+            loop {
+                next.clear();
+                for (number, block) in blocks.iter_mut().enumerate() {
+                    block.take(|triangle, place| next.push(Look { triangle, block: number as u32, place }));
                 }
-            }
-            if triangle.shell.order < FOLDED {
-                rest &= !found;
+                if next.is_empty() {
+                    break;
+                }
+                next.sort_unstable_by_key(Look::order);
+                let groups = next.chunk_by(|one, other| one.triangle == other.triangle);
+                let mut groups = groups.flat_map(|looks| looks.chunks(BLOCK)).peekable();
+                while groups.peek().is_some() {
+                    let together = groups.by_ref().take(TOGETHER);
+                    if self.is_object {
+                        // Segments of objects are not parts of one way.
+                        together.flatten().for_each(|look| self.look_alone(*look, seen));
+                        continue;
+                    }
+                    looked.clear();
+                    for looks in together {
+                        for side in self.sides_of_shells() {
+                            looked.push(Looked::new(self, *side, looks, seen));
+                        }
+                    }
+                    self.look_together(looked, gathered, lanes, seen);
+                }
+                for Look { block, place, .. } in next.iter() {
+                    let (seen, place) = (seen.of(*block), *place as usize);
+                    if seen.which >> place & 1 == 1 {
+                        let reach = self.reach(seen.keys[place]) as f32;
+                        blocks[*block as usize].rays.reach[place] = reach.next_up();
+                    }
+                }
             }
         }
-        if self.tracers.is_none() {
-            // What a search costs on all segments is told, of the tracers what it took to find the hit.
-            for (told, costs) in seen.hits.cost.iter_mut().zip(&costs) {
-                places(nearest).for_each(|place| told[place] = costs[place]);
+    }
+
+    /// The sides from which shells are looked into.
+    fn sides_of_shells(&self) -> &'static [f32] {
+        if self.sides == Sides::Both { &[1.0, -1.0] } else { &[1.0] }
+    }
+
+    /// Keeps what a ray sees of a shell where that is the nearest so far.
+    fn look_alone(&self, Look { triangle, block, place }: Look, seen: &mut SeenOfSurface) {
+        let (seen, place) = (seen.of(block), place as usize);
+        let aim = self.aim(seen.points.map(|row| row[place]));
+        for side in self.sides_of_shells() {
+            if let Some(met) = self.look(triangle, *side, aim) {
+                seen.keep(place, (*side < 0.0, triangle), *side, &met);
             }
         }
     }

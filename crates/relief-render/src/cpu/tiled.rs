@@ -9,7 +9,8 @@ use relief_shaders::cpu::{BLOCK, Row};
 
 use super::block::{BLOCK_SIDE, places, places_where};
 use super::ready::Ready;
-use super::seen::{Cast, Seen};
+use super::seen::{Cast, Seen, SeenOfSurface};
+use super::shells::Shells;
 use crate::raycast::tiles::{Area, Bins, PictureRays, TILE, TileCaster, TileHits};
 use crate::samples::Sample;
 
@@ -19,6 +20,13 @@ const MOST_COLUMNS: u32 = 1024;
 
 /// The most rows of a thread's next piece of work: fewer need more ways down the hierarchies.
 const MOST_ROWS: u32 = 4 * TILE as u32;
+
+/// Tiles along a side of a region, whose rays look into shells together. More find more company there, and
+/// need more memory on every thread.
+const REGION_TILES: usize = 4;
+
+/// The first points of a tile's blocks.
+const BLOCKS: [[usize; 2]; 4] = [[0, 0], [BLOCK_SIDE, 0], [0, BLOCK_SIDE], [BLOCK_SIDE, BLOCK_SIDE]];
 
 /// Pieces of work for each thread at the least, so that all have something to do until the end.
 const LEAST_PIECES: u32 = 4;
@@ -35,18 +43,21 @@ pub struct Tiled<'a> {
 struct Scratch {
     bins: Vec<Bins>,
     hits: Vec<TileHits>,
+    /// The points of a region's blocks, tile by tile, and what they see of each surface.
+    points: Vec<Points>,
     seen: Vec<Seen>,
+    shells: Shells,
 }
 
 /// The points of a block of a tile.
-struct Points {
+pub struct Points {
     /// Those that are in the area, a bit for each.
-    which: u16,
+    pub which: u16,
     /// Their numbers in the tile.
     numbers: Row<usize>,
     /// Columns and rows of their pixels, and of the points themselves.
     pixels: Row<[u32; 2]>,
-    points: [Row<f32>; 2],
+    pub points: [Row<f32>; 2],
 }
 
 /// What a block's points see: the nearest of all surfaces.
@@ -109,7 +120,9 @@ impl<'a> Tiled<'a> {
         Scratch {
             bins: vec![Bins::new(); count],
             hits: vec![TileHits::new(); count],
-            seen: (0..count).map(|_| Seen::new()).collect(),
+            points: Vec::new(),
+            seen: Vec::new(),
+            shells: Shells::default(),
         }
     }
 
@@ -120,7 +133,7 @@ impl<'a> Tiled<'a> {
         cancel: &AtomicBool,
         mut show: impl FnMut(&Points, usize, &SeenBlock),
     ) {
-        let Scratch { bins, hits, seen } = scratch;
+        let Scratch { bins, hits, points, seen, shells } = scratch;
         let offsets = reach_of(self.samples);
         for ((_, caster), bins) in self.surfaces.iter().zip(&mut *bins) {
             if let Some(caster) = caster {
@@ -128,34 +141,65 @@ impl<'a> Tiled<'a> {
             }
         }
         let [across, down] = area.tiles();
-        let tiles = (0..down).flat_map(|row| (0..across).map(move |column| [column, row]));
-        for tile in tiles {
-            if cancel.load(Ordering::Relaxed) {
-                return;
-            }
+        let side = self.region_side();
+        let regions =
+            (0..down).step_by(side).flat_map(|row| (0..across).step_by(side).map(move |at| [at, row]));
+        for [column, row] in regions {
+            let (columns, rows) =
+                (column..across.min(column + side as u32), row..down.min(row + side as u32));
+            let tiles = || rows.clone().flat_map(|row| columns.clone().map(move |column| [column, row]));
             for (number, sample) in self.samples.iter().enumerate() {
-                for (((_, caster), bins), hits) in self.surfaces.iter().zip(&*bins).zip(&mut *hits) {
-                    if let Some(caster) = caster {
-                        caster.cast(bins, tile, sample.offset, hits);
-                    }
+                if cancel.load(Ordering::Relaxed) {
+                    return;
                 }
-                for first in [[0, 0], [BLOCK_SIDE, 0], [0, BLOCK_SIDE], [BLOCK_SIDE, BLOCK_SIDE]] {
-                    let points = Points::new(area, tile, first, sample);
-                    let nearest = self.block(&points, hits, seen);
-                    show(&points, number, &SeenBlock { surfaces: seen, nearest });
+                points.clear();
+                points.extend(tiles().flat_map(|tile| BLOCKS.map(|at| Points::new(area, tile, at, sample))));
+                self.see_shells(points, seen, shells);
+                for (tile, of_tile) in tiles().zip(0..) {
+                    for (((_, caster), bins), hits) in self.surfaces.iter().zip(&*bins).zip(&mut *hits) {
+                        if let Some(caster) = caster {
+                            caster.cast(bins, tile, sample.offset, hits);
+                        }
+                    }
+                    for block in BLOCKS.len() * of_tile..BLOCKS.len() * (of_tile + 1) {
+                        let count = self.surfaces.len();
+                        let (points, seen) = (&points[block], &mut seen[count * block..count * (block + 1)]);
+                        let nearest = self.block(points, hits, seen);
+                        show(points, number, &SeenBlock { surfaces: seen, nearest });
+                    }
                 }
             }
         }
     }
 
+    /// Tiles along a side of a region: one, where nothing looks into shells.
+    fn region_side(&self) -> usize {
+        if self.surfaces.iter().any(|(_, caster)| caster.is_none()) { REGION_TILES } else { 1 }
+    }
+
+    /// What the points of a region's blocks see of shells; of other surfaces nothing yet.
+    fn see_shells(&self, points: &[Points], seen: &mut Vec<Seen>, shells: &mut Shells) {
+        let surfaces = self.surfaces.len();
+        seen.resize_with(points.len() * surfaces, Seen::new);
+        for (number, seen) in seen.iter_mut().enumerate() {
+            seen.begin(points[number / surfaces].points);
+        }
+        for (number, (surface, _)) in self.surfaces.iter().enumerate() {
+            let mut seen = SeenOfSurface { seen, surfaces, number };
+            surface.see_shells(points, self.lanes, shells, &mut seen);
+        }
+    }
+
     /// What the points of a block see of the surfaces, and which of these is nearest to each: of equally near
-    /// ones the first.
+    /// ones the first. What they see of shells is there.
     fn block(&self, of: &Points, hits: &[TileHits], seen: &mut [Seen]) -> Row<Option<usize>> {
         let mut nearest: Row<Option<usize>> = [None; BLOCK];
         let mut keys = [0.0; BLOCK];
         for (at, ((surface, caster), hits)) in self.surfaces.iter().zip(hits).enumerate() {
-            let cast = caster.as_ref().map(|caster| Cast { caster, hits, numbers: &of.numbers });
-            surface.see(of.points, of.which, cast, self.lanes, &mut seen[at]);
+            if let Some(caster) = caster {
+                let cast = Cast { caster, hits, numbers: &of.numbers };
+                surface.see_polygons(of.which, cast, self.lanes, &mut seen[at]);
+            }
             for number in places(seen[at].which) {
                 let key = seen[at].keys[number];
                 if nearest[number].is_none() || key > keys[number] {
