@@ -542,7 +542,8 @@ pub const MODULES: &[Module] = &[
 // in the records.
 "# },
     Module { path: "roots/shade", head: r#"// The second pass of a picture on the GPU: every pixel that the first one traced is shaded once. That one
-// leaves out what lies behind another surface.
+// leaves out what lies behind another surface. The first surface's pass writes all pixels, so that nothing is
+// left of the picture before.
 "# },
     Module { path: "roots/show", head: r#"// The picture for callers that show it: linear colours of the records of some rows, over the background.
 "# },
@@ -12050,15 +12051,19 @@ fn resolve_main(@builtin(global_invocation_id) id: vec3u) {
         module: "roots/shade",
         name: "shade_main",
         sampling: None,
-        uses: &["EXHAUSTED_BIT", "Hit", "Record", "SHADE_GROUP", "STEPS_BITS", "enter_relief", "numbered_pixel", "pass_settings", "place_hit", "records", "shade_hit", "traced_hit", "traced_what", "visible_lights"],
+        uses: &["EXHAUSTED_BIT", "Hit", "Record", "SHADE_GROUP", "STEPS_BITS", "enter_relief", "numbered_pixel", "pass_settings", "place_hit", "records", "shade_hit", "surface_settings", "traced_hit", "traced_what", "visible_lights"],
         text: r#"@compute @workgroup_size(SHADE_GROUP, SHADE_GROUP)
 fn shade_main(@builtin(global_invocation_id) id: vec3u) {
     let size = textureDimensions(traced_what);
     if (id.y >= pass_settings.rows || id.x >= size.x) {
         return;
     }
+    let place = id.y * size.x + id.x;
     let what = textureLoad(traced_what, vec2i(id.xy), 0);
     if (what.x == 0) {
+        if (surface_settings.number == 0u) {
+            records[place] = Record();
+        }
         return;
     }
     let traced = textureLoad(traced_hit, vec2i(id.xy), 0);
@@ -12073,7 +12078,6 @@ fn shade_main(@builtin(global_invocation_id) id: vec3u) {
     let pixel = numbered_pixel(u32(abs(what.x)) - 1u, side, point);
     let at = place_hit(pixel, enter_relief(pixel), segment, hit);
     let out = shade_hit(pixel.origin, at, hit, visible_lights(at, hit));
-    let place = id.y * size.x + id.x;
     records[place] = Record(
         out.color,
         out.position,

@@ -11,8 +11,8 @@ use wgpu::{
 use super::{Gpu, GpuError};
 use crate::frame_time::PassTimes;
 
-/// The most passes of a frame that are timed: a set has two timestamps for each, and WebGPU allows 4096.
-const MAX_PASSES: usize = 2048;
+/// The most passes that are timed: a set has two timestamps for each, and WebGPU allows 4096.
+pub const MAX_PASSES: usize = 2048;
 
 /// What a pass does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,9 +70,9 @@ impl PassClock {
         (passes.len() <= MAX_PASSES).then_some(Timed { queries: &self.queries, begin, end: begin + 1 })
     }
 
-    /// What was written, once all is done. None where it is no time: some passes were not timed, the clock
-    /// went backward, or it stood still.
-    pub async fn read(self, gpu: &Gpu) -> Result<Option<PassTimes>, GpuError> {
+    /// What was written for a frame, the mean of so many, once all is done. None where it is no time: some
+    /// passes were not timed, the clock went backward, or it stood still.
+    pub async fn read(self, gpu: &Gpu, frames: u32) -> Result<Option<PassTimes>, GpuError> {
         let passes = self.passes.into_inner();
         if passes.is_empty() || passes.len() > MAX_PASSES {
             return Ok(None);
@@ -97,7 +97,7 @@ impl PassClock {
         });
         read.await?;
         let period_ns = f64::from(gpu.queue().get_timestamp_period());
-        Ok(sums(&passes, &times, period_ns))
+        Ok(sums(&passes, &times, period_ns / f64::from(frames)))
     }
 }
 
