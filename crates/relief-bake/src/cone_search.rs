@@ -14,6 +14,7 @@ mod near;
 mod point;
 mod search;
 mod slope;
+mod tie;
 mod walk;
 
 pub(crate) use self::apexes::{Apexes, Region};

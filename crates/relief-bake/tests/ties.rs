@@ -15,6 +15,10 @@ const TEXELS: usize = 8;
 /// Columns and rows: no whole number of any node but the smallest.
 const SIZE: [u32; 2] = [83, 70];
 
+/// What the slope of a cone may be more than the steepest, in heights a texel: for what rounding makes of ground
+/// that is equally steep.
+const STEP: f64 = 1.0 / (1u64 << 23) as f64;
+
 /// What the slope of a frustum may be more than the least.
 const TIE: f32 = 1.0 + 1.0 / 65536.0;
 
@@ -65,7 +69,7 @@ fn cones_are_those_of_brute_force() {
                     let slow = brute::cone::slope(&map, texel_m, footprint, texel, highest);
                     let fast = 1.0 / f64::from(ratios[(j * SIZE[0] + i) as usize]);
                     assert!(
-                        fast >= slow && fast <= slow * (1.0 + 2e-5) + 1e-11 / texel_m[0].min(texel_m[1]),
+                        fast >= slow && fast <= slow * (1.0 + 2e-5) + STEP / texel_m[0].min(texel_m[1]),
                         "{name} {} {apex:?} {texel:?}: {fast} and {slow} by brute force",
                         map.wrap()
                     );

@@ -8,7 +8,8 @@ use super::block::{Block, is_in_block};
 use super::field::Seen;
 use super::lanes::{LANES, Lanes, bits_of};
 use super::search::{MARGIN, Search, Sort, State};
-use super::walk::{Group, Look, TIE};
+use super::tie::is_nearly_flat;
+use super::walk::{Group, Look};
 
 /// Cones that hold no surface.
 pub(crate) struct Empty;
@@ -129,7 +130,7 @@ fn raise_around<S: Simd>(
     }
     let least = if turn > 0.0 { *best * turn * turn / MARGIN } else { 0.0 };
     for seen in Seen::around(by, &around) {
-        if is_in_block(seen.offset) || is_nearly_flat(search, &seen, *best) {
+        if is_in_block(seen.offset) || is_flat(search, &seen, *best) {
             continue;
         }
         for apex in bits_of(places.may_peak_inside(simd, apexes, &seen, *best)) {
@@ -140,20 +141,12 @@ fn raise_around<S: Simd>(
     }
 }
 
-/// Whether the inside of a cell can be steeper than its edges by no more than the slope is raised by for
-/// ties.
-///
-/// There is a plane from which the patch is nowhere farther than a quarter of its twist, and over a plane the
-/// steepest point is on an edge. So the inside is steeper than the edges by half the twist over the distance
-/// at most; and the edges are looked at, each from its own ends.
+/// Whether nothing is lost by leaving out the inside of a cell.
 #[inline(always)]
-fn is_nearly_flat(search: &Search, seen: &Seen, best: f64) -> bool {
-    let [h00, h10, h01, h11] = seen.heights;
-    let twist = (h00 - h10) + (h11 - h01);
+fn is_flat(search: &Search, seen: &Seen, best: f64) -> bool {
     let from = seen.offset.map(|offset| offset as f64);
     let distance2 = search.places.distance2(from, [from[0] + 1.0, from[1] + 1.0]);
-    let spare = 2.0 * (TIE - 1.0) / MARGIN;
-    twist * twist <= spare * spare * best * distance2
+    is_nearly_flat(seen.heights, distance2, best, search.places.texel_m)
 }
 
 #[cfg(test)]

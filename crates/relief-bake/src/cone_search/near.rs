@@ -11,6 +11,7 @@ use super::field::Field;
 use super::lanes::{LANES, Lanes, bits_of};
 use super::point::Point;
 use super::slope::{Patch, may_peak_inside, steepest_in_quarter, steepest_into};
+use super::tie::is_nearly_flat;
 
 /// Squared slopes from the points of a row of texels to the blocks around them.
 pub(crate) struct NearRow {
@@ -118,7 +119,9 @@ impl Near {
             for (lane, set) in sets.into_iter().enumerate() {
                 for cell in bits_of(set) {
                     let patch = self.patch(point, block, lane, cell / CELLS_READ * SIDE + cell % CELLS_READ);
-                    slopes[lane] = patch.inside(slopes[lane]).max(slopes[lane]);
+                    if !is_nearly_flat(patch.rise, patch.distance2(), slopes[lane], self.side_m) {
+                        slopes[lane] = patch.inside(slopes[lane]).max(slopes[lane]);
+                    }
                 }
             }
         }

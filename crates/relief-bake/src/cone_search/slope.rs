@@ -65,6 +65,12 @@ pub(crate) struct Patch {
 }
 
 impl Patch {
+    /// Its squared distance from the apex.
+    pub fn distance2(&self) -> f64 {
+        let gap = |axis: usize| self.corner[axis].max(-self.corner[axis] - self.size[axis]).max(0.0);
+        gap(0).powi(2) + gap(1).powi(2)
+    }
+
     /// Squared slope to the steepest critical point strictly inside the patch; 0 where there is none.
     ///
     /// With the rise `A + Bx + Cy + Dxy` the steepest point of the line `x = const` has the squared slope

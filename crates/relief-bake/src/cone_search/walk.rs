@@ -9,17 +9,13 @@ use relief_core::{HeightMap, Wrap};
 use super::apexes::{APEXES, Apexes, Region};
 use super::block::REACH;
 use super::lanes::{COLUMNS_F32, LANE_BITS, LANES, Lanes};
+use super::tie::raised;
 use crate::texel_pyramid::TexelPyramid;
 use crate::upper_planes::UpperPlanes;
 
 /// Lowers squared slopes, so that in `f32`, with some twelve roundings of 2⁻²⁴, no node that matters is
 /// passed over.
 const CAUTION: f64 = 1.0 - 1.0 / (1u64 << 19) as f64;
-
-/// What slopes are raised by, in the search and in the end: a node whose plane is as steep as what was found
-/// to within this is passed over. Else the rounding of heights would decide what is steepest of much that is
-/// equally steep, and all of it had to be looked at.
-pub(super) const TIE: f64 = 1.0 + 1.0 / (1u64 << 16) as f64;
 
 /// Nodes that a walk looks into before it asks for planes: natural ground mostly takes fewer.
 const PATIENCE: u32 = 32;
@@ -186,7 +182,7 @@ impl<'a> Walk<'a> {
     #[inline(always)]
     pub fn raise_bar(&self, group: &mut Group, lane: usize, slope2: f64) {
         group.bar[lane] = (slope2 * self.side_m * self.side_m * CAUTION) as f32;
-        group.slope[lane] = slope2.sqrt() * TIE;
+        group.slope[lane] = raised(slope2, self.texel_m);
     }
 
     /// Looks, for each lane, at every vertex that may be steeper than its bar, or be a corner of a cell that
@@ -202,7 +198,7 @@ impl<'a> Walk<'a> {
     ///
     /// On inclined ground that passes over nothing uphill, where all is equally steep. So a node is passed
     /// over as well where a plane above the cells around its vertices is not above the lane's cone: see
-    /// [`Self::above_plane`]. What is lost to a tie is at most what a [`TIE`] raises the slope by.
+    /// [`Self::above_plane`]. What is lost to a tie is at most what slopes are raised by.
     #[inline(always)]
     pub fn walk<S: Simd>(&self, simd: S, group: &mut Group, tiles: [i64; 2], look: &mut impl Look) {
         for y in 0..=tiles[1] {

@@ -54,7 +54,7 @@ const APEX: Param = Param {
 pub const KIND: Kind = Kind {
     name: "cone",
     summary: "the widest cone that stands on a texel and holds no surface",
-    revision: 2,
+    revision: 3,
     publication: Publication {
         paper: "Szirmay-Kalos and Umenhoffer 2008, Displacement Mapping on the GPU",
         section: "4.3.5",
@@ -83,8 +83,8 @@ pub const KIND: Kind = Kind {
 /// [`ConeApex::Footprint`] the apexes of texel `(i, j)` are the closed square `[i, i + 1] x [j, j + 1]` in
 /// texture coordinates times size, which is where a fetch of the nearest texel gives it; on a border between
 /// squares both texels' cones are safe. With [`ConeApex::Centre`] it is the centre alone. The ratio is the
-/// supremum, less 2⁻¹⁶ and 1e-6 of it and what an error of 4e-15 of a height makes. But for that no wider
-/// cone is safe.
+/// supremum, less 2⁻¹⁶ and 1e-6 of it and what 2⁻²³ of a height over a texel's shorter side adds to the slope.
+/// But for that no wider cone is safe.
 ///
 /// [`ConeApex::Filtered`] is the least ratio of [`ConeApex::Footprint`] in the 3 by 3 texels around. At a
 /// place of a texel's square, a filter mixes four texels, and each has that texel among its 3 by 3. So each
@@ -111,8 +111,9 @@ pub const KIND: Kind = Kind {
 /// 4. *Nodes passed over.* A node of the maximum pyramid is skipped only when its highest point over the
 ///    lowest apex, at their least distance, is less steep than what was found by more than a cell can be
 ///    steeper than its corners; or when a plane above the node is not above a cone as steep as what was found
-///    and 2⁻¹⁶ more: see the module `cone_search::walk`. All slopes are raised by so much in the end. Else
-///    the rounding of heights would decide what is steepest of much that is equally steep.
+///    and so much more as rounded heights may make of it: see the modules `cone_search::walk` and `tie`. All
+///    slopes are raised by so much in the end. Else the rounding of heights would decide what is steepest of
+///    much that is equally steep.
 /// 5. *Beyond the map.* Under repeat all images that are near enough are looked at. Under clamp and mirror,
 ///    folding the plane onto the map keeps heights and brings no two points farther apart, so the steepest
 ///    pairs are on the map itself.

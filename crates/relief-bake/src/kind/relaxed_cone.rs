@@ -52,7 +52,7 @@ const APEX: Param = Param {
 pub const KIND: Kind = Kind {
     name: "relaxed-cone",
     summary: "a wide cone that a view ray leaves after at most one entry into the surface",
-    revision: 3,
+    revision: 4,
     publication: Publication {
         paper: "Szirmay-Kalos and Umenhoffer 2008, Displacement Mapping on the GPU",
         section: "4.4.3",
