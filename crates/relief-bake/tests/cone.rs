@@ -20,8 +20,8 @@ const PROBES: usize = 100_000;
 /// Texels of each map, in each wrap and from each sort of apex, that brute force is run on.
 const TEXELS: usize = 12;
 
-/// What the slope of a cone may be more than the steepest, in heights a texel: for what rounding makes of ground
-/// that is equally steep.
+/// What the slope of a cone may be more than the steepest, in heights a texel: for what rounding makes of
+/// ground that is equally steep.
 const STEP: f64 = 1.0 / (1u64 << 23) as f64;
 
 fn metric(k: usize) -> Metric {

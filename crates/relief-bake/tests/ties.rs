@@ -15,8 +15,8 @@ const TEXELS: usize = 8;
 /// Columns and rows: no whole number of any node but the smallest.
 const SIZE: [u32; 2] = [83, 70];
 
-/// What the slope of a cone may be more than the steepest, in heights a texel: for what rounding makes of ground
-/// that is equally steep.
+/// What the slope of a cone may be more than the steepest, in heights a texel: for what rounding makes of
+/// ground that is equally steep.
 const STEP: f64 = 1.0 / (1u64 << 23) as f64;
 
 /// What the slope of a frustum may be more than the least.

@@ -13,8 +13,8 @@ const RISE: f64 = 1e-15;
 /// A point outside of an apex's own patch is at least so many texels away. A smaller number is as safe.
 const NEAREST: f64 = 0.25;
 
-/// The ratio of a cone with that squared slope, rounded to the safe side. What counts as equally steep has not
-/// been looked for: see [`super::tie`].
+/// The ratio of a cone with that squared slope, rounded to the safe side. What counts as equally steep has
+/// not been looked for: see [`super::tie`].
 pub fn ratio(slope2: f64, texel_m: [f64; 2]) -> f32 {
     let slope = raised(slope2, texel_m) * (1.0 + RELATIVE) + RISE / (NEAREST * texel_m[0].min(texel_m[1]));
     down((1.0 / slope).min(f64::from(f32::MAX)))

@@ -83,8 +83,8 @@ pub const KIND: Kind = Kind {
 /// [`ConeApex::Footprint`] the apexes of texel `(i, j)` are the closed square `[i, i + 1] x [j, j + 1]` in
 /// texture coordinates times size, which is where a fetch of the nearest texel gives it; on a border between
 /// squares both texels' cones are safe. With [`ConeApex::Centre`] it is the centre alone. The ratio is the
-/// supremum, less 2⁻¹⁶ and 1e-6 of it and what 2⁻²³ of a height over a texel's shorter side adds to the slope.
-/// But for that no wider cone is safe.
+/// supremum, less 2⁻¹⁶ and 1e-6 of it and what 2⁻²³ of a height over a texel's shorter side adds to the
+/// slope. But for that no wider cone is safe.
 ///
 /// [`ConeApex::Filtered`] is the least ratio of [`ConeApex::Footprint`] in the 3 by 3 texels around. At a
 /// place of a texel's square, a filter mixes four texels, and each has that texel among its 3 by 3. So each

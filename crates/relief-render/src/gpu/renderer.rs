@@ -1,15 +1,15 @@
 //! Pictures, in two passes for each surface: rasterise and trace, then shade each pixel that it is the
 //! nearest in so far; of several samples each so, and then added up.
 
+mod time;
+
 use std::borrow::Cow;
 use std::ops::ControlFlow;
-use std::time::Duration;
 
 use rayon::prelude::*;
 use relief_shaders::MapNeed;
 use relief_shaders::cpu::{PixelOut, Record, Shared};
 use relief_shaders::wgsl::{SHADE_GROUP, Sampling};
-use web_time::Instant;
 use wgpu::{
     BindGroup, Color, CommandEncoder, ComputePipeline, Features, LoadOp, Operations,
     RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,
@@ -18,7 +18,7 @@ use wgpu::{
 
 use super::drawn::{Drawn, check_triangles};
 use super::light_map::{Caster, Frames, LightMap};
-use super::pass_clock::{MAX_PASSES, PassClock, PassKind, Timed, timed_compute};
+use super::pass_clock::{PassClock, PassKind, Timed, timed_compute};
 use super::programs::{Programs, Seer};
 use super::resident::{Common, Resident};
 use super::stencil::Counted;
@@ -27,16 +27,8 @@ use super::textures::Precision;
 use super::wait::block_on;
 use super::{Gpu, GpuError, pyramid, tessellate};
 use crate::cpu::tessellated::KeptTessellated;
-use crate::frame_time::FrameTime;
 use crate::job::{Job, JobSurface, Rendering};
 use crate::samples::{Sample, samples};
-
-/// Frames in a row take about so long together where they are timed: handing over the first and waiting for
-/// the last, some 0.2 ms, are hardly a part of it.
-const ROW: Duration = Duration::from_millis(25);
-
-/// The most frames in a row.
-const MOST_FRAMES: u32 = 32;
 
 /// Where the camera's frame lies among all frames.
 const CAMERA: u32 = 0;
@@ -250,68 +242,6 @@ impl GpuRenderer {
         Ok(&targets.shown(&self.gpu, &self.programs.layouts).0)
     }
 
-    /// Draws a job as it would be read back, waits until it is done, and says how long that took, without
-    /// compiling, uploading and reading back. A short frame is drawn several times, handed over one after the
-    /// other as programs do it: so the GPU has the next one when it is done with one, and none waits for the
-    /// CPU. Waits for the GPU, which the web does not allow.
-    ///
-    /// # Errors
-    ///
-    /// As [`Self::render`].
-    pub fn time(&mut self, job: &Job, sampling: Sampling) -> Result<FrameTime, GpuError> {
-        block_on(self.time_async(job, sampling))
-    }
-
-    async fn time_async(&mut self, job: &Job, sampling: Sampling) -> Result<FrameTime, GpuError> {
-        let gpu = self.gpu.clone();
-        let clock = PassClock::new(&gpu);
-        let ready = self.prepare(job, sampling, samples(job.samples, false), clock.as_ref()).await?;
-        // What was uploaded has arrived, and what is made is there, before the clock starts.
-        gpu.flush()?;
-        let mut time = self.time_frames(&ready, 1, clock).await?;
-        let passes = self.targets()?.bands.iter().map(Vec::len).sum::<usize>() * ready.surfaces.len();
-        let frames = frames_in_a_row(time.elapsed, passes);
-        if frames > 1 {
-            let make = time.passes.map(|passes| passes.make);
-            time = self.time_frames(&ready, frames, PassClock::new(&gpu)).await?;
-            if let Some((passes, make)) = time.passes.as_mut().zip(make) {
-                passes.make = make;
-            }
-        }
-        for surface in &self.surfaces {
-            time.made_triangles += surface.made_triangles(&gpu).await?;
-        }
-        Ok(time)
-    }
-
-    /// Hands over so many frames one after the other, and waits until the last is done.
-    async fn time_frames(
-        &mut self,
-        ready: &Passes,
-        frames: u32,
-        clock: Option<PassClock>,
-    ) -> Result<FrameTime, GpuError> {
-        let gpu = self.gpu.clone();
-        let targets = self.targets()?;
-        let started = Instant::now();
-        gpu.guarded(|| {
-            for _ in 0..frames {
-                for passes in &targets.bands {
-                    submit_band(&gpu, targets, ready, passes, clock.as_ref(), |_, _| {});
-                }
-            }
-            Ok(())
-        })
-        .await?;
-        gpu.wait()?;
-        let elapsed = started.elapsed() / frames;
-        let passes = match clock {
-            Some(clock) => clock.read(&gpu, frames).await?,
-            None => None,
-        };
-        Ok(FrameTime { elapsed, passes, made_triangles: 0 })
-    }
-
     fn work_so_far(&self) -> Work {
         let (uploaded, built) = (self.gpu.uploaded(), self.gpu.built());
         Work { uploaded, compiled: self.programs.compiled(), built }
@@ -487,14 +417,6 @@ impl GpuRenderer {
         read.await?;
         Ok(band)
     }
-}
-
-/// How many frames are timed together of which one alone took so long and traced so many times.
-fn frames_in_a_row(alone: Duration, traces: usize) -> u32 {
-    let frames = ROW.as_nanos() / alone.as_nanos().max(1);
-    // A frame traces and shades.
-    let timed = MAX_PASSES / (2 * traces).max(1);
-    frames.min(timed as u128).clamp(1, u128::from(MOST_FRAMES)) as u32
 }
 
 /// Traces and shades the rows of a band, sample after sample, so that no submission takes long; `finish` ends
