@@ -9,7 +9,8 @@ use std::ops::Range;
 use glam::{DVec3, Vec3, Vec3A};
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
-use obvhs::bvh2::{Bvh2, builder::build_bvh2};
+use obvhs::bvh2::{Bvh2, reinsertion::ReinsertionOptimizer};
+use obvhs::ploc::PlocBuilder;
 use relief_core::Lanes;
 use relief_core::pulp::{Simd, WithSimd};
 use relief_shaders::cpu::{BLOCK, Corner, Row, Triangle};
@@ -49,19 +50,10 @@ impl ShellCaster {
     }
 
     fn with(triangles: &Triangles, shell_m: [f32; 2], both: bool, in_hulls: bool) -> Self {
-        let corners = triangles.iter().map(|triangle| {
-            let corners = corners(&triangle, shell_m, both);
-            (Aabb::from_points(&corners), in_hulls.then(|| hull(&triangle, &corners)))
-        });
-        let (boxes, hulls): (Vec<Aabb>, Vec<Option<Hull>>) = corners.unzip();
-        let hulls = hulls.into_iter().flatten().collect();
-        let bvh = if boxes.is_empty() {
-            Bvh2::default()
-        } else {
-            // To look into a shell takes far longer than to look at a box.
-            let params = BvhBuildParams { max_prims_per_leaf: 1, ..BvhBuildParams::medium_build() };
-            build_bvh2(&boxes, params, &mut Default::default())
-        };
+        let boxes = boxes(triangles, shell_m, both);
+        let bvh = hierarchy(&boxes);
+        let hull_of = |triangle: Triangle| hull(&triangle, &corners(&triangle, shell_m, both));
+        let hulls = if in_hulls { triangles.iter().map(hull_of).collect() } else { Vec::new() };
         let largest =
             |extent: f32, of: &Aabb| extent.max(of.min.abs().max_element()).max(of.max.abs().max_element());
         Self { bvh, hulls, extent: boxes.iter().fold(0.0, largest).into() }
@@ -164,6 +156,29 @@ impl ShellCaster {
             rays.waiting.extend(met.map(|(_, child)| child));
         }
     }
+}
+
+/// The boxes around shells, as [`ShellCaster::new`] has them.
+pub fn boxes(triangles: &Triangles, shell_m: [f32; 2], both: bool) -> Vec<Aabb> {
+    triangles.iter().map(|triangle| Aabb::from_points(&corners(&triangle, shell_m, both))).collect()
+}
+
+/// A hierarchy of boxes with one in each leaf: to look into a shell takes far longer than to look at a box.
+pub fn hierarchy(boxes: &[Aabb]) -> Bvh2 {
+    if boxes.is_empty() {
+        return Bvh2::default();
+    }
+    // The parts of the library's builder, which asks for the time of day besides: on the web there is none.
+    let params = BvhBuildParams::medium_build();
+    let mut bvh = PlocBuilder::with_capacity(boxes.len()).build(
+        params.ploc_search_distance,
+        boxes,
+        (0..boxes.len() as u32).collect(),
+        params.sort_precision,
+        params.search_depth_threshold,
+    );
+    ReinsertionOptimizer::default().run(&mut bvh, params.reinsertion_batch_ratio, None);
+    bvh
 }
 
 /// Whether a ray begins somewhere and has a direction.

@@ -151,6 +151,13 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/shell_point", head: r#"// Points of a shell as normals that are interpolated, and not normalised, span it.
 "# },
+    Module { path: "shared/shell_tree", head: r#"// A ray's way down the hierarchy of boxes around shells, from near to far. It only proposes triangles: what
+// the ray meets in their shells is for the surface to say.
+//
+// Hapala, Davidovic, Wald, Havran and Slusallek 2011, Efficient Stack-less BVH Traversal for Ray Tracing. A
+// node knows of which one it is a child, so that a ray has to remember nothing but where it is and where it
+// came from, however deep the hierarchy is.
+"# },
     Module { path: "shared/sweep", head: r#"// The sweep of a triangle through a grid of voxels: the grid's own points, column by column.
 //
 // Gumhold and Hüttner 1999, section 3.4. Each side of the triangle is divided along the direction in which it
@@ -565,6 +572,11 @@ pub const MODULES: &[Module] = &[
 // Rays are made from the pixel and the triangle's corners, not from interpolated attributes, so that both
 // backends trace the same ray to the last bit whatever the rasteriser's precision.
 "# },
+    Module { path: "roots/trace_shells", head: r#"// The first pass of a picture of shells on the GPU: every pixel's ray goes down a hierarchy of boxes around
+// them, from near to far, and looks into those that it comes to until nothing nearer is left. A rasteriser
+// would look into all that cover the pixel, however deep they lie behind what is seen. The same for what
+// lights see.
+"# },
 ];
 
 pub const DECLARATIONS: &[Declaration] = &[
@@ -735,6 +747,13 @@ pub const DECLARATIONS: &[Declaration] = &[
         sampling: None,
         uses: &[],
         text: r#"@group(2) @binding(3) var<storage, read_write> sums: array<vec4f>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "shell_nodes",
+        sampling: None,
+        uses: &["ShellNode"],
+        text: r#"@group(2) @binding(4) var<storage, read> shell_nodes: array<ShellNode>;"#,
     },
     Declaration {
         module: "bindings",
@@ -1127,6 +1146,27 @@ pub const DECLARATIONS: &[Declaration] = &[
         sampling: None,
         uses: &[],
         text: r#"const SHELL_FOLDED = 64u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SHELL_BOTH_SIDES",
+        sampling: None,
+        uses: &[],
+        text: r#"const SHELL_BOTH_SIDES = 1u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SHELL_BOXES",
+        sampling: None,
+        uses: &[],
+        text: r#"const SHELL_BOXES = 2u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SHELL_TRIANGLE",
+        sampling: None,
+        uses: &[],
+        text: r#"const SHELL_TRIANGLE = 4u;"#,
     },
     Declaration {
         module: "constants",
@@ -4066,6 +4106,17 @@ struct Traced {
     },
     Declaration {
         module: "shared/numbered",
+        name: "SeenByLight",
+        sampling: None,
+        uses: &[],
+        text: r#"// A texel of what a light sees.
+struct SeenByLight {
+    @location(0) key: f32,
+    @builtin(frag_depth) depth: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/numbered",
         name: "traced_hit_of",
         sampling: None,
         uses: &["EXHAUSTED_BIT", "FirstHit", "STEPS_BITS", "Traced"],
@@ -5465,6 +5516,23 @@ struct Triangle {
     },
     Declaration {
         module: "shared/records",
+        name: "ShellNode",
+        sampling: None,
+        uses: &[],
+        text: r#"// A node of the hierarchy of boxes around the shells of triangles. The root is the first; the two children
+// of a node follow each other, the first at an odd place, and along the node's axis it lies lower.
+struct ShellNode {
+    low: vec3f,
+    // Of a node with children the place of the first. Of a leaf SHELL_TRIANGLE times its triangle's number,
+    // and SHELL_BOTH_SIDES where that is seen turned over, too, SHELL_BOXES where it fills all of the box.
+    first: u32,
+    high: vec3f,
+    // 16 times the place of the node above, 4 times the axis of that, and its own axis: of a leaf 3.
+    above: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/records",
         name: "Record",
         sampling: None,
         uses: &[],
@@ -6707,6 +6775,244 @@ fn between(a: ShellPoint, b: ShellPoint) -> ShellPoint {
 fn uv_of(pixel: PixelIn, weights: vec3f) -> vec2f {
     return ordered(pixel, 0u).uv * weights.x + ordered(pixel, 1u).uv * weights.y
         + ordered(pixel, 2u).uv * weights.z;
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "TREE_SLACK",
+        sampling: None,
+        uses: &[],
+        text: r#"// The part of the largest coordinate in play by which boxes are larger: more than shells are by rounding.
+const TREE_SLACK = 0.000005;"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "REACH_SLACK",
+        sampling: None,
+        uses: &[],
+        text: r#"// The part of a depth by which what is nearer may begin behind it: rounding.
+const REACH_SLACK = 0.00001;"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "ACROSS",
+        sampling: None,
+        uses: &[],
+        text: r#"// One over a direction's component, where the ray does not go along it.
+const ACROSS = 1.0e20;"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "LEAST_LENGTH",
+        sampling: None,
+        uses: &[],
+        text: r#"// Lengths below this are roundings.
+const LEAST_LENGTH = 1.0e-18;"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "NOWHERE",
+        sampling: None,
+        uses: &[],
+        text: r#"// No node.
+const NOWHERE = 0xffffffffu;"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "FROM_ABOVE",
+        sampling: None,
+        uses: &[],
+        text: r#"// Where a ray came from when it is at a node: from the node above, for the first time; from the other child
+// of that one, which is nearer; from a child of its own, below which all was seen.
+const FROM_ABOVE = 0u;"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "FROM_BESIDE",
+        sampling: None,
+        uses: &[],
+        text: r#"const FROM_BESIDE = 1u;"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "FROM_BELOW",
+        sampling: None,
+        uses: &[],
+        text: r#"const FROM_BELOW = 2u;"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "TreeRay",
+        sampling: None,
+        uses: &[],
+        text: r#"// A ray, and by how many metres boxes are larger for it.
+struct TreeRay {
+    origin: vec3f,
+    direction: vec3f,
+    inverse: vec3f,
+    slack: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "TreeWalk",
+        sampling: None,
+        uses: &[],
+        text: r#"// Where a ray is in the hierarchy, and the leaf that it met last: NOWHERE at the end.
+struct TreeWalk {
+    node: u32,
+    came: u32,
+    leaf: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "inverse_of",
+        sampling: None,
+        uses: &["ACROSS"],
+        text: r#"// One over the components of a direction.
+fn inverse_of(direction: vec3f) -> vec3f {
+    let across = vec3f(ACROSS, ACROSS, ACROSS);
+    return select(across, 1.0 / direction, abs(direction) > 1.0 / across);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "tree_ray",
+        sampling: None,
+        uses: &["TREE_SLACK", "TreeRay", "inverse_of", "pixel_direction", "pixel_eye", "shell_nodes"],
+        text: r#"// The ray through a point of the picture.
+fn tree_ray(point: vec2f) -> TreeRay {
+    let origin = pixel_eye(point);
+    let direction = pixel_direction(point);
+    let root = shell_nodes[0];
+    let largest = max(max(abs(root.low), abs(root.high)), abs(origin));
+    let slack = TREE_SLACK * max(max(largest.x, largest.y), largest.z);
+    return TreeRay(origin, direction, inverse_of(direction), slack);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "walk_begin",
+        sampling: None,
+        uses: &["FROM_ABOVE", "NOWHERE", "TreeWalk"],
+        text: r#"// The beginning of a way.
+fn walk_begin() -> TreeWalk {
+    return TreeWalk(0u, FROM_ABOVE, NOWHERE);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "reach_of",
+        sampling: None,
+        uses: &["REACH_SLACK", "frame"],
+        text: r#"// The parameter of a ray beyond which nothing begins that is nearer than a key.
+fn reach_of(key: f32) -> f32 {
+    return frame.near / key * (1.0 + REACH_SLACK) - frame.near;
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "goes_down",
+        sampling: None,
+        uses: &["TreeRay"],
+        text: r#"// Whether the ray goes against an axis, of which the number is.
+fn goes_down(ray: TreeRay, axis: u32) -> bool {
+    let along = select(select(ray.direction.z, ray.direction.y, axis == 1u), ray.direction.x, axis == 0u);
+    return along < 0.0;
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "walk_on",
+        sampling: None,
+        uses: &["FROM_ABOVE", "FROM_BELOW", "FROM_BESIDE", "NOWHERE", "TreeRay", "TreeWalk", "goes_down", "shell_nodes"],
+        text: r#"// Goes on to the next leaf that the ray may meet up to a parameter.
+fn walk_on(ray: TreeRay, before: TreeWalk, reach: f32) -> TreeWalk {
+    var node = before.node;
+    var came = before.came;
+    while (node != NOWHERE) {
+        let known = shell_nodes[node];
+        var leaf = NOWHERE;
+        if (came != FROM_BELOW) {
+            let one = (known.low - ray.slack - ray.origin) * ray.inverse;
+            let other = (known.high + ray.slack - ray.origin) * ray.inverse;
+            let near = min(one, other);
+            let far = max(one, other);
+            let entry = max(max(near.x, near.y), near.z);
+            let exit = min(min(far.x, far.y), min(far.z, reach));
+            let axis = known.above & 3u;
+            if (entry <= exit && exit >= 0.0) {
+                if (axis < 3u) {
+                    node = known.first + select(0u, 1u, goes_down(ray, axis));
+                    came = FROM_ABOVE;
+                    continue;
+                }
+                leaf = node;
+            }
+        }
+        // All below is seen. The nearer child of a node is its first where the ray goes along the axis.
+        let is_nearer = (node & 1u) == select(1u, 0u, goes_down(ray, (known.above >> 2u) & 3u));
+        if (node == 0u) {
+            node = NOWHERE;
+        } else if (came == FROM_ABOVE || (came == FROM_BELOW && is_nearer)) {
+            node = select(node - 1u, node + 1u, (node & 1u) == 1u);
+            came = FROM_BESIDE;
+        } else {
+            node = known.above >> 4u;
+            came = FROM_BELOW;
+        }
+        if (leaf != NOWHERE) {
+            return TreeWalk(node, came, leaf);
+        }
+    }
+    return TreeWalk(NOWHERE, FROM_BELOW, NOWHERE);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "inside_slab",
+        sampling: None,
+        uses: &["ACROSS", "LEAST_LENGTH", "TreeRay", "Triangle", "moved_out", "offsets_of"],
+        text: r#"// The part of a ray, between two parameters, in a slab around a triangle's shell across a direction.
+fn inside_slab(inside: vec2f, ray: TreeRay, triangle: Triangle, side: f32, across: vec3f) -> vec2f {
+    let axis = across / max(length(across), LEAST_LENGTH);
+    let offsets = offsets_of(triangle.shell);
+    let a = dot(moved_out(triangle.a, side, offsets.x), axis);
+    let b = dot(moved_out(triangle.b, side, offsets.x), axis);
+    let c = dot(moved_out(triangle.c, side, offsets.x), axis);
+    let d = dot(moved_out(triangle.a, side, offsets.y), axis);
+    let e = dot(moved_out(triangle.b, side, offsets.y), axis);
+    let f = dot(moved_out(triangle.c, side, offsets.y), axis);
+    let low = min(min(min(a, b), min(c, d)), min(e, f)) - ray.slack;
+    let high = max(max(max(a, b), max(c, d)), max(e, f)) + ray.slack;
+    let origin = dot(ray.origin, axis);
+    let along = dot(ray.direction, axis);
+    let inverse = select(ACROSS, 1.0 / along, abs(along) > 1.0 / ACROSS);
+    let one = (low - origin) * inverse;
+    let other = (high - origin) * inverse;
+    return vec2f(max(inside.x, min(one, other)), min(inside.y, max(one, other)));
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_tree",
+        name: "may_meet",
+        sampling: None,
+        uses: &["LEAST_LENGTH", "NEVER", "TreeRay", "Triangle", "inside_slab"],
+        text: r#"// Whether a ray may meet what is in the hull of a side's shell up to a parameter. Boxes mostly lie aside of
+// it: there are slabs along the triangle's normal and along those of its sides.
+fn may_meet(ray: TreeRay, triangle: Triangle, side: f32, reach: f32) -> bool {
+    let ab = triangle.b.position - triangle.a.position;
+    let bc = triangle.c.position - triangle.b.position;
+    let ca = triangle.a.position - triangle.c.position;
+    let across = cross(ab, bc);
+    let normal = across / max(length(across), LEAST_LENGTH);
+    var inside = vec2f(0.0 - NEVER, reach);
+    inside = inside_slab(inside, ray, triangle, side, normal);
+    inside = inside_slab(inside, ray, triangle, side, cross(normal, ab));
+    inside = inside_slab(inside, ray, triangle, side, cross(normal, bc));
+    inside = inside_slab(inside, ray, triangle, side, cross(normal, ca));
+    return inside.x <= inside.y && inside.y >= 0.0;
 }"#,
     },
     Declaration {
@@ -12833,17 +13139,6 @@ fn fragment_main(in: Varying, @builtin(front_facing) front: bool) -> Traced {
     },
     Declaration {
         module: "roots/trace",
-        name: "SeenByLight",
-        sampling: None,
-        uses: &[],
-        text: r#"// A texel of what a light sees.
-struct SeenByLight {
-    @location(0) key: f32,
-    @builtin(frag_depth) depth: f32,
-}"#,
-    },
-    Declaration {
-        module: "roots/trace",
         name: "light_main",
         sampling: None,
         uses: &["SeenByLight", "Varying", "enter_relief", "first_hit", "fragment_pixel", "side_of"],
@@ -12872,6 +13167,94 @@ fn prepass_main(in: Varying, @builtin(front_facing) front: bool) -> @builtin(fra
         discard;
     }
     return z_of(depth_on_ray(pixel, segment_of(pixel, at, first.segment), first.hit));
+}"#,
+    },
+    Declaration {
+        module: "roots/trace_shells",
+        name: "cover_vertex",
+        sampling: None,
+        uses: &[],
+        text: r#"// A triangle that covers the picture.
+@vertex
+fn cover_vertex(@builtin(vertex_index) vertex: u32) -> @builtin(position) vec4f {
+    return vec4f(select(-1.0, 3.0, vertex == 1u), select(-1.0, 3.0, vertex == 2u), 0.5, 1.0);
+}"#,
+    },
+    Declaration {
+        module: "roots/trace_shells",
+        name: "NearestInShells",
+        sampling: None,
+        uses: &["FirstHit"],
+        text: r#"// What a ray first hits in all shells, and the triangle and the side of it.
+struct NearestInShells {
+    first: FirstHit,
+    triangle: u32,
+    side: f32,
+}"#,
+    },
+    Declaration {
+        module: "roots/trace_shells",
+        name: "nearest_in_shells",
+        sampling: None,
+        uses: &["FirstHit", "Hit", "NEVER", "NOWHERE", "NearestInShells", "SHELL_BOTH_SIDES", "SHELL_BOXES", "SHELL_TRIANGLE", "enter_relief", "first_hit", "is_before", "may_meet", "numbered_pixel", "numbered_triangle", "reach_of", "shell_nodes", "tree_ray", "walk_begin", "walk_on"],
+        text: r#"// The nearest hit of the ray through a point of the picture; of equally near ones that of the triangle with
+// the lowest number, first of those that are not turned over.
+fn nearest_in_shells(point: vec2f) -> NearestInShells {
+    let nothing = Hit(0u, 0u, vec2f(0.0, 0.0), 0.0, 0.0, vec3u(0u, 0u, 0u));
+    var nearest = NearestInShells(FirstHit(nothing, 0u, 0.0), 0u, 1.0);
+    var reach = NEVER;
+    let ray = tree_ray(point);
+    var walk = walk_on(ray, walk_begin(), reach);
+    while (walk.leaf != NOWHERE) {
+        let what = shell_nodes[walk.leaf].first;
+        let number = what / SHELL_TRIANGLE;
+        let triangle = numbered_triangle(number);
+        let last = select(1.0, -1.0, (what & SHELL_BOTH_SIDES) != 0u);
+        var side = 1.0;
+        while (side >= last) {
+            if ((what & SHELL_BOXES) != 0u || may_meet(ray, triangle, side, reach)) {
+                let pixel = numbered_pixel(number, side, point);
+                let first = first_hit(pixel, enter_relief(pixel));
+                let known = nearest.first.key;
+                let is_before = side > nearest.side || (side == nearest.side && number < nearest.triangle);
+                if (first.hit.found == 1u && (first.key > known || (first.key == known && is_before))) {
+                    nearest = NearestInShells(first, number, side);
+                    reach = reach_of(first.key);
+                }
+            }
+            side = side - 2.0;
+        }
+        walk = walk_on(ray, walk, reach);
+    }
+    return nearest;
+}"#,
+    },
+    Declaration {
+        module: "roots/trace_shells",
+        name: "shells_main",
+        sampling: None,
+        uses: &["Traced", "nearest_in_shells", "point_of_pass", "traced_hit_of"],
+        text: r#"@fragment
+fn shells_main(@builtin(position) position: vec4f) -> Traced {
+    let nearest = nearest_in_shells(point_of_pass(position.xy));
+    if (nearest.first.hit.found == 0u) {
+        discard;
+    }
+    return traced_hit_of(nearest.triangle, nearest.side, nearest.first);
+}"#,
+    },
+    Declaration {
+        module: "roots/trace_shells",
+        name: "shells_light_main",
+        sampling: None,
+        uses: &["SeenByLight", "nearest_in_shells", "point_of_pass"],
+        text: r#"@fragment
+fn shells_light_main(@builtin(position) position: vec4f) -> SeenByLight {
+    let nearest = nearest_in_shells(point_of_pass(position.xy));
+    if (nearest.first.hit.found == 0u) {
+        discard;
+    }
+    return SeenByLight(nearest.first.key, nearest.first.key);
 }"#,
     },
 ];

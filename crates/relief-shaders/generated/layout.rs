@@ -333,6 +333,39 @@ impl Shared for SurfaceSettings {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
+/// A node of the hierarchy of boxes around the shells of triangles. The root is the first; the two children
+/// of a node follow each other, the first at an odd place, and along the node's axis it lies lower.
+pub struct ShellNode {
+    pub low: rt::Vec3<f32>,
+    /// Of a node with children the place of the first. Of a leaf SHELL_TRIANGLE times its triangle's number,
+    /// and SHELL_BOTH_SIDES where that is seen turned over, too, SHELL_BOXES where it fills all of the box.
+    pub first: u32,
+    pub high: rt::Vec3<f32>,
+    /// 16 times the place of the node above, 4 times the axis of that, and its own axis: of a leaf 3.
+    pub above: u32,
+}
+
+impl Shared for ShellNode {
+    const SIZE: usize = 32;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.low.write(&mut bytes[0..]);
+        self.first.write(&mut bytes[12..]);
+        self.high.write(&mut bytes[16..]);
+        self.above.write(&mut bytes[28..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            low: Shared::read(&bytes[0..]),
+            first: Shared::read(&bytes[12..]),
+            high: Shared::read(&bytes[16..]),
+            above: Shared::read(&bytes[28..]),
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
 /// What is read back of a pixel. 23 words, and one that is left over.
 pub struct Record {
     pub color: rt::Vec4<f32>,

@@ -77,7 +77,7 @@ const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'sta
 
 /// All bindings. Group 0 is the same for every program; a program of the other groups binds those of them
 /// that it names.
-pub const BINDINGS: [Binding; 39] = [
+pub const BINDINGS: [Binding; 40] = [
     uniform(0, "surface_settings", "SurfaceSettings", "what changes with the surface"),
     filtered(1, "height_map", false, "heights"),
     filtered(
@@ -129,6 +129,7 @@ pub const BINDINGS: [Binding; 39] = [
     traced(1, "traced_what", BindingKind::IntegerTexture, "what the first pass found, in integers"),
     storage(2, 2, "records", "Record", false, "every pixel's record"),
     storage(2, 3, "sums", "vec4f", false, "the colours of every pixel's samples so far, added up"),
+    storage(2, 4, "shell_nodes", "ShellNode", true, "the hierarchy of boxes around the base mesh's shells"),
     storage(1, 3, "shown_records", "Record", true, "every pixel's record, to be shown"),
     Binding { group: 1, number: 4, name: "picture", kind: BindingKind::Picture, holds: "the linear picture" },
     Binding {

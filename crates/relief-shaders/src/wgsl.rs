@@ -51,8 +51,18 @@ pub const TESSELLATE_INSIDE: u32 = 3;
 /// What stands in place of an edge's triangles where there are too many to be counted.
 pub const TESSELLATE_COUNTLESS: u32 = u32::MAX;
 
-/// Vertices of the box that [`Root::TraceShells`] draws for a triangle.
+/// Vertices of the box that [`Root::DrawShells`] draws for a triangle.
 pub const BOX_VERTICES: u32 = 36;
+
+/// Added to what a leaf of the hierarchy of [`Root::TraceShells`] says of its triangle where that is seen
+/// turned over, too.
+pub const SHELL_BOTH_SIDES: u32 = 1;
+
+/// The same where the triangle's relief fills the box of the leaf, and not only its shell.
+pub const SHELL_BOXES: u32 = 2;
+
+/// What a leaf multiplies the number of its triangle by.
+pub const SHELL_TRIANGLE: u32 = 4;
 
 /// How textures are read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -100,12 +110,12 @@ pub enum Root {
     Functions,
     /// Rasterises the base mesh and traces it: `vertex_main`, `fragment_main`.
     Trace,
-    /// Rasterises boxes around the shells of the base mesh and traces it: `shell_vertex`, `fragment_main`.
-    /// Each triangle has [`BOX_VERTICES`]; a second instance is the mesh turned over.
+    /// The same of shells, which rays find in a hierarchy of boxes: `cover_vertex`, of which a triangle covers
+    /// the picture, `shells_main`.
     TraceShells,
     /// As [`Root::Trace`], for what a light sees: the keys of the hits alone: `vertex_main`, `light_main`.
     Light,
-    /// The same of shells: `shell_vertex`, `light_main`.
+    /// The same of shells: `cover_vertex`, `shells_light_main`.
     LightShells,
     /// Rasterises slices through an object, a pass for each of its images: `stencil_vertex`, of which the
     /// instance is the image; `stencil_test_fragment`, of which what is left is to be counted;
@@ -115,7 +125,8 @@ pub enum Root {
     /// As [`Root::Trace`], for a program's own depth buffer, which it fills before its own pass: to the bit
     /// the `z` that shading gives: `vertex_main`, `prepass_main`.
     Prepass,
-    /// The same of shells: `shell_vertex`, `prepass_main`.
+    /// The same of shells, of which boxes are rasterised: `shell_vertex`, `prepass_main`. Each triangle has
+    /// [`BOX_VERTICES`]; a second instance is the mesh turned over.
     PrepassShells,
     /// A surface in a single pass, for a program's own: traces and shades it, and gives linear colours:
     /// `draw_vertex`, `draw_fragment`. What lies nearer is for the depth test of the triangles to say.
@@ -169,9 +180,9 @@ impl Root {
         match self {
             Root::Functions => &["pixel_of", "shade_pixel"],
             Root::Trace => &["vertex_main", "fragment_main"],
-            Root::TraceShells => &["shell_vertex", "fragment_main"],
+            Root::TraceShells => &["cover_vertex", "shells_main"],
             Root::Light => &["vertex_main", "light_main"],
-            Root::LightShells => &["shell_vertex", "light_main"],
+            Root::LightShells => &["cover_vertex", "shells_light_main"],
             Root::Stencil => {
                 &["stencil_vertex", "stencil_test_fragment", "stencil_hit_fragment", "stencil_clear_fragment"]
             }

@@ -1,11 +1,10 @@
 //! What is drawn of a surface.
 
-use relief_shaders::cpu::{Corner, Face, Shared};
+use relief_shaders::cpu::{Corner, Face, Shared, ShellNode};
 use relief_shaders::surface::Proposal;
-use relief_shaders::wgsl::BOX_VERTICES;
 use wgpu::{Buffer, RenderPass};
 
-use super::{Gpu, GpuError};
+use super::{Gpu, GpuError, shells};
 use crate::job::JobSurface;
 
 /// How much is drawn.
@@ -26,19 +25,14 @@ impl Drawn {
         }
     }
 
-    /// The triangles of a surface that has them. Shells have an instance for each side, as polygons have
-    /// faces.
+    /// The triangles of a surface that has them; for shells one that covers the picture.
     pub fn of(surface: &JobSurface) -> Self {
-        let both = surface.two_sided && surface.selection.paths().proposal == Proposal::Shells;
-        Self::Direct([vertices_of(surface) * surface.triangles.len() as u32, 1 + u32::from(both)])
-    }
-}
-
-/// The vertices that are drawn for a triangle.
-fn vertices_of(surface: &JobSurface) -> u32 {
-    match surface.selection.paths().proposal {
-        Proposal::Polygons => 3,
-        Proposal::Shells => BOX_VERTICES,
+        let count = surface.triangles.len() as u32;
+        let drawn = match surface.selection.paths().proposal {
+            Proposal::Polygons => count,
+            Proposal::Shells => count.min(1),
+        };
+        Self::Direct([3 * drawn, 1])
     }
 }
 
@@ -46,7 +40,11 @@ fn vertices_of(surface: &JobSurface) -> u32 {
 /// vertex as an unsigned one.
 pub fn check_triangles(gpu: &Gpu, surface: &JobSurface) -> Result<(), GpuError> {
     let (count, corners) = (surface.triangles.len(), surface.triangles.corners().len());
-    let limit = gpu.storage_capacity(Face::SIZE).min(u64::from(u32::MAX / vertices_of(surface)));
+    let of_kind = match surface.selection.paths().proposal {
+        Proposal::Polygons => u64::from(u32::MAX / 3),
+        Proposal::Shells => shells::MOST_TRIANGLES.min(gpu.storage_capacity(ShellNode::SIZE) / 2),
+    };
+    let limit = gpu.storage_capacity(Face::SIZE).min(of_kind);
     if count as u64 > limit {
         return Err(GpuError::TooManyTriangles { count, limit });
     }

@@ -91,6 +91,8 @@ pub struct Caster {
     pub program: RenderPipeline,
     pub maps: BindGroup,
     pub mesh: BindGroup,
+    /// The hierarchy of its shells, where it has any.
+    pub shells: Option<BindGroup>,
     pub drawn: Drawn,
 }
 
@@ -163,6 +165,9 @@ impl LightMap {
                 drawn.set_pipeline(&caster.program);
                 drawn.set_bind_group(0, &caster.maps, &[frames.offset(number), pass]);
                 drawn.set_bind_group(1, &caster.mesh, &[]);
+                if let Some(shells) = &caster.shells {
+                    drawn.set_bind_group(2, shells, &[]);
+                }
                 caster.drawn.draw(&mut drawn);
             }
             drop(drawn);

@@ -21,6 +21,7 @@ mod programs;
 mod pyramid;
 mod renderer;
 mod resident;
+mod shells;
 mod stencil;
 mod targets;
 mod tessellate;

@@ -53,6 +53,8 @@ pub struct Layouts {
     fast: BindGroupLayout,
     /// Group 1 of the passes of a picture: the triangles.
     pub mesh: BindGroupLayout,
+    /// Group 2 of the passes that trace shells: their hierarchy.
+    pub shells: BindGroupLayout,
     /// Group 2 of the passes that shade and resolve.
     pub traced: BindGroupLayout,
     /// Group 1 of the pass that shows.
@@ -72,6 +74,7 @@ impl Layouts {
             exact: layout(device, "maps", &shared(), Sampling::Exact),
             fast: layout(device, "maps", &shared(), Sampling::Fast),
             mesh: of("mesh", &["mesh_faces", "mesh_corners"]),
+            shells: of("shells", &["shell_nodes"]),
             traced: of("traced", &["traced_hit", "traced_what", "records", "sums"]),
             shown: of("shown", &["shown_records", "picture"]),
             rays: of("rays", &["pixels", "probes"]),
@@ -192,23 +195,25 @@ impl Programs {
         sampling: Sampling,
         two_sided: bool,
     ) -> Result<RenderPipeline, GpuError> {
-        let groups = [self.layouts.maps(sampling).clone(), self.layouts.mesh.clone()];
+        let Layouts { mesh, shells, .. } = self.layouts.clone();
+        let groups = [self.layouts.maps(sampling).clone(), mesh, shells];
         let (roots, formats): ([Root; 2], &[TextureFormat]) = match seer {
             Seer::Camera | Seer::CameraBesideCounts => ([Root::Trace, Root::TraceShells], &[HIT, WHAT]),
             Seer::Light => ([Root::Light, Root::LightShells], &[KEYS]),
         };
-        let root = match selection.paths().proposal {
-            Proposal::Polygons => roots[0],
-            Proposal::Shells => roots[1],
+        // A triangle that covers the picture is drawn for shells, and its face does not matter.
+        let (root, count, faces) = match selection.paths().proposal {
+            Proposal::Polygons => (roots[0], 2, (!two_sided).then_some(Face::Back)),
+            Proposal::Shells => (roots[1], 3, None),
         };
         let text = || assemble(selection, root, sampling);
         let compile = |text: &str| {
             let groups = groups.each_ref().map(Some);
+            let groups = &groups[..count];
             let targets: Vec<_> =
                 formats.iter().map(|format| Some(ColorTargetState::from(*format))).collect();
-            let faces = culled(selection, two_sided);
             let format = if matches!(seer, Seer::CameraBesideCounts) { DEPTH_AND_COUNT } else { DEPTH };
-            raster(gpu.device(), text, root, &groups, faces, Some(nearest(format)), &targets)
+            raster(gpu.device(), text, root, groups, faces, Some(nearest(format)), &targets)
         };
         let kept = &mut self.trace[seer as usize][usize::from(two_sided)];
         kept.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
@@ -340,15 +345,6 @@ impl Programs {
         let text = || assemble(selection, Root::Probe, sampling);
         let compile = |text: &str| compute(gpu.device(), text, Root::Probe, &groups.each_ref());
         self.probe.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
-    }
-}
-
-/// The faces that are not drawn. Of boxes around shells the far sides are drawn: an eye inside of one sees
-/// these alone.
-pub(super) fn culled(selection: &Selection, two_sided: bool) -> Option<Face> {
-    match selection.paths().proposal {
-        Proposal::Polygons => (!two_sided).then_some(Face::Back),
-        Proposal::Shells => Some(Face::Front),
     }
 }
 

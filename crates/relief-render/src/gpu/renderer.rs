@@ -75,6 +75,7 @@ struct Ready {
     shade: ComputePipeline,
     maps: BindGroup,
     mesh: BindGroup,
+    shells: Option<BindGroup>,
     drawn: Drawn,
 }
 
@@ -351,16 +352,17 @@ impl GpuRenderer {
                     let maps = resident.maps(&gpu, surface, sampling, layouts.maps(sampling), &common)?;
                     let mesh = resident.mesh(&gpu, surface, layouts, tessellator.as_ref(), &maps, clock)?;
                     seen_otherwise |= maps.changed || mesh.is_other;
-                    Ok((maps, mesh.group, mesh.drawn))
+                    Ok((maps, mesh))
                 });
                 let uploaded = each.collect::<Result<Vec<_>, GpuError>>()?;
                 if let Some(map) = light_map.as_ref().filter(|_| seen_otherwise) {
                     let parts = light_programs.into_iter().zip(&uploaded);
-                    let casters = parts.map(|(program, (maps, mesh, drawn))| Caster {
+                    let casters = parts.map(|(program, (maps, mesh))| Caster {
                         program,
                         maps: maps.by_lights.clone(),
-                        mesh: mesh.clone(),
-                        drawn: drawn.clone(),
+                        mesh: mesh.group.clone(),
+                        shells: mesh.shells.clone(),
+                        drawn: mesh.drawn.clone(),
                     });
                     map.draw(&gpu, frames, targets.whole, &casters.collect::<Vec<_>>());
                 }
@@ -370,12 +372,13 @@ impl GpuRenderer {
         // After an error it is not known what arrived.
         let uploaded = uploaded.inspect_err(|_| self.forget())?;
         let ready = programs.into_iter().zip(uploaded);
-        let surfaces = ready.map(|((trace, shade), (maps, mesh, drawn))| Ready {
+        let surfaces = ready.map(|((trace, shade), (maps, mesh))| Ready {
             trace,
             shade,
             maps: maps.seen,
-            mesh,
-            drawn,
+            mesh: mesh.group,
+            shells: mesh.shells,
+            drawn: mesh.drawn,
         });
         Ok(Passes { surfaces: surfaces.collect(), resolve })
     }
@@ -489,6 +492,9 @@ fn trace(
     drawn.set_scissor_rect(0, 0, targets.size[0], pass.band.rows);
     drawn.set_bind_group(0, &surface.maps, &[CAMERA, pass.offset]);
     drawn.set_bind_group(1, &surface.mesh, &[]);
+    if let Some(shells) = &surface.shells {
+        drawn.set_bind_group(2, shells, &[]);
+    }
     match &surface.trace {
         Tracer::Whole(program) => {
             drawn.set_pipeline(program);

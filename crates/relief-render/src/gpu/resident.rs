@@ -14,9 +14,10 @@ use super::layouts::group;
 use super::pass_clock::PassClock;
 use super::programs::Layouts;
 use super::pyramid::Builder;
+use super::shells::Shells;
 use super::tessellate::{Tessellated, Tessellator};
 use super::textures::{self, Precision};
-use super::{Gpu, GpuError, pyramid};
+use super::{Gpu, GpuError, pyramid, shells};
 use crate::job::{JobSurface, Triangles};
 use crate::mipmaps::Mipmaps;
 
@@ -122,6 +123,7 @@ pub struct Resident {
     slots: [Option<Held<SlotSource>>; MapSlot::ALL.len()],
     sampler: Option<(Wrap, Sampler)>,
     mesh: Option<(Arc<Triangles>, BindGroup)>,
+    shells: Option<Shells>,
     tessellated: Option<Tessellated>,
     /// Group 0, with what it was made for. None where a part has changed.
     maps: Option<(Sampling, u64, MapGroups)>,
@@ -141,6 +143,8 @@ pub struct MapGroups {
 pub struct ResidentMesh {
     /// Group 1.
     pub group: BindGroup,
+    /// Group 2 of the pass that traces, where there are shells.
+    pub shells: Option<BindGroup>,
     pub drawn: Drawn,
     /// Whether they are others than for the last picture.
     pub is_other: bool,
@@ -171,6 +175,7 @@ impl Resident {
             slots: [const { None }; MapSlot::ALL.len()],
             sampler: None,
             mesh: None,
+            shells: None,
             tessellated: None,
             maps: None,
         }
@@ -225,9 +230,11 @@ impl Resident {
         let Some(((of, tessellator), groups)) = made_here else {
             self.tessellated = None;
             let (group, is_other) = self.uploaded(gpu, triangles, &layouts.mesh)?;
-            return Ok(ResidentMesh { group, drawn: Drawn::of(surface), is_other });
+            shells::hold(&mut self.shells, gpu, surface, &layouts.shells)?;
+            let shells = self.shells.as_ref().map(|shells| shells.group.clone());
+            return Ok(ResidentMesh { group, shells, drawn: Drawn::of(surface), is_other });
         };
-        self.mesh = None;
+        (self.mesh, self.shells) = (None, None);
         if !self.tessellated.as_ref().is_some_and(|known| known.fits(gpu, of)) {
             // What was held goes first, so that both need not fit.
             self.tessellated = None;
@@ -240,7 +247,7 @@ impl Resident {
         let is_other_surface = is_new || maps.changed;
         let is_other = tessellated.make(gpu, of, tessellator, &maps.by_lights, is_other_surface, clock);
         let drawn = Drawn::Indirect(tessellated.drawn().clone());
-        Ok(ResidentMesh { group: tessellated.mesh().clone(), drawn, is_other })
+        Ok(ResidentMesh { group: tessellated.mesh().clone(), shells: None, drawn, is_other })
     }
 
     /// How many triangles were made last of a base that is tessellated here, once that is done.

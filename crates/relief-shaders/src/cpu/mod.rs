@@ -34,7 +34,9 @@ pub use generated::{
 pub use lanes::{
     BLOCK, EnteredBlock, HitBlock, LightPoint, PathBlock, PixelOutBlock, Row, TriangleRays, places,
 };
-pub use layout::{BaseEdge, BasePatch, Face, MadeTotals, PassSettings, Probe, PyramidPass, Record, Tally};
+pub use layout::{
+    BaseEdge, BasePatch, Face, MadeTotals, PassSettings, Probe, PyramidPass, Record, ShellNode, Tally,
+};
 pub use method_tracer::MethodTracer;
 /// A vector, as shaders have it.
 pub use naga_rust_rt::{Vec2, Vec3, Vec4};

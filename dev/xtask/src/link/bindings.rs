@@ -5,7 +5,7 @@ use relief_shaders::bindings::{BINDINGS, BindingKind};
 /// The module's source.
 pub fn module() -> String {
     let mut text = String::from(
-        "import package::shared::records::{Face, Probe, Record};\n\
+        "import package::shared::records::{Face, Probe, Record, ShellNode};\n\
          import package::shared::settings::{Frame, PassSettings, PyramidPass, SurfaceSettings};\n\
          import package::shared::types::{Corner, PixelIn};\n\n",
     );

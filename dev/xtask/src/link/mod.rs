@@ -22,8 +22,9 @@ mod rust;
 mod wesl_link;
 
 /// The roots of what GPUs run, whose declarations are held to what the linker makes of them.
-const GPU_ROOTS: [&str; 9] = [
+const GPU_ROOTS: [&str; 10] = [
     "roots/trace",
+    "roots/trace_shells",
     "roots/stencil",
     "roots/draw",
     "roots/shade",

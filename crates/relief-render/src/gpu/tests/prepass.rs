@@ -7,11 +7,12 @@ use relief_core::{HeightMap, Wrap};
 use relief_maps::Maps;
 use relief_shaders::Selection;
 use relief_shaders::surface::Proposal;
-use relief_shaders::wgsl::{Root, Sampling, assemble};
+use relief_shaders::wgsl::{BOX_VERTICES, Root, Sampling, assemble};
 use wgpu::{
-    BufferUsages, CompareFunction, Extent3d, LoadOp, Operations, Origin3d, RenderPassDepthStencilAttachment,
-    RenderPassDescriptor, StoreOp, TexelCopyBufferInfo, TexelCopyBufferLayout, TexelCopyTextureInfo,
-    TextureAspect, TextureDescriptor, TextureDimension, TextureUsages,
+    BufferUsages, CompareFunction, Extent3d, Face, LoadOp, Operations, Origin3d,
+    RenderPassDepthStencilAttachment, RenderPassDescriptor, StoreOp, TexelCopyBufferInfo,
+    TexelCopyBufferLayout, TexelCopyTextureInfo, TextureAspect, TextureDescriptor, TextureDimension,
+    TextureUsages,
 };
 
 use super::software;
@@ -19,7 +20,7 @@ use crate::Renderer;
 use crate::camera::{Camera, Projection};
 use crate::depth_buffer::{Clip, DepthBuffer};
 use crate::gpu::light_map::Frames;
-use crate::gpu::programs::{DEPTH, Layouts, culled, nearest, raster};
+use crate::gpu::programs::{DEPTH, Layouts, nearest, raster};
 use crate::gpu::resident::{Common, Resident};
 use crate::gpu::targets::Targets;
 use crate::gpu::{Gpu, block_on};
@@ -48,9 +49,11 @@ fn scene(surface: &str, depth_buffer: DepthBuffer, projection: Projection) -> Sc
 /// What the prepass leaves in a depth buffer that is cleared to what is farthest away.
 fn depths(gpu: &Gpu, job: &Job, clip: Clip) -> Vec<f32> {
     let (surface, layouts) = (&job.surfaces[0], Layouts::new(gpu.device()));
-    let root = match surface.selection.paths().proposal {
-        Proposal::Polygons => Root::Prepass,
-        Proposal::Shells => Root::PrepassShells,
+    let count = surface.triangles.len() as u32;
+    // Of boxes around shells the far sides are drawn: an eye inside of one sees these alone.
+    let (root, vertices, faces) = match surface.selection.paths().proposal {
+        Proposal::Polygons => (Root::Prepass, 3 * count, (!surface.two_sided).then_some(Face::Back)),
+        Proposal::Shells => (Root::PrepassShells, BOX_VERTICES * count, Some(Face::Front)),
     };
     let text = assemble(&surface.selection, root, Sampling::Exact);
     let [width, height] = SIZE;
@@ -63,7 +66,6 @@ fn depths(gpu: &Gpu, job: &Job, clip: Clip) -> Vec<f32> {
     let bytes = u64::from(width) * u64::from(height) * 4;
     let readable = gpu.guarded(|| {
         let groups = [Some(layouts.maps(Sampling::Exact)), Some(&layouts.mesh)];
-        let faces = culled(&surface.selection, surface.two_sided);
         let program = raster(gpu.device(), &text, root, &groups, faces, Some(test), &[]);
         let targets = Targets::new(gpu, SIZE, samples(1, true), false, &layouts)?;
         let mut frames = Frames::new(gpu);
@@ -100,7 +102,7 @@ fn depths(gpu: &Gpu, job: &Job, clip: Clip) -> Vec<f32> {
         pass.set_pipeline(&program);
         pass.set_bind_group(0, &maps.seen, &[0, targets.whole]);
         pass.set_bind_group(1, &mesh.group, &[]);
-        mesh.drawn.draw(&mut pass);
+        pass.draw(0..vertices, 0..1 + u32::from(root == Root::PrepassShells && surface.two_sided));
         drop(pass);
         let from = TexelCopyTextureInfo {
             texture: &texture,

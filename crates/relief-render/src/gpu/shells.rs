@@ -1,0 +1,155 @@
+//! The hierarchy of boxes around a surface's shells, on the GPU.
+
+use std::sync::Arc;
+
+use obvhs::bvh2::Bvh2;
+use relief_shaders::cpu::ShellNode;
+use relief_shaders::surface::{Proposal, Shown};
+use relief_shaders::wgsl::{SHELL_BOTH_SIDES, SHELL_BOXES, SHELL_TRIANGLE};
+use wgpu::{BindGroup, BindGroupLayout, BufferUsages};
+
+use super::layouts::group;
+use super::{Gpu, GpuError};
+use crate::job::{JobSurface, Triangles};
+use crate::shellcast;
+
+/// The most triangles: a node tells of the one above in 28 bits, and there are twice as many nodes.
+pub const MOST_TRIANGLES: u64 = 1 << 27;
+
+/// In place of the axis of a node that is a leaf.
+const LEAF: u32 = 3;
+
+/// What a hierarchy is built from.
+#[derive(Clone, Debug)]
+struct Source {
+    triangles: Arc<Triangles>,
+    /// Where heights 0 and 1 lie along the normals, in metres.
+    shell_m: [f32; 2],
+    both_sides: bool,
+    is_object: bool,
+}
+
+impl Source {
+    fn is_same(&self, other: &Self) -> bool {
+        let settings = |of: &Self| (of.shell_m.map(f32::to_bits), of.both_sides, of.is_object);
+        Arc::ptr_eq(&self.triangles, &other.triangles) && settings(self) == settings(other)
+    }
+}
+
+/// The hierarchy of a surface's shells.
+#[derive(Debug)]
+pub struct Shells {
+    of: Source,
+    /// Group 2 of the passes that trace shells.
+    pub group: BindGroup,
+}
+
+/// Builds and uploads the hierarchy of a surface that has shells, unless it is there.
+pub fn hold(
+    held: &mut Option<Shells>,
+    gpu: &Gpu,
+    surface: &JobSurface,
+    layout: &BindGroupLayout,
+) -> Result<(), GpuError> {
+    let paths = surface.selection.paths();
+    if paths.proposal != Proposal::Shells {
+        *held = None;
+        return Ok(());
+    }
+    let of = Source {
+        triangles: Arc::clone(&surface.triangles),
+        shell_m: [surface.settings.shell_m.x, surface.settings.shell_m.y],
+        both_sides: surface.two_sided,
+        is_object: paths.shown == Shown::Object,
+    };
+    if held.as_ref().is_some_and(|held| held.of.is_same(&of)) {
+        return Ok(());
+    }
+    // What was held goes first, so that both need not fit.
+    *held = None;
+    let boxes = shellcast::boxes(&of.triangles, of.shell_m, of.both_sides);
+    let both_sides = if of.both_sides { SHELL_BOTH_SIDES } else { 0 };
+    let in_boxes = if of.is_object { SHELL_BOXES } else { 0 };
+    let nodes = nodes(&shellcast::hierarchy(&boxes), both_sides | in_boxes);
+    let nodes = gpu.filled("shell_nodes", &nodes, BufferUsages::STORAGE)?;
+    let group = group(gpu.device(), "shells", layout, &[("shell_nodes", nodes.as_entire_binding())]);
+    *held = Some(Shells { of, group });
+    Ok(())
+}
+
+/// The nodes as the shaders have them; `flags` is what leaves say besides their triangle.
+fn nodes(bvh: &Bvh2, flags: u32) -> Vec<ShellNode> {
+    let mut nodes = Vec::with_capacity(bvh.nodes.len());
+    let empty = ShellNode { low: [0.0; 3].into(), first: 0, high: [0.0; 3].into(), above: 0 };
+    // Nodes of `bvh`, where they go to, and what they are told of the node above.
+    let mut waiting = Vec::new();
+    if !bvh.nodes.is_empty() {
+        nodes.push(empty);
+        waiting.push((0, 0, 0));
+    }
+    while let Some((number, place, above)) = waiting.pop() {
+        let node = &bvh.nodes[number as usize];
+        let bounds = node.aabb();
+        let (first, axis) = if node.is_leaf() {
+            (SHELL_TRIANGLE * bvh.primitive_indices[node.first_index as usize] + flags, LEAF)
+        } else {
+            let mut children = [node.first_index, node.first_index + 1];
+            let [one, other] = children.map(|child| bvh.nodes[child as usize].aabb().center());
+            let (axis, apart) = [0, 1, 2]
+                .map(|axis| (axis, other[axis] - one[axis]))
+                .into_iter()
+                .fold((0, 0.0f32), |most, new| if new.1.abs() > most.1.abs() { new } else { most });
+            if apart < 0.0 {
+                children.reverse();
+            }
+            let first = nodes.len();
+            nodes.extend([empty; 2]);
+            let told = ((place as u32) << 4) | ((axis as u32) << 2);
+            waiting.extend([1, 0].map(|which| (children[which], first + which, told)));
+            (first as u32, axis as u32)
+        };
+        let [low, high] = [bounds.min, bounds.max].map(|end| end.to_array().into());
+        nodes[place] = ShellNode { low, first, high, above: above | axis };
+    }
+    nodes
+}
+
+#[cfg(test)]
+mod tests {
+    use obvhs::aabb::Aabb;
+
+    use super::*;
+
+    #[test]
+    fn every_triangle_is_below_the_root_and_every_node_knows_its_own() {
+        for count in [0u32, 1, 2, 3, 100] {
+            let boxes = (0..count).map(|number| {
+                let place = |step: f32| (number as f32 * step).sin() * 10.0;
+                let low = glam::Vec3::new(place(1.0), place(2.0), place(3.0));
+                Aabb::new(low.into(), (low + glam::Vec3::ONE).into())
+            });
+            let boxes: Vec<_> = boxes.collect();
+            let nodes = nodes(&shellcast::hierarchy(&boxes), SHELL_BOXES);
+            assert_eq!(nodes.len() as u32, (2 * count).saturating_sub(1));
+            let mut seen = vec![0; count as usize];
+            for (place, node) in nodes.iter().enumerate() {
+                if node.above & 3 == LEAF {
+                    assert_eq!(node.first % SHELL_TRIANGLE, SHELL_BOXES);
+                    let triangle = (node.first / SHELL_TRIANGLE) as usize;
+                    seen[triangle] += 1;
+                    assert_eq!(<[f32; 3]>::from(node.low), boxes[triangle].min.to_array());
+                    continue;
+                }
+                assert_eq!(node.first % 2, 1);
+                let axis = (node.above & 3) as usize;
+                let children = [0, 1].map(|which| &nodes[(node.first + which) as usize]);
+                let centres = children.map(|child| {
+                    assert_eq!(child.above >> 2, ((place as u32) << 2) | axis as u32);
+                    <[f32; 3]>::from(child.low)[axis] + <[f32; 3]>::from(child.high)[axis]
+                });
+                assert!(centres[0] <= centres[1], "{centres:?}");
+            }
+            assert!(seen.iter().all(|times| *times == 1), "{seen:?}");
+        }
+    }
+}
