@@ -5,7 +5,7 @@ use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{GlobalVariable, Handle, Module, ShaderStage};
 use relief_shaders::Selection;
 use relief_shaders::bindings::Binding;
-use relief_shaders::surface::Proposal;
+use relief_shaders::surface::{Paths, Proposal, Shown};
 use relief_shaders::wgsl::{Parts, Root};
 
 use crate::{ExportError, Options, Placement, Target, places};
@@ -34,8 +34,9 @@ pub struct Checked {
 impl Program {
     /// The shader that draws what a selection shows.
     pub fn new(selection: &Selection, options: &Options) -> Result<Self, ExportError> {
-        let proposal = selection.paths().proposal;
+        let Paths { proposal, shown, .. } = *selection.paths();
         let (root, depth) = match proposal {
+            Proposal::Shells if shown == Shown::Object => (Root::DrawObjects, true),
             Proposal::Shells => (Root::DrawShells, true),
             Proposal::Polygons if options.depth => (Root::DrawDepth, true),
             Proposal::Polygons => (Root::Draw, false),

@@ -177,7 +177,10 @@ pub fn hierarchy(boxes: &[Aabb]) -> Bvh2 {
         params.sort_precision,
         params.search_depth_threshold,
     );
-    ReinsertionOptimizer::default().run(&mut bvh, params.reinsertion_batch_ratio, None);
+    let again = params.reinsertion_batch_ratio * params.post_collapse_reinsertion_batch_ratio_multiplier;
+    for ratio in [params.reinsertion_batch_ratio, again] {
+        ReinsertionOptimizer::default().run(&mut bvh, ratio, None);
+    }
     bvh
 }
 

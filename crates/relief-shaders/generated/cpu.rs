@@ -1602,20 +1602,20 @@ impl<'g> Resources<'g> {
         ray_2: Across,
         t_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let c_19 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
+        let c_20 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
         let _e7 = self.v_across_discriminant(ray_2, t_1);
         if rt::Scalar::into_branch_condition((!_e7.elementwise_ge(rt::Scalar(0f32)))) {
-            return c_19;
+            return c_20;
         }
-        let b_28 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
+        let b_29 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
         let root = _e7.sqrt();
-        if rt::Scalar::into_branch_condition(b_28.elementwise_lt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(2f32) * c_19) / (root - b_28));
+        if rt::Scalar::into_branch_condition(b_29.elementwise_lt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(2f32) * c_20) / (root - b_29));
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(ray_2.across).elementwise_ne(rt::Scalar(0f32))) {
-            return (((rt::Scalar(0f32) - b_28) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
+            return (((rt::Scalar(0f32) - b_29) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
         }
-        return c_19;
+        return c_20;
     }
     pub(crate) fn traced_scale_m(&self) -> f32 {
         rt::into(self.v_traced_scale_m())
@@ -3018,6 +3018,29 @@ impl<'g> Resources<'g> {
         let _e71 = exit;
         return _e71;
     }
+    pub(crate) fn corner_value(
+        &self,
+        number: impl rt::Into<rt::Scalar<u32>>,
+        a_1: impl rt::Into<rt::Vec3<f32>>,
+        b_1: impl rt::Into<rt::Vec3<f32>>,
+        c_2: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_corner_value(rt::into(number), rt::into(a_1), rt::into(b_1), rt::into(c_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_corner_value(
+        &self,
+        number: rt::Scalar<u32>,
+        a_1: rt::Vec3<f32>,
+        b_1: rt::Vec3<f32>,
+        c_2: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let is_first_1 = number.elementwise_eq(rt::Scalar(0u32));
+        let is_second = number.elementwise_eq(rt::Scalar(1u32));
+        let second_2 = c_2.select(b_1, <rt::Vec3<bool>>::from_scalars(is_second, is_second, is_second));
+        return second_2.select(a_1, <rt::Vec3<bool>>::from_scalars(is_first_1, is_first_1, is_first_1));
+    }
     pub(crate) fn ordered(
         &self,
         pixel: PixelIn,
@@ -3032,14 +3055,17 @@ impl<'g> Resources<'g> {
         pixel: PixelIn,
         place_3: rt::Scalar<u32>,
     ) -> Corner {
-        let corner_4 = ((rt::Scalar(pixel.shell.order) >> (rt::Scalar(2u32) * place_3)) & rt::Scalar(3u32));
-        if rt::Scalar::into_branch_condition(corner_4.elementwise_eq(rt::Scalar(0u32))) {
-            return pixel.a;
-        }
-        if rt::Scalar::into_branch_condition(corner_4.elementwise_eq(rt::Scalar(1u32))) {
-            return pixel.b;
-        }
-        return pixel.c;
+        let number_24 = ((rt::Scalar(pixel.shell.order) >> (rt::Scalar(2u32) * place_3)) & rt::Scalar(3u32));
+        let a_29 = pixel.a;
+        let b_30 = pixel.b;
+        let c_21 = pixel.c;
+        let _e15 = self.v_corner_value(number_24, a_29.position, b_30.position, c_21.position);
+        let _e19 = self.v_corner_value(number_24, a_29.normal, b_30.normal, c_21.normal);
+        let _e23 = self.v_corner_value(number_24, a_29.tangent, b_30.tangent, c_21.tangent);
+        let _e27 = self.v_corner_value(number_24, a_29.bitangent, b_30.bitangent, c_21.bitangent);
+        let _e37 = self.v_corner_value(number_24, <rt::Vec3<f32>>::new_21(a_29.uv, rt::Scalar(0f32)), <rt::Vec3<f32>>::new_21(b_30.uv, rt::Scalar(0f32)), <rt::Vec3<f32>>::new_21(c_21.uv, rt::Scalar(0f32)));
+        let _e42 = self.v_corner_value(number_24, a_29.of_surface, b_30.of_surface, c_21.of_surface);
+        return <Corner>::new(_e15, _e19, _e23, _e27, _e37.xy(), _e42);
     }
     pub(crate) fn uv_of(
         &self,
@@ -3063,70 +3089,70 @@ impl<'g> Resources<'g> {
     pub(crate) fn beside_chord(
         &self,
         pixel_2: PixelIn,
-        a_1: ShellPoint,
+        a_2: ShellPoint,
         m: ShellPoint,
-        b_1: ShellPoint,
+        b_2: ShellPoint,
         at_11: ShellPoint,
         part_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_beside_chord(pixel_2, a_1, m, b_1, at_11, rt::into(part_1)))
+        rt::into(self.v_beside_chord(pixel_2, a_2, m, b_2, at_11, rt::into(part_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_beside_chord(
         &self,
         pixel_2: PixelIn,
-        a_1: ShellPoint,
+        a_2: ShellPoint,
         m: ShellPoint,
-        b_1: ShellPoint,
+        b_2: ShellPoint,
         at_11: ShellPoint,
         part_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let line = (a_1.weights + ((b_1.weights - a_1.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_1));
+        let line = (a_2.weights + ((b_2.weights - a_2.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_1));
         let _e19 = self.v_uv_of(pixel_2, (at_11.weights - line));
         let _e21 = self.v_height_size(rt::Scalar(0u32));
         let apart = (_e19 * _e21).abs();
-        let bend_3 = (rt::Scalar(2f32) * ((rt::Scalar(a_1.height) + rt::Scalar(b_1.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
-        let slope_5 = ((rt::Scalar(b_1.height) - rt::Scalar(a_1.height)) - bend_3);
-        let height_15 = (rt::Scalar(a_1.height) + (part_1 * (slope_5 + (part_1 * bend_3))));
+        let bend_3 = (rt::Scalar(2f32) * ((rt::Scalar(a_2.height) + rt::Scalar(b_2.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
+        let slope_5 = ((rt::Scalar(b_2.height) - rt::Scalar(a_2.height)) - bend_3);
+        let height_15 = (rt::Scalar(a_2.height) + (part_1 * (slope_5 + (part_1 * bend_3))));
         return apart.x().max(apart.y()).max(((rt::Scalar(at_11.height) - height_15).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn beside_way(
         &self,
         pixel_3: PixelIn,
-        a_2: WayPoint,
-        b_2: WayPoint,
+        a_3: WayPoint,
+        b_3: WayPoint,
         bend_1: impl rt::Into<rt::Scalar<f32>>,
         at_12: WayPoint,
     ) -> f32 {
-        rt::into(self.v_beside_way(pixel_3, a_2, b_2, rt::into(bend_1), at_12))
+        rt::into(self.v_beside_way(pixel_3, a_3, b_3, rt::into(bend_1), at_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_beside_way(
         &self,
         pixel_3: PixelIn,
-        a_2: WayPoint,
-        b_2: WayPoint,
+        a_3: WayPoint,
+        b_3: WayPoint,
         bend_1: rt::Scalar<f32>,
         at_12: WayPoint,
     ) -> rt::Scalar<f32> {
-        let part_8 = ((rt::Scalar(at_12.t) - rt::Scalar(a_2.t)) / (rt::Scalar(b_2.t) - rt::Scalar(a_2.t)));
-        let line_1 = (a_2.point.weights + ((b_2.point.weights - a_2.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_8));
+        let part_8 = ((rt::Scalar(at_12.t) - rt::Scalar(a_3.t)) / (rt::Scalar(b_3.t) - rt::Scalar(a_3.t)));
+        let line_1 = (a_3.point.weights + ((b_3.point.weights - a_3.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_8));
         let _e29 = self.v_uv_of(pixel_3, (at_12.point.weights - line_1));
         let _e31 = self.v_height_size(rt::Scalar(0u32));
         let apart_1 = (_e29 * _e31).abs();
-        let slope_6 = ((rt::Scalar(b_2.point.height) - rt::Scalar(a_2.point.height)) - bend_1);
-        let height_16 = (rt::Scalar(a_2.point.height) + (part_8 * (slope_6 + (part_8 * bend_1))));
+        let slope_6 = ((rt::Scalar(b_3.point.height) - rt::Scalar(a_3.point.height)) - bend_1);
+        let height_16 = (rt::Scalar(a_3.point.height) + (part_8 * (slope_6 + (part_8 * bend_1))));
         return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_12.point.height) - height_16).abs() / rt::Scalar(0.0625f32)));
     }
-    pub(crate) fn between(&self, a_3: ShellPoint, b_3: ShellPoint) -> ShellPoint {
-        rt::into(self.v_between(a_3, b_3))
+    pub(crate) fn between(&self, a_4: ShellPoint, b_4: ShellPoint) -> ShellPoint {
+        rt::into(self.v_between(a_4, b_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_between(&self, a_3: ShellPoint, b_3: ShellPoint) -> ShellPoint {
-        return <ShellPoint>::new((rt::Scalar(0.5f32) * (a_3.weights + b_3.weights)), (rt::Scalar(0.5f32) * (rt::Scalar(a_3.height) + rt::Scalar(b_3.height))));
+    fn v_between(&self, a_4: ShellPoint, b_4: ShellPoint) -> ShellPoint {
+        return <ShellPoint>::new((rt::Scalar(0.5f32) * (a_4.weights + b_4.weights)), (rt::Scalar(0.5f32) * (rt::Scalar(a_4.height) + rt::Scalar(b_4.height))));
     }
     pub(crate) fn beyond_image(&self, image_6: Image) -> rt::Vec2<f32> {
         rt::into(self.v_beyond_image(image_6))
@@ -3188,22 +3214,22 @@ impl<'g> Resources<'g> {
         let _e16 = self.v_mixed((within_1.x().to_u32() + _e14));
         return _e16;
     }
-    pub(crate) fn both_roots(&self, c_2: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_both_roots(rt::into(c_2)))
+    pub(crate) fn both_roots(&self, c_3: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_both_roots(rt::into(c_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_both_roots(&self, c_2: rt::Vec3<f32>) -> rt::Vec2<f32> {
+    fn v_both_roots(&self, c_3: rt::Vec3<f32>) -> rt::Vec2<f32> {
         let mut roots: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
 
-        let discriminant_2 = ((c_2.y() * c_2.y()) - ((rt::Scalar(4f32) * c_2.z()) * c_2.x()));
+        let discriminant_2 = ((c_3.y() * c_3.y()) - ((rt::Scalar(4f32) * c_3.z()) * c_3.x()));
         if rt::Scalar::into_branch_condition(discriminant_2.elementwise_ge(rt::Scalar(0f32))) {
             let root_3 = discriminant_2.sqrt();
-            let q_3 = (rt::Scalar(-0.5f32) * (c_2.y() + (rt::Scalar(0f32) - root_3).select(root_3, c_2.y().elementwise_ge(rt::Scalar(0f32)))));
-            if rt::Scalar::into_branch_condition(c_2.z().elementwise_ne(rt::Scalar(0f32))) {
-                roots.set_x((q_3 / c_2.z()));
+            let q_3 = (rt::Scalar(-0.5f32) * (c_3.y() + (rt::Scalar(0f32) - root_3).select(root_3, c_3.y().elementwise_ge(rt::Scalar(0f32)))));
+            if rt::Scalar::into_branch_condition(c_3.z().elementwise_ne(rt::Scalar(0f32))) {
+                roots.set_x((q_3 / c_3.z()));
             }
             if rt::Scalar::into_branch_condition(q_3.elementwise_ne(rt::Scalar(0f32))) {
-                roots.set_y((c_2.x() / q_3));
+                roots.set_y((c_3.x() / q_3));
             }
         }
         let _e38 = roots;
@@ -3633,26 +3659,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn top_point(
         &self,
         sweep_1: Sweep,
-        number: impl rt::Into<rt::Scalar<i32>>,
+        number_1: impl rt::Into<rt::Scalar<i32>>,
     ) -> SweptPoint {
-        rt::into(self.v_top_point(sweep_1, rt::into(number)))
+        rt::into(self.v_top_point(sweep_1, rt::into(number_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_top_point(
         &self,
         sweep_1: Sweep,
-        number: rt::Scalar<i32>,
+        number_1: rt::Scalar<i32>,
     ) -> SweptPoint {
         let n_10 = sweep_1.parts.x();
         let m_4 = sweep_1.parts.y();
         let apex_1 = sweep_1.apex;
-        if rt::Scalar::into_branch_condition(number.elementwise_le(n_10)) {
-            let _e12 = self.v_swept_border(sweep_1, sweep_1.corners.x(), sweep_1.corners.z(), number, n_10);
-            let sides = ON_FIRST.select(rt::Scalar(6u32), number.elementwise_eq(n_10));
-            return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number), (apex_1.y() * number), n_10, sides);
+        if rt::Scalar::into_branch_condition(number_1.elementwise_le(n_10)) {
+            let _e12 = self.v_swept_border(sweep_1, sweep_1.corners.x(), sweep_1.corners.z(), number_1, n_10);
+            let sides = ON_FIRST.select(rt::Scalar(6u32), number_1.elementwise_eq(n_10));
+            return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number_1), (apex_1.y() * number_1), n_10, sides);
         }
-        let k_44 = (number - n_10);
+        let k_44 = (number_1 - n_10);
         let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_44, m_4);
         let x_5 = ((apex_1.x() * (m_4 - k_44)) + (sweep_1.end.x() * k_44));
         let y_2 = ((apex_1.y() * (m_4 - k_44)) + (sweep_1.end.y() * k_44));
@@ -3688,36 +3714,36 @@ impl<'g> Resources<'g> {
         &self,
         sweep_3: Sweep,
         chain: SweptChain,
-        number_1: impl rt::Into<rt::Scalar<i32>>,
+        number_2: impl rt::Into<rt::Scalar<i32>>,
     ) -> SweptPoint {
-        rt::into(self.v_chain_point(sweep_3, chain, rt::into(number_1)))
+        rt::into(self.v_chain_point(sweep_3, chain, rt::into(number_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_chain_point(
         &self,
         sweep_3: Sweep,
         chain: SweptChain,
-        number_1: rt::Scalar<i32>,
+        number_2: rt::Scalar<i32>,
     ) -> SweptPoint {
         let column_8 = chain.column;
         let last_3 = ((rt::Scalar(column_8.from_top) + rt::Scalar(column_8.of_top)) - rt::Scalar(1i32));
         if rt::Scalar::into_branch_condition(rt::Scalar(chain.way).elementwise_eq(ROOF_DOWN)) {
-            let _e13 = self.v_top_point(sweep_3, (last_3 - number_1));
+            let _e13 = self.v_top_point(sweep_3, (last_3 - number_2));
             return _e13;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(chain.way).elementwise_eq(ROOF_UP)) {
-            if rt::Scalar::into_branch_condition(number_1.elementwise_eq(rt::Scalar(0i32))) {
+            if rt::Scalar::into_branch_condition(number_2.elementwise_eq(rt::Scalar(0i32))) {
                 let _e20 = self.v_low_point(sweep_3, column_8, rt::Scalar(column_8.inner));
                 return _e20;
             }
-            let _e25 = self.v_top_point(sweep_3, ((rt::Scalar(column_8.from_top) + number_1) - rt::Scalar(1i32)));
+            let _e25 = self.v_top_point(sweep_3, ((rt::Scalar(column_8.from_top) + number_2) - rt::Scalar(1i32)));
             return _e25;
         }
-        if rt::Scalar::into_branch_condition(number_1.elementwise_le(rt::Scalar(column_8.inner))) {
-            let _e28 = self.v_low_point(sweep_3, column_8, number_1);
+        if rt::Scalar::into_branch_condition(number_2.elementwise_le(rt::Scalar(column_8.inner))) {
+            let _e28 = self.v_low_point(sweep_3, column_8, number_2);
             return _e28;
         }
-        let on_1 = ((number_1 - rt::Scalar(column_8.inner)) - rt::Scalar(1i32));
+        let on_1 = ((number_2 - rt::Scalar(column_8.inner)) - rt::Scalar(1i32));
         let is_from_behind = rt::Scalar(chain.way).elementwise_eq(TOP_BEFORE).elementwise_eq(rt::Scalar(column_8.top).elementwise_eq(rt::Scalar(chain.way)));
         let _e44 = self.v_top_point(sweep_3, (rt::Scalar(column_8.from_top) + on_1).select((last_3 - on_1), is_from_behind));
         return _e44;
@@ -3811,9 +3837,9 @@ impl<'g> Resources<'g> {
             }
             return interval_1;
         }
-        let a_28 = ((rt::Scalar(0f32) - x0_) / dx);
-        let b_29 = ((rt::Scalar(1f32) - x0_) / dx);
-        return <rt::Vec2<f32>>::from_scalars(interval_1.x().max(a_28.min(b_29)), interval_1.y().min(a_28.max(b_29)));
+        let a_30 = ((rt::Scalar(0f32) - x0_) / dx);
+        let b_31 = ((rt::Scalar(1f32) - x0_) / dx);
+        return <rt::Vec2<f32>>::from_scalars(interval_1.x().max(a_30.min(b_31)), interval_1.y().min(a_30.max(b_31)));
     }
     pub(crate) fn path_from(
         &self,
@@ -4083,13 +4109,13 @@ impl<'g> Resources<'g> {
         at_16: Entered,
         middle_1: impl rt::Into<rt::Scalar<f32>>,
         params_13: impl rt::Into<rt::Vec4<f32>>,
-        a_4: ShellPoint,
-        b_4: ShellPoint,
+        a_5: ShellPoint,
+        b_5: ShellPoint,
         bend_2: impl rt::Into<rt::Scalar<f32>>,
         ends: impl rt::Into<rt::Vec2<f32>>,
         beyond: impl rt::Into<rt::Vec3<f32>>,
     ) -> Path {
-        rt::into(self.v_chord_path(pixel_5, at_16, rt::into(middle_1), rt::into(params_13), a_4, b_4, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
+        rt::into(self.v_chord_path(pixel_5, at_16, rt::into(middle_1), rt::into(params_13), a_5, b_5, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_chord_path(
@@ -4098,8 +4124,8 @@ impl<'g> Resources<'g> {
         at_16: Entered,
         middle_1: rt::Scalar<f32>,
         params_13: rt::Vec4<f32>,
-        a_4: ShellPoint,
-        b_4: ShellPoint,
+        a_5: ShellPoint,
+        b_5: ShellPoint,
         bend_2: rt::Scalar<f32>,
         ends: rt::Vec2<f32>,
         beyond: rt::Vec3<f32>,
@@ -4110,21 +4136,21 @@ impl<'g> Resources<'g> {
         let heights_1 = pixel_5.shell.heights;
         let first_10 = ends.x();
         let long = (ends.y() - ends.x());
-        let _e16 = self.v_uv_of(pixel_5, a_4.weights);
-        let _e18 = self.v_uv_of(pixel_5, b_4.weights);
+        let _e16 = self.v_uv_of(pixel_5, a_5.weights);
+        let _e18 = self.v_uv_of(pixel_5, b_5.weights);
         let duv_4 = ((_e18 - _e16) / rt::Vec2::splat_from_scalar(long));
-        let slope_7 = ((rt::Scalar(b_4.height) - rt::Scalar(a_4.height)) - bend_2);
+        let slope_7 = ((rt::Scalar(b_5.height) - rt::Scalar(a_5.height)) - bend_2);
         let _e26 = self.v_shell_slack(pixel_5, middle_1);
-        let change_3 = ((b_4.weights - a_4.weights) / rt::Vec3::splat_from_scalar(long));
+        let change_3 = ((b_5.weights - a_5.weights) / rt::Vec3::splat_from_scalar(long));
         inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_10)), long);
         let _e39 = inside;
-        let _e44 = self.v_where_positive(_e39, a_4.weights.x(), change_3.x(), beyond.x());
+        let _e44 = self.v_where_positive(_e39, a_5.weights.x(), change_3.x(), beyond.x());
         inside = _e44;
         let _e45 = inside;
-        let _e50 = self.v_where_positive(_e45, a_4.weights.y(), change_3.y(), beyond.y());
+        let _e50 = self.v_where_positive(_e45, a_5.weights.y(), change_3.y(), beyond.y());
         inside = _e50;
         let _e51 = inside;
-        let _e56 = self.v_where_positive(_e51, a_4.weights.z(), change_3.z(), beyond.z());
+        let _e56 = self.v_where_positive(_e51, a_5.weights.z(), change_3.z(), beyond.z());
         inside = _e56;
         let _e59 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e59.elementwise_eq(WRAP_CLAMP)) {
@@ -4136,7 +4162,7 @@ impl<'g> Resources<'g> {
             inside = _e69;
         }
         let _e76 = inside.y();
-        path_12 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_4.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_16.metric, RAY_VIEW, rt::Scalar(at_16.level), (middle_1 + first_10), (rt::Scalar(1f32) / rt::Scalar(at_16.segments).to_f32()), rt::Scalar(0f32));
+        path_12 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_5.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_16.metric, RAY_VIEW, rt::Scalar(at_16.level), (middle_1 + first_10), (rt::Scalar(1f32) / rt::Scalar(at_16.segments).to_f32()), rt::Scalar(0f32));
         let _e90 = inside.y();
         let _e92 = inside.x();
         if rt::Scalar::into_branch_condition((!_e90.elementwise_gt(_e92))) {
@@ -4197,20 +4223,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn way_bend(
         &self,
-        a_5: impl rt::Into<rt::Scalar<f32>>,
+        a_6: impl rt::Into<rt::Scalar<f32>>,
         m_1: impl rt::Into<rt::Scalar<f32>>,
-        b_5: impl rt::Into<rt::Scalar<f32>>,
+        b_6: impl rt::Into<rt::Scalar<f32>>,
         part_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_way_bend(rt::into(a_5), rt::into(m_1), rt::into(b_5), rt::into(part_3)))
+        rt::into(self.v_way_bend(rt::into(a_6), rt::into(m_1), rt::into(b_6), rt::into(part_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_way_bend(
         &self,
-        a_5: rt::Scalar<f32>,
+        a_6: rt::Scalar<f32>,
         m_1: rt::Scalar<f32>,
-        b_5: rt::Scalar<f32>,
+        b_6: rt::Scalar<f32>,
         part_3: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut local_15: rt::Scalar<bool>;
@@ -4222,7 +4248,7 @@ impl<'g> Resources<'g> {
         }
         let _e11 = local_15;
         if rt::Scalar::into_branch_condition(_e11) {
-            return (((m_1 - a_5) - ((b_5 - a_5) * part_3)) / (part_3 * (part_3 - rt::Scalar(1f32))));
+            return (((m_1 - a_6) - ((b_6 - a_6) * part_3)) / (part_3 * (part_3 - rt::Scalar(1f32))));
         }
         return rt::Scalar(0f32);
     }
@@ -4414,15 +4440,15 @@ impl<'g> Resources<'g> {
         let most_7 = part_9.x().max(part_9.y());
         return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_11, beside_4, ((first_11 + side_5) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_2), least_2));
     }
-    pub(crate) fn image_of_object(&self, number_2: impl rt::Into<rt::Scalar<u32>>) -> Image {
-        rt::into(self.v_image_of_object(rt::into(number_2)))
+    pub(crate) fn image_of_object(&self, number_3: impl rt::Into<rt::Scalar<u32>>) -> Image {
+        rt::into(self.v_image_of_object(rt::into(number_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_image_of_object(&self, number_2: rt::Scalar<u32>) -> Image {
+    fn v_image_of_object(&self, number_3: rt::Scalar<u32>) -> Image {
         let mut depth_5: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(1f32));
         let mut eye_1: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
 
-        let row_9 = number_2.to_i32();
+        let row_9 = number_3.to_i32();
         let _e4 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(3i32), row_9));
         let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_9));
         let has_eye = _e7.w().elementwise_eq(rt::Scalar(1f32));
@@ -4713,38 +4739,38 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn comes_before(
         &self,
-        a_6: impl rt::Into<rt::Vec2<f32>>,
-        b_6: impl rt::Into<rt::Vec2<f32>>,
+        a_7: impl rt::Into<rt::Vec2<f32>>,
+        b_7: impl rt::Into<rt::Vec2<f32>>,
     ) -> u32 {
-        rt::into(self.v_comes_before(rt::into(a_6), rt::into(b_6)))
+        rt::into(self.v_comes_before(rt::into(a_7), rt::into(b_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_comes_before(
         &self,
-        a_6: rt::Vec2<f32>,
-        b_6: rt::Vec2<f32>,
+        a_7: rt::Vec2<f32>,
+        b_7: rt::Vec2<f32>,
     ) -> rt::Scalar<u32> {
-        return rt::Scalar(0u32).select(rt::Scalar(1u32), a_6.x().elementwise_le(b_6.x()));
+        return rt::Scalar(0u32).select(rt::Scalar(1u32), a_7.x().elementwise_le(b_7.x()));
     }
     pub(crate) fn wide_product(
         &self,
-        a_7: impl rt::Into<rt::Scalar<u32>>,
-        b_7: impl rt::Into<rt::Scalar<u32>>,
+        a_8: impl rt::Into<rt::Scalar<u32>>,
+        b_8: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<u32> {
-        rt::into(self.v_wide_product(rt::into(a_7), rt::into(b_7)))
+        rt::into(self.v_wide_product(rt::into(a_8), rt::into(b_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_wide_product(
         &self,
-        a_7: rt::Scalar<u32>,
-        b_7: rt::Scalar<u32>,
+        a_8: rt::Scalar<u32>,
+        b_8: rt::Scalar<u32>,
     ) -> rt::Vec2<u32> {
-        let a_high = (a_7 >> rt::Scalar(16u32));
-        let a_low = (a_7 & rt::Scalar(65535u32));
-        let b_high = (b_7 >> rt::Scalar(16u32));
-        let b_low = (b_7 & rt::Scalar(65535u32));
+        let a_high = (a_8 >> rt::Scalar(16u32));
+        let a_low = (a_8 & rt::Scalar(65535u32));
+        let b_high = (b_8 >> rt::Scalar(16u32));
+        let b_low = (b_8 & rt::Scalar(65535u32));
         let low_2 = (a_low * b_low);
         let one = ((a_low * b_high) + (low_2 >> rt::Scalar(16u32)));
         let two = ((a_high * b_low) + (one & rt::Scalar(65535u32)));
@@ -4752,24 +4778,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn compared(
         &self,
-        a_8: impl rt::Into<rt::Scalar<u32>>,
-        b_8: impl rt::Into<rt::Scalar<u32>>,
-        c_3: impl rt::Into<rt::Scalar<u32>>,
+        a_9: impl rt::Into<rt::Scalar<u32>>,
+        b_9: impl rt::Into<rt::Scalar<u32>>,
+        c_4: impl rt::Into<rt::Scalar<u32>>,
         d_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> i32 {
-        rt::into(self.v_compared(rt::into(a_8), rt::into(b_8), rt::into(c_3), rt::into(d_1)))
+        rt::into(self.v_compared(rt::into(a_9), rt::into(b_9), rt::into(c_4), rt::into(d_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_compared(
         &self,
-        a_8: rt::Scalar<u32>,
-        b_8: rt::Scalar<u32>,
-        c_3: rt::Scalar<u32>,
+        a_9: rt::Scalar<u32>,
+        b_9: rt::Scalar<u32>,
+        c_4: rt::Scalar<u32>,
         d_1: rt::Scalar<u32>,
     ) -> rt::Scalar<i32> {
-        let _e4 = self.v_wide_product(a_8, b_8);
-        let _e5 = self.v_wide_product(c_3, d_1);
+        let _e4 = self.v_wide_product(a_9, b_9);
+        let _e5 = self.v_wide_product(c_4, d_1);
         let by_low = rt::Scalar(0i32).select(rt::Scalar(1i32), _e4.y().elementwise_gt(_e5.y())).select(rt::Scalar(-1i32), _e4.y().elementwise_lt(_e5.y()));
         return by_low.select(rt::Scalar(1i32), _e4.x().elementwise_gt(_e5.x())).select(rt::Scalar(-1i32), _e4.x().elementwise_lt(_e5.x()));
     }
@@ -5169,14 +5195,14 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<u32> {
         let mut n_3: rt::Scalar<u32>;
         let mut m_2: rt::Scalar<u32>;
-        let mut a_9: rt::Scalar<u32>;
-        let mut b_9: rt::Scalar<u32>;
+        let mut a_10: rt::Scalar<u32>;
+        let mut b_10: rt::Scalar<u32>;
         let mut sum_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
         n_3 = count_2;
         m_2 = by;
-        a_9 = slope;
-        b_9 = offset_1;
+        a_10 = slope;
+        b_10 = offset_1;
         'naga_break: loop {
             'naga_continue: {
                 let _e10 = n_3;
@@ -5188,30 +5214,30 @@ impl<'g> Resources<'g> {
                     let _e13 = sum_2;
                     let _e14 = n_3;
                     let _e15 = n_3;
-                    let _e21 = a_9;
+                    let _e21 = a_10;
                     let _e22 = m_2;
                     let _e26 = n_3;
-                    let _e27 = b_9;
+                    let _e27 = b_10;
                     let _e28 = m_2;
                     sum_2 = ((_e13 + (((_e14 * (_e15 - rt::Scalar(1u32))) / rt::Scalar(2u32)) * (_e21 / _e22))) + (_e26 * (_e27 / _e28)));
-                    let _e32 = a_9;
+                    let _e32 = a_10;
                     let _e33 = m_2;
-                    a_9 = (_e32 % _e33);
-                    let _e35 = b_9;
+                    a_10 = (_e32 % _e33);
+                    let _e35 = b_10;
                     let _e36 = m_2;
-                    b_9 = (_e35 % _e36);
-                    let _e38 = a_9;
+                    b_10 = (_e35 % _e36);
+                    let _e38 = a_10;
                     let _e39 = n_3;
-                    let _e41 = b_9;
+                    let _e41 = b_10;
                     let last_6 = ((_e38 * _e39) + _e41);
                     let _e43 = m_2;
                     n_3 = (last_6 / _e43);
                     let _e45 = m_2;
-                    b_9 = (last_6 % _e45);
+                    b_10 = (last_6 % _e45);
                     let swapped = m_2;
-                    let _e48 = a_9;
+                    let _e48 = a_10;
                     m_2 = _e48.max(rt::Scalar(1u32));
-                    a_9 = swapped;
+                    a_10 = swapped;
                 }
             }
         }
@@ -5264,26 +5290,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_row_of_point(
         &self,
         rows_5: DiceRows,
-        number_3: impl rt::Into<rt::Scalar<u32>>,
+        number_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_row_of_point(rows_5, rt::into(number_3)))
+        rt::into(self.v_dice_row_of_point(rows_5, rt::into(number_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_dice_row_of_point(
         &self,
         rows_5: DiceRows,
-        number_3: rt::Scalar<u32>,
+        number_4: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let mut row_1: rt::Scalar<u32>;
 
         let _e2 = self.v_dice_points(rows_5);
-        let _e3 = self.v_dice_guess(rows_5, number_3, _e2);
+        let _e3 = self.v_dice_guess(rows_5, number_4, _e2);
         row_1 = _e3.max(rt::Scalar(1u32));
         'naga_break: loop {
             'naga_continue: {
                 let _e7 = row_1;
                 let _e8 = self.v_dice_points_before(rows_5, _e7);
-                if rt::Scalar::into_branch_condition(_e8.elementwise_gt(number_3)) {
+                if rt::Scalar::into_branch_condition(_e8.elementwise_gt(number_4)) {
                 } else {
                     break 'naga_break;
                 }
@@ -5297,7 +5323,7 @@ impl<'g> Resources<'g> {
             'naga_continue: {
                 let _e13 = row_1;
                 let _e16 = self.v_dice_points_before(rows_5, (_e13 + rt::Scalar(1u32)));
-                if rt::Scalar::into_branch_condition(_e16.elementwise_le(number_3)) {
+                if rt::Scalar::into_branch_condition(_e16.elementwise_le(number_4)) {
                 } else {
                     break 'naga_break;
                 }
@@ -5313,20 +5339,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_place(
         &self,
         rows_6: DiceRows,
-        number_4: impl rt::Into<rt::Scalar<u32>>,
+        number_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> DicePlace {
-        rt::into(self.v_dice_place(rows_6, rt::into(number_4)))
+        rt::into(self.v_dice_place(rows_6, rt::into(number_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_place(
         &self,
         rows_6: DiceRows,
-        number_4: rt::Scalar<u32>,
+        number_5: rt::Scalar<u32>,
     ) -> DicePlace {
-        let _e2 = self.v_dice_row_of_point(rows_6, number_4);
+        let _e2 = self.v_dice_row_of_point(rows_6, number_5);
         let _e3 = self.v_dice_points_before(rows_6, _e2);
-        return <DicePlace>::new(_e2, ((number_4 - _e3) + rt::Scalar(1u32)));
+        return <DicePlace>::new(_e2, ((number_5 - _e3) + rt::Scalar(1u32)));
     }
     pub(crate) fn dice_share(
         &self,
@@ -5394,8 +5420,8 @@ impl<'g> Resources<'g> {
         let y_5 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(1u32)));
         let z_2 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(2u32)));
         let _e88 = self.v_dice_points_before(rows_9, rt::Scalar(place_8.row));
-        let number_23 = ((_e88 + rt::Scalar(place_8.at)) - rt::Scalar(1u32));
-        return <DicePoint>::new(INSIDE, number_23, <rt::Vec3<f32>>::from_scalars(x_7, y_5, z_2));
+        let number_25 = ((_e88 + rt::Scalar(place_8.at)) - rt::Scalar(1u32));
+        return <DicePoint>::new(INSIDE, number_25, <rt::Vec3<f32>>::from_scalars(x_7, y_5, z_2));
     }
     pub(crate) fn dice_triangles_before(
         &self,
@@ -5430,26 +5456,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_row_of_triangle(
         &self,
         rows_12: DiceRows,
-        number_5: impl rt::Into<rt::Scalar<u32>>,
+        number_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_row_of_triangle(rows_12, rt::into(number_5)))
+        rt::into(self.v_dice_row_of_triangle(rows_12, rt::into(number_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_dice_row_of_triangle(
         &self,
         rows_12: DiceRows,
-        number_5: rt::Scalar<u32>,
+        number_6: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let mut row_5: rt::Scalar<u32>;
 
         let _e2 = self.v_dice_triangles(rows_12);
-        let _e3 = self.v_dice_guess(rows_12, number_5, _e2);
+        let _e3 = self.v_dice_guess(rows_12, number_6, _e2);
         row_5 = _e3;
         'naga_break: loop {
             'naga_continue: {
                 let _e5 = row_5;
                 let _e6 = self.v_dice_triangles_before(rows_12, _e5);
-                if rt::Scalar::into_branch_condition(_e6.elementwise_gt(number_5)) {
+                if rt::Scalar::into_branch_condition(_e6.elementwise_gt(number_6)) {
                 } else {
                     break 'naga_break;
                 }
@@ -5463,7 +5489,7 @@ impl<'g> Resources<'g> {
             'naga_continue: {
                 let _e11 = row_5;
                 let _e14 = self.v_dice_triangles_before(rows_12, (_e11 + rt::Scalar(1u32)));
-                if rt::Scalar::into_branch_condition(_e14.elementwise_le(number_5)) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_le(number_6)) {
                 } else {
                     break 'naga_break;
                 }
@@ -5570,19 +5596,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_triangle(
         &self,
         rows_13: DiceRows,
-        number_6: impl rt::Into<rt::Scalar<u32>>,
+        number_7: impl rt::Into<rt::Scalar<u32>>,
     ) -> DiceTriangle {
-        rt::into(self.v_dice_triangle(rows_13, rt::into(number_6)))
+        rt::into(self.v_dice_triangle(rows_13, rt::into(number_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_dice_triangle(
         &self,
         rows_13: DiceRows,
-        number_6: rt::Scalar<u32>,
+        number_7: rt::Scalar<u32>,
     ) -> DiceTriangle {
         let mut local_27: rt::Scalar<bool>;
 
-        let _e2 = self.v_dice_row_of_triangle(rows_13, number_6);
+        let _e2 = self.v_dice_row_of_triangle(rows_13, number_7);
         let _e5 = self.v_dice_row_parts(rows_13, (_e2 - rt::Scalar(1u32)));
         let _e6 = self.v_dice_row_parts(rows_13, _e2);
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(1u32))) {
@@ -5594,7 +5620,7 @@ impl<'g> Resources<'g> {
         }
         let is_shared = local_27;
         let _e24 = self.v_dice_triangles_before(rows_13, (_e2 - rt::Scalar(1u32)));
-        let step_5 = ((number_6 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
+        let step_5 = ((number_7 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
         let _e30 = self.v_dice_steps_below(_e5, _e6, step_5);
         let i_2 = (step_5 - _e30);
         let _e34 = self.v_dice_steps_below(_e5, _e6, (step_5 + rt::Scalar(1u32)));
@@ -5622,15 +5648,15 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec3<f32> {
         return (((along_3 - (up * up.dot(along_3))) + rise) + turned);
     }
-    pub(crate) fn log2_of(&self, number_7: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_log2_of(rt::into(number_7)))
+    pub(crate) fn log2_of(&self, number_8: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_log2_of(rt::into(number_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_log2_of(&self, number_7: rt::Scalar<f32>) -> rt::Scalar<f32> {
+    fn v_log2_of(&self, number_8: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let mut rest_1: rt::Scalar<f32>;
         let mut exponent: rt::Scalar<f32> = rt::Scalar(0f32);
 
-        rest_1 = number_7;
+        rest_1 = number_8;
         'naga_break: loop {
             'naga_continue: {
                 let _e4 = rest_1;
@@ -5849,33 +5875,33 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_normal(&self, pixel_17: PixelIn) -> rt::Vec3<f32> {
-        let a_29 = pixel_17.a.position;
-        return (pixel_17.b.position - a_29).cross((pixel_17.c.position - a_29));
+        let a_31 = pixel_17.a.position;
+        return (pixel_17.b.position - a_31).cross((pixel_17.c.position - a_31));
     }
     pub(crate) fn weights_of(
         &self,
-        a_10: impl rt::Into<rt::Vec3<f32>>,
-        b_10: impl rt::Into<rt::Vec3<f32>>,
-        c_4: impl rt::Into<rt::Vec3<f32>>,
+        a_11: impl rt::Into<rt::Vec3<f32>>,
+        b_11: impl rt::Into<rt::Vec3<f32>>,
+        c_5: impl rt::Into<rt::Vec3<f32>>,
         normal_10: impl rt::Into<rt::Vec3<f32>>,
         point_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_of(rt::into(a_10), rt::into(b_10), rt::into(c_4), rt::into(normal_10), rt::into(point_7)))
+        rt::into(self.v_weights_of(rt::into(a_11), rt::into(b_11), rt::into(c_5), rt::into(normal_10), rt::into(point_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_weights_of(
         &self,
-        a_10: rt::Vec3<f32>,
-        b_10: rt::Vec3<f32>,
-        c_4: rt::Vec3<f32>,
+        a_11: rt::Vec3<f32>,
+        b_11: rt::Vec3<f32>,
+        c_5: rt::Vec3<f32>,
         normal_10: rt::Vec3<f32>,
         point_7: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let nn = normal_10.dot(normal_10);
-        let from_a = (point_7 - a_10);
-        let wb = (from_a.cross((c_4 - a_10)).dot(normal_10) / nn);
-        let wc = ((b_10 - a_10).cross(from_a).dot(normal_10) / nn);
+        let from_a = (point_7 - a_11);
+        let wb = (from_a.cross((c_5 - a_11)).dot(normal_10) / nn);
+        let wc = ((b_11 - a_11).cross(from_a).dot(normal_10) / nn);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - wb) - wc), wb, wc);
     }
     pub(crate) fn plane_weights(
@@ -6098,8 +6124,8 @@ impl<'g> Resources<'g> {
         along_9: rt::Vec3<f32>,
     ) -> Way {
         let first_13 = (rt::Scalar(pixel_25.shell.order) & rt::Scalar(3u32));
-        let second_2 = ((rt::Scalar(pixel_25.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
-        let is_turned = (((second_2 + rt::Scalar(3u32)) - first_13) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
+        let second_3 = ((rt::Scalar(pixel_25.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
+        let is_turned = (((second_3 + rt::Scalar(3u32)) - first_13) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
         let _e24 = self.v_way_weight(along_9, prism_3.p1_, prism_3.n1_, prism_3.p2_, prism_3.n2_);
         let _e29 = self.v_way_weight(along_9, prism_3.p2_, prism_3.n2_, prism_3.p0_, prism_3.n0_);
         let _e34 = self.v_way_weight(along_9, prism_3.p0_, prism_3.n0_, prism_3.p1_, prism_3.n1_);
@@ -6162,10 +6188,10 @@ impl<'g> Resources<'g> {
         prism_5: Prism,
         offset_2: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let a_30 = ((prism_5.p2_ - prism_5.p1_) + ((prism_5.n2_ - prism_5.n1_) * offset_2));
-        let b_30 = ((prism_5.p0_ - prism_5.p2_) + ((prism_5.n0_ - prism_5.n2_) * offset_2));
-        let c_20 = ((prism_5.p1_ - prism_5.p0_) + ((prism_5.n1_ - prism_5.n0_) * offset_2));
-        return (<rt::Vec3<f32>>::from_scalars(a_30.length(), b_30.length(), c_20.length()) / rt::Vec3::splat_from_scalar(b_30.cross(c_20).length().max(rt::Scalar(0.000000000000000000000000000001f32))));
+        let a_32 = ((prism_5.p2_ - prism_5.p1_) + ((prism_5.n2_ - prism_5.n1_) * offset_2));
+        let b_32 = ((prism_5.p0_ - prism_5.p2_) + ((prism_5.n0_ - prism_5.n2_) * offset_2));
+        let c_22 = ((prism_5.p1_ - prism_5.p0_) + ((prism_5.n1_ - prism_5.n0_) * offset_2));
+        return (<rt::Vec3<f32>>::from_scalars(a_32.length(), b_32.length(), c_22.length()) / rt::Vec3::splat_from_scalar(b_32.cross(c_22).length().max(rt::Scalar(0.000000000000000000000000000001f32))));
     }
     pub(crate) fn way_beyond(
         &self,
@@ -6206,23 +6232,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn root_behind(
         &self,
-        c_5: impl rt::Into<rt::Vec3<f32>>,
+        c_6: impl rt::Into<rt::Vec3<f32>>,
         place_9: impl rt::Into<rt::Scalar<f32>>,
         end: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_root_behind(rt::into(c_5), rt::into(place_9), rt::into(end)))
+        rt::into(self.v_root_behind(rt::into(c_6), rt::into(place_9), rt::into(end)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_root_behind(
         &self,
-        c_5: rt::Vec3<f32>,
+        c_6: rt::Vec3<f32>,
         place_9: rt::Scalar<f32>,
         end: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut first: rt::Scalar<f32>;
 
-        let _e3 = self.v_both_roots(c_5);
+        let _e3 = self.v_both_roots(c_6);
         first = end;
         if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_9)) {
             let _e7 = first;
@@ -6271,9 +6297,9 @@ impl<'g> Resources<'g> {
         offsets_1: impl rt::Into<rt::Vec2<f32>>,
         beyond_2: impl rt::Into<rt::Vec3<f32>>,
         tolerance_1: impl rt::Into<rt::Scalar<f32>>,
-        number_8: impl rt::Into<rt::Scalar<u32>>,
+        number_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> WayChord {
-        rt::into(self.v_way_chord(pixel_27, prism_7, rt::into(along_10), way_5, rt::into(offsets_1), rt::into(beyond_2), rt::into(tolerance_1), rt::into(number_8)))
+        rt::into(self.v_way_chord(pixel_27, prism_7, rt::into(along_10), way_5, rt::into(offsets_1), rt::into(beyond_2), rt::into(tolerance_1), rt::into(number_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_way_chord(
@@ -6285,7 +6311,7 @@ impl<'g> Resources<'g> {
         offsets_1: rt::Vec2<f32>,
         beyond_2: rt::Vec3<f32>,
         tolerance_1: rt::Scalar<f32>,
-        number_8: rt::Scalar<u32>,
+        number_9: rt::Scalar<u32>,
     ) -> WayChord {
         let mut chosen: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let mut count_4: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -6326,9 +6352,9 @@ impl<'g> Resources<'g> {
                         let _e51 = begin;
                         let _e53 = self.v_chords_of_piece(pixel_27, prism_7, along_10, way_5, <rt::Vec2<f32>>::from_scalars(_e51, end_5), tolerance_1);
                         let _e54 = count_4;
-                        if rt::Scalar::into_branch_condition(number_8.elementwise_ge(_e54)) {
+                        if rt::Scalar::into_branch_condition(number_9.elementwise_ge(_e54)) {
                             let _e58 = count_4;
-                            local_31 = number_8.elementwise_lt((_e58 + _e53));
+                            local_31 = number_9.elementwise_lt((_e58 + _e53));
                         } else {
                             local_31 = rt::Scalar(false);
                         }
@@ -6337,9 +6363,9 @@ impl<'g> Resources<'g> {
                             let _e63 = begin;
                             let long_2 = (end_5 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
                             let _e67 = count_4;
-                            let part_14 = ((number_8 - _e67).to_f32() / _e53.to_f32());
+                            let part_14 = ((number_9 - _e67).to_f32() / _e53.to_f32());
                             let _e72 = count_4;
-                            let next_10 = (((number_8 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
+                            let next_10 = (((number_9 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
                             let _e79 = begin;
                             let _e82 = begin;
                             chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_14)), (_e82 + (long_2 * next_10)));
@@ -6390,14 +6416,14 @@ impl<'g> Resources<'g> {
         &self,
         interval_2: impl rt::Into<rt::Vec2<f32>>,
         normal_12: impl rt::Into<rt::Vec3<f32>>,
-        a_11: impl rt::Into<rt::Vec3<f32>>,
-        b_11: impl rt::Into<rt::Vec3<f32>>,
-        c_6: impl rt::Into<rt::Vec3<f32>>,
+        a_12: impl rt::Into<rt::Vec3<f32>>,
+        b_12: impl rt::Into<rt::Vec3<f32>>,
+        c_7: impl rt::Into<rt::Vec3<f32>>,
         d_2: impl rt::Into<rt::Vec3<f32>>,
         along_11: impl rt::Into<rt::Vec3<f32>>,
         slack_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_in_slab(rt::into(interval_2), rt::into(normal_12), rt::into(a_11), rt::into(b_11), rt::into(c_6), rt::into(d_2), rt::into(along_11), rt::into(slack_4)))
+        rt::into(self.v_in_slab(rt::into(interval_2), rt::into(normal_12), rt::into(a_12), rt::into(b_12), rt::into(c_7), rt::into(d_2), rt::into(along_11), rt::into(slack_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6405,14 +6431,14 @@ impl<'g> Resources<'g> {
         &self,
         interval_2: rt::Vec2<f32>,
         normal_12: rt::Vec3<f32>,
-        a_11: rt::Vec3<f32>,
-        b_11: rt::Vec3<f32>,
-        c_6: rt::Vec3<f32>,
+        a_12: rt::Vec3<f32>,
+        b_12: rt::Vec3<f32>,
+        c_7: rt::Vec3<f32>,
         d_2: rt::Vec3<f32>,
         along_11: rt::Vec3<f32>,
         slack_4: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let far_6 = <rt::Vec4<f32>>::from_scalars(normal_12.dot(a_11), normal_12.dot(b_11), normal_12.dot(c_6), normal_12.dot(d_2));
+        let far_6 = <rt::Vec4<f32>>::from_scalars(normal_12.dot(a_12), normal_12.dot(b_12), normal_12.dot(c_7), normal_12.dot(d_2));
         let least_4 = far_6.x().min(far_6.y()).min(far_6.z().min(far_6.w()));
         let most_10 = far_6.x().max(far_6.y()).max(far_6.z().max(far_6.w()));
         let beyond_3 = (slack_4 * normal_12.length());
@@ -6548,19 +6574,19 @@ impl<'g> Resources<'g> {
                     let _e66 = w_1.x();
                     let _e68 = w_1.y();
                     let _e72 = w_1.z();
-                    let second_3 = ((l.z() * (_e66 - _e68)) + (_e72 * (l.x() - l.y())));
+                    let second_4 = ((l.z() * (_e66 - _e68)) + (_e72 * (l.x() - l.y())));
                     let _e80 = w_1.x();
                     let _e82 = w_1.z();
                     let _e86 = w_1.y();
                     let third_3 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
-                    let a_31 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_24 * second_3));
-                    let b_31 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_24 * third_3));
-                    let c_21 = (normal_24 * width_5);
-                    let across_4 = b_31.cross(c_21);
-                    let one_over = (rt::Scalar(1f32) / a_31.dot(across_4));
+                    let a_33 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_24 * second_4));
+                    let b_33 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_24 * third_3));
+                    let c_23 = (normal_24 * width_5);
+                    let across_4 = b_33.cross(c_23);
+                    let one_over = (rt::Scalar(1f32) / a_33.dot(across_4));
                     let db = (rest_3.dot(across_4) * one_over);
-                    let dc = (rest_3.dot(c_21.cross(a_31)) * one_over);
-                    let dh = (rest_3.dot(a_31.cross(b_31)) * one_over);
+                    let dc = (rest_3.dot(c_23.cross(a_33)) * one_over);
+                    let dh = (rest_3.dot(a_33.cross(b_33)) * one_over);
                     let _e126 = w_1.x();
                     let _e130 = w_1.y();
                     let _e133 = w_1.z();
@@ -6671,8 +6697,8 @@ impl<'g> Resources<'g> {
         order: rt::Scalar<u32>,
         weights_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let corner_5 = (order & rt::Scalar(3u32));
-        return weights_2.z().select(weights_2.y(), corner_5.elementwise_eq(rt::Scalar(1u32))).select(weights_2.x(), corner_5.elementwise_eq(rt::Scalar(0u32)));
+        let corner_4 = (order & rt::Scalar(3u32));
+        return weights_2.z().select(weights_2.y(), corner_4.elementwise_eq(rt::Scalar(1u32))).select(weights_2.x(), corner_4.elementwise_eq(rt::Scalar(0u32)));
     }
     pub(crate) fn ordered_weights(
         &self,
@@ -6833,9 +6859,9 @@ impl<'g> Resources<'g> {
         pixel_34: PixelIn,
         along_13: impl rt::Into<rt::Vec3<f32>>,
         middle_5: impl rt::Into<rt::Scalar<f32>>,
-        number_9: impl rt::Into<rt::Scalar<u32>>,
+        number_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> Tetrahedron {
-        rt::into(self.v_tetrahedron(pixel_34, rt::into(along_13), rt::into(middle_5), rt::into(number_9)))
+        rt::into(self.v_tetrahedron(pixel_34, rt::into(along_13), rt::into(middle_5), rt::into(number_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_tetrahedron(
@@ -6843,22 +6869,22 @@ impl<'g> Resources<'g> {
         pixel_34: PixelIn,
         along_13: rt::Vec3<f32>,
         middle_5: rt::Scalar<f32>,
-        number_9: rt::Scalar<u32>,
+        number_10: rt::Scalar<u32>,
     ) -> Tetrahedron {
         let mut inside_1: rt::Vec2<f32>;
         let mut local_33: rt::Scalar<bool>;
 
         let origin_5 = (pixel_34.origin + (along_13 * middle_5));
-        let is_first_1 = number_9.elementwise_eq(rt::Scalar(0u32));
-        let is_last_1 = number_9.elementwise_eq(rt::Scalar(2u32));
+        let is_first_2 = number_10.elementwise_eq(rt::Scalar(0u32));
+        let is_last_1 = number_10.elementwise_eq(rt::Scalar(2u32));
         let _e12 = self.v_ordered(pixel_34, rt::Scalar(0u32));
         let _e15 = self.v_raised(_e12, rt::Scalar(pixel_34.side), rt::Scalar(0f32));
         let q0_ = (_e15 - origin_5);
         let _e20 = self.v_ordered(pixel_34, rt::Scalar(1u32).select(rt::Scalar(0u32), is_last_1));
         let _e25 = self.v_raised(_e20, rt::Scalar(pixel_34.side), rt::Scalar(0f32).select(rt::Scalar(1f32), is_last_1));
         let q1_ = (_e25 - origin_5);
-        let _e30 = self.v_ordered(pixel_34, rt::Scalar(1u32).select(rt::Scalar(2u32), is_first_1));
-        let _e35 = self.v_raised(_e30, rt::Scalar(pixel_34.side), rt::Scalar(1f32).select(rt::Scalar(0f32), is_first_1));
+        let _e30 = self.v_ordered(pixel_34, rt::Scalar(1u32).select(rt::Scalar(2u32), is_first_2));
+        let _e35 = self.v_raised(_e30, rt::Scalar(pixel_34.side), rt::Scalar(1f32).select(rt::Scalar(0f32), is_first_2));
         let q2_ = (_e35 - origin_5);
         let _e38 = self.v_ordered(pixel_34, rt::Scalar(2u32));
         let _e41 = self.v_raised(_e38, rt::Scalar(pixel_34.side), rt::Scalar(1f32));
@@ -6904,7 +6930,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e114) {
             inside_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(-300000000000000000000000000000000000000f32));
         }
-        if rt::Scalar::into_branch_condition(is_first_1) {
+        if rt::Scalar::into_branch_condition(is_first_2) {
             let _e118 = inside_1;
             return <Tetrahedron>::new(_e118, <rt::Vec4<f32>>::from_scalars(w0_, w1_, (w2_ + w3_), w3_), <rt::Vec4<f32>>::from_scalars(g0_, g1_, (g2_ + g3_), g3_));
         }
@@ -6921,9 +6947,9 @@ impl<'g> Resources<'g> {
         pixel_35: PixelIn,
         along_14: impl rt::Into<rt::Vec3<f32>>,
         middle_6: impl rt::Into<rt::Scalar<f32>>,
-        number_10: impl rt::Into<rt::Scalar<u32>>,
+        number_11: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_met(pixel_35, rt::into(along_14), rt::into(middle_6), rt::into(number_10)))
+        rt::into(self.v_is_met(pixel_35, rt::into(along_14), rt::into(middle_6), rt::into(number_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6932,9 +6958,9 @@ impl<'g> Resources<'g> {
         pixel_35: PixelIn,
         along_14: rt::Vec3<f32>,
         middle_6: rt::Scalar<f32>,
-        number_10: rt::Scalar<u32>,
+        number_11: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
-        let _e4 = self.v_tetrahedron(pixel_35, along_14, middle_6, number_10);
+        let _e4 = self.v_tetrahedron(pixel_35, along_14, middle_6, number_11);
         let inside_5 = _e4.inside;
         return inside_5.y().elementwise_gt(inside_5.x());
     }
@@ -6996,18 +7022,18 @@ impl<'g> Resources<'g> {
         pixel_37: PixelIn,
         normal_13: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let a_32 = (pixel_37.a.position - pixel_37.origin);
-        let b_32 = (pixel_37.b.position - pixel_37.origin);
-        let c_22 = (pixel_37.c.position - pixel_37.origin);
+        let a_34 = (pixel_37.a.position - pixel_37.origin);
+        let b_34 = (pixel_37.b.position - pixel_37.origin);
+        let c_24 = (pixel_37.c.position - pixel_37.origin);
         let along_29 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
-        let places_1 = <rt::Vec3<f32>>::from_scalars(a_32.dot(along_29), b_32.dot(along_29), c_22.dot(along_29));
+        let places_1 = <rt::Vec3<f32>>::from_scalars(a_34.dot(along_29), b_34.dot(along_29), c_24.dot(along_29));
         let least_5 = places_1.x().min(places_1.y()).min(places_1.z());
         let most_12 = places_1.x().max(places_1.y()).max(places_1.z());
         let across_5 = normal_13.dot(pixel_37.direction);
         if rt::Scalar::into_branch_condition(across_5.elementwise_eq(rt::Scalar(0f32))) {
             return least_5;
         }
-        return (normal_13.dot(a_32) / across_5).clamp(least_5, most_12);
+        return (normal_13.dot(a_34) / across_5).clamp(least_5, most_12);
     }
     pub(crate) fn triangle_weights(
         &self,
@@ -7437,10 +7463,10 @@ impl<'g> Resources<'g> {
         beside: rt::Scalar<f32>,
         rate: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let a_33 = (own * rate);
-        let b_33 = (beside * rate);
-        let along_30 = (rt::Scalar(1f32) + (a_33 * b_33));
-        let apart_3 = (a_33 - b_33).abs();
+        let a_35 = (own * rate);
+        let b_35 = (beside * rate);
+        let along_30 = (rt::Scalar(1f32) + (a_35 * b_35));
+        let apart_3 = (a_35 - b_35).abs();
         if rt::Scalar::into_branch_condition(apart_3.elementwise_le((rt::Scalar(0.5f32) * along_30))) {
             return beside;
         }
@@ -7664,8 +7690,8 @@ impl<'g> Resources<'g> {
         k_6: rt::Scalar<u32>,
         params_32: rt::Vec4<f32>,
     ) -> Path {
-        let mut a_12: WayPoint;
-        let mut b_12: WayPoint;
+        let mut a_13: WayPoint;
+        let mut b_13: WayPoint;
         let mut path_19: Path;
         let mut local_42: rt::Scalar<bool>;
 
@@ -7680,34 +7706,34 @@ impl<'g> Resources<'g> {
         let _e14 = self.v_way_chord(pixel_47, _e7, along_32, _e9, _e10, _e12, params_32.x(), k_6);
         let _e16 = self.v_before_turn(_e7, along_32, _e9, _e14.offsets);
         let _e18 = self.v_way_point(_e7, along_32, _e9, _e16.x());
-        a_12 = _e18;
+        a_13 = _e18;
         let _e25 = self.v_way_point(_e7, along_32, _e9, (rt::Scalar(0.5f32) * (_e16.x() + _e16.y())));
         let _e27 = self.v_way_point(_e7, along_32, _e9, _e16.y());
-        b_12 = _e27;
-        let _e30 = rt::Scalar(b_12.t);
-        let _e32 = rt::Scalar(a_12.t);
+        b_13 = _e27;
+        let _e30 = rt::Scalar(b_13.t);
+        let _e32 = rt::Scalar(a_13.t);
         if rt::Scalar::into_branch_condition(_e30.elementwise_lt(_e32)) {
-            let turned_2 = b_12;
-            let _e35 = a_12;
-            b_12 = _e35;
-            a_12 = turned_2;
+            let turned_2 = b_13;
+            let _e35 = a_13;
+            b_13 = _e35;
+            a_13 = turned_2;
         }
-        let _e38 = rt::Scalar(a_12.t);
-        let _e41 = rt::Scalar(b_12.t);
-        let _e43 = rt::Scalar(a_12.t);
+        let _e38 = rt::Scalar(a_13.t);
+        let _e41 = rt::Scalar(b_13.t);
+        let _e43 = rt::Scalar(a_13.t);
         let part_17 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
-        let _e48 = rt::Scalar(a_12.point.height);
-        let _e53 = rt::Scalar(b_12.point.height);
+        let _e48 = rt::Scalar(a_13.point.height);
+        let _e53 = rt::Scalar(b_13.point.height);
         let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_17);
-        let _e56 = a_12.point;
-        let _e58 = b_12.point;
-        let _e60 = rt::Scalar(a_12.t);
-        let _e62 = rt::Scalar(b_12.t);
+        let _e56 = a_13.point;
+        let _e58 = b_13.point;
+        let _e60 = rt::Scalar(a_13.t);
+        let _e62 = rt::Scalar(b_13.t);
         let _e64 = self.v_chord_path(pixel_47, at_45, _e6, params_32, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
         path_19 = _e64;
-        let _e67 = rt::Scalar(a_12.beside);
+        let _e67 = rt::Scalar(a_13.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
-            let _e76 = rt::Scalar(b_12.beside);
+            let _e76 = rt::Scalar(b_13.beside);
             local_42 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
         } else {
             local_42 = rt::Scalar(true);
@@ -8204,11 +8230,11 @@ impl<'g> Resources<'g> {
         let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_53.direction.dot(at_52.normal).elementwise_lt(rt::Scalar(0f32))) * at_52.of_surface.y());
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
         let step_m = (upward * _e17);
-        let a_34 = (pixel_53.a.position + (pixel_53.a.normal * step_m));
-        let b_34 = (pixel_53.b.position + (pixel_53.b.normal * step_m));
-        let c_23 = (pixel_53.c.position + (pixel_53.c.normal * step_m));
-        let n_11 = (b_34 - a_34).cross((c_23 - a_34));
-        let t_37 = (n_11.dot((a_34 - pixel_53.origin)) / n_11.dot(pixel_53.direction));
+        let a_36 = (pixel_53.a.position + (pixel_53.a.normal * step_m));
+        let b_36 = (pixel_53.b.position + (pixel_53.b.normal * step_m));
+        let c_25 = (pixel_53.c.position + (pixel_53.c.normal * step_m));
+        let n_11 = (b_36 - a_36).cross((c_25 - a_36));
+        let t_37 = (n_11.dot((a_36 - pixel_53.origin)) / n_11.dot(pixel_53.direction));
         let lead = (far_2 - (t_37 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
             local_47 = t_37.abs().elementwise_le(rt::Scalar(1000000000f32));
@@ -8219,7 +8245,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e68 = self.v_weights_of(a_34, b_34, c_23, n_11, (pixel_53.origin + (pixel_53.direction * t_37)));
+        let _e68 = self.v_weights_of(a_36, b_36, c_25, n_11, (pixel_53.origin + (pixel_53.direction * t_37)));
         let aside_4 = ((((pixel_53.a.uv * _e68.x()) + (pixel_53.b.uv * _e68.y())) + (pixel_53.c.uv * _e68.z())) - at_52.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_4, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
@@ -8353,9 +8379,9 @@ impl<'g> Resources<'g> {
             }
             return interval_5;
         }
-        let a_35 = ((low - x_2) / dx_1);
-        let b_35 = ((high - x_2) / dx_1);
-        return <rt::Vec2<f32>>::from_scalars(interval_5.x().max(a_35.min(b_35)), interval_5.y().min(a_35.max(b_35)));
+        let a_37 = ((low - x_2) / dx_1);
+        let b_37 = ((high - x_2) / dx_1);
+        return <rt::Vec2<f32>>::from_scalars(interval_5.x().max(a_37.min(b_37)), interval_5.y().min(a_37.max(b_37)));
     }
     pub(crate) fn metric_of_image(
         &self,
@@ -8565,25 +8591,25 @@ impl<'g> Resources<'g> {
     pub(crate) fn with_image(
         &self,
         slice_4: OnSlice,
-        number_11: impl rt::Into<rt::Scalar<u32>>,
+        number_12: impl rt::Into<rt::Scalar<u32>>,
         point_13: impl rt::Into<rt::Vec3<f32>>,
     ) -> OnSlice {
-        rt::into(self.v_with_image(slice_4, rt::into(number_11), rt::into(point_13)))
+        rt::into(self.v_with_image(slice_4, rt::into(number_12), rt::into(point_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_with_image(
         &self,
         slice_4: OnSlice,
-        number_11: rt::Scalar<u32>,
+        number_12: rt::Scalar<u32>,
         point_13: rt::Vec3<f32>,
     ) -> OnSlice {
-        let _e3 = self.v_image_of_object(number_11);
+        let _e3 = self.v_image_of_object(number_12);
         let _e4 = self.v_on_image(_e3, point_13);
         let over_1 = (rt::Scalar(_e4.map) - rt::Scalar(_e4.height));
         let _e8 = self.v_is_in_image(_e4);
         if rt::Scalar::into_branch_condition(over_1.elementwise_lt(rt::Scalar(slice_4.over))) {
-            return <OnSlice>::new(_e8, number_11, _e4, over_1);
+            return <OnSlice>::new(_e8, number_12, _e4, over_1);
         }
         return <OnSlice>::new(_e8, rt::Scalar(slice_4.number), slice_4.nearest, rt::Scalar(slice_4.over));
     }
@@ -8593,12 +8619,12 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_at(&self, point_14: rt::Vec3<f32>) -> OnSlice {
         let mut slice_5: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
-        let mut number_12: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut number_13: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_55: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e15 = number_12;
+                let _e15 = number_13;
                 let _e18 = rt::Scalar(self.surface_settings.solids);
                 if rt::Scalar::into_branch_condition(_e15.elementwise_lt(_e18)) {
                     let _e23 = rt::Scalar(slice_5.passes);
@@ -8613,11 +8639,11 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e26 = slice_5;
-                    let _e27 = number_12;
+                    let _e27 = number_13;
                     let _e28 = self.v_with_image(_e26, _e27, point_14);
                     slice_5 = _e28;
-                    let _e29 = number_12;
-                    number_12 = (_e29 + rt::Scalar(1u32));
+                    let _e29 = number_13;
+                    number_13 = (_e29 + rt::Scalar(1u32));
                 }
             }
         }
@@ -8829,18 +8855,18 @@ impl<'g> Resources<'g> {
         place_12: rt::Vec3<f32>,
         offset_5: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let corner_6 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
-        let a_36 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
-        let b_36 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
-        let rest_5 = (place_12 - corner_6);
-        let across_7 = a_36.cross(b_36);
+        let corner_5 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
+        let a_38 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
+        let b_38 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
+        let rest_5 = (place_12 - corner_5);
+        let across_7 = a_38.cross(b_38);
         let square_2 = across_7.dot(across_7);
         if rt::Scalar::into_branch_condition((!square_2.elementwise_gt(rt::Scalar(0f32)))) {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
         }
-        let second_4 = (rest_5.cross(b_36).dot(across_7) / square_2);
-        let third_4 = (a_36.cross(rest_5).dot(across_7) / square_2);
-        return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_4) - third_4), second_4, third_4);
+        let second_5 = (rest_5.cross(b_38).dot(across_7) / square_2);
+        let third_4 = (a_38.cross(rest_5).dot(across_7) / square_2);
+        return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - second_5) - third_4), second_5, third_4);
     }
     pub(crate) fn shell_point_near(
         &self,
@@ -10207,37 +10233,37 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn least_at(
         &self,
-        c_7: impl rt::Into<rt::Vec3<f32>>,
+        c_8: impl rt::Into<rt::Vec3<f32>>,
         span_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_least_at(rt::into(c_7), rt::into(span_2)))
+        rt::into(self.v_least_at(rt::into(c_8), rt::into(span_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_least_at(
         &self,
-        c_7: rt::Vec3<f32>,
+        c_8: rt::Vec3<f32>,
         span_2: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(c_7.z().elementwise_gt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(0f32) - c_7.y()) / (rt::Scalar(2f32) * c_7.z())).clamp(rt::Scalar(0f32), span_2);
+        if rt::Scalar::into_branch_condition(c_8.z().elementwise_gt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(0f32) - c_8.y()) / (rt::Scalar(2f32) * c_8.z())).clamp(rt::Scalar(0f32), span_2);
         }
         return span_2;
     }
     pub(crate) fn found_in_cell(
         &self,
-        c_8: impl rt::Into<rt::Vec3<f32>>,
+        c_9: impl rt::Into<rt::Vec3<f32>>,
         t_23: impl rt::Into<rt::Scalar<f32>>,
         span_3: impl rt::Into<rt::Scalar<f32>>,
         first_2: impl rt::Into<rt::Scalar<bool>>,
         cost_10: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_found_in_cell(rt::into(c_8), rt::into(t_23), rt::into(span_3), rt::into(first_2), rt::into(cost_10)))
+        rt::into(self.v_found_in_cell(rt::into(c_9), rt::into(t_23), rt::into(span_3), rt::into(first_2), rt::into(cost_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_found_in_cell(
         &self,
-        c_8: rt::Vec3<f32>,
+        c_9: rt::Vec3<f32>,
         t_23: rt::Scalar<f32>,
         span_3: rt::Scalar<f32>,
         first_2: rt::Scalar<bool>,
@@ -10245,25 +10271,25 @@ impl<'g> Resources<'g> {
     ) -> Found {
         let mut local_63: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(c_8.x().elementwise_le(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(c_9.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_2) {
-                local_63 = c_8.x().elementwise_lt(rt::Scalar(0f32));
+                local_63 = c_9.x().elementwise_lt(rt::Scalar(0f32));
             } else {
                 local_63 = rt::Scalar(false);
             }
             let _e14 = local_63;
             if rt::Scalar::into_branch_condition(_e14) {
-                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_8.x(), c_8.x(), cost_10);
+                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_9.x(), c_9.x(), cost_10);
             }
-            return <Found>::new(FOUND_BRACKET, t_23, t_23, c_8.x(), c_8.x(), cost_10);
+            return <Found>::new(FOUND_BRACKET, t_23, t_23, c_9.x(), c_9.x(), cost_10);
         }
-        let _e25 = self.v_least_at(c_8, span_3);
-        let _e26 = self.v_quadratic(c_8, _e25);
+        let _e25 = self.v_least_at(c_9, span_3);
+        let _e26 = self.v_quadratic(c_9, _e25);
         if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
-            return <Found>::new(FOUND_BRACKET, t_23, (t_23 + _e25), c_8.x(), _e26, cost_10);
+            return <Found>::new(FOUND_BRACKET, t_23, (t_23 + _e25), c_9.x(), _e26, cost_10);
         }
-        let _e36 = self.v_quadratic(c_8, span_3);
-        return <Found>::new(FOUND_ABOVE, t_23, (t_23 + span_3), c_8.x(), _e36, cost_10);
+        let _e36 = self.v_quadratic(c_9, span_3);
+        return <Found>::new(FOUND_ABOVE, t_23, (t_23 + span_3), c_9.x(), _e36, cost_10);
     }
     pub(crate) fn search_cells(
         &self,
@@ -10649,9 +10675,9 @@ impl<'g> Resources<'g> {
         let gap_3 = (height_21 - (rt::Scalar(2f32) * lost_2));
         let _e85 = self.v_height_size(rt::Scalar(path_60.level));
         let aside_5 = (((grid_8.origin - offset_6) + (grid_8.step * t_26)) / _e85);
-        let c_24 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
+        let c_26 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
         if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
-            local_67 = c_24.elementwise_ge(rt::Scalar(0f32));
+            local_67 = c_26.elementwise_ge(rt::Scalar(0f32));
         } else {
             local_67 = rt::Scalar(true);
         }
@@ -10659,16 +10685,16 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_37 = (((slope_4 * slope_4) * aside_5.dot(path_60.duv)) - (gap_3 * rise_4));
-        let a_37 = (((slope_4 * slope_4) * path_60.duv.dot(path_60.duv)) - (rise_4 * rise_4));
-        let discriminant_3 = ((b_37 * b_37) - (a_37 * c_24));
+        let b_39 = (((slope_4 * slope_4) * aside_5.dot(path_60.duv)) - (gap_3 * rise_4));
+        let a_39 = (((slope_4 * slope_4) * path_60.duv.dot(path_60.duv)) - (rise_4 * rise_4));
+        let discriminant_3 = ((b_39 * b_39) - (a_39 * c_26));
         if rt::Scalar::into_branch_condition(discriminant_3.elementwise_ge(rt::Scalar(0f32))) {
             let root_4 = discriminant_3.sqrt();
-            if rt::Scalar::into_branch_condition(b_37.elementwise_ge(rt::Scalar(0f32))) {
-                leave_6 = ((rt::Scalar(0f32) - c_24) / (b_37 + root_4));
+            if rt::Scalar::into_branch_condition(b_39.elementwise_ge(rt::Scalar(0f32))) {
+                leave_6 = ((rt::Scalar(0f32) - c_26) / (b_39 + root_4));
             } else {
-                if rt::Scalar::into_branch_condition(a_37.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_6 = ((root_4 - b_37) / a_37);
+                if rt::Scalar::into_branch_condition(a_39.elementwise_gt(rt::Scalar(0f32))) {
+                    leave_6 = ((root_4 - b_39) / a_39);
                 }
             }
         }
@@ -12805,21 +12831,21 @@ impl<'g> Resources<'g> {
     pub(crate) fn is_left_out(
         &self,
         grid_10: Tessellation,
-        a_13: BaseVertex,
-        b_13: BaseVertex,
-        c_9: BaseVertex,
+        a_14: BaseVertex,
+        b_14: BaseVertex,
+        c_10: BaseVertex,
         low_m_1: impl rt::Into<rt::Scalar<f32>>,
         high_m_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_is_left_out(grid_10, a_13, b_13, c_9, rt::into(low_m_1), rt::into(high_m_1)))
+        rt::into(self.v_is_left_out(grid_10, a_14, b_14, c_10, rt::into(low_m_1), rt::into(high_m_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_is_left_out(
         &self,
         grid_10: Tessellation,
-        a_13: BaseVertex,
-        b_13: BaseVertex,
-        c_9: BaseVertex,
+        a_14: BaseVertex,
+        b_14: BaseVertex,
+        c_10: BaseVertex,
         low_m_1: rt::Scalar<f32>,
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
@@ -12839,16 +12865,16 @@ impl<'g> Resources<'g> {
                     let plane_1 = grid_10.planes[rt::Scalar::into_array_index(_e12)];
                     let _e14 = k_29;
                     k_29 = (_e14 + rt::Scalar(1u32));
-                    let _e19 = self.v_is_before(plane_1, a_13.position, a_13.direction, low_m_1, high_m_1);
+                    let _e19 = self.v_is_before(plane_1, a_14.position, a_14.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
-                        let _e24 = self.v_is_before(plane_1, b_13.position, b_13.direction, low_m_1, high_m_1);
+                        let _e24 = self.v_is_before(plane_1, b_14.position, b_14.direction, low_m_1, high_m_1);
                         local_92 = _e24;
                     } else {
                         local_92 = rt::Scalar(false);
                     }
                     let _e26 = local_92;
                     if rt::Scalar::into_branch_condition(_e26) {
-                        let _e31 = self.v_is_before(plane_1, c_9.position, c_9.direction, low_m_1, high_m_1);
+                        let _e31 = self.v_is_before(plane_1, c_10.position, c_10.direction, low_m_1, high_m_1);
                         local_93 = _e31;
                     } else {
                         local_93 = rt::Scalar(false);
@@ -12862,33 +12888,33 @@ impl<'g> Resources<'g> {
         }
         return rt::Scalar(false);
     }
-    pub(crate) fn magnitude(&self, number_13: impl rt::Into<rt::Scalar<i32>>) -> u32 {
-        rt::into(self.v_magnitude(rt::into(number_13)))
+    pub(crate) fn magnitude(&self, number_14: impl rt::Into<rt::Scalar<i32>>) -> u32 {
+        rt::into(self.v_magnitude(rt::into(number_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_magnitude(&self, number_13: rt::Scalar<i32>) -> rt::Scalar<u32> {
-        return number_13.abs().to_u32();
+    fn v_magnitude(&self, number_14: rt::Scalar<i32>) -> rt::Scalar<u32> {
+        return number_14.abs().to_u32();
     }
-    pub(crate) fn stretch_of(&self, a_14: SweptPoint, b_14: SweptPoint) -> u32 {
-        rt::into(self.v_stretch_of(a_14, b_14))
+    pub(crate) fn stretch_of(&self, a_15: SweptPoint, b_15: SweptPoint) -> u32 {
+        rt::into(self.v_stretch_of(a_15, b_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_stretch_of(&self, a_14: SweptPoint, b_14: SweptPoint) -> rt::Scalar<u32> {
-        let _e9 = self.v_magnitude(((rt::Scalar(b_14.x) * rt::Scalar(a_14.w)) - (rt::Scalar(a_14.x) * rt::Scalar(b_14.w))));
-        let _e17 = self.v_magnitude(((rt::Scalar(b_14.y) * rt::Scalar(a_14.w)) - (rt::Scalar(a_14.y) * rt::Scalar(b_14.w))));
+    fn v_stretch_of(&self, a_15: SweptPoint, b_15: SweptPoint) -> rt::Scalar<u32> {
+        let _e9 = self.v_magnitude(((rt::Scalar(b_15.x) * rt::Scalar(a_15.w)) - (rt::Scalar(a_15.x) * rt::Scalar(b_15.w))));
+        let _e17 = self.v_magnitude(((rt::Scalar(b_15.y) * rt::Scalar(a_15.w)) - (rt::Scalar(a_15.y) * rt::Scalar(b_15.w))));
         return (_e9 + _e17);
     }
-    pub(crate) fn is_no_longer(&self, a_15: SweptPoint, b_15: SweptPoint, c_10: SweptPoint, d_3: SweptPoint) -> bool {
-        rt::into(self.v_is_no_longer(a_15, b_15, c_10, d_3))
+    pub(crate) fn is_no_longer(&self, a_16: SweptPoint, b_16: SweptPoint, c_11: SweptPoint, d_3: SweptPoint) -> bool {
+        rt::into(self.v_is_no_longer(a_16, b_16, c_11, d_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_is_no_longer(&self, a_15: SweptPoint, b_15: SweptPoint, c_10: SweptPoint, d_3: SweptPoint) -> rt::Scalar<bool> {
-        let _e4 = self.v_stretch_of(a_15, b_15);
-        let _e9 = self.v_stretch_of(c_10, d_3);
-        let _e14 = self.v_compared(_e4, (rt::Scalar(c_10.w) * rt::Scalar(d_3.w)).to_u32(), _e9, (rt::Scalar(a_15.w) * rt::Scalar(b_15.w)).to_u32());
+    fn v_is_no_longer(&self, a_16: SweptPoint, b_16: SweptPoint, c_11: SweptPoint, d_3: SweptPoint) -> rt::Scalar<bool> {
+        let _e4 = self.v_stretch_of(a_16, b_16);
+        let _e9 = self.v_stretch_of(c_11, d_3);
+        let _e14 = self.v_compared(_e4, (rt::Scalar(c_11.w) * rt::Scalar(d_3.w)).to_u32(), _e9, (rt::Scalar(a_16.w) * rt::Scalar(b_16.w)).to_u32());
         return _e14.elementwise_le(rt::Scalar(0i32));
     }
     pub(crate) fn longest_of(&self, between_1: impl rt::Into<rt::Vec3<i32>>) -> i32 {
@@ -12903,28 +12929,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn is_swept(
         &self,
         grid_11: Tessellation,
-        a_16: Voxel,
-        b_16: Voxel,
-        c_11: Voxel,
+        a_17: Voxel,
+        b_17: Voxel,
+        c_12: Voxel,
         level_34: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_swept(grid_11, a_16, b_16, c_11, rt::into(level_34)))
+        rt::into(self.v_is_swept(grid_11, a_17, b_17, c_12, rt::into(level_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_is_swept(
         &self,
         grid_11: Tessellation,
-        a_16: Voxel,
-        b_16: Voxel,
-        c_11: Voxel,
+        a_17: Voxel,
+        b_17: Voxel,
+        c_12: Voxel,
         level_34: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
         let mut local_94: rt::Scalar<bool>;
         let mut local_95: rt::Scalar<bool>;
 
-        let _e6 = self.v_coarser_voxel(a_16.at, level_34);
-        let _e8 = self.v_coarser_voxel(b_16.at, level_34);
-        let _e10 = self.v_coarser_voxel(c_11.at, level_34);
+        let _e6 = self.v_coarser_voxel(a_17.at, level_34);
+        let _e8 = self.v_coarser_voxel(b_17.at, level_34);
+        let _e10 = self.v_coarser_voxel(c_12.at, level_34);
         let _e12 = self.v_longest_of((_e8 - _e6));
         let _e14 = self.v_longest_of((_e10 - _e8));
         let _e17 = self.v_longest_of((_e6 - _e10));
@@ -13007,11 +13033,11 @@ impl<'g> Resources<'g> {
         normal_15: rt::Vec3<f32>,
         texel_4: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let corner_7 = ((view_12.corner.xyz() + (view_12.across.xyz() * texel_4.x())) + (view_12.along.xyz() * texel_4.y()));
+        let corner_6 = ((view_12.corner.xyz() + (view_12.across.xyz() * texel_4.x())) + (view_12.along.xyz() * texel_4.y()));
         if rt::Scalar::into_branch_condition(rt::Scalar(view_12.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_15.dot((point_18 - view_12.eye.xyz())) / normal_15.dot(corner_7));
+            return (normal_15.dot((point_18 - view_12.eye.xyz())) / normal_15.dot(corner_6));
         }
-        return (normal_15.dot((point_18 - corner_7)) / normal_15.dot(view_12.depth.xyz()));
+        return (normal_15.dot((point_18 - corner_6)) / normal_15.dot(view_12.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
@@ -13081,19 +13107,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_part(
         &self,
-        number_14: impl rt::Into<rt::Scalar<u32>>,
+        number_15: impl rt::Into<rt::Scalar<u32>>,
         at_90: Entered,
         normal_16: impl rt::Into<rt::Vec3<f32>>,
         place_17: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_14), at_90, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_15), at_90, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
-        number_14: rt::Scalar<u32>,
+        number_15: rt::Scalar<u32>,
         at_90: Entered,
         normal_16: rt::Vec3<f32>,
         place_17: rt::Vec3<f32>,
@@ -13103,7 +13129,7 @@ impl<'g> Resources<'g> {
         let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut row_7: rt::Scalar<f32>;
 
-        let view_26 = self.frame.light_views[rt::Scalar::into_array_index(number_14)];
+        let view_26 = self.frame.light_views[rt::Scalar::into_array_index(number_15)];
         let texel_m = (rt::Scalar(view_26.texel_m) * rt::Scalar(1f32).select(place_17.z(), rt::Scalar(view_26.from_point).elementwise_eq(rt::Scalar(1u32))));
         let _e19 = self.v_footprint_m(at_90);
         let point_30 = (at_90.point + (normal_16 * (bias * texel_m.max(_e19))));
@@ -13111,7 +13137,7 @@ impl<'g> Resources<'g> {
         let low_10 = (place_17.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_4 = (low_10 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
         let last_13 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_26.size).to_f32(), rt::Scalar(view_26.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_14, point_30, normal_16, low_10, high_4, (place_17.z() - reach_1), (place_17.z() + reach_1));
+        let in_view = <InView>::new(number_15, point_30, normal_16, low_10, high_4, (place_17.z() - reach_1), (place_17.z() + reach_1));
         row_7 = low_10.y().floor();
         'naga_break: loop {
             'naga_continue: {
@@ -13140,26 +13166,26 @@ impl<'g> Resources<'g> {
         &self,
         at_91: Entered,
         uv_21: impl rt::Into<rt::Vec2<f32>>,
-        number_15: impl rt::Into<rt::Scalar<u32>>,
+        number_16: impl rt::Into<rt::Scalar<u32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_91, rt::into(uv_21), rt::into(number_15), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_91, rt::into(uv_21), rt::into(number_16), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
         at_91: Entered,
         uv_21: rt::Vec2<f32>,
-        number_15: rt::Scalar<u32>,
+        number_16: rt::Scalar<u32>,
         toward_1: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
         bias_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut k_30: rt::Scalar<u32>;
 
-        let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_15)];
+        let light_17 = self.frame.lights[rt::Scalar::into_array_index(number_16)];
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
@@ -13348,24 +13374,24 @@ impl<'g> Resources<'g> {
         view_14: rt::Vec3<f32>,
     ) -> SeenNormals {
         let first_19 = normals.first;
-        let second_5 = normals.second;
-        let slope_12 = <rt::Vec2<f32>>::from_scalars(first_19.w(), second_5.w());
+        let second_6 = normals.second;
+        let slope_12 = <rt::Vec2<f32>>::from_scalars(first_19.w(), second_6.w());
         let upright_1 = first_19.z().max(rt::Scalar(0.05f32));
         let x_12 = (first_19.x() / upright_1);
         let y_9 = (first_19.y() / upright_1);
-        let a_38 = ((second_5.x() / upright_1) - (x_12 * x_12)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_38 = (((second_5.y() / upright_1) - (x_12 * y_9)) / a_38);
-        let spread = ((second_5.z() / upright_1) - (y_9 * y_9)).max(rt::Scalar(0f32));
-        let d_4 = (spread - (b_38 * b_38)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_5.x(), second_5.y(), first_19.x())) - (first_19.xyz() * slope_12.x()));
-        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_5.y(), second_5.z(), first_19.y())) - (first_19.xyz() * slope_12.y()));
-        let most_16 = ((a_38 * a_38) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_42 = (with_x / rt::Vec3::splat_from_scalar(a_38.max((with_x.length() / most_16))));
-        let rest_9 = (with_y - (along_42 * b_38));
+        let a_40 = ((second_6.x() / upright_1) - (x_12 * x_12)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_40 = (((second_6.y() / upright_1) - (x_12 * y_9)) / a_40);
+        let spread = ((second_6.z() / upright_1) - (y_9 * y_9)).max(rt::Scalar(0f32));
+        let d_4 = (spread - (b_40 * b_40)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_6.x(), second_6.y(), first_19.x())) - (first_19.xyz() * slope_12.x()));
+        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_6.y(), second_6.z(), first_19.y())) - (first_19.xyz() * slope_12.y()));
+        let most_16 = ((a_40 * a_40) + spread).sqrt().min(rt::Scalar(1f32));
+        let along_42 = (with_x / rt::Vec3::splat_from_scalar(a_40.max((with_x.length() / most_16))));
+        let rest_9 = (with_y - (along_42 * b_40));
         let across_9 = (rest_9 / rt::Vec3::splat_from_scalar(d_4.max((rest_9.length() / most_16))));
         let _e77 = self.v_to_tangent_space(at_94, view_14);
         let middle_15 = (_e77.z() - _e77.xy().dot(slope_12));
-        let _e91 = self.v_facing_four(middle_15, (-((_e77.x() * a_38) + (_e77.y() * b_38))), (-(_e77.y() * d_4)));
+        let _e91 = self.v_facing_four(middle_15, (-((_e77.x() * a_40) + (_e77.y() * b_40))), (-(_e77.y() * d_4)));
         let one_1 = middle_15.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one_1, _e94);
@@ -13373,7 +13399,7 @@ impl<'g> Resources<'g> {
         let aside_8 = ((along_42 * ((_e91.x() - _e91.y()) / all_1)) + (across_9 * ((_e91.z() - _e91.w()) / all_1)));
         let _e113 = self.v_from_tangent_space(at_94, (first_19.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_19.xyz(), along_42, across_9, slope_12, <rt::Vec2<f32>>::from_scalars(a_38, b_38), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_4), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one_1 / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_19.xyz(), along_42, across_9, slope_12, <rt::Vec2<f32>>::from_scalars(a_40, b_40), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_4), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one_1 / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
     }
     pub(crate) fn table_part(&self, at_95: Entered) -> f32 {
         rt::into(self.v_table_part(at_95))
@@ -13420,21 +13446,21 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_between(
         &self,
-        a_17: SeenTexel,
-        b_17: SeenTexel,
+        a_18: SeenTexel,
+        b_18: SeenTexel,
         part_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_between(a_17, b_17, rt::into(part_7)))
+        rt::into(self.v_seen_between(a_18, b_18, rt::into(part_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_between(
         &self,
-        a_17: SeenTexel,
-        b_17: SeenTexel,
+        a_18: SeenTexel,
+        b_18: SeenTexel,
         part_7: rt::Scalar<f32>,
     ) -> SeenTexel {
-        return <SeenTexel>::new((a_17.first + ((b_17.first - a_17.first) * part_7)), (a_17.second + ((b_17.second - a_17.second) * part_7)));
+        return <SeenTexel>::new((a_18.first + ((b_18.first - a_18.first) * part_7)), (a_18.second + ((b_18.second - a_18.second) * part_7)));
     }
     pub(crate) fn seen_texel(
         &self,
@@ -13991,8 +14017,8 @@ impl<'g> Resources<'g> {
         let azimuth_5 = (_e32 * params_87.x());
         let elevation_4 = ((squared_5 * params_87.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_87.y() - rt::Scalar(1f32)));
         if rt::Scalar::into_branch_condition(params_87.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_39 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_106, hit_32, a_39, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+            let a_41 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
+            let _e56 = self.v_open_part(at_106, hit_32, a_41, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().to_i32() % azimuths);
@@ -14352,42 +14378,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn parts_by_voxels(
         &self,
-        a_18: Voxel,
-        b_18: Voxel,
+        a_19: Voxel,
+        b_19: Voxel,
         level_41: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_voxels(a_18, b_18, rt::into(level_41)))
+        rt::into(self.v_parts_by_voxels(a_19, b_19, rt::into(level_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_parts_by_voxels(
         &self,
-        a_18: Voxel,
-        b_18: Voxel,
+        a_19: Voxel,
+        b_19: Voxel,
         level_41: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_coarser_voxel(b_18.at, level_41);
-        let _e6 = self.v_coarser_voxel(a_18.at, level_41);
+        let _e4 = self.v_coarser_voxel(b_19.at, level_41);
+        let _e6 = self.v_coarser_voxel(a_19.at, level_41);
         let _e8 = self.v_longest_of((_e4 - _e6));
         return _e8.to_u32().clamp(rt::Scalar(1u32), DICE_PARTS);
     }
     pub(crate) fn parts_between(
         &self,
         grid_13: Tessellation,
-        a_19: Voxel,
-        b_19: Voxel,
+        a_20: Voxel,
+        b_20: Voxel,
         along_20: impl rt::Into<rt::Vec2<f32>>,
         level_42: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_between(grid_13, a_19, b_19, rt::into(along_20), rt::into(level_42)))
+        rt::into(self.v_parts_between(grid_13, a_20, b_20, rt::into(along_20), rt::into(level_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_parts_between(
         &self,
         grid_13: Tessellation,
-        a_19: Voxel,
-        b_19: Voxel,
+        a_20: Voxel,
+        b_20: Voxel,
         along_20: rt::Vec2<f32>,
         level_42: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
@@ -14395,7 +14421,7 @@ impl<'g> Resources<'g> {
             let _e9 = self.v_parts_by_uv(grid_13, along_20, level_42);
             return _e9;
         }
-        let _e10 = self.v_parts_by_voxels(a_19, b_19, level_42);
+        let _e10 = self.v_parts_by_voxels(a_20, b_20, level_42);
         return _e10;
     }
     pub(crate) fn pixel_direction(&self, pixel_84: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
@@ -14422,29 +14448,29 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn pixel_of(
         &self,
-        a_20: Corner,
-        b_20: Corner,
-        c_12: Corner,
+        a_21: Corner,
+        b_21: Corner,
+        c_13: Corner,
         shell_4: Shell,
         side_3: impl rt::Into<rt::Scalar<f32>>,
         point_19: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_20, b_20, c_12, shell_4, rt::into(side_3), rt::into(point_19)))
+        rt::into(self.v_pixel_of(a_21, b_21, c_13, shell_4, rt::into(side_3), rt::into(point_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_pixel_of(
         &self,
-        a_20: Corner,
-        b_20: Corner,
-        c_12: Corner,
+        a_21: Corner,
+        b_21: Corner,
+        c_13: Corner,
         shell_4: Shell,
         side_3: rt::Scalar<f32>,
         point_19: rt::Vec2<f32>,
     ) -> PixelIn {
         let _e6 = self.v_pixel_eye(point_19);
         let _e7 = self.v_pixel_direction(point_19);
-        return <PixelIn>::new(_e6, _e7, side_3, a_20, b_20, c_12, shell_4);
+        return <PixelIn>::new(_e6, _e7, side_3, a_21, b_21, c_13, shell_4);
     }
     pub(crate) fn placed_over(
         &self,
@@ -14690,7 +14716,7 @@ impl<'g> Resources<'g> {
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
-        let mut number_16: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut number_17: rt::Scalar<u32> = rt::Scalar(1u32);
 
         let along_47 = pixel_91.direction.normalize();
         let _e7 = self.v_middle_of(pixel_91, along_47);
@@ -14702,13 +14728,13 @@ impl<'g> Resources<'g> {
         beside_1 = (_e17 - t_42).max((t_42 - _e21));
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = number_16;
+                let _e27 = number_17;
                 if rt::Scalar::into_branch_condition(_e27.elementwise_lt(rt::Scalar(3u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = number_16;
+                    let _e30 = number_17;
                     let _e31 = self.v_tetrahedron(pixel_91, along_47, _e7, _e30);
                     let aside_11 = (_e31.inside.x() - t_42).max((t_42 - _e31.inside.y()));
                     let _e39 = beside_1;
@@ -14716,8 +14742,8 @@ impl<'g> Resources<'g> {
                         nearest = _e31;
                         beside_1 = aside_11;
                     }
-                    let _e41 = number_16;
-                    number_16 = (_e41 + rt::Scalar(1u32));
+                    let _e41 = number_17;
+                    number_17 = (_e41 + rt::Scalar(1u32));
                 }
             }
         }
@@ -14898,15 +14924,15 @@ impl<'g> Resources<'g> {
         let mut placed_7: Entered;
 
         let _e6 = self.v_slice_at(at_130.point);
-        let number_24 = rt::Scalar(_e6.number);
+        let number_26 = rt::Scalar(_e6.number);
         of_image = path_84;
-        rt::Scalar(of_image.base) = number_24.to_f32();
+        rt::Scalar(of_image.base) = number_26.to_f32();
         let _e11 = of_image;
         let _e12 = self.v_placed_in_image(pixel_97, at_130, _e11, hit_52);
         placed_7 = _e12;
         let _e16 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e16.elementwise_eq(CELLS_MASK)) {
-            let _e20 = self.v_image_of_object(number_24);
+            let _e20 = self.v_image_of_object(number_26);
             let _e23 = self.v_normal_of_mask(_e20, hit_52.uv, at_130.normal);
             placed_7.normal = _e23;
             let _e26 = placed_7.normal;
@@ -15013,37 +15039,37 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn toward_light(
         &self,
-        number_17: impl rt::Into<rt::Scalar<u32>>,
+        number_18: impl rt::Into<rt::Scalar<u32>>,
         position_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> Toward {
-        rt::into(self.v_toward_light(rt::into(number_17), rt::into(position_1)))
+        rt::into(self.v_toward_light(rt::into(number_18), rt::into(position_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_toward_light(
         &self,
-        number_17: rt::Scalar<u32>,
+        number_18: rt::Scalar<u32>,
         position_1: rt::Vec3<f32>,
     ) -> Toward {
-        let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_17)];
+        let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_18)];
         if rt::Scalar::into_branch_condition(light_18.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
             let toward_9 = (light_18.place.xyz() - position_1);
             let squared_6 = toward_9.dot(toward_9);
             let distance_3 = squared_6.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_6.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_9.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_17);
+            return <Toward>::new(toward_9.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_18);
         }
-        return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_17);
+        return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_18);
     }
     pub(crate) fn point_of_light(
         &self,
         at_134: Entered,
         hit_56: Hit,
-        number_18: impl rt::Into<rt::Scalar<u32>>,
+        number_19: impl rt::Into<rt::Scalar<u32>>,
         k_35: impl rt::Into<rt::Scalar<u32>>,
         count_8: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_134, hit_56, rt::into(number_18), rt::into(k_35), rt::into(count_8)))
+        rt::into(self.v_point_of_light(at_134, hit_56, rt::into(number_19), rt::into(k_35), rt::into(count_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15051,11 +15077,11 @@ impl<'g> Resources<'g> {
         &self,
         at_134: Entered,
         hit_56: Hit,
-        number_18: rt::Scalar<u32>,
+        number_19: rt::Scalar<u32>,
         k_35: rt::Scalar<u32>,
         count_8: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_18, at_134.point);
+        let _e6 = self.v_toward_light(number_19, at_134.point);
         if rt::Scalar::into_branch_condition(count_8.elementwise_gt(rt::Scalar(0u32))) {
             let _e9 = self.v_seed_of(hit_56);
             let _e10 = self.v_point_of_disc(_e6, _e9, k_35, count_8);
@@ -15263,25 +15289,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_height(
         &self,
-        number_19: impl rt::Into<rt::Scalar<u32>>,
+        number_20: impl rt::Into<rt::Scalar<u32>>,
         place_22: impl rt::Into<rt::Vec2<f32>>,
         time_3: impl rt::Into<rt::Scalar<f32>>,
         seed_8: impl rt::Into<rt::Scalar<u32>>,
         params_107: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_height(rt::into(number_19), rt::into(place_22), rt::into(time_3), rt::into(seed_8), rt::into(params_107)))
+        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_22), rt::into(time_3), rt::into(seed_8), rt::into(params_107)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_procedure_height(
         &self,
-        number_19: rt::Scalar<u32>,
+        number_20: rt::Scalar<u32>,
         place_22: rt::Vec2<f32>,
         time_3: rt::Scalar<f32>,
         seed_8: rt::Scalar<u32>,
         params_107: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        match rt::Scalar::into_inner(number_19) {
+        match rt::Scalar::into_inner(number_20) {
             0u32 => {
                 let _e5 = self.v_procedure_waves(place_22, time_3, seed_8, params_107);
                 return _e5;
@@ -15318,11 +15344,11 @@ impl<'g> Resources<'g> {
         &self,
         at_135: Entered,
         hit_57: Hit,
-        number_20: impl rt::Into<rt::Scalar<u32>>,
+        number_21: impl rt::Into<rt::Scalar<u32>>,
         k_38: impl rt::Into<rt::Scalar<u32>>,
         count_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_135, hit_57, rt::into(number_20), rt::into(k_38), rt::into(count_10)))
+        rt::into(self.v_ray_to_light(at_135, hit_57, rt::into(number_21), rt::into(k_38), rt::into(count_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15330,11 +15356,11 @@ impl<'g> Resources<'g> {
         &self,
         at_135: Entered,
         hit_57: Hit,
-        number_20: rt::Scalar<u32>,
+        number_21: rt::Scalar<u32>,
         k_38: rt::Scalar<u32>,
         count_10: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_135, hit_57, number_20, k_38, count_10);
+        let _e5 = self.v_point_of_light(at_135, hit_57, number_21, k_38, count_10);
         let _e6 = self.v_light_ray(at_135, hit_57, _e5);
         return _e6;
     }
@@ -15667,9 +15693,9 @@ impl<'g> Resources<'g> {
         &self,
         at_140: Entered,
         hit_60: Hit,
-        number_21: impl rt::Into<rt::Scalar<u32>>,
+        number_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_140, hit_60, rt::into(number_21)))
+        rt::into(self.v_visible_light(at_140, hit_60, rt::into(number_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15677,9 +15703,9 @@ impl<'g> Resources<'g> {
         &self,
         at_140: Entered,
         hit_60: Hit,
-        number_21: rt::Scalar<u32>,
+        number_22: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_21, at_140.point);
+        let _e4 = self.v_toward_light(number_22, at_140.point);
         let _e5 = self.v_shadow_stage(at_140, hit_60, _e4);
         return _e5;
     }
@@ -15729,50 +15755,50 @@ impl<'g> Resources<'g> {
         let _e10 = self.v_shade_hit(pixel_101.origin, _e5, _e2.hit, _e9);
         return _e10;
     }
-    pub(crate) fn sign_of(&self, number_22: impl rt::Into<rt::Scalar<i32>>) -> i32 {
-        rt::into(self.v_sign_of(rt::into(number_22)))
+    pub(crate) fn sign_of(&self, number_23: impl rt::Into<rt::Scalar<i32>>) -> i32 {
+        rt::into(self.v_sign_of(rt::into(number_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_sign_of(&self, number_22: rt::Scalar<i32>) -> rt::Scalar<i32> {
-        return number_22.clamp(rt::Scalar(-1i32), rt::Scalar(1i32));
+    fn v_sign_of(&self, number_23: rt::Scalar<i32>) -> rt::Scalar<i32> {
+        return number_23.clamp(rt::Scalar(-1i32), rt::Scalar(1i32));
     }
     pub(crate) fn weighted_site(
         &self,
-        a_21: BaseSite,
-        b_21: BaseSite,
-        c_13: BaseSite,
+        a_22: BaseSite,
+        b_22: BaseSite,
+        c_14: BaseSite,
         w_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> BaseSite {
-        rt::into(self.v_weighted_site(a_21, b_21, c_13, rt::into(w_2)))
+        rt::into(self.v_weighted_site(a_22, b_22, c_14, rt::into(w_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_weighted_site(
         &self,
-        a_21: BaseSite,
-        b_21: BaseSite,
-        c_13: BaseSite,
+        a_22: BaseSite,
+        b_22: BaseSite,
+        c_14: BaseSite,
         w_2: rt::Vec3<f32>,
     ) -> BaseSite {
-        return <BaseSite>::new((((a_21.position * w_2.x()) + (b_21.position * w_2.y())) + (c_13.position * w_2.z())), (((a_21.direction * w_2.x()) + (b_21.direction * w_2.y())) + (c_13.direction * w_2.z())), (((a_21.seen_uv * w_2.x()) + (b_21.seen_uv * w_2.y())) + (c_13.seen_uv * w_2.z())), (((a_21.uv * w_2.x()) + (b_21.uv * w_2.y())) + (c_13.uv * w_2.z())), (((rt::Scalar(a_21.texels_per_m) * w_2.x()) + (rt::Scalar(b_21.texels_per_m) * w_2.y())) + (rt::Scalar(c_13.texels_per_m) * w_2.z())), (((rt::Scalar(a_21.depth) * w_2.x()) + (rt::Scalar(b_21.depth) * w_2.y())) + (rt::Scalar(c_13.depth) * w_2.z())), (((a_21.normal * w_2.x()) + (b_21.normal * w_2.y())) + (c_13.normal * w_2.z())), (((a_21.tangent * w_2.x()) + (b_21.tangent * w_2.y())) + (c_13.tangent * w_2.z())), (((a_21.bitangent * w_2.x()) + (b_21.bitangent * w_2.y())) + (c_13.bitangent * w_2.z())), (((a_21.turn_u * w_2.x()) + (b_21.turn_u * w_2.y())) + (c_13.turn_u * w_2.z())), (((a_21.turn_v * w_2.x()) + (b_21.turn_v * w_2.y())) + (c_13.turn_v * w_2.z())));
+        return <BaseSite>::new((((a_22.position * w_2.x()) + (b_22.position * w_2.y())) + (c_14.position * w_2.z())), (((a_22.direction * w_2.x()) + (b_22.direction * w_2.y())) + (c_14.direction * w_2.z())), (((a_22.seen_uv * w_2.x()) + (b_22.seen_uv * w_2.y())) + (c_14.seen_uv * w_2.z())), (((a_22.uv * w_2.x()) + (b_22.uv * w_2.y())) + (c_14.uv * w_2.z())), (((rt::Scalar(a_22.texels_per_m) * w_2.x()) + (rt::Scalar(b_22.texels_per_m) * w_2.y())) + (rt::Scalar(c_14.texels_per_m) * w_2.z())), (((rt::Scalar(a_22.depth) * w_2.x()) + (rt::Scalar(b_22.depth) * w_2.y())) + (rt::Scalar(c_14.depth) * w_2.z())), (((a_22.normal * w_2.x()) + (b_22.normal * w_2.y())) + (c_14.normal * w_2.z())), (((a_22.tangent * w_2.x()) + (b_22.tangent * w_2.y())) + (c_14.tangent * w_2.z())), (((a_22.bitangent * w_2.x()) + (b_22.bitangent * w_2.y())) + (c_14.bitangent * w_2.z())), (((a_22.turn_u * w_2.x()) + (b_22.turn_u * w_2.y())) + (c_14.turn_u * w_2.z())), (((a_22.turn_v * w_2.x()) + (b_22.turn_v * w_2.y())) + (c_14.turn_v * w_2.z())));
     }
     pub(crate) fn site_between(
         &self,
-        a_22: BaseSite,
-        b_22: BaseSite,
+        a_23: BaseSite,
+        b_23: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
         at_142: impl rt::Into<rt::Scalar<u32>>,
         parts_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_22, b_22, rt::into(shares), rt::into(at_142), rt::into(parts_3)))
+        rt::into(self.v_site_between(a_23, b_23, rt::into(shares), rt::into(at_142), rt::into(parts_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_site_between(
         &self,
-        a_22: BaseSite,
-        b_22: BaseSite,
+        a_23: BaseSite,
+        b_23: BaseSite,
         shares: rt::Vec2<f32>,
         at_142: rt::Scalar<u32>,
         parts_3: rt::Scalar<u32>,
@@ -15780,32 +15806,32 @@ impl<'g> Resources<'g> {
         let of_a = ((parts_3 - at_142).to_f32() * shares.x());
         let of_b = (at_142.to_f32() * shares.y());
         let sum_12 = (of_a + of_b);
-        let _e17 = self.v_weighted_site(a_22, b_22, b_22, <rt::Vec3<f32>>::from_scalars((of_a / sum_12), (of_b / sum_12), rt::Scalar(0f32)));
+        let _e17 = self.v_weighted_site(a_23, b_23, b_23, <rt::Vec3<f32>>::from_scalars((of_a / sum_12), (of_b / sum_12), rt::Scalar(0f32)));
         return _e17;
     }
     pub(crate) fn site_inside(
         &self,
-        a_23: BaseSite,
-        b_23: BaseSite,
-        c_14: BaseSite,
+        a_24: BaseSite,
+        b_24: BaseSite,
+        c_15: BaseSite,
         shares_1: impl rt::Into<rt::Vec3<f32>>,
         weights_5: impl rt::Into<rt::Vec3<f32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_inside(a_23, b_23, c_14, rt::into(shares_1), rt::into(weights_5)))
+        rt::into(self.v_site_inside(a_24, b_24, c_15, rt::into(shares_1), rt::into(weights_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_site_inside(
         &self,
-        a_23: BaseSite,
-        b_23: BaseSite,
-        c_14: BaseSite,
+        a_24: BaseSite,
+        b_24: BaseSite,
+        c_15: BaseSite,
         shares_1: rt::Vec3<f32>,
         weights_5: rt::Vec3<f32>,
     ) -> BaseSite {
         let shared_out = (weights_5 * shares_1);
         let sum_13 = ((shared_out.x() + shared_out.y()) + shared_out.z());
-        let _e13 = self.v_weighted_site(a_23, b_23, c_14, (shared_out / rt::Vec3::splat_from_scalar(sum_13)));
+        let _e13 = self.v_weighted_site(a_24, b_24, c_15, (shared_out / rt::Vec3::splat_from_scalar(sum_13)));
         return _e13;
     }
     pub(crate) fn site_of_vertex(&self, vertex: BaseVertex, seen_5: BaseVertex, voxel: Voxel) -> BaseSite {
@@ -15819,36 +15845,36 @@ impl<'g> Resources<'g> {
     pub(crate) fn sweep_from(
         &self,
         primary: impl rt::Into<rt::Scalar<u32>>,
-        a_24: impl rt::Into<rt::Vec3<i32>>,
-        b_24: impl rt::Into<rt::Vec3<i32>>,
-        c_15: impl rt::Into<rt::Vec3<i32>>,
+        a_25: impl rt::Into<rt::Vec3<i32>>,
+        b_25: impl rt::Into<rt::Vec3<i32>>,
+        c_16: impl rt::Into<rt::Vec3<i32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_from(rt::into(primary), rt::into(a_24), rt::into(b_24), rt::into(c_15)))
+        rt::into(self.v_sweep_from(rt::into(primary), rt::into(a_25), rt::into(b_25), rt::into(c_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_sweep_from(
         &self,
         primary: rt::Scalar<u32>,
-        a_24: rt::Vec3<i32>,
-        b_24: rt::Vec3<i32>,
-        c_15: rt::Vec3<i32>,
+        a_25: rt::Vec3<i32>,
+        b_25: rt::Vec3<i32>,
+        c_16: rt::Vec3<i32>,
     ) -> Sweep {
         let mut first_7: rt::Vec3<i32>;
         let mut end_2: rt::Vec3<i32>;
         let mut corners: rt::Vec3<u32>;
 
-        let _e4 = self.v_main_axis(a_24, b_24);
-        let _e5 = self.v_axis_of(b_24, _e4);
-        let _e6 = self.v_axis_of(a_24, _e4);
+        let _e4 = self.v_main_axis(a_25, b_25);
+        let _e5 = self.v_axis_of(b_25, _e4);
+        let _e6 = self.v_axis_of(a_25, _e4);
         let is_back = _e5.elementwise_lt(_e6);
-        first_7 = a_24;
-        end_2 = b_24;
+        first_7 = a_25;
+        end_2 = b_25;
         let _e11 = self.v_around_three(primary, rt::Scalar(1u32));
         let _e13 = self.v_around_three(primary, rt::Scalar(2u32));
         corners = <rt::Vec3<u32>>::from_scalars(primary, _e11, _e13);
         if rt::Scalar::into_branch_condition(is_back) {
-            first_7 = b_24;
-            end_2 = a_24;
+            first_7 = b_25;
+            end_2 = a_25;
             let _e17 = corners.y();
             let _e19 = corners.x();
             let _e21 = corners.z();
@@ -15858,38 +15884,38 @@ impl<'g> Resources<'g> {
         let _e24 = first_7;
         let _e26 = self.v_seen_along((_e23 - _e24), _e4);
         let _e27 = first_7;
-        let _e29 = self.v_seen_along((c_15 - _e27), _e4);
+        let _e29 = self.v_seen_along((c_16 - _e27), _e4);
         let in_first = ((_e26.x() * _e29.y()) - (_e26.y() * _e29.x()));
         let in_second = ((_e26.x() * _e29.z()) - (_e26.z() * _e29.x()));
-        let is_first_2 = in_first.abs().elementwise_ge(in_second.abs());
-        let upward_1 = rt::Scalar(1i32).select(rt::Scalar(-1i32), in_second.select(in_first, is_first_2).elementwise_lt(rt::Scalar(0i32)));
+        let is_first_3 = in_first.abs().elementwise_ge(in_second.abs());
+        let upward_1 = rt::Scalar(1i32).select(rt::Scalar(-1i32), in_second.select(in_first, is_first_3).elementwise_lt(rt::Scalar(0i32)));
         let _e53 = corners;
         let _e66 = first_7;
-        let _e68 = self.v_longest_of((c_15 - _e66));
+        let _e68 = self.v_longest_of((c_16 - _e66));
         let _e71 = end_2;
-        let _e73 = self.v_longest_of((c_15 - _e71));
-        return <Sweep>::new(_e53, <rt::Vec2<i32>>::from_scalars(_e26.x(), (_e26.z().select(_e26.y(), is_first_2) * upward_1)), <rt::Vec2<i32>>::from_scalars(_e29.x(), (_e29.z().select(_e29.y(), is_first_2) * upward_1)), <rt::Vec2<i32>>::from_scalars(_e68.max(rt::Scalar(1i32)), _e73.max(rt::Scalar(1i32))), rt::Scalar(0u32).select(rt::Scalar(1u32), is_back));
+        let _e73 = self.v_longest_of((c_16 - _e71));
+        return <Sweep>::new(_e53, <rt::Vec2<i32>>::from_scalars(_e26.x(), (_e26.z().select(_e26.y(), is_first_3) * upward_1)), <rt::Vec2<i32>>::from_scalars(_e29.x(), (_e29.z().select(_e29.y(), is_first_3) * upward_1)), <rt::Vec2<i32>>::from_scalars(_e68.max(rt::Scalar(1i32)), _e73.max(rt::Scalar(1i32))), rt::Scalar(0u32).select(rt::Scalar(1u32), is_back));
     }
     pub(crate) fn sweep_of(
         &self,
-        a_25: impl rt::Into<rt::Vec3<i32>>,
-        b_25: impl rt::Into<rt::Vec3<i32>>,
-        c_16: impl rt::Into<rt::Vec3<i32>>,
+        a_26: impl rt::Into<rt::Vec3<i32>>,
+        b_26: impl rt::Into<rt::Vec3<i32>>,
+        c_17: impl rt::Into<rt::Vec3<i32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_of(rt::into(a_25), rt::into(b_25), rt::into(c_16)))
+        rt::into(self.v_sweep_of(rt::into(a_26), rt::into(b_26), rt::into(c_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_sweep_of(
         &self,
-        a_25: rt::Vec3<i32>,
-        b_25: rt::Vec3<i32>,
-        c_16: rt::Vec3<i32>,
+        a_26: rt::Vec3<i32>,
+        b_26: rt::Vec3<i32>,
+        c_17: rt::Vec3<i32>,
     ) -> Sweep {
         let mut local_101: rt::Scalar<bool>;
 
-        let _e3 = self.v_primary_length(a_25, b_25, c_16);
-        let _e4 = self.v_primary_length(b_25, c_16, a_25);
-        let _e5 = self.v_primary_length(c_16, a_25, b_25);
+        let _e3 = self.v_primary_length(a_26, b_26, c_17);
+        let _e4 = self.v_primary_length(b_26, c_17, a_26);
+        let _e5 = self.v_primary_length(c_17, a_26, b_26);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ge(_e4)) {
             local_101 = _e3.elementwise_ge(_e5);
         } else {
@@ -15897,37 +15923,37 @@ impl<'g> Resources<'g> {
         }
         let _e11 = local_101;
         if rt::Scalar::into_branch_condition(_e11) {
-            let _e13 = self.v_sweep_from(rt::Scalar(0u32), a_25, b_25, c_16);
+            let _e13 = self.v_sweep_from(rt::Scalar(0u32), a_26, b_26, c_17);
             return _e13;
         }
         if rt::Scalar::into_branch_condition(_e4.elementwise_ge(_e5)) {
-            let _e16 = self.v_sweep_from(rt::Scalar(1u32), b_25, c_16, a_25);
+            let _e16 = self.v_sweep_from(rt::Scalar(1u32), b_26, c_17, a_26);
             return _e16;
         }
-        let _e18 = self.v_sweep_from(rt::Scalar(2u32), c_16, a_25, b_25);
+        let _e18 = self.v_sweep_from(rt::Scalar(2u32), c_17, a_26, b_26);
         return _e18;
     }
     pub(crate) fn sweep_on(
         &self,
-        a_26: Voxel,
-        b_26: Voxel,
-        c_17: Voxel,
+        a_27: Voxel,
+        b_27: Voxel,
+        c_18: Voxel,
         level_43: impl rt::Into<rt::Scalar<u32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_on(a_26, b_26, c_17, rt::into(level_43)))
+        rt::into(self.v_sweep_on(a_27, b_27, c_18, rt::into(level_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_sweep_on(
         &self,
-        a_26: Voxel,
-        b_26: Voxel,
-        c_17: Voxel,
+        a_27: Voxel,
+        b_27: Voxel,
+        c_18: Voxel,
         level_43: rt::Scalar<u32>,
     ) -> Sweep {
-        let _e5 = self.v_coarser_voxel(a_26.at, level_43);
-        let _e7 = self.v_coarser_voxel(b_26.at, level_43);
-        let _e9 = self.v_coarser_voxel(c_17.at, level_43);
+        let _e5 = self.v_coarser_voxel(a_27.at, level_43);
+        let _e7 = self.v_coarser_voxel(b_27.at, level_43);
+        let _e9 = self.v_coarser_voxel(c_18.at, level_43);
         let _e10 = self.v_sweep_of(_e5, _e7, _e9);
         return _e10;
     }
@@ -16054,15 +16080,15 @@ impl<'g> Resources<'g> {
         let corners_1 = sweep_10.corners;
         return <rt::Vec3<f32>>::from_scalars(of_apex.select(of_end, corners_1.y().elementwise_eq(rt::Scalar(0u32))).select(of_first, corners_1.x().elementwise_eq(rt::Scalar(0u32))), of_apex.select(of_end, corners_1.y().elementwise_eq(rt::Scalar(1u32))).select(of_first, corners_1.x().elementwise_eq(rt::Scalar(1u32))), of_apex.select(of_end, corners_1.y().elementwise_eq(rt::Scalar(2u32))).select(of_first, corners_1.x().elementwise_eq(rt::Scalar(2u32))));
     }
-    pub(crate) fn turn_of_piece(&self, a_27: SweptPoint, b_27: SweptPoint, c_18: SweptPoint) -> i32 {
-        rt::into(self.v_turn_of_piece(a_27, b_27, c_18))
+    pub(crate) fn turn_of_piece(&self, a_28: SweptPoint, b_28: SweptPoint, c_19: SweptPoint) -> i32 {
+        rt::into(self.v_turn_of_piece(a_28, b_28, c_19))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_turn_of_piece(&self, a_27: SweptPoint, b_27: SweptPoint, c_18: SweptPoint) -> rt::Scalar<i32> {
-        let bx_1 = ((rt::Scalar(b_27.x) * rt::Scalar(a_27.w)) - (rt::Scalar(a_27.x) * rt::Scalar(b_27.w)));
-        let by_4 = ((rt::Scalar(b_27.y) * rt::Scalar(a_27.w)) - (rt::Scalar(a_27.y) * rt::Scalar(b_27.w)));
-        let cx = ((rt::Scalar(c_18.x) * rt::Scalar(a_27.w)) - (rt::Scalar(a_27.x) * rt::Scalar(c_18.w)));
-        let cy = ((rt::Scalar(c_18.y) * rt::Scalar(a_27.w)) - (rt::Scalar(a_27.y) * rt::Scalar(c_18.w)));
+    fn v_turn_of_piece(&self, a_28: SweptPoint, b_28: SweptPoint, c_19: SweptPoint) -> rt::Scalar<i32> {
+        let bx_1 = ((rt::Scalar(b_28.x) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.x) * rt::Scalar(b_28.w)));
+        let by_4 = ((rt::Scalar(b_28.y) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.y) * rt::Scalar(b_28.w)));
+        let cx = ((rt::Scalar(c_19.x) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.x) * rt::Scalar(c_19.w)));
+        let cy = ((rt::Scalar(c_19.y) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.y) * rt::Scalar(c_19.w)));
         let _e31 = self.v_sign_of(bx_1);
         let _e32 = self.v_sign_of(cy);
         let of_first_1 = (_e31 * _e32);

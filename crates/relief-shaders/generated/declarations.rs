@@ -149,6 +149,9 @@ pub const MODULES: &[Module] = &[
     Module { path: "shared/shell", head: r#"// The shell of a base triangle: the space between its corners moved along their normals, as far as heights 0
 // and 1 are.
 "# },
+    Module { path: "shared/shell_hull", head: r#"// Slabs around the hull of a triangle's shell: what a ray may meet of it, before it is looked into. Boxes
+// along the axes mostly lie aside of a shell.
+"# },
     Module { path: "shared/shell_point", head: r#"// Points of a shell as normals that are interpolated, and not normalised, span it.
 "# },
     Module { path: "shared/shell_tree", head: r#"// A ray's way down the hierarchy of boxes around shells, from near to far. It only proposes triangles: what
@@ -1156,17 +1159,10 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "constants",
-        name: "SHELL_BOXES",
-        sampling: None,
-        uses: &[],
-        text: r#"const SHELL_BOXES = 2u;"#,
-    },
-    Declaration {
-        module: "constants",
         name: "SHELL_TRIANGLE",
         sampling: None,
         uses: &[],
-        text: r#"const SHELL_TRIANGLE = 4u;"#,
+        text: r#"const SHELL_TRIANGLE = 2u;"#,
     },
     Declaration {
         module: "constants",
@@ -5524,7 +5520,7 @@ struct Triangle {
 struct ShellNode {
     low: vec3f,
     // Of a node with children the place of the first. Of a leaf SHELL_TRIANGLE times its triangle's number,
-    // and SHELL_BOTH_SIDES where that is seen turned over, too, SHELL_BOXES where it fills all of the box.
+    // and SHELL_BOTH_SIDES where that is seen turned over, too.
     first: u32,
     high: vec3f,
     // 16 times the place of the node above, 4 times the axis of that, and its own axis: of a leaf 3.
@@ -6370,19 +6366,37 @@ const LEAST_FACING = 0.0625;"#,
     },
     Declaration {
         module: "shared/shell",
+        name: "corner_value",
+        sampling: None,
+        uses: &[],
+        text: r#"// Of three vectors the one of that number.
+fn corner_value(number: u32, a: vec3f, b: vec3f, c: vec3f) -> vec3f {
+    let is_first = number == 0u;
+    let is_second = number == 1u;
+    let second = select(c, b, vec3<bool>(is_second, is_second, is_second));
+    return select(second, a, vec3<bool>(is_first, is_first, is_first));
+}"#,
+    },
+    Declaration {
+        module: "shared/shell",
         name: "ordered",
         sampling: None,
-        uses: &["Corner", "PixelIn"],
-        text: r#"// Corner of the triangle, by its place in the order that all triangles at an edge agree on.
+        uses: &["Corner", "PixelIn", "corner_value"],
+        text: r#"// Corner of the triangle, by its place in the order that all triangles at an edge agree on. It is chosen
+// number by number: a compiler leaves out those that are not asked for, and there are no branches.
 fn ordered(pixel: PixelIn, place: u32) -> Corner {
-    let corner = (pixel.shell.order >> (2u * place)) & 3u;
-    if (corner == 0u) {
-        return pixel.a;
-    }
-    if (corner == 1u) {
-        return pixel.b;
-    }
-    return pixel.c;
+    let number = (pixel.shell.order >> (2u * place)) & 3u;
+    let a = pixel.a;
+    let b = pixel.b;
+    let c = pixel.c;
+    return Corner(
+        corner_value(number, a.position, b.position, c.position),
+        corner_value(number, a.normal, b.normal, c.normal),
+        corner_value(number, a.tangent, b.tangent, c.tangent),
+        corner_value(number, a.bitangent, b.bitangent, c.bitangent),
+        corner_value(number, vec3f(a.uv, 0.0), vec3f(b.uv, 0.0), vec3f(c.uv, 0.0)).xy,
+        corner_value(number, a.of_surface, b.of_surface, c.of_surface),
+    );
 }"#,
     },
     Declaration {
@@ -6574,6 +6588,108 @@ fn placed_at(pixel: PixelIn, at: Entered, weights: vec3f, point: vec3f, uv: vec2
     placed.footprint = at.footprint;
     placed.fade = at.fade;
     return placed;
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_hull",
+        name: "HULL_SLACK",
+        sampling: None,
+        uses: &[],
+        text: r#"// The part of the largest coordinate in play by which hulls and boxes are larger: more than shells are by
+// rounding.
+const HULL_SLACK = 0.000005;"#,
+    },
+    Declaration {
+        module: "shared/shell_hull",
+        name: "ACROSS",
+        sampling: None,
+        uses: &[],
+        text: r#"// One over a direction's component, where the ray does not go along it.
+const ACROSS = 1.0e20;"#,
+    },
+    Declaration {
+        module: "shared/shell_hull",
+        name: "LEAST_LENGTH",
+        sampling: None,
+        uses: &[],
+        text: r#"// Lengths below this are roundings.
+const LEAST_LENGTH = 1.0e-18;"#,
+    },
+    Declaration {
+        module: "shared/shell_hull",
+        name: "HullRay",
+        sampling: None,
+        uses: &[],
+        text: r#"// A ray, and by how many metres hulls are larger for it.
+struct HullRay {
+    origin: vec3f,
+    direction: vec3f,
+    slack: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_hull",
+        name: "hull_ray",
+        sampling: None,
+        uses: &["HULL_SLACK", "HullRay", "Triangle", "offsets_of", "pixel_direction", "pixel_eye"],
+        text: r#"// The ray through a point of the picture, for the hull of a triangle's shell.
+fn hull_ray(point: vec2f, triangle: Triangle) -> HullRay {
+    let origin = pixel_eye(point);
+    let shell = offsets_of(triangle.shell);
+    let a = abs(triangle.a.position);
+    let b = abs(triangle.b.position);
+    let c = abs(triangle.c.position);
+    let largest = max(max(abs(origin), a), max(b, c));
+    let beyond = max(abs(shell.x), abs(shell.y));
+    let slack = HULL_SLACK * (max(max(largest.x, largest.y), largest.z) + beyond);
+    return HullRay(origin, pixel_direction(point), slack);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_hull",
+        name: "inside_slab",
+        sampling: None,
+        uses: &["ACROSS", "HullRay", "LEAST_LENGTH", "Triangle", "moved_out", "offsets_of"],
+        text: r#"// The part of a ray, between two parameters, in a slab around a triangle's shell across a direction.
+fn inside_slab(inside: vec2f, ray: HullRay, triangle: Triangle, side: f32, across: vec3f) -> vec2f {
+    let axis = across / max(length(across), LEAST_LENGTH);
+    let offsets = offsets_of(triangle.shell);
+    let a = dot(moved_out(triangle.a, side, offsets.x), axis);
+    let b = dot(moved_out(triangle.b, side, offsets.x), axis);
+    let c = dot(moved_out(triangle.c, side, offsets.x), axis);
+    let d = dot(moved_out(triangle.a, side, offsets.y), axis);
+    let e = dot(moved_out(triangle.b, side, offsets.y), axis);
+    let f = dot(moved_out(triangle.c, side, offsets.y), axis);
+    let low = min(min(min(a, b), min(c, d)), min(e, f)) - ray.slack;
+    let high = max(max(max(a, b), max(c, d)), max(e, f)) + ray.slack;
+    let origin = dot(ray.origin, axis);
+    let along = dot(ray.direction, axis);
+    let inverse = select(ACROSS, 1.0 / along, abs(along) > 1.0 / ACROSS);
+    let one = (low - origin) * inverse;
+    let other = (high - origin) * inverse;
+    return vec2f(max(inside.x, min(one, other)), min(inside.y, max(one, other)));
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_hull",
+        name: "may_meet",
+        sampling: None,
+        uses: &["LEAST_LENGTH", "NEVER", "Triangle", "hull_ray", "inside_slab"],
+        text: r#"// Whether the ray through a point of the picture may meet what is in the hull of a side's shell, up to a
+// parameter. There are slabs along the triangle's normal and along those of its sides.
+fn may_meet(point: vec2f, triangle: Triangle, side: f32, reach: f32) -> bool {
+    let ray = hull_ray(point, triangle);
+    let ab = triangle.b.position - triangle.a.position;
+    let bc = triangle.c.position - triangle.b.position;
+    let ca = triangle.a.position - triangle.c.position;
+    let across = cross(ab, bc);
+    let normal = across / max(length(across), LEAST_LENGTH);
+    var inside = vec2f(0.0 - NEVER, reach);
+    inside = inside_slab(inside, ray, triangle, side, normal);
+    inside = inside_slab(inside, ray, triangle, side, cross(normal, ab));
+    inside = inside_slab(inside, ray, triangle, side, cross(normal, bc));
+    inside = inside_slab(inside, ray, triangle, side, cross(normal, ca));
+    return inside.x <= inside.y && inside.y >= 0.0;
 }"#,
     },
     Declaration {
@@ -6779,35 +6895,11 @@ fn uv_of(pixel: PixelIn, weights: vec3f) -> vec2f {
     },
     Declaration {
         module: "shared/shell_tree",
-        name: "TREE_SLACK",
-        sampling: None,
-        uses: &[],
-        text: r#"// The part of the largest coordinate in play by which boxes are larger: more than shells are by rounding.
-const TREE_SLACK = 0.000005;"#,
-    },
-    Declaration {
-        module: "shared/shell_tree",
         name: "REACH_SLACK",
         sampling: None,
         uses: &[],
         text: r#"// The part of a depth by which what is nearer may begin behind it: rounding.
 const REACH_SLACK = 0.00001;"#,
-    },
-    Declaration {
-        module: "shared/shell_tree",
-        name: "ACROSS",
-        sampling: None,
-        uses: &[],
-        text: r#"// One over a direction's component, where the ray does not go along it.
-const ACROSS = 1.0e20;"#,
-    },
-    Declaration {
-        module: "shared/shell_tree",
-        name: "LEAST_LENGTH",
-        sampling: None,
-        uses: &[],
-        text: r#"// Lengths below this are roundings.
-const LEAST_LENGTH = 1.0e-18;"#,
     },
     Declaration {
         module: "shared/shell_tree",
@@ -6880,14 +6972,14 @@ fn inverse_of(direction: vec3f) -> vec3f {
         module: "shared/shell_tree",
         name: "tree_ray",
         sampling: None,
-        uses: &["TREE_SLACK", "TreeRay", "inverse_of", "pixel_direction", "pixel_eye", "shell_nodes"],
+        uses: &["HULL_SLACK", "TreeRay", "inverse_of", "pixel_direction", "pixel_eye", "shell_nodes"],
         text: r#"// The ray through a point of the picture.
 fn tree_ray(point: vec2f) -> TreeRay {
     let origin = pixel_eye(point);
     let direction = pixel_direction(point);
     let root = shell_nodes[0];
     let largest = max(max(abs(root.low), abs(root.high)), abs(origin));
-    let slack = TREE_SLACK * max(max(largest.x, largest.y), largest.z);
+    let slack = HULL_SLACK * max(max(largest.x, largest.y), largest.z);
     return TreeRay(origin, direction, inverse_of(direction), slack);
 }"#,
     },
@@ -6967,52 +7059,6 @@ fn walk_on(ray: TreeRay, before: TreeWalk, reach: f32) -> TreeWalk {
         }
     }
     return TreeWalk(NOWHERE, FROM_BELOW, NOWHERE);
-}"#,
-    },
-    Declaration {
-        module: "shared/shell_tree",
-        name: "inside_slab",
-        sampling: None,
-        uses: &["ACROSS", "LEAST_LENGTH", "TreeRay", "Triangle", "moved_out", "offsets_of"],
-        text: r#"// The part of a ray, between two parameters, in a slab around a triangle's shell across a direction.
-fn inside_slab(inside: vec2f, ray: TreeRay, triangle: Triangle, side: f32, across: vec3f) -> vec2f {
-    let axis = across / max(length(across), LEAST_LENGTH);
-    let offsets = offsets_of(triangle.shell);
-    let a = dot(moved_out(triangle.a, side, offsets.x), axis);
-    let b = dot(moved_out(triangle.b, side, offsets.x), axis);
-    let c = dot(moved_out(triangle.c, side, offsets.x), axis);
-    let d = dot(moved_out(triangle.a, side, offsets.y), axis);
-    let e = dot(moved_out(triangle.b, side, offsets.y), axis);
-    let f = dot(moved_out(triangle.c, side, offsets.y), axis);
-    let low = min(min(min(a, b), min(c, d)), min(e, f)) - ray.slack;
-    let high = max(max(max(a, b), max(c, d)), max(e, f)) + ray.slack;
-    let origin = dot(ray.origin, axis);
-    let along = dot(ray.direction, axis);
-    let inverse = select(ACROSS, 1.0 / along, abs(along) > 1.0 / ACROSS);
-    let one = (low - origin) * inverse;
-    let other = (high - origin) * inverse;
-    return vec2f(max(inside.x, min(one, other)), min(inside.y, max(one, other)));
-}"#,
-    },
-    Declaration {
-        module: "shared/shell_tree",
-        name: "may_meet",
-        sampling: None,
-        uses: &["LEAST_LENGTH", "NEVER", "TreeRay", "Triangle", "inside_slab"],
-        text: r#"// Whether a ray may meet what is in the hull of a side's shell up to a parameter. Boxes mostly lie aside of
-// it: there are slabs along the triangle's normal and along those of its sides.
-fn may_meet(ray: TreeRay, triangle: Triangle, side: f32, reach: f32) -> bool {
-    let ab = triangle.b.position - triangle.a.position;
-    let bc = triangle.c.position - triangle.b.position;
-    let ca = triangle.a.position - triangle.c.position;
-    let across = cross(ab, bc);
-    let normal = across / max(length(across), LEAST_LENGTH);
-    var inside = vec2f(0.0 - NEVER, reach);
-    inside = inside_slab(inside, ray, triangle, side, normal);
-    inside = inside_slab(inside, ray, triangle, side, cross(normal, ab));
-    inside = inside_slab(inside, ray, triangle, side, cross(normal, bc));
-    inside = inside_slab(inside, ray, triangle, side, cross(normal, ca));
-    return inside.x <= inside.y && inside.y >= 0.0;
 }"#,
     },
     Declaration {
@@ -12177,17 +12223,39 @@ fn draw_fragment(in: Varying, @builtin(front_facing) front: bool) -> @location(0
     },
     Declaration {
         module: "roots/draw",
-        name: "draw_depth_fragment",
+        name: "drawn_with_depth",
         sampling: None,
-        uses: &["Drawn", "Varying", "drawn_pixel"],
-        text: r#"// The same, and what the depth buffer holds for the hit.
-@fragment
-fn draw_depth_fragment(in: Varying, @builtin(front_facing) front: bool) -> Drawn {
-    let out = drawn_pixel(in, front);
+        uses: &["Drawn", "PixelOut"],
+        text: r#"fn drawn_with_depth(out: PixelOut) -> Drawn {
     if (out.hit == 0u) {
         discard;
     }
     return Drawn(out.color, out.z);
+}"#,
+    },
+    Declaration {
+        module: "roots/draw",
+        name: "draw_depth_fragment",
+        sampling: None,
+        uses: &["Drawn", "Varying", "drawn_pixel", "drawn_with_depth"],
+        text: r#"// The same, and what the depth buffer holds for the hit.
+@fragment
+fn draw_depth_fragment(in: Varying, @builtin(front_facing) front: bool) -> Drawn {
+    return drawn_with_depth(drawn_pixel(in, front));
+}"#,
+    },
+    Declaration {
+        module: "roots/draw",
+        name: "draw_box_fragment",
+        sampling: None,
+        uses: &["Drawn", "NEVER", "Varying", "drawn_with_depth", "may_meet", "numbered_pixel", "numbered_triangle", "shade_pixel"],
+        text: r#"// The same of boxes around shells.
+@fragment
+fn draw_box_fragment(in: Varying) -> Drawn {
+    if (!may_meet(in.position.xy, numbered_triangle(in.triangle), in.side, NEVER)) {
+        discard;
+    }
+    return drawn_with_depth(shade_pixel(numbered_pixel(in.triangle, in.side, in.position.xy)));
 }"#,
     },
     Declaration {
@@ -13154,19 +13222,51 @@ fn light_main(in: Varying, @builtin(front_facing) front: bool) -> SeenByLight {
     },
     Declaration {
         module: "roots/trace",
-        name: "prepass_main",
+        name: "BeforeShading",
         sampling: None,
-        uses: &["Varying", "depth_on_ray", "enter_relief", "first_hit", "fragment_pixel", "segment_of", "side_of", "z_of"],
+        uses: &[],
         text: r#"// What a depth buffer is to hold before the surfaces are shaded.
-@fragment
-fn prepass_main(in: Varying, @builtin(front_facing) front: bool) -> @builtin(frag_depth) f32 {
-    let pixel = fragment_pixel(in, side_of(in, front));
+struct BeforeShading {
+    @builtin(frag_depth) z: f32,
+}"#,
+    },
+    Declaration {
+        module: "roots/trace",
+        name: "prepass_of",
+        sampling: None,
+        uses: &["BeforeShading", "PixelIn", "depth_on_ray", "enter_relief", "first_hit", "segment_of", "z_of"],
+        text: r#"fn prepass_of(pixel: PixelIn) -> BeforeShading {
     let at = enter_relief(pixel);
     let first = first_hit(pixel, at);
     if (first.hit.found == 0u) {
         discard;
     }
-    return z_of(depth_on_ray(pixel, segment_of(pixel, at, first.segment), first.hit));
+    return BeforeShading(z_of(depth_on_ray(pixel, segment_of(pixel, at, first.segment), first.hit)));
+}"#,
+    },
+    Declaration {
+        module: "roots/trace",
+        name: "prepass_main",
+        sampling: None,
+        uses: &["BeforeShading", "Varying", "fragment_pixel", "prepass_of", "side_of"],
+        text: r#"@fragment
+fn prepass_main(in: Varying, @builtin(front_facing) front: bool) -> BeforeShading {
+    return prepass_of(fragment_pixel(in, side_of(in, front)));
+}"#,
+    },
+    Declaration {
+        module: "roots/trace",
+        name: "shell_prepass_main",
+        sampling: None,
+        uses: &["BeforeShading", "NEVER", "Varying", "may_meet", "numbered_pixel", "numbered_triangle", "point_of_pass", "prepass_of"],
+        text: r#"// The same of boxes around shells.
+@fragment
+fn shell_prepass_main(in: Varying) -> BeforeShading {
+    let point = point_of_pass(in.position.xy);
+    if (!may_meet(point, numbered_triangle(in.triangle), in.side, NEVER)) {
+        discard;
+    }
+    return prepass_of(numbered_pixel(in.triangle, in.side, point));
 }"#,
     },
     Declaration {
@@ -13194,35 +13294,133 @@ struct NearestInShells {
     },
     Declaration {
         module: "roots/trace_shells",
+        name: "nothing_in_shells",
+        sampling: None,
+        uses: &["FirstHit", "NO_COST", "NearestInShells", "miss"],
+        text: r#"fn nothing_in_shells() -> NearestInShells {
+    return NearestInShells(FirstHit(miss(NO_COST), 0u, 0.0), 0u, 1.0);
+}"#,
+    },
+    Declaration {
+        module: "roots/trace_shells",
+        name: "nearer_in_shells",
+        sampling: None,
+        uses: &["NearestInShells", "is_before"],
+        text: r#"// The nearer of what is known and of another hit; of equally near ones that of the triangle with the lowest
+// number, first of those that are not turned over.
+fn nearer_in_shells(known: NearestInShells, other: NearestInShells) -> NearestInShells {
+    let is_before = other.side > known.side || (other.side == known.side && other.triangle < known.triangle);
+    let is_nearer = other.first.key > known.first.key || (other.first.key == known.first.key && is_before);
+    if (other.first.hit.found == 1u && is_nearer) {
+        return other;
+    }
+    return known;
+}"#,
+    },
+    Declaration {
+        module: "roots/trace_shells",
+        name: "last_side",
+        sampling: None,
+        uses: &["SHELL_BOTH_SIDES"],
+        text: r#"// The last side of a leaf's triangle that is looked at, after 1.
+fn last_side(leaf: u32) -> f32 {
+    return select(1.0, -1.0, (leaf & SHELL_BOTH_SIDES) != 0u);
+}"#,
+    },
+    Declaration {
+        module: "roots/trace_shells",
         name: "nearest_in_shells",
         sampling: None,
-        uses: &["FirstHit", "Hit", "NEVER", "NOWHERE", "NearestInShells", "SHELL_BOTH_SIDES", "SHELL_BOXES", "SHELL_TRIANGLE", "enter_relief", "first_hit", "is_before", "may_meet", "numbered_pixel", "numbered_triangle", "reach_of", "shell_nodes", "tree_ray", "walk_begin", "walk_on"],
-        text: r#"// The nearest hit of the ray through a point of the picture; of equally near ones that of the triangle with
-// the lowest number, first of those that are not turned over.
+        uses: &["FirstHit", "NEVER", "NOWHERE", "NO_COST", "NearestInShells", "PixelIn", "SHELL_FOLDED", "SHELL_TRIANGLE", "enter_relief", "hit_on_segment", "last_side", "may_meet", "miss", "nearer_in_shells", "nothing_in_shells", "numbered_pixel", "numbered_triangle", "passed_by", "reach_of", "segment_of", "shell_nodes", "trace", "tree_ray", "walk_begin", "walk_on"],
+        text: r#"// The nearest hit of the ray through a point of the picture in the relief of all shells.
+//
+// A turn of the loop is a segment. Rays that are traced side by side wait for each other in every turn: so a
+// ray that is through with its shell goes on to the next, instead of waiting for those that are not.
 fn nearest_in_shells(point: vec2f) -> NearestInShells {
-    let nothing = Hit(0u, 0u, vec2f(0.0, 0.0), 0.0, 0.0, vec3u(0u, 0u, 0u));
-    var nearest = NearestInShells(FirstHit(nothing, 0u, 0.0), 0u, 1.0);
-    var reach = NEVER;
     let ray = tree_ray(point);
-    var walk = walk_on(ray, walk_begin(), reach);
-    while (walk.leaf != NOWHERE) {
-        let what = shell_nodes[walk.leaf].first;
-        let number = what / SHELL_TRIANGLE;
-        let triangle = numbered_triangle(number);
-        let last = select(1.0, -1.0, (what & SHELL_BOTH_SIDES) != 0u);
-        var side = 1.0;
-        while (side >= last) {
-            if ((what & SHELL_BOXES) != 0u || may_meet(ray, triangle, side, reach)) {
-                let pixel = numbered_pixel(number, side, point);
-                let first = first_hit(pixel, enter_relief(pixel));
-                let known = nearest.first.key;
-                let is_before = side > nearest.side || (side == nearest.side && number < nearest.triangle);
-                if (first.hit.found == 1u && (first.key > known || (first.key == known && is_before))) {
-                    nearest = NearestInShells(first, number, side);
-                    reach = reach_of(first.key);
+    var nearest = nothing_in_shells();
+    var walk = walk_begin();
+    var here = nearest;
+    var reach = NEVER;
+    var last = 1.0;
+    var pixel: PixelIn;
+    var at = passed_by();
+    var k = 0u;
+    var cost = NO_COST;
+    here.side = 1.0;
+    while (true) {
+        while (k >= at.segments) {
+            if (here.side > last) {
+                here.side = last;
+            } else {
+                walk = walk_on(ray, walk, reach);
+                if (walk.leaf == NOWHERE) {
+                    break;
+                }
+                let leaf = shell_nodes[walk.leaf].first;
+                here.triangle = leaf / SHELL_TRIANGLE;
+                here.side = 1.0;
+                last = last_side(leaf);
+            }
+            if (may_meet(point, numbered_triangle(here.triangle), here.side, reach)) {
+                pixel = numbered_pixel(here.triangle, here.side, point);
+                at = enter_relief(pixel);
+                k = 0u;
+                cost = NO_COST;
+                here.first = FirstHit(miss(NO_COST), 0u, 0.0);
+            }
+        }
+        if (walk.leaf == NOWHERE) {
+            break;
+        }
+        let path = segment_of(pixel, at, k);
+        if (path.exit > 0.0) {
+            let found = hit_on_segment(pixel, at, path, trace(path), k);
+            cost = cost + found.hit.cost;
+            if (found.hit.found == 1u) {
+                if (here.first.hit.found == 0u || found.key > here.first.key) {
+                    here.first = found;
+                }
+                if (pixel.shell.order < SHELL_FOLDED) {
+                    k = at.segments;
                 }
             }
+        }
+        k = k + 1u;
+        if (k >= at.segments) {
+            here.first.hit.cost = cost;
+            nearest = nearer_in_shells(nearest, here);
+            if (nearest.first.hit.found == 1u) {
+                reach = reach_of(nearest.first.key);
+            }
+        }
+    }
+    return nearest;
+}"#,
+    },
+    Declaration {
+        module: "roots/trace_shells",
+        name: "nearest_of_objects",
+        sampling: None,
+        uses: &["NEVER", "NOWHERE", "NearestInShells", "SHELL_TRIANGLE", "enter_relief", "first_hit", "last_side", "nearer_in_shells", "nothing_in_shells", "numbered_pixel", "reach_of", "shell_nodes", "tree_ray", "walk_begin", "walk_on"],
+        text: r#"// The same of objects: they fill all of their boxes, and know themselves what of them is hit first.
+fn nearest_of_objects(point: vec2f) -> NearestInShells {
+    let ray = tree_ray(point);
+    var nearest = nothing_in_shells();
+    var reach = NEVER;
+    var walk = walk_on(ray, walk_begin(), reach);
+    while (walk.leaf != NOWHERE) {
+        let leaf = shell_nodes[walk.leaf].first;
+        let triangle = leaf / SHELL_TRIANGLE;
+        var side = 1.0;
+        while (side >= last_side(leaf)) {
+            let pixel = numbered_pixel(triangle, side, point);
+            let first = first_hit(pixel, enter_relief(pixel));
+            nearest = nearer_in_shells(nearest, NearestInShells(first, triangle, side));
             side = side - 2.0;
+        }
+        if (nearest.first.hit.found == 1u) {
+            reach = reach_of(nearest.first.key);
         }
         walk = walk_on(ray, walk, reach);
     }
@@ -13245,12 +13443,40 @@ fn shells_main(@builtin(position) position: vec4f) -> Traced {
     },
     Declaration {
         module: "roots/trace_shells",
+        name: "objects_main",
+        sampling: None,
+        uses: &["Traced", "nearest_of_objects", "point_of_pass", "traced_hit_of"],
+        text: r#"@fragment
+fn objects_main(@builtin(position) position: vec4f) -> Traced {
+    let nearest = nearest_of_objects(point_of_pass(position.xy));
+    if (nearest.first.hit.found == 0u) {
+        discard;
+    }
+    return traced_hit_of(nearest.triangle, nearest.side, nearest.first);
+}"#,
+    },
+    Declaration {
+        module: "roots/trace_shells",
         name: "shells_light_main",
         sampling: None,
         uses: &["SeenByLight", "nearest_in_shells", "point_of_pass"],
         text: r#"@fragment
 fn shells_light_main(@builtin(position) position: vec4f) -> SeenByLight {
     let nearest = nearest_in_shells(point_of_pass(position.xy));
+    if (nearest.first.hit.found == 0u) {
+        discard;
+    }
+    return SeenByLight(nearest.first.key, nearest.first.key);
+}"#,
+    },
+    Declaration {
+        module: "roots/trace_shells",
+        name: "objects_light_main",
+        sampling: None,
+        uses: &["SeenByLight", "nearest_of_objects", "point_of_pass"],
+        text: r#"@fragment
+fn objects_light_main(@builtin(position) position: vec4f) -> SeenByLight {
+    let nearest = nearest_of_objects(point_of_pass(position.xy));
     if (nearest.first.hit.found == 0u) {
         discard;
     }

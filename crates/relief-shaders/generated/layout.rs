@@ -338,7 +338,7 @@ impl Shared for SurfaceSettings {
 pub struct ShellNode {
     pub low: rt::Vec3<f32>,
     /// Of a node with children the place of the first. Of a leaf SHELL_TRIANGLE times its triangle's number,
-    /// and SHELL_BOTH_SIDES where that is seen turned over, too, SHELL_BOXES where it fills all of the box.
+    /// and SHELL_BOTH_SIDES where that is seen turned over, too.
     pub first: u32,
     pub high: rt::Vec3<f32>,
     /// 16 times the place of the node above, 4 times the axis of that, and its own axis: of a leaf 3.

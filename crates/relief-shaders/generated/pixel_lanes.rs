@@ -1864,14 +1864,14 @@ lanes! { fn bent_exit(r: &Resources<'_>, within: M, h_a0: Vec3<F>) -> F {
     return e_71;
 } }
 lanes! { fn ordered(r: &Resources<'_>, pixel_a0: &PixelIn, place_a1: u32) -> Corner {
-    let corner_8 = (pixel_a0.shell.order.unbounded_shr(2u32.wrapping_mul(place_a1)) & 3u32);
-    if (corner_8 == 0u32) {
-        return splat_corner(&pixel_a0.a);
-    }
-    if (corner_8 == 1u32) {
-        return splat_corner(&pixel_a0.b);
-    }
-    return splat_corner(&pixel_a0.c);
+    let number_8 = (pixel_a0.shell.order.unbounded_shr(2u32.wrapping_mul(place_a1)) & 3u32);
+    let e_15 = r.corner_value(number_8, Vec3 { x: pixel_a0.a.position.x, y: pixel_a0.a.position.y, z: pixel_a0.a.position.z }, Vec3 { x: pixel_a0.b.position.x, y: pixel_a0.b.position.y, z: pixel_a0.b.position.z }, Vec3 { x: pixel_a0.c.position.x, y: pixel_a0.c.position.y, z: pixel_a0.c.position.z });
+    let e_19 = r.corner_value(number_8, Vec3 { x: pixel_a0.a.normal.x, y: pixel_a0.a.normal.y, z: pixel_a0.a.normal.z }, Vec3 { x: pixel_a0.b.normal.x, y: pixel_a0.b.normal.y, z: pixel_a0.b.normal.z }, Vec3 { x: pixel_a0.c.normal.x, y: pixel_a0.c.normal.y, z: pixel_a0.c.normal.z });
+    let e_23 = r.corner_value(number_8, Vec3 { x: pixel_a0.a.tangent.x, y: pixel_a0.a.tangent.y, z: pixel_a0.a.tangent.z }, Vec3 { x: pixel_a0.b.tangent.x, y: pixel_a0.b.tangent.y, z: pixel_a0.b.tangent.z }, Vec3 { x: pixel_a0.c.tangent.x, y: pixel_a0.c.tangent.y, z: pixel_a0.c.tangent.z });
+    let e_27 = r.corner_value(number_8, Vec3 { x: pixel_a0.a.bitangent.x, y: pixel_a0.a.bitangent.y, z: pixel_a0.a.bitangent.z }, Vec3 { x: pixel_a0.b.bitangent.x, y: pixel_a0.b.bitangent.y, z: pixel_a0.b.bitangent.z }, Vec3 { x: pixel_a0.c.bitangent.x, y: pixel_a0.c.bitangent.y, z: pixel_a0.c.bitangent.z });
+    let e_37 = r.corner_value(number_8, Vec3 { x: pixel_a0.a.uv.x, y: pixel_a0.a.uv.y, z: 0.0f32 }, Vec3 { x: pixel_a0.b.uv.x, y: pixel_a0.b.uv.y, z: 0.0f32 }, Vec3 { x: pixel_a0.c.uv.x, y: pixel_a0.c.uv.y, z: 0.0f32 });
+    let e_42 = r.corner_value(number_8, Vec3 { x: pixel_a0.a.of_surface.x, y: pixel_a0.a.of_surface.y, z: pixel_a0.a.of_surface.z }, Vec3 { x: pixel_a0.b.of_surface.x, y: pixel_a0.b.of_surface.y, z: pixel_a0.b.of_surface.z }, Vec3 { x: pixel_a0.c.of_surface.x, y: pixel_a0.c.of_surface.y, z: pixel_a0.c.of_surface.z });
+    return Corner { position: Vec3 { x: splat(e_15.x), y: splat(e_15.y), z: splat(e_15.z) }, normal: Vec3 { x: splat(e_19.x), y: splat(e_19.y), z: splat(e_19.z) }, tangent: Vec3 { x: splat(e_23.x), y: splat(e_23.y), z: splat(e_23.z) }, bitangent: Vec3 { x: splat(e_27.x), y: splat(e_27.y), z: splat(e_27.z) }, uv: Vec2 { x: splat(e_37.x), y: splat(e_37.y) }, of_surface: Vec3 { x: splat(e_42.x), y: splat(e_42.y), z: splat(e_42.z) }, };
 } }
 lanes! { fn uv_of(r: &Resources<'_>, pixel_a0: &PixelIn, weights_a1: Vec3<F>) -> Vec2<F> {
     let e_3 = ordered(r, pixel_a0, 0u32);

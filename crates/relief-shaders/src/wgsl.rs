@@ -58,11 +58,8 @@ pub const BOX_VERTICES: u32 = 36;
 /// turned over, too.
 pub const SHELL_BOTH_SIDES: u32 = 1;
 
-/// The same where the triangle's relief fills the box of the leaf, and not only its shell.
-pub const SHELL_BOXES: u32 = 2;
-
 /// What a leaf multiplies the number of its triangle by.
-pub const SHELL_TRIANGLE: u32 = 4;
+pub const SHELL_TRIANGLE: u32 = 2;
 
 /// How textures are read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -113,10 +110,14 @@ pub enum Root {
     /// The same of shells, which rays find in a hierarchy of boxes: `cover_vertex`, of which a triangle covers
     /// the picture, `shells_main`.
     TraceShells,
+    /// The same of objects of images: `cover_vertex`, `objects_main`.
+    TraceObjects,
     /// As [`Root::Trace`], for what a light sees: the keys of the hits alone: `vertex_main`, `light_main`.
     Light,
     /// The same of shells: `cover_vertex`, `shells_light_main`.
     LightShells,
+    /// The same of objects of images: `cover_vertex`, `objects_light_main`.
+    LightObjects,
     /// Rasterises slices through an object, a pass for each of its images: `stencil_vertex`, of which the
     /// instance is the image; `stencil_test_fragment`, of which what is left is to be counted;
     /// `stencil_hit_fragment`, the same for the last image, with what [`Root::Trace`] gives;
@@ -125,17 +126,21 @@ pub enum Root {
     /// As [`Root::Trace`], for a program's own depth buffer, which it fills before its own pass: to the bit
     /// the `z` that shading gives: `vertex_main`, `prepass_main`.
     Prepass,
-    /// The same of shells, of which boxes are rasterised: `shell_vertex`, `prepass_main`. Each triangle has
-    /// [`BOX_VERTICES`]; a second instance is the mesh turned over.
+    /// The same of shells, of which boxes are rasterised: `shell_vertex`, `shell_prepass_main`. Each triangle
+    /// has [`BOX_VERTICES`]; a second instance is the mesh turned over.
     PrepassShells,
+    /// The same of objects of images, which fill these boxes: `shell_vertex`, `prepass_main`.
+    PrepassObjects,
     /// A surface in a single pass, for a program's own: traces and shades it, and gives linear colours:
     /// `draw_vertex`, `draw_fragment`. What lies nearer is for the depth test of the triangles to say.
     Draw,
     /// The same with the `z` of what is seen, for a program's own depth buffer: `draw_vertex`,
     /// `draw_depth_fragment`.
     DrawDepth,
-    /// The same of shells: `draw_box_vertex`, `draw_depth_fragment`.
+    /// The same of shells: `draw_box_vertex`, `draw_box_fragment`.
     DrawShells,
+    /// The same of objects of images: `draw_box_vertex`, `draw_depth_fragment`.
+    DrawObjects,
     /// Shades what was traced: `shade_main`.
     Shade,
     /// Adds what was shaded to the samples before: `resolve_main`.
@@ -155,18 +160,22 @@ pub enum Root {
 
 impl Root {
     /// Every root.
-    pub const ALL: [Root; 17] = [
+    pub const ALL: [Root; 21] = [
         Root::Functions,
         Root::Trace,
         Root::TraceShells,
+        Root::TraceObjects,
         Root::Light,
         Root::LightShells,
+        Root::LightObjects,
         Root::Stencil,
         Root::Prepass,
         Root::PrepassShells,
+        Root::PrepassObjects,
         Root::Draw,
         Root::DrawDepth,
         Root::DrawShells,
+        Root::DrawObjects,
         Root::Shade,
         Root::Resolve,
         Root::Show,
@@ -181,16 +190,20 @@ impl Root {
             Root::Functions => &["pixel_of", "shade_pixel"],
             Root::Trace => &["vertex_main", "fragment_main"],
             Root::TraceShells => &["cover_vertex", "shells_main"],
+            Root::TraceObjects => &["cover_vertex", "objects_main"],
             Root::Light => &["vertex_main", "light_main"],
             Root::LightShells => &["cover_vertex", "shells_light_main"],
+            Root::LightObjects => &["cover_vertex", "objects_light_main"],
             Root::Stencil => {
                 &["stencil_vertex", "stencil_test_fragment", "stencil_hit_fragment", "stencil_clear_fragment"]
             }
             Root::Prepass => &["vertex_main", "prepass_main"],
-            Root::PrepassShells => &["shell_vertex", "prepass_main"],
+            Root::PrepassShells => &["shell_vertex", "shell_prepass_main"],
+            Root::PrepassObjects => &["shell_vertex", "prepass_main"],
             Root::Draw => &["draw_vertex", "draw_fragment"],
             Root::DrawDepth => &["draw_vertex", "draw_depth_fragment"],
-            Root::DrawShells => &["draw_box_vertex", "draw_depth_fragment"],
+            Root::DrawShells => &["draw_box_vertex", "draw_box_fragment"],
+            Root::DrawObjects => &["draw_box_vertex", "draw_depth_fragment"],
             Root::Shade => &["shade_main"],
             Root::Resolve => &["resolve_main"],
             Root::Show => &["show_main"],

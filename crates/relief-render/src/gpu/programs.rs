@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::hash::Hash;
 
-use relief_shaders::surface::Proposal;
+use relief_shaders::surface::{Proposal, Shown};
 use relief_shaders::wgsl::{Root, Sampling, assemble};
 use relief_shaders::{MapSlot, STAGES, Selection};
 use wgpu::{
@@ -197,14 +197,18 @@ impl Programs {
     ) -> Result<RenderPipeline, GpuError> {
         let Layouts { mesh, shells, .. } = self.layouts.clone();
         let groups = [self.layouts.maps(sampling).clone(), mesh, shells];
-        let (roots, formats): ([Root; 2], &[TextureFormat]) = match seer {
-            Seer::Camera | Seer::CameraBesideCounts => ([Root::Trace, Root::TraceShells], &[HIT, WHAT]),
-            Seer::Light => ([Root::Light, Root::LightShells], &[KEYS]),
+        let (roots, formats): ([Root; 3], &[TextureFormat]) = match seer {
+            Seer::Camera | Seer::CameraBesideCounts => {
+                ([Root::Trace, Root::TraceShells, Root::TraceObjects], &[HIT, WHAT])
+            }
+            Seer::Light => ([Root::Light, Root::LightShells, Root::LightObjects], &[KEYS]),
         };
         // A triangle that covers the picture is drawn for shells, and its face does not matter.
-        let (root, count, faces) = match selection.paths().proposal {
-            Proposal::Polygons => (roots[0], 2, (!two_sided).then_some(Face::Back)),
-            Proposal::Shells => (roots[1], 3, None),
+        let paths = selection.paths();
+        let (root, count, faces) = match (paths.proposal, paths.shown) {
+            (Proposal::Polygons, _) => (roots[0], 2, (!two_sided).then_some(Face::Back)),
+            (Proposal::Shells, Shown::Object) => (roots[2], 3, None),
+            (Proposal::Shells, _) => (roots[1], 3, None),
         };
         let text = || assemble(selection, root, sampling);
         let compile = |text: &str| {
@@ -365,11 +369,11 @@ fn pipeline_layout(device: &Device, label: &str, groups: &[Option<&BindGroupLayo
 fn label(root: Root) -> &'static str {
     match root {
         Root::Functions => "functions",
-        Root::Trace | Root::TraceShells => "trace",
-        Root::Light | Root::LightShells => "light",
+        Root::Trace | Root::TraceShells | Root::TraceObjects => "trace",
+        Root::Light | Root::LightShells | Root::LightObjects => "light",
         Root::Stencil => "stencil",
-        Root::Prepass | Root::PrepassShells => "prepass",
-        Root::Draw | Root::DrawDepth | Root::DrawShells => "draw",
+        Root::Prepass | Root::PrepassShells | Root::PrepassObjects => "prepass",
+        Root::Draw | Root::DrawDepth | Root::DrawShells | Root::DrawObjects => "draw",
         Root::Shade => "shade",
         Root::Resolve => "resolve",
         Root::Show => "show",

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use obvhs::bvh2::Bvh2;
 use relief_shaders::cpu::ShellNode;
-use relief_shaders::surface::{Proposal, Shown};
-use relief_shaders::wgsl::{SHELL_BOTH_SIDES, SHELL_BOXES, SHELL_TRIANGLE};
+use relief_shaders::surface::Proposal;
+use relief_shaders::wgsl::{SHELL_BOTH_SIDES, SHELL_TRIANGLE};
 use wgpu::{BindGroup, BindGroupLayout, BufferUsages};
 
 use super::layouts::group;
@@ -26,12 +26,11 @@ struct Source {
     /// Where heights 0 and 1 lie along the normals, in metres.
     shell_m: [f32; 2],
     both_sides: bool,
-    is_object: bool,
 }
 
 impl Source {
     fn is_same(&self, other: &Self) -> bool {
-        let settings = |of: &Self| (of.shell_m.map(f32::to_bits), of.both_sides, of.is_object);
+        let settings = |of: &Self| (of.shell_m.map(f32::to_bits), of.both_sides);
         Arc::ptr_eq(&self.triangles, &other.triangles) && settings(self) == settings(other)
     }
 }
@@ -51,8 +50,7 @@ pub fn hold(
     surface: &JobSurface,
     layout: &BindGroupLayout,
 ) -> Result<(), GpuError> {
-    let paths = surface.selection.paths();
-    if paths.proposal != Proposal::Shells {
+    if surface.selection.paths().proposal != Proposal::Shells {
         *held = None;
         return Ok(());
     }
@@ -60,7 +58,6 @@ pub fn hold(
         triangles: Arc::clone(&surface.triangles),
         shell_m: [surface.settings.shell_m.x, surface.settings.shell_m.y],
         both_sides: surface.two_sided,
-        is_object: paths.shown == Shown::Object,
     };
     if held.as_ref().is_some_and(|held| held.of.is_same(&of)) {
         return Ok(());
@@ -68,17 +65,16 @@ pub fn hold(
     // What was held goes first, so that both need not fit.
     *held = None;
     let boxes = shellcast::boxes(&of.triangles, of.shell_m, of.both_sides);
-    let both_sides = if of.both_sides { SHELL_BOTH_SIDES } else { 0 };
-    let in_boxes = if of.is_object { SHELL_BOXES } else { 0 };
-    let nodes = nodes(&shellcast::hierarchy(&boxes), both_sides | in_boxes);
+    let nodes = nodes(&shellcast::hierarchy(&boxes), of.both_sides);
     let nodes = gpu.filled("shell_nodes", &nodes, BufferUsages::STORAGE)?;
     let group = group(gpu.device(), "shells", layout, &[("shell_nodes", nodes.as_entire_binding())]);
     *held = Some(Shells { of, group });
     Ok(())
 }
 
-/// The nodes as the shaders have them; `flags` is what leaves say besides their triangle.
-fn nodes(bvh: &Bvh2, flags: u32) -> Vec<ShellNode> {
+/// The nodes as the shaders have them, of triangles that are seen from both sides or not.
+fn nodes(bvh: &Bvh2, both_sides: bool) -> Vec<ShellNode> {
+    let sides = if both_sides { SHELL_BOTH_SIDES } else { 0 };
     let mut nodes = Vec::with_capacity(bvh.nodes.len());
     let empty = ShellNode { low: [0.0; 3].into(), first: 0, high: [0.0; 3].into(), above: 0 };
     // Nodes of `bvh`, where they go to, and what they are told of the node above.
@@ -91,7 +87,7 @@ fn nodes(bvh: &Bvh2, flags: u32) -> Vec<ShellNode> {
         let node = &bvh.nodes[number as usize];
         let bounds = node.aabb();
         let (first, axis) = if node.is_leaf() {
-            (SHELL_TRIANGLE * bvh.primitive_indices[node.first_index as usize] + flags, LEAF)
+            (SHELL_TRIANGLE * bvh.primitive_indices[node.first_index as usize] + sides, LEAF)
         } else {
             let mut children = [node.first_index, node.first_index + 1];
             let [one, other] = children.map(|child| bvh.nodes[child as usize].aabb().center());
@@ -129,12 +125,12 @@ mod tests {
                 Aabb::new(low.into(), (low + glam::Vec3::ONE).into())
             });
             let boxes: Vec<_> = boxes.collect();
-            let nodes = nodes(&shellcast::hierarchy(&boxes), SHELL_BOXES);
+            let nodes = nodes(&shellcast::hierarchy(&boxes), true);
             assert_eq!(nodes.len() as u32, (2 * count).saturating_sub(1));
             let mut seen = vec![0; count as usize];
             for (place, node) in nodes.iter().enumerate() {
                 if node.above & 3 == LEAF {
-                    assert_eq!(node.first % SHELL_TRIANGLE, SHELL_BOXES);
+                    assert_eq!(node.first % SHELL_TRIANGLE, SHELL_BOTH_SIDES);
                     let triangle = (node.first / SHELL_TRIANGLE) as usize;
                     seen[triangle] += 1;
                     assert_eq!(<[f32; 3]>::from(node.low), boxes[triangle].min.to_array());

@@ -48,7 +48,6 @@ pub fn module() -> String {
     constant("BOX_VERTICES", wgsl::BOX_VERTICES);
     constant("SHELL_FOLDED", surface::FOLDED);
     constant("SHELL_BOTH_SIDES", wgsl::SHELL_BOTH_SIDES);
-    constant("SHELL_BOXES", wgsl::SHELL_BOXES);
     constant("SHELL_TRIANGLE", wgsl::SHELL_TRIANGLE);
     constant("SEEN_AZIMUTHS", seen_normal::AZIMUTHS);
     constant("SEEN_ELEVATIONS", seen_normal::ELEVATIONS);
