@@ -13,17 +13,74 @@ use obvhs::bvh2::{Bvh2, reinsertion::ReinsertionOptimizer};
 use obvhs::ploc::PlocBuilder;
 use relief_core::Lanes;
 use relief_core::pulp::{Simd, WithSimd};
-use relief_shaders::cpu::{BLOCK, Corner, Row, Triangle};
+use relief_shaders::cpu::{BLOCK, Corner, Row, Triangle, Vec3 as ShaderVec3};
+use relief_shaders::surface::Shown;
 
 use crate::camera::Ray;
+use crate::job::JobSurface;
 use crate::triangles::Triangles;
 
 /// How far boxes are grown, relative to the largest coordinate in play: more than the shaders' own slack for
 /// rounding, so that no triangle is left out that they would have hit.
 const BOX_SLACK: f64 = 5e-6;
 
+/// Where rays may hit something in the shells of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Two distances along the corners' normals, at which the heights 0 and 1 lie, in metres.
+    pub shell_m: [f32; 2],
+    /// Whether the mesh turned over has shells as well.
+    pub both_sides: bool,
+    /// How far beside their shells hits may lie, in tiles of the texture.
+    pub beside_tiles: f32,
+    /// Whether they lie in the corners' hulls, and not anywhere in the boxes around them.
+    pub in_hulls: bool,
+}
+
+impl Bounds {
+    /// Those of a surface; objects fill the boxes.
+    pub fn of(surface: &JobSurface) -> Self {
+        let JobSurface { settings, selection, height_map, .. } = surface;
+        let texels = height_map.width().max(height_map.height()) as f32;
+        Self {
+            shell_m: [settings.shell_m.x, settings.shell_m.y],
+            both_sides: surface.two_sided,
+            beside_tiles: selection.beside_shells_texels() / texels,
+            in_hulls: selection.paths().shown != Shown::Object,
+        }
+    }
+
+    /// The corners of a triangle's shell.
+    fn corners(&self, triangle: &Triangle) -> Vec<Vec3A> {
+        corners(triangle, self.shell_m, self.both_sides)
+    }
+
+    /// How far beside its shell hits may lie, in metres, and somewhat more.
+    fn beside_m(&self, triangle: &Triangle) -> f32 {
+        let Triangle { a, b, c, .. } = triangle;
+        let mean = |of: fn(&Corner) -> ShaderVec3<f32>| {
+            let [a, b, c] = [a, b, c].map(|corner| of(corner)).map(|v| Vec3::new(v.x, v.y, v.z));
+            (a + b + c) / 3.0
+        };
+        let tile_m = mean(|corner| corner.tangent).length().max(mean(|corner| corner.bitangent).length());
+        self.beside_tiles * tile_m * 1.001
+    }
+
+    /// The boxes around the shells of some triangles.
+    pub fn boxes(&self, triangles: &Triangles) -> Vec<Aabb> {
+        let around = |triangle: Triangle| {
+            let mut around = Aabb::from_points(&self.corners(&triangle));
+            let beside = Vec3A::splat(self.beside_m(&triangle));
+            (around.min, around.max) = (around.min - beside, around.max + beside);
+            around
+        };
+        triangles.iter().map(around).collect()
+    }
+}
+
 /// The shells of a mesh, prepared for rays.
 pub struct ShellCaster {
+    bounds: Bounds,
     bvh: Bvh2,
     /// Of each triangle, where what is in a shell is in its corners' hull.
     hulls: Vec<Hull>,
@@ -38,25 +95,21 @@ impl fmt::Debug for ShellCaster {
 }
 
 impl ShellCaster {
-    /// Prepares shells between two distances along the corners' normals, at which the heights 0 and 1 lie, in
-    /// metres; with `both`, those of the mesh turned over as well. Takes about 150 bytes a triangle.
-    pub fn new(triangles: &Triangles, shell_m: [f32; 2], both: bool) -> Self {
-        Self::with(triangles, shell_m, both, true)
-    }
-
-    /// The same of objects, which fill the boxes around their shells.
-    pub fn of_boxes(triangles: &Triangles, shell_m: [f32; 2], both: bool) -> Self {
-        Self::with(triangles, shell_m, both, false)
-    }
-
-    fn with(triangles: &Triangles, shell_m: [f32; 2], both: bool, in_hulls: bool) -> Self {
-        let boxes = boxes(triangles, shell_m, both);
+    /// Prepares shells. Takes about 150 bytes a triangle.
+    pub fn new(triangles: &Triangles, bounds: Bounds) -> Self {
+        let boxes = bounds.boxes(triangles);
         let bvh = hierarchy(&boxes);
-        let hull_of = |triangle: Triangle| hull(&triangle, &corners(&triangle, shell_m, both));
-        let hulls = if in_hulls { triangles.iter().map(hull_of).collect() } else { Vec::new() };
+        let hull_of =
+            |triangle: Triangle| hull(&triangle, &bounds.corners(&triangle), bounds.beside_m(&triangle));
+        let hulls = if bounds.in_hulls { triangles.iter().map(hull_of).collect() } else { Vec::new() };
         let largest =
             |extent: f32, of: &Aabb| extent.max(of.min.abs().max_element()).max(of.max.abs().max_element());
-        Self { bvh, hulls, extent: boxes.iter().fold(0.0, largest).into() }
+        Self { bounds, bvh, hulls, extent: boxes.iter().fold(0.0, largest).into() }
+    }
+
+    /// Where what it proposes lies.
+    pub fn bounds(&self) -> Bounds {
+        self.bounds
     }
 
     /// Calls `visit` with the numbers of triangles whose shells the ray may meet, roughly from near to far.
@@ -158,11 +211,6 @@ impl ShellCaster {
     }
 }
 
-/// The boxes around shells, as [`ShellCaster::new`] has them.
-pub fn boxes(triangles: &Triangles, shell_m: [f32; 2], both: bool) -> Vec<Aabb> {
-    triangles.iter().map(|triangle| Aabb::from_points(&corners(&triangle, shell_m, both))).collect()
-}
-
 /// A hierarchy of boxes with one in each leaf: to look into a shell takes far longer than to look at a box.
 pub fn hierarchy(boxes: &[Aabb]) -> Bvh2 {
     if boxes.is_empty() {
@@ -219,9 +267,10 @@ pub struct BlockRays {
 /// Directions across which a shell is thin, and between where it lies along each.
 type Hull = [([f32; 3], [f32; 2]); 4];
 
-/// The shell of a triangle between slabs along its normal, and along those of its sides. For each triangle
+/// The shell of a triangle between slabs along its normal, and along those of its sides, and so much beside
+/// it. For each triangle
 /// its shell is far smaller there than its box is, which mostly lies aside of the axes.
-fn hull(triangle: &Triangle, points: &[Vec3A]) -> Hull {
+fn hull(triangle: &Triangle, points: &[Vec3A], beside_m: f32) -> Hull {
     let Triangle { a, b, c, .. } = triangle;
     let [a, b, c] =
         [a, b, c].map(|Corner { position: p, .. }| DVec3::new(p.x.into(), p.y.into(), p.z.into()));
@@ -231,7 +280,8 @@ fn hull(triangle: &Triangle, points: &[Vec3A]) -> Hull {
         let along = points.iter().map(|point| direction.as_dvec3().dot(Vec3::from(*point).as_dvec3()));
         let [low, high] = along
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], along| [low.min(along), high.max(along)]);
-        (direction.to_array(), [(low as f32).next_down(), (high as f32).next_up()])
+        let beside = f64::from(beside_m);
+        (direction.to_array(), [((low - beside) as f32).next_down(), ((high + beside) as f32).next_up()])
     })
 }
 
@@ -320,6 +370,10 @@ mod tests {
     use super::*;
     use relief_shaders::cpu::Shell;
 
+    fn bounds(shell_m: [f32; 2], both_sides: bool) -> Bounds {
+        Bounds { shell_m, both_sides, beside_tiles: 0.0, in_hulls: true }
+    }
+
     /// Triangles side by side along x, facing along z.
     fn row(count: usize) -> Triangles {
         let corner = |x: f32, y: f32| {
@@ -336,7 +390,7 @@ mod tests {
 
     #[test]
     fn shells_are_proposed_that_a_ray_passes_beside_their_triangles() {
-        let caster = ShellCaster::new(&row(40), [0.1, 0.3], false);
+        let caster = ShellCaster::new(&row(40), bounds([0.1, 0.3], false));
         let along = |z: f64| {
             let ray = Ray { origin: DVec3::new(-5.0, 0.25, z), direction: DVec3::X };
             let mut proposed = Vec::new();
@@ -350,7 +404,7 @@ mod tests {
         assert_eq!(along(0.2), Vec::from_iter(0..40));
         assert!(along(0.0).is_empty());
         assert!(along(-0.2).is_empty());
-        let both = ShellCaster::new(&row(1), [0.1, 0.3], true);
+        let both = ShellCaster::new(&row(1), bounds([0.1, 0.3], true));
         let mut count = 0;
         both.each(&Ray { origin: DVec3::new(-5.0, 0.25, -0.2), direction: DVec3::X }, |_| {
             count += 1;
@@ -380,7 +434,7 @@ mod tests {
 
     #[test]
     fn a_block_is_proposed_what_its_rays_meet_and_nothing_else() {
-        let caster = ShellCaster::new(&row(40), [0.1, 0.3], true);
+        let caster = ShellCaster::new(&row(40), bounds([0.1, 0.3], true));
         // Along the row, across it, past it, and one that goes nowhere. Its numbers are those of `f32`.
         let ray = |place: usize| {
             let at = place as f64;
@@ -423,7 +477,7 @@ mod tests {
 
     #[test]
     fn what_is_behind_the_reach_is_left_out() {
-        let caster = ShellCaster::new(&row(40), [0.0, 0.3], false);
+        let caster = ShellCaster::new(&row(40), bounds([0.0, 0.3], false));
         let ray = Ray { origin: DVec3::new(-5.0, 0.25, 0.2), direction: DVec3::X };
         let mut proposed = Vec::new();
         caster.each(&ray, |triangle| {
@@ -432,7 +486,7 @@ mod tests {
         });
         assert!(proposed.contains(&0) && proposed.contains(&2) && !proposed.contains(&20), "{proposed:?}");
         caster.each(&Ray { direction: DVec3::ZERO, ..ray }, |_| panic!("a ray without a direction"));
-        ShellCaster::new(&Triangles::default(), [0.0, 1.0], false)
+        ShellCaster::new(&Triangles::default(), bounds([0.0, 1.0], false))
             .each(&ray, |_| panic!("a mesh without triangles"));
     }
 }

@@ -1229,6 +1229,13 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "constants",
+        name: "SURFACE_STAGE",
+        sampling: None,
+        uses: &[],
+        text: r#"const SURFACE_STAGE = 1u;"#,
+    },
+    Declaration {
+        module: "constants",
         name: "EMPTY_HEIGHT",
         sampling: None,
         uses: &[],
@@ -6629,9 +6636,23 @@ struct HullRay {
     },
     Declaration {
         module: "shared/shell_hull",
+        name: "beyond_sides",
+        sampling: None,
+        uses: &["SURFACE_STAGE", "Triangle", "height_size", "surface_settings"],
+        text: r#"// Metres by which segments of prisms reach beyond their sides, besides rounding.
+fn beyond_sides(triangle: Triangle) -> f32 {
+    let tangent = (triangle.a.tangent + triangle.b.tangent + triangle.c.tangent) * (1.0 / 3.0);
+    let bitangent = (triangle.a.bitangent + triangle.b.bitangent + triangle.c.bitangent) * (1.0 / 3.0);
+    let tile = sqrt(max(dot(tangent, tangent), dot(bitangent, bitangent)));
+    let texels = max(height_size(0u).x, height_size(0u).y);
+    return 2.0 * surface_settings.choices[SURFACE_STAGE].params.x * tile / texels;
+}"#,
+    },
+    Declaration {
+        module: "shared/shell_hull",
         name: "hull_ray",
         sampling: None,
-        uses: &["HULL_SLACK", "HullRay", "Triangle", "offsets_of", "pixel_direction", "pixel_eye"],
+        uses: &["HULL_SLACK", "HullRay", "Triangle", "beyond_sides", "offsets_of", "pixel_direction", "pixel_eye"],
         text: r#"// The ray through a point of the picture, for the hull of a triangle's shell.
 fn hull_ray(point: vec2f, triangle: Triangle) -> HullRay {
     let origin = pixel_eye(point);
@@ -6641,7 +6662,8 @@ fn hull_ray(point: vec2f, triangle: Triangle) -> HullRay {
     let c = abs(triangle.c.position);
     let largest = max(max(abs(origin), a), max(b, c));
     let beyond = max(abs(shell.x), abs(shell.y));
-    let slack = HULL_SLACK * (max(max(largest.x, largest.y), largest.z) + beyond);
+    let rounding = HULL_SLACK * (max(max(largest.x, largest.y), largest.z) + beyond);
+    let slack = rounding + beyond_sides(triangle);
     return HullRay(origin, pixel_direction(point), slack);
 }"#,
     },

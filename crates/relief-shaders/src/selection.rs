@@ -327,6 +327,13 @@ impl Selection {
         self
     }
 
+    /// How far beside a shell its hits may lie, in texels: segments reach as far beyond its sides, so that
+    /// nothing passes between neighbours.
+    pub fn beside_shells_texels(&self) -> f32 {
+        let Choice { entry, params, .. } = &self.choices[SURFACE];
+        entry.param("tolerance").map_or(0.0, |(place, _)| 2.0 * params[place])
+    }
+
     /// Which quadrics the surface follows around the corners of its triangles, where it follows any. Its
     /// triangles are moved out along their normals where relief would rise above them.
     pub fn quadrics(&self) -> Option<QuadricCoefficients> {

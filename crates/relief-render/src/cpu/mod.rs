@@ -9,7 +9,7 @@ use relief_core::exact::FastTracer;
 use relief_core::registry::RayClass;
 use relief_core::{HeightMap, Lanes};
 use relief_shaders::cpu::PixelOut;
-use relief_shaders::surface::{Proposal, Shown};
+use relief_shaders::surface::Proposal;
 
 use self::block::{places, places_where};
 use self::light_map::{LightMap, NoLightMap};
@@ -17,10 +17,10 @@ use self::ready::{Base, Made, Ready, SceneRays, caster};
 use self::tessellated::KeptTessellated;
 use self::tiled::{SeenBlock, Tiled};
 use crate::job::{Job, JobSurface, Rendering, uncovered};
-use crate::kept::kept;
+use crate::kept::{kept, kept_where};
 use crate::raycast::RayCaster;
 use crate::samples::{Sample, samples};
-use crate::shellcast::ShellCaster;
+use crate::shellcast::{Bounds, ShellCaster};
 use crate::triangles::Triangles;
 
 mod block;
@@ -141,11 +141,10 @@ impl CpuRenderer {
                     Base::Polygons(kept(&mut casters, &self.casters, triangles, caster))
                 }
                 Proposal::Shells => {
-                    let shell_m = [surface.settings.shell_m.x, surface.settings.shell_m.y];
-                    let is_object = selection.paths().shown == Shown::Object;
-                    let of = if is_object { ShellCaster::of_boxes } else { ShellCaster::new };
-                    let caster = || Arc::new(of(triangles, shell_m, surface.two_sided));
-                    Base::Shells(kept(&mut shells, &self.shells, triangles, caster))
+                    let bounds = Bounds::of(surface);
+                    let fits = |caster: &ShellCaster| caster.bounds() == bounds;
+                    let caster = || Arc::new(ShellCaster::new(triangles, bounds));
+                    Base::Shells(kept_where(&mut shells, &self.shells, triangles, fits, caster))
                 }
             };
             // The tracer is for straight paths.

@@ -11,7 +11,7 @@ use wgpu::{BindGroup, BindGroupLayout, BufferUsages};
 use super::layouts::group;
 use super::{Gpu, GpuError};
 use crate::job::{JobSurface, Triangles};
-use crate::shellcast;
+use crate::shellcast::{Bounds, hierarchy};
 
 /// The most triangles: a node tells of the one above in 28 bits, and there are twice as many nodes.
 pub const MOST_TRIANGLES: u64 = 1 << 27;
@@ -19,26 +19,11 @@ pub const MOST_TRIANGLES: u64 = 1 << 27;
 /// In place of the axis of a node that is a leaf.
 const LEAF: u32 = 3;
 
-/// What a hierarchy is built from.
-#[derive(Clone, Debug)]
-struct Source {
-    triangles: Arc<Triangles>,
-    /// Where heights 0 and 1 lie along the normals, in metres.
-    shell_m: [f32; 2],
-    both_sides: bool,
-}
-
-impl Source {
-    fn is_same(&self, other: &Self) -> bool {
-        let settings = |of: &Self| (of.shell_m.map(f32::to_bits), of.both_sides);
-        Arc::ptr_eq(&self.triangles, &other.triangles) && settings(self) == settings(other)
-    }
-}
-
 /// The hierarchy of a surface's shells.
 #[derive(Debug)]
 pub struct Shells {
-    of: Source,
+    triangles: Arc<Triangles>,
+    bounds: Bounds,
     /// Group 2 of the passes that trace shells.
     pub group: BindGroup,
 }
@@ -54,21 +39,17 @@ pub fn hold(
         *held = None;
         return Ok(());
     }
-    let of = Source {
-        triangles: Arc::clone(&surface.triangles),
-        shell_m: [surface.settings.shell_m.x, surface.settings.shell_m.y],
-        both_sides: surface.two_sided,
-    };
-    if held.as_ref().is_some_and(|held| held.of.is_same(&of)) {
+    let (triangles, bounds) = (&surface.triangles, Bounds::of(surface));
+    let is_there = |held: &Shells| Arc::ptr_eq(&held.triangles, triangles) && held.bounds == bounds;
+    if held.as_ref().is_some_and(is_there) {
         return Ok(());
     }
     // What was held goes first, so that both need not fit.
     *held = None;
-    let boxes = shellcast::boxes(&of.triangles, of.shell_m, of.both_sides);
-    let nodes = nodes(&shellcast::hierarchy(&boxes), of.both_sides);
+    let nodes = nodes(&hierarchy(&bounds.boxes(triangles)), bounds.both_sides);
     let nodes = gpu.filled("shell_nodes", &nodes, BufferUsages::STORAGE)?;
     let group = group(gpu.device(), "shells", layout, &[("shell_nodes", nodes.as_entire_binding())]);
-    *held = Some(Shells { of, group });
+    *held = Some(Shells { triangles: Arc::clone(triangles), bounds, group });
     Ok(())
 }
 
@@ -125,7 +106,7 @@ mod tests {
                 Aabb::new(low.into(), (low + glam::Vec3::ONE).into())
             });
             let boxes: Vec<_> = boxes.collect();
-            let nodes = nodes(&shellcast::hierarchy(&boxes), true);
+            let nodes = nodes(&hierarchy(&boxes), true);
             assert_eq!(nodes.len() as u32, (2 * count).saturating_sub(1));
             let mut seen = vec![0; count as usize];
             for (place, node) in nodes.iter().enumerate() {

@@ -7,7 +7,7 @@ use relief_core::encoding::seen_normal;
 use relief_core::object::{EMPTY_HEIGHT, JumpCells, LEAST_COVER, LEAST_FACING};
 use relief_core::{FoundState, RayUse, SliceAxis, Wrap};
 use relief_shaders::object::MASK_CELLS;
-use relief_shaders::{LightRayState, MAX_LIGHT_VIEWS, MAX_LIGHTS, MapSlot, STAGES, surface, wgsl};
+use relief_shaders::{LightRayState, MAX_LIGHT_VIEWS, MAX_LIGHTS, MapSlot, STAGES, SURFACE, surface, wgsl};
 
 /// The module's source.
 pub fn module() -> String {
@@ -57,6 +57,7 @@ pub fn module() -> String {
     }
     constant("CELLS_MASK", MASK_CELLS);
     constant("STAGES", STAGES.len() as u32);
+    constant("SURFACE_STAGE", SURFACE as u32);
     let _ = writeln!(text, "const EMPTY_HEIGHT = {:?};", EMPTY_HEIGHT as f32);
     let _ = writeln!(text, "const LEAST_FRAME_FACING = {:?};", LEAST_FACING as f32);
     let _ = writeln!(text, "const LEAST_FRAME_COVER = {:?};", LEAST_COVER as f32);
