@@ -217,7 +217,7 @@ pub fn hierarchy(boxes: &[Aabb]) -> Bvh2 {
         return Bvh2::default();
     }
     // The parts of the library's builder, which asks for the time of day besides: on the web there is none.
-    let params = BvhBuildParams::medium_build();
+    let params = BvhBuildParams::slow_build();
     let mut bvh = PlocBuilder::with_capacity(boxes.len()).build(
         params.ploc_search_distance,
         boxes,

@@ -22,6 +22,7 @@ use crate::scene::{BackendChoice, Scene, Surface};
 use crate::{Renderer, cpu::CpuRenderer};
 
 mod prepass;
+mod shells;
 mod tessellate;
 
 /// A software GPU of the test's own. Without one the test says that it skips, unless the environment variable
