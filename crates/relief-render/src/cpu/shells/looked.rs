@@ -114,12 +114,16 @@ impl Looked {
         }
     }
 
-    /// Tells what the search cost on all segments of those rays whose hit was kept.
+    /// Tells what the search cost on all segments of those rays whose hit was kept, and is still: the other
+    /// side of the shell may have shown a nearer one since.
     fn tell_costs(&self, seen: &mut SeenOfSurface) {
         for from in places(self.nearest) {
-            let Look { block, place, .. } = self.looks[from];
-            for (told, costs) in seen.of(block).hits.cost.iter_mut().zip(&self.costs) {
-                told[place as usize] = costs[from];
+            let Look { triangle, block, place } = self.looks[from];
+            let (seen, place) = (seen.of(block), place as usize);
+            if seen.faces.rank[place] == (self.side < 0.0, triangle) {
+                for (told, costs) in seen.hits.cost.iter_mut().zip(&self.costs) {
+                    told[place] = costs[from];
+                }
             }
         }
     }

@@ -29,9 +29,9 @@ fn scene(surface: &str, eye: DVec3, projection: Projection, two_sided: bool) -> 
 }
 
 /// What a pixel shows, to the bit.
-fn shown(pixel: &PixelOut) -> (u32, [u32; 6]) {
-    let PixelOut { hit, uv, height, t, z, position, .. } = pixel;
-    (*hit, [uv.x, uv.y, *height, *t, *z, position.x].map(f32::to_bits))
+fn shown(pixel: &PixelOut) -> ([u32; 4], [u32; 6]) {
+    let PixelOut { hit, uv, height, t, z, position, reads, steps, bytes, .. } = pixel;
+    ([*hit, *reads, *steps, *bytes], [uv.x, uv.y, *height, *t, *z, position.x].map(f32::to_bits))
 }
 
 #[test]
