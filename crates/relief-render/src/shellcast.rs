@@ -59,7 +59,7 @@ impl Bounds {
     fn beside_m(&self, triangle: &Triangle) -> f32 {
         let Triangle { a, b, c, .. } = triangle;
         let mean = |of: fn(&Corner) -> ShaderVec3<f32>| {
-            let [a, b, c] = [a, b, c].map(|corner| of(corner)).map(|v| Vec3::new(v.x, v.y, v.z));
+            let [a, b, c] = [a, b, c].map(of).map(|v| Vec3::new(v.x, v.y, v.z));
             (a + b + c) / 3.0
         };
         let tile_m = mean(|corner| corner.tangent).length().max(mean(|corner| corner.bitangent).length());
