@@ -24,6 +24,10 @@ use crate::triangles::Triangles;
 /// rounding, so that no triangle is left out that they would have hit.
 const BOX_SLACK: f64 = 5e-6;
 
+/// Up to so many boxes a better hierarchy is built, with which frames take less time: for more it would take
+/// as long as several frames.
+const MANY_BOXES: usize = 1 << 16;
+
 /// Where rays may hit something in the shells of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
@@ -217,7 +221,8 @@ pub fn hierarchy(boxes: &[Aabb]) -> Bvh2 {
         return Bvh2::default();
     }
     // The parts of the library's builder, which asks for the time of day besides: on the web there is none.
-    let params = BvhBuildParams::slow_build();
+    let params =
+        if boxes.len() > MANY_BOXES { BvhBuildParams::medium_build() } else { BvhBuildParams::slow_build() };
     let mut bvh = PlocBuilder::with_capacity(boxes.len()).build(
         params.ploc_search_distance,
         boxes,
