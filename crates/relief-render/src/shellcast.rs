@@ -14,15 +14,11 @@ use obvhs::ploc::PlocBuilder;
 use relief_core::Lanes;
 use relief_core::pulp::{Simd, WithSimd};
 use relief_shaders::cpu::{BLOCK, Corner, Row, Triangle, Vec3 as ShaderVec3};
-use relief_shaders::surface::Shown;
+use relief_shaders::surface::{SHELL_SLACK, Shown};
 
 use crate::camera::Ray;
 use crate::job::JobSurface;
 use crate::triangles::Triangles;
-
-/// How far boxes are grown, relative to the largest coordinate in play: more than the shaders' own slack for
-/// rounding, so that no triangle is left out that they would have hit.
-const BOX_SLACK: f64 = 5e-6;
 
 /// Up to so many boxes a better hierarchy is built, with which frames take less time: for more it would take
 /// as long as several frames.
@@ -54,9 +50,21 @@ impl Bounds {
         }
     }
 
-    /// The corners of a triangle's shell.
+    /// The corners of a triangle's shell, whose hull holds it.
     fn corners(&self, triangle: &Triangle) -> Vec<Vec3A> {
-        corners(triangle, self.shell_m, self.both_sides)
+        let Triangle { a, b, c, shell } = triangle;
+        let offsets = shell.offsets_m(self.shell_m);
+        let mut points = Vec::with_capacity(12);
+        for corner in [a, b, c] {
+            let Corner { position, normal, .. } = corner;
+            let (position, normal) =
+                (Vec3::new(position.x, position.y, position.z), Vec3::new(normal.x, normal.y, normal.z));
+            points.extend(offsets.map(|offset| Vec3A::from(position + normal * offset)));
+            if self.both_sides {
+                points.extend(offsets.map(|offset| Vec3A::from(position - normal * offset)));
+            }
+        }
+        points
     }
 
     /// How far beside its shell hits may lie, in metres, and somewhat more.
@@ -123,7 +131,7 @@ impl ShellCaster {
             return;
         }
         let inverse = ray.direction.recip();
-        let slack = DVec3::splat(self.extent.max(ray.origin.abs().max_element()) * BOX_SLACK);
+        let slack = DVec3::splat(self.extent.max(ray.origin.abs().max_element()) * SHELL_SLACK);
         let enter = |node: u32| {
             let bounds = self.bvh.nodes.get(node as usize)?.aabb();
             let a = (bounds.min.as_dvec3() - slack - ray.origin) * inverse;
@@ -172,7 +180,7 @@ impl ShellCaster {
             origin: [0, 1, 2].map(origin),
             direction: [0, 1, 2].map(direction),
             inverse: [0, 1, 2].map(direction).map(|row| row.map(inverse)),
-            slack: rays.map(|ray| (self.extent.max(ray.origin.abs().max_element()) * BOX_SLACK) as f32),
+            slack: rays.map(|ray| (self.extent.max(ray.origin.abs().max_element()) * SHELL_SLACK) as f32),
             reach: std::array::from_fn(|place| if of(place) { f32::INFINITY } else { f32::NEG_INFINITY }),
             waiting,
             leaf: 0..0,
@@ -272,9 +280,8 @@ pub struct BlockRays {
 /// Directions across which a shell is thin, and between where it lies along each.
 type Hull = [([f32; 3], [f32; 2]); 4];
 
-/// The shell of a triangle between slabs along its normal, and along those of its sides, and so much beside
-/// it. For each triangle
-/// its shell is far smaller there than its box is, which mostly lies aside of the axes.
+/// The shell of a triangle between slabs along its normal, and along those of its sides, widened by so much.
+/// The box around a shell is far larger, as shells mostly lie aside of the axes.
 fn hull(triangle: &Triangle, points: &[Vec3A], beside_m: f32) -> Hull {
     let Triangle { a, b, c, .. } = triangle;
     let [a, b, c] =
@@ -351,23 +358,6 @@ impl WithSimd for Test<'_> {
         }
         nearest
     }
-}
-
-/// The corners of a triangle's shell, whose hull holds it.
-fn corners(triangle: &Triangle, shell_m: [f32; 2], both: bool) -> Vec<Vec3A> {
-    let Triangle { a, b, c, shell } = triangle;
-    let offsets = shell.offsets_m(shell_m);
-    let mut points = Vec::with_capacity(12);
-    for corner in [a, b, c] {
-        let Corner { position, normal, .. } = corner;
-        let (position, normal) =
-            (Vec3::new(position.x, position.y, position.z), Vec3::new(normal.x, normal.y, normal.z));
-        points.extend(offsets.map(|offset| Vec3A::from(position + normal * offset)));
-        if both {
-            points.extend(offsets.map(|offset| Vec3A::from(position - normal * offset)));
-        }
-    }
-    points
 }
 
 #[cfg(test)]

@@ -1236,6 +1236,20 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "constants",
+        name: "SHELL_SLACK",
+        sampling: None,
+        uses: &[],
+        text: r#"const SHELL_SLACK = 5e-6;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "DEPTH_SLACK",
+        sampling: None,
+        uses: &[],
+        text: r#"const DEPTH_SLACK = 1e-5;"#,
+    },
+    Declaration {
+        module: "constants",
         name: "EMPTY_HEIGHT",
         sampling: None,
         uses: &[],
@@ -6599,15 +6613,6 @@ fn placed_at(pixel: PixelIn, at: Entered, weights: vec3f, point: vec3f, uv: vec2
     },
     Declaration {
         module: "shared/shell_hull",
-        name: "HULL_SLACK",
-        sampling: None,
-        uses: &[],
-        text: r#"// The part of the largest coordinate in play by which hulls and boxes are larger: more than shells are by
-// rounding.
-const HULL_SLACK = 0.000005;"#,
-    },
-    Declaration {
-        module: "shared/shell_hull",
         name: "ACROSS",
         sampling: None,
         uses: &[],
@@ -6652,7 +6657,7 @@ fn beyond_sides(triangle: Triangle) -> f32 {
         module: "shared/shell_hull",
         name: "hull_ray",
         sampling: None,
-        uses: &["HULL_SLACK", "HullRay", "Triangle", "beyond_sides", "offsets_of", "pixel_direction", "pixel_eye"],
+        uses: &["HullRay", "SHELL_SLACK", "Triangle", "beyond_sides", "offsets_of", "pixel_direction", "pixel_eye"],
         text: r#"// The ray through a point of the picture, for the hull of a triangle's shell.
 fn hull_ray(point: vec2f, triangle: Triangle) -> HullRay {
     let origin = pixel_eye(point);
@@ -6662,7 +6667,7 @@ fn hull_ray(point: vec2f, triangle: Triangle) -> HullRay {
     let c = abs(triangle.c.position);
     let largest = max(max(abs(origin), a), max(b, c));
     let beyond = max(abs(shell.x), abs(shell.y));
-    let rounding = HULL_SLACK * (max(max(largest.x, largest.y), largest.z) + beyond);
+    let rounding = SHELL_SLACK * (max(max(largest.x, largest.y), largest.z) + beyond);
     let slack = rounding + beyond_sides(triangle);
     return HullRay(origin, pixel_direction(point), slack);
 }"#,
@@ -6917,14 +6922,6 @@ fn uv_of(pixel: PixelIn, weights: vec3f) -> vec2f {
     },
     Declaration {
         module: "shared/shell_tree",
-        name: "REACH_SLACK",
-        sampling: None,
-        uses: &[],
-        text: r#"// The part of a depth by which what is nearer may begin behind it: rounding.
-const REACH_SLACK = 0.00001;"#,
-    },
-    Declaration {
-        module: "shared/shell_tree",
         name: "NOWHERE",
         sampling: None,
         uses: &[],
@@ -6994,14 +6991,14 @@ fn inverse_of(direction: vec3f) -> vec3f {
         module: "shared/shell_tree",
         name: "tree_ray",
         sampling: None,
-        uses: &["HULL_SLACK", "TreeRay", "inverse_of", "pixel_direction", "pixel_eye", "shell_nodes"],
+        uses: &["SHELL_SLACK", "TreeRay", "inverse_of", "pixel_direction", "pixel_eye", "shell_nodes"],
         text: r#"// The ray through a point of the picture.
 fn tree_ray(point: vec2f) -> TreeRay {
     let origin = pixel_eye(point);
     let direction = pixel_direction(point);
     let root = shell_nodes[0];
     let largest = max(max(abs(root.low), abs(root.high)), abs(origin));
-    let slack = HULL_SLACK * max(max(largest.x, largest.y), largest.z);
+    let slack = SHELL_SLACK * max(max(largest.x, largest.y), largest.z);
     return TreeRay(origin, direction, inverse_of(direction), slack);
 }"#,
     },
@@ -7019,10 +7016,10 @@ fn walk_begin() -> TreeWalk {
         module: "shared/shell_tree",
         name: "reach_of",
         sampling: None,
-        uses: &["REACH_SLACK", "frame"],
+        uses: &["DEPTH_SLACK", "frame"],
         text: r#"// The parameter of a ray beyond which nothing begins that is nearer than a key.
 fn reach_of(key: f32) -> f32 {
-    return frame.near / key * (1.0 + REACH_SLACK) - frame.near;
+    return frame.near / key * (1.0 + DEPTH_SLACK) - frame.near;
 }"#,
     },
     Declaration {
@@ -13369,7 +13366,6 @@ fn nearest_in_shells(point: vec2f) -> NearestInShells {
     var at = passed_by();
     var k = 0u;
     var cost = NO_COST;
-    here.side = 1.0;
     while (true) {
         while (k >= at.segments) {
             if (here.side > last) {
@@ -13451,58 +13447,66 @@ fn nearest_of_objects(point: vec2f) -> NearestInShells {
     },
     Declaration {
         module: "roots/trace_shells",
-        name: "shells_main",
+        name: "traced_in_shells",
         sampling: None,
-        uses: &["Traced", "nearest_in_shells", "point_of_pass", "traced_hit_of"],
-        text: r#"@fragment
-fn shells_main(@builtin(position) position: vec4f) -> Traced {
-    let nearest = nearest_in_shells(point_of_pass(position.xy));
+        uses: &["NearestInShells", "Traced", "traced_hit_of"],
+        text: r#"fn traced_in_shells(nearest: NearestInShells) -> Traced {
     if (nearest.first.hit.found == 0u) {
         discard;
     }
     return traced_hit_of(nearest.triangle, nearest.side, nearest.first);
+}"#,
+    },
+    Declaration {
+        module: "roots/trace_shells",
+        name: "seen_in_shells",
+        sampling: None,
+        uses: &["NearestInShells", "SeenByLight"],
+        text: r#"fn seen_in_shells(nearest: NearestInShells) -> SeenByLight {
+    if (nearest.first.hit.found == 0u) {
+        discard;
+    }
+    return SeenByLight(nearest.first.key, nearest.first.key);
+}"#,
+    },
+    Declaration {
+        module: "roots/trace_shells",
+        name: "shells_main",
+        sampling: None,
+        uses: &["Traced", "nearest_in_shells", "point_of_pass", "traced_in_shells"],
+        text: r#"@fragment
+fn shells_main(@builtin(position) position: vec4f) -> Traced {
+    return traced_in_shells(nearest_in_shells(point_of_pass(position.xy)));
 }"#,
     },
     Declaration {
         module: "roots/trace_shells",
         name: "objects_main",
         sampling: None,
-        uses: &["Traced", "nearest_of_objects", "point_of_pass", "traced_hit_of"],
+        uses: &["Traced", "nearest_of_objects", "point_of_pass", "traced_in_shells"],
         text: r#"@fragment
 fn objects_main(@builtin(position) position: vec4f) -> Traced {
-    let nearest = nearest_of_objects(point_of_pass(position.xy));
-    if (nearest.first.hit.found == 0u) {
-        discard;
-    }
-    return traced_hit_of(nearest.triangle, nearest.side, nearest.first);
+    return traced_in_shells(nearest_of_objects(point_of_pass(position.xy)));
 }"#,
     },
     Declaration {
         module: "roots/trace_shells",
         name: "shells_light_main",
         sampling: None,
-        uses: &["SeenByLight", "nearest_in_shells", "point_of_pass"],
+        uses: &["SeenByLight", "nearest_in_shells", "point_of_pass", "seen_in_shells"],
         text: r#"@fragment
 fn shells_light_main(@builtin(position) position: vec4f) -> SeenByLight {
-    let nearest = nearest_in_shells(point_of_pass(position.xy));
-    if (nearest.first.hit.found == 0u) {
-        discard;
-    }
-    return SeenByLight(nearest.first.key, nearest.first.key);
+    return seen_in_shells(nearest_in_shells(point_of_pass(position.xy)));
 }"#,
     },
     Declaration {
         module: "roots/trace_shells",
         name: "objects_light_main",
         sampling: None,
-        uses: &["SeenByLight", "nearest_of_objects", "point_of_pass"],
+        uses: &["SeenByLight", "nearest_of_objects", "point_of_pass", "seen_in_shells"],
         text: r#"@fragment
 fn objects_light_main(@builtin(position) position: vec4f) -> SeenByLight {
-    let nearest = nearest_of_objects(point_of_pass(position.xy));
-    if (nearest.first.hit.found == 0u) {
-        discard;
-    }
-    return SeenByLight(nearest.first.key, nearest.first.key);
+    return seen_in_shells(nearest_of_objects(point_of_pass(position.xy)));
 }"#,
     },
 ];

@@ -107,8 +107,8 @@ pub enum Root {
     Functions,
     /// Rasterises the base mesh and traces it: `vertex_main`, `fragment_main`.
     Trace,
-    /// The same of shells, which rays find in a hierarchy of boxes: `cover_vertex`, of which a triangle covers
-    /// the picture, `shells_main`.
+    /// The same of shells, which rays find in a hierarchy of boxes: `cover_vertex`, of which three vertices
+    /// cover the picture, `shells_main`.
     TraceShells,
     /// The same of objects of images: `cover_vertex`, `objects_main`.
     TraceObjects,

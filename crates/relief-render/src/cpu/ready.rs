@@ -8,7 +8,7 @@ use relief_core::{BakedMap, Lanes};
 use relief_shaders::cpu::{
     Corner, Entered, FirstHit, Frame, Hit, Path, PixelIn, Program, Triangle, Vec3 as ShaderVec3, Vec4,
 };
-use relief_shaders::surface::FOLDED;
+use relief_shaders::surface::{DEPTH_SLACK, FOLDED};
 
 use crate::camera::Ray;
 use crate::job::{Job, JobSurface};
@@ -23,10 +23,6 @@ pub fn caster(triangles: &Triangles) -> RayCaster {
     let position = |corner: &Corner| Vec3::new(corner.position.x, corner.position.y, corner.position.z);
     RayCaster::of_corners(triangles.iter().map(|Triangle { a, b, c, .. }| [&a, &b, &c].map(position)))
 }
-
-/// The depths, relative to the nearest hit, up to which base polygons are looked at: keys and depths are
-/// rounded in other ways. Smaller, and the backends may show different polygons; larger costs time only.
-const DEPTH_SLACK: f64 = 1e-5;
 
 /// How far before a point rays to it from lights end, as parts of the displacement and of the largest
 /// coordinate: nearer, and rounding lets surfaces hide themselves where light grazes them; farther, and they

@@ -195,8 +195,8 @@ impl Programs {
         sampling: Sampling,
         two_sided: bool,
     ) -> Result<RenderPipeline, GpuError> {
-        let Layouts { mesh, shells, .. } = self.layouts.clone();
-        let groups = [self.layouts.maps(sampling).clone(), mesh, shells];
+        let Layouts { mesh, shells, .. } = &self.layouts;
+        let groups = [self.layouts.maps(sampling), mesh, shells].map(Clone::clone);
         let (roots, formats): ([Root; 3], &[TextureFormat]) = match seer {
             Seer::Camera | Seer::CameraBesideCounts => {
                 ([Root::Trace, Root::TraceShells, Root::TraceObjects], &[HIT, WHAT])

@@ -47,6 +47,15 @@ pub const PATHS: &[Paths] = &[
 /// What is added to the order of a shell's corners where the shell overlaps itself.
 pub const FOLDED: u32 = 64;
 
+/// How much larger the hulls of shells and the boxes around them are for a ray, relative to the largest
+/// coordinate in play: more than rounding moves the ray, so that no shell is left out that it would have hit.
+pub const SHELL_SLACK: f64 = 5e-6;
+
+/// How far behind a hit, relative to its depth, shells and polygons may begin that are still looked into: keys
+/// and depths are rounded in other ways. Smaller, and the backends may show different ones; larger costs time
+/// only.
+pub const DEPTH_SLACK: f64 = 1e-5;
+
 /// What a surface makes of a pixel's ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Paths {

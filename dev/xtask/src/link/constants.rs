@@ -58,6 +58,8 @@ pub fn module() -> String {
     constant("CELLS_MASK", MASK_CELLS);
     constant("STAGES", STAGES.len() as u32);
     constant("SURFACE_STAGE", SURFACE as u32);
+    let _ = writeln!(text, "const SHELL_SLACK = {:?};", surface::SHELL_SLACK as f32);
+    let _ = writeln!(text, "const DEPTH_SLACK = {:?};", surface::DEPTH_SLACK as f32);
     let _ = writeln!(text, "const EMPTY_HEIGHT = {:?};", EMPTY_HEIGHT as f32);
     let _ = writeln!(text, "const LEAST_FRAME_FACING = {:?};", LEAST_FACING as f32);
     let _ = writeln!(text, "const LEAST_FRAME_COVER = {:?};", LEAST_COVER as f32);
