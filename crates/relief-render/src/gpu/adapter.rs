@@ -94,6 +94,20 @@ pub(super) fn limits(adapter: &Adapter) -> Limits {
     }
 }
 
+/// Pixels of a band of rows, which is traced, shaded and read back at once: 24 MiB of records. Larger, and
+/// slow adapters may take so long that the system resets them; smaller, and the mesh is drawn more often than
+/// need be.
+pub(super) const BAND_PIXELS: u32 = 1 << 18;
+
+/// The same of a graphics card: 96 MiB of records. Each band waits for the one before, which with smaller
+/// ones takes a tenth of a fast card's frame.
+const CARD_BAND_PIXELS: u32 = 1 << 20;
+
+/// Pixels of a band on an adapter of that kind.
+pub(super) fn band_pixels(kind: DeviceType) -> u32 {
+    if kind == DeviceType::DiscreteGpu { CARD_BAND_PIXELS } else { BAND_PIXELS }
+}
+
 /// What fast sampling, times of passes and stencil buffers need, where the adapter has it.
 pub(super) fn features(adapter: &Adapter) -> Features {
     let wanted = Features::FLOAT32_FILTERABLE | Features::TIMESTAMP_QUERY | Features::DEPTH32FLOAT_STENCIL8;

@@ -18,6 +18,7 @@ pub struct Gpu {
     queue: wgpu::Queue,
     description: String,
     filters_f32: bool,
+    band_pixels: u32,
     /// What the driver reports outside of any call; nothing of a device that a caller keeps handlers of.
     troubles: Option<Arc<Mutex<Troubles>>>,
     uploaded: Arc<AtomicU64>,
@@ -74,7 +75,8 @@ impl Gpu {
             locked(&noted).stray.get_or_insert(refusal(&error));
         }));
         let gpu = Self::of_device(device, queue, &adapter::described(&info));
-        Ok(Self { troubles: Some(troubles), ..gpu })
+        let band_pixels = adapter::band_pixels(info.device_type);
+        Ok(Self { band_pixels, troubles: Some(troubles), ..gpu })
     }
 
     /// A device and queue of the caller's own, who keeps his own error handlers: errors of what is done here
@@ -85,6 +87,7 @@ impl Gpu {
     pub fn of_device(device: wgpu::Device, queue: wgpu::Queue, name: &str) -> Self {
         Self {
             filters_f32: device.features().contains(wgpu::Features::FLOAT32_FILTERABLE),
+            band_pixels: adapter::BAND_PIXELS,
             device,
             queue,
             description: name.to_owned(),
@@ -112,6 +115,11 @@ impl Gpu {
     /// Whether samplers filter 32-bit floats.
     pub(super) fn filters_f32(&self) -> bool {
         self.filters_f32
+    }
+
+    /// Pixels of a picture that are traced, shaded and read back at once.
+    pub(super) fn band_pixels(&self) -> u32 {
+        self.band_pixels
     }
 
     /// Bytes uploaded so far, by all clones.

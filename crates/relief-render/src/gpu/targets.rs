@@ -11,11 +11,6 @@ use super::programs::{DEPTH, DEPTH_AND_COUNT, HIT, Layouts, WHAT};
 use super::{Gpu, GpuError};
 use crate::samples::Sample;
 
-/// Pixels of a band of rows, which is traced, shaded and read back at once: 24 MiB of records. Larger, and
-/// slow adapters may take so long that the system resets them; smaller, and the mesh is drawn more often than
-/// need be.
-const BAND_PIXELS: u32 = 1 << 18;
-
 /// Bytes of the sum of a pixel's colours.
 const SUM_BYTES: u64 = 16;
 
@@ -75,7 +70,7 @@ impl Targets {
         counts: bool,
         layouts: &Layouts,
     ) -> Result<Self, GpuError> {
-        let rows = (BAND_PIXELS / width).clamp(1, height);
+        let rows = (gpu.band_pixels() / width).clamp(1, height);
         let texture = |label, format, usage| {
             let usage = TextureUsages::RENDER_ATTACHMENT | usage;
             let texture = target(gpu, label, [width, rows], format, usage);
