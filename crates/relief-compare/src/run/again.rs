@@ -6,14 +6,17 @@ use crate::error::CompareError;
 use crate::record::{PictureRecord, Records, TimeRecord};
 use crate::{Contender, Goal};
 
-/// How many times as many frames it takes.
+/// How many times as many frames it takes: at least so many, and up to the most where all of them together
+/// take no longer than so many milliseconds.
 const FRAMES: u32 = 3;
+const MOST_FRAMES: u32 = 15;
+const SHORT_MS: f64 = 3000.0;
 
 impl Comparison {
-    /// Times those methods once more, with more frames, between which a [`Goal`] was decided by too little:
-    /// so few that they stay close in time to each other. Their times become those of this look, but that an
-    /// upper end is no less than the median of the look before: so a budget is kept whether the machine is as
-    /// quick as then or as now. Says how many methods were timed.
+    /// Times those methods once more, with three to fifteen times the frames, between which a [`Goal`] was
+    /// decided by too little: so few methods that they stay close in time to each other. Their times become
+    /// those of this look, but that an upper end is no less than the median of the look before: so a budget
+    /// is kept whether the machine is as quick as then or as now. Says how many methods were timed.
     ///
     /// # Errors
     ///
@@ -29,6 +32,7 @@ impl Comparison {
         if labels.is_empty() {
             return Ok(0);
         }
+        let frames = frames(timing.frames, records, &labels);
         let mut contenders: Vec<Contender> = self.entrants()?;
         contenders.retain(|contender| labels.contains(&contender.label()));
         let again = Comparison {
@@ -39,7 +43,7 @@ impl Comparison {
             shadows: Vec::new(),
             rays: 0,
             flicker_samples: None,
-            timing: Some(Timing { frames: FRAMES * timing.frames, ..timing }),
+            timing: Some(Timing { frames, ..timing }),
             ..self.clone()
         };
         let seen = again.run(watch)?.records.pictures;
@@ -54,6 +58,16 @@ impl Comparison {
     }
 }
 
+/// The frames of each of some methods, after so many: short ones are many, so that a budget is decided by
+/// little.
+fn frames(before: u32, records: &Records, labels: &[String]) -> u32 {
+    let looked_at = records.pictures.iter().filter(|record| labels.contains(&record.method.label()));
+    let one_of_each: f64 =
+        looked_at.filter_map(|record| record.times.as_ref()).map(|times| times.frame_ms).sum();
+    let short = (SHORT_MS / one_of_each.max(f64::MIN_POSITIVE)) as u32;
+    short.clamp(before.saturating_mul(FRAMES), before.saturating_mul(MOST_FRAMES))
+}
+
 /// Whether two pictures show the same in the same place.
 fn is_same(a: &PictureRecord, b: &PictureRecord) -> bool {
     let of = |record: &PictureRecord| {
@@ -61,4 +75,28 @@ fn is_same(a: &PictureRecord, b: &PictureRecord) -> bool {
         (method.label(), method.map_size, method.scale_m.to_bits(), record.distance_m.map(f64::to_bits))
     };
     (of(a), &a.backend, &a.sampling) == (of(b), &b.backend, &b.sampling)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::MethodRecord;
+
+    #[test]
+    fn short_frames_are_looked_at_more_often() {
+        let record = |name: &str, frame_ms| PictureRecord {
+            method: MethodRecord { method: name.to_owned(), ..Default::default() },
+            times: Some(TimeRecord { frame_ms, ..Default::default() }),
+            ..Default::default()
+        };
+        let pictures = vec![record("bump", 4.0), record("cone", 36.0), record("exact", 400.0)];
+        let records = Records { pictures, ..Default::default() };
+        let of = |names: &[&str]| {
+            frames(9, &records, &names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>())
+        };
+        assert_eq!(of(&["bump"]), 135);
+        assert_eq!(of(&["bump", "cone"]), 75);
+        assert_eq!(of(&["cone", "exact"]), 27);
+        assert_eq!(of(&[]), 135);
+    }
 }
