@@ -6,10 +6,13 @@ use crate::error::CompareError;
 use crate::record::{PictureRecord, Records, TimeRecord};
 use crate::{Contender, Goal};
 
-/// How many times as many frames it takes: at least so many, and up to the most where all of them together
-/// take no longer than so many milliseconds.
+/// A second look has at least that many times the frames of the first.
 const FRAMES: u32 = 3;
+
+/// It has up to that many times the frames of the first where they are short.
 const MOST_FRAMES: u32 = 15;
+
+/// Milliseconds that all frames of a second look take together, where they are short.
 const SHORT_MS: f64 = 3000.0;
 
 impl Comparison {
@@ -58,8 +61,8 @@ impl Comparison {
     }
 }
 
-/// The frames of each of some methods, after so many: short ones are many, so that a budget is decided by
-/// little.
+/// How many frames of each of these methods the second look has, where the first one had `before`. Many, if
+/// they are short: the more there are, the better is known which of two near times is the shorter.
 fn frames(before: u32, records: &Records, labels: &[String]) -> u32 {
     let looked_at = records.pictures.iter().filter(|record| labels.contains(&record.method.label()));
     let one_of_each: f64 =

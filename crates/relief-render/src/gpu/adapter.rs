@@ -99,8 +99,8 @@ pub(super) fn limits(adapter: &Adapter) -> Limits {
 /// need be.
 pub(super) const BAND_PIXELS: u32 = 1 << 18;
 
-/// The same of a graphics card: 96 MiB of records. Each band waits for the one before, which with smaller
-/// ones takes a tenth of a fast card's frame.
+/// Pixels of a band on a graphics card: 96 MiB of records. Each band waits for the one before. With smaller
+/// bands that takes a tenth of a fast card's frame.
 const CARD_BAND_PIXELS: u32 = 1 << 20;
 
 /// Pixels of a band on an adapter of that kind.
