@@ -137,7 +137,7 @@ fn what_is_hardly_deeper_than_a_pixel_is_as_well_seen_flat() {
             println!("{case}");
             // Of smooth ground there is little to redistribute.
             let is_rough = named.name == "cobbles";
-            assert!(faded.error < if is_rough { 0.75 } else { 1.5 } * levels.error, "{case}");
+            assert!(faded.error < if is_rough { 0.8 } else { 1.5 } * levels.error, "{case}");
             assert!(faded.flicker < if is_rough { 0.5 } else { 1.1 } * levels.flicker, "{case}");
             assert!(faded.reads < 0.75 * levels.reads, "{case}");
             assert!((faded.brightness - 1.0).abs() < 0.04, "{case}");
@@ -164,7 +164,7 @@ fn pictures_come_near_to_those_of_many_samples() {
             println!("{case}");
             assert!(levels.error < none.error, "{case}");
             assert!(levels.reads <= none.reads, "{case}");
-            if tilt_deg > 0.0 && texels > 4.0 {
+            if tilt_deg > 0.0 && texels >= 4.0 {
                 assert!(levels.reads < 0.95 * none.reads, "{case}");
             }
             if texels == 4.0 && (map == "ground" || (tilt_deg == 0.0 && shadow == "none")) {

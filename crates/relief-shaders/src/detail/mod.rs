@@ -32,7 +32,7 @@ const TEXELS: Param = Param {
     unit: "",
     min: 1.0,
     max: 64.0,
-    default: 2.0,
+    default: 1.4,
     integer: false,
     names: &[],
 };
