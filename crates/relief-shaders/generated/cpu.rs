@@ -3497,6 +3497,7 @@ impl<'g> Resources<'g> {
         rt::into(self.v_object_cell_stage(rt::into(cell_9), rt::into(level_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_object_cell_stage(
         &self,
         cell_9: rt::Vec2<i32>,
