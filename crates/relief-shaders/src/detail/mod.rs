@@ -25,7 +25,8 @@ const ANISOTROPY: Param = Param {
     names: &[],
 };
 
-/// How fine a level is traced.
+/// How fine a level is traced. Texels of a level are twice as wide as those of the finer one: with 1.4, 1.4 to
+/// 2.8 of them are beside each other, and so the level is traced that comes nearest to two.
 const TEXELS: Param = Param {
     name: "texels",
     summary: "texels of the traced level beside each other in a footprint, at least; more show more",
