@@ -65,32 +65,36 @@
 //!    `[i, i + W] x [j, j + H]`; under `mirror` in `[i, 2W - 1]` along `x`, which holds every column ahead
 //!    and then those behind, mirrored; under `clamp` in `[i, W - 1]`; rows likewise. The demands of the
 //!    texels and the diagonal cells in these are all that is searched for.
-//! 5. *Rounding.* A corner's demand is a difference and a quotient in `f64`, below the true one by less than
+//! 5. *Squares.* Most slopes are found by the greatest heights of squares that grow; why they ask for the same
+//!    is said in `growing_squares.rs`. The others are searched for, in a pyramid of maxima.
+//! 6. *Rounding.* A corner's demand is a difference and a quotient in `f64`, below the true one by less than
 //!    2⁻⁵¹ of it; a diagonal's is never below the true one. The greatest is raised by 2⁻⁵⁰ of it and rounded
-//!    up to `f32`. The search passes over a node of the pyramid only where its bound is below what is found
-//!    already by more than the rounding of the comparison, or where without any rounding a hull or a plane
-//!    above the node is not above the frustum found. So what it has found is the greatest of all demands, but
-//!    for those of nodes whose hull or plane is above that frustum and not above one steeper by 2⁻¹⁶: where
-//!    it passed over such a node it raises the slope by so much. Heights and tops are not rounded. With
-//!    `bits`, heights are decoded from so many bits first, so the top is one that is stored exactly; slopes
-//!    are rounded up, to steps of a power of two over `2^bits - 1`.
+//!    up to `f32`. A square is passed over only where its bound is below what is found already by more than
+//!    the rounding of the comparison, and so is a node of the pyramid, or where without any rounding a hull or
+//!    a plane above the node is not above the frustum found. So what is found is the greatest of all demands,
+//!    but for those of nodes whose hull or plane is above that frustum and not above one steeper by 2⁻¹⁶:
+//!    where the search passed over such a node it raises the slope by so much. Heights and tops are not
+//!    rounded. With `bits`, heights are decoded from so many bits first, so the top is one that is stored
+//!    exactly; slopes are rounded up, to steps of a power of two over `2^bits - 1`.
 //!
 //! The half cells before texel 0 of a clamped or mirrored map, and all cells outside, are found by
 //! [`FrustumMap::at`]; that is proven there.
 
 mod ahead;
 mod diagonal;
+mod growing_squares;
 mod least_slopes;
 mod map;
+
+use std::sync::LazyLock;
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
 use relief_core::{HeightMap, MaxPyramid, Rounding};
 
+use self::growing_squares::slopes_by_squares;
+use self::least_slopes::{Nodes, least_slopes};
 use super::{BITS, Kind, Reach};
-use crate::texel_pyramid::TexelPyramid;
-use crate::upper_hulls::UpperHulls;
-use crate::upper_planes::UpperPlanes;
 use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink, Texture, quantise};
 
 pub use map::{Frustum, FrustumMap, FrustumMapError, quadrant};
@@ -99,7 +103,7 @@ pub use map::{Frustum, FrustumMap, FrustumMapError, quadrant};
 pub const KIND: Kind = Kind {
     name: "frustum",
     summary: "for every dual cell its top, and in each quadrant the least slope of an empty frustum on it",
-    revision: 2,
+    revision: 3,
     publication: Publication { paper: "Relief", section: "kind `frustum`" },
     params: PARAMS,
     guarantee: "In each quadrant the bilinear surface is nowhere above top + slope * Chebyshev distance from the cell, in \
@@ -127,12 +131,18 @@ const QUADRANTS: [[bool; 2]; 4] = [[true, true], [false, true], [true, false], [
 pub fn frustum_map(map: &HeightMap, progress: &Progress) -> Result<FrustumMap, Cancelled> {
     let begin = progress.piece(0.0, 0.02);
     let top = MaxPyramid::try_new(map, |part| begin.at(part))?.nodes(0).to_vec();
-    let (levels, planes, hulls) = (TexelPyramid::new(map), UpperPlanes::new(map), UpperHulls::new(map));
-    let slopes = |place: usize| {
-        let progress = progress.piece(0.02 + 0.245 * place as f32, 0.02 + 0.245 * (place + 1) as f32);
-        least_slopes::least_slopes(map, &top, (&levels, &planes, &hulls), QUADRANTS[place], &progress)
-    };
-    let slopes = [slopes(0)?, slopes(1)?, slopes(2)?, slopes(3)?];
+    let found = slopes_by_squares(map, &top, QUADRANTS, &progress.piece(0.02, 0.5))?;
+    let nodes = LazyLock::new(|| Nodes::new(map));
+    let mut slopes = [const { Vec::new() }; 4];
+    for (place, (slopes, found)) in slopes.iter_mut().zip(found).enumerate() {
+        let part = |place: usize| 0.5 + 0.125 * place as f32;
+        let progress = progress.piece(part(place), part(place + 1));
+        *slopes = if found.patience.is_empty() {
+            found.slopes
+        } else {
+            least_slopes(map, &top, &nodes, QUADRANTS[place], found, &progress)?
+        };
+    }
     Ok(FrustumMap::of_map(map, top, slopes))
 }
 

@@ -1,4 +1,4 @@
-//! The least slopes of one quadrant.
+//! The least slopes of one quadrant, of the cells that growing squares have left.
 //!
 //! A branch and bound over a maximum pyramid of texels, for a few cells side by side at once. A node is
 //! passed over when its greatest height, at its least distance, is for none of them steeper than the best so
@@ -18,6 +18,7 @@ use relief_core::HeightMap;
 
 use super::ahead::{self, Run};
 use super::diagonal;
+use super::growing_squares::Found;
 use crate::texel_pyramid::TexelPyramid;
 use crate::upper_hulls::UpperHulls;
 use crate::upper_planes::{UpperPlanes, floor};
@@ -37,7 +38,7 @@ const TILES: usize = 2048;
 const RAISE: f64 = 1.0 + 1.0 / (1u64 << 50) as f64;
 
 /// Lowers slopes, so that in `f32`, with three roundings of 2⁻²⁴, no node that matters is passed over.
-const CAUTION: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
+pub const CAUTION: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
 
 /// What a slope is raised by where something else is as steep to within this. Else the rounding of heights
 /// would decide what is steepest of much that is equally steep, and all of it had to be looked at.
@@ -50,16 +51,17 @@ const PATIENCE: u32 = 64;
 const STEEPEST: f32 = 2.0;
 
 /// The least slope of every cell, with those tops, in the quadrant that goes `forward` or not along each
-/// axis.
+/// axis, from what squares have told of them.
 pub fn least_slopes(
     map: &HeightMap,
     tops: &[f32],
-    (levels, planes, hulls): (&TexelPyramid, &UpperPlanes, &UpperHulls),
+    nodes: &Nodes,
     forward: [bool; 2],
+    found: Found,
     progress: &Progress,
 ) -> Result<Vec<f32>, Cancelled> {
     let (width, height) = (map.width() as usize, map.height() as usize);
-    let mut slopes = vec![0.0; width * height];
+    let Found { mut slopes, patience } = found;
     let done = AtomicUsize::new(0);
     let across = width.div_ceil(LANES);
     let tiles = across * height.div_ceil(ROWS);
@@ -68,7 +70,7 @@ pub fn least_slopes(
             let (column, row) = (tile % across * LANES, tile / across * ROWS);
             let columns = [column, (column + LANES).min(width) - 1].map(|column| column as u32);
             let rows = [row, (row + ROWS).min(height) - 1].map(|row| row as u32);
-            let mut search = Search::new(map, tops, (levels, planes, hulls), forward, columns);
+            let mut search = Search::new(map, tops, nodes, (&slopes, &patience), forward, columns);
             // Not wider ones: eight cells are searched for together.
             let found = relief_core::Lanes::Eight.run(Rows { search: &mut search, rows });
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
@@ -85,6 +87,21 @@ pub fn least_slopes(
         }
     }
     Ok(slopes)
+}
+
+/// What is known of the squares of texels that a search goes through.
+pub struct Nodes<'a> {
+    levels: TexelPyramid<'a>,
+    planes: UpperPlanes,
+    hulls: UpperHulls,
+}
+
+impl<'a> Nodes<'a> {
+    /// Those of a map.
+    pub fn new(map: &'a HeightMap) -> Self {
+        let (levels, planes, hulls) = (TexelPyramid::new(map), UpperPlanes::new(map), UpperHulls::new(map));
+        Self { levels, planes, hulls }
+    }
 }
 
 /// Rows of a tile, to be searched with the vectors that the machine has.
@@ -122,6 +139,9 @@ struct Sight {
 struct Search<'a> {
     map: &'a HeightMap,
     tops: &'a [f32],
+    /// The slopes of all cells to begin with. Those of cells without patience are searched for.
+    begun: &'a [f32],
+    patience: &'a [u8],
     levels: &'a TexelPyramid<'a>,
     planes: &'a UpperPlanes,
     hulls: &'a UpperHulls,
@@ -150,7 +170,8 @@ impl<'a> Search<'a> {
     fn new(
         map: &'a HeightMap,
         tops: &'a [f32],
-        (levels, planes, hulls): (&'a TexelPyramid<'a>, &'a UpperPlanes, &'a UpperHulls),
+        nodes: &'a Nodes<'a>,
+        (begun, patience): (&'a [f32], &'a [u8]),
         forward: [bool; 2],
         columns: [u32; 2],
     ) -> Self {
@@ -158,9 +179,11 @@ impl<'a> Search<'a> {
         Self {
             map,
             tops,
-            levels,
-            planes,
-            hulls,
+            begun,
+            patience,
+            levels: &nodes.levels,
+            planes: &nodes.planes,
+            hulls: &nodes.hulls,
             forward,
             columns,
             row: 0,
@@ -192,18 +215,25 @@ impl<'a> Search<'a> {
     #[inline(always)]
     fn least_slopes(&mut self) -> [f32; LANES] {
         let start = self.row as usize * self.map.width() as usize;
-        let tops = &self.tops[start + self.columns[0] as usize..=start + self.columns[1] as usize];
+        let cells = start + self.columns[0] as usize..=start + self.columns[1] as usize;
+        let (tops, patience) = (&self.tops[cells.clone()], &self.patience[cells.clone()]);
+        let mut found = [0.0; LANES];
+        found[..tops.len()].copy_from_slice(&self.begun[cells]);
+        if !patience.contains(&0) {
+            return found;
+        }
         self.top = [f32::INFINITY; LANES];
-        self.top[..tops.len()].copy_from_slice(tops);
         self.slope = [0.0; LANES];
         self.cautious = [0.0; LANES];
-        self.fine_top = self.top.map(|top| floor(f64::from(top)));
         self.fine_slope = [0.0; LANES];
         self.is_tied = [false; LANES];
-        for lane in 0..tops.len() {
+        for lane in (0..tops.len()).filter(|lane| patience[*lane] == 0) {
+            self.top[lane] = tops[lane];
             let [u, v] = self.ahead[lane];
+            self.offer(lane, f64::from(found[lane]), [u, v + 1]);
             self.look(lane, [u, v + 1]);
         }
+        self.fine_top = self.top.map(|top| floor(f64::from(top)));
         let (size, wrap) = ([self.map.width(), self.map.height()], self.map.wrap());
         let columns = ahead::runs(wrap, size[0], self.columns, self.forward[0]);
         let rows = ahead::runs(wrap, size[1], [self.row; 2], self.forward[1]);
@@ -212,9 +242,12 @@ impl<'a> Search<'a> {
                 self.search(&[along_u, along_v]);
             }
         }
-        let mut found = [0.0; LANES];
-        for (lane, found) in found.iter_mut().enumerate() {
-            *found = round_up(if self.is_tied[lane] { self.slope[lane] * TIE } else { self.slope[lane] });
+        for (lane, found) in found.iter_mut().enumerate().take(tops.len()) {
+            if self.is_tied[lane] {
+                *found = round_up(self.slope[lane] * TIE);
+            } else if self.slope[lane] > f64::from(*found) {
+                *found = round_up(self.slope[lane]);
+            }
         }
         found
     }
@@ -339,7 +372,7 @@ impl<'a> Search<'a> {
 }
 
 /// The least `f32` that is surely not below the slope whose rounded value is given.
-fn round_up(slope: f64) -> f32 {
+pub fn round_up(slope: f64) -> f32 {
     let raised = slope * RAISE;
     let nearest = raised as f32;
     if f64::from(nearest) < raised { nearest.next_up().min(STEEPEST) } else { nearest }
