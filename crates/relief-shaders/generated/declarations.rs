@@ -539,6 +539,9 @@ pub const MODULES: &[Module] = &[
 // what it meets shaded. A program whose meshes come otherwise calls `shade_pixel` from a fragment function of
 // its own.
 "# },
+    Module { path: "roots/paths", head: r#"// Search and refinement over a list of paths: for programs that trace on a GPU without drawing, and for
+// measurements of these stages beside others over the same paths.
+"# },
     Module { path: "roots/probe", head: r#"// The stages one after the other over a list of rays, with every stage's result: for tests that hold the GPU
 // to the translation, and for measurements of the stages alone.
 "# },
@@ -722,6 +725,20 @@ pub const DECLARATIONS: &[Declaration] = &[
         sampling: None,
         uses: &["Probe"],
         text: r#"@group(1) @binding(2) var<storage, read_write> probes: array<Probe>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "given_paths",
+        sampling: None,
+        uses: &["Path"],
+        text: r#"@group(1) @binding(19) var<storage, read> given_paths: array<Path>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "found_hits",
+        sampling: None,
+        uses: &["Hit"],
+        text: r#"@group(1) @binding(20) var<storage, read_write> found_hits: array<Hit>;"#,
     },
     Declaration {
         module: "bindings",
@@ -12275,6 +12292,21 @@ fn draw_box_fragment(in: Varying) -> Drawn {
         discard;
     }
     return drawn_with_depth(shade_pixel(numbered_pixel(in.triangle, in.side, in.position.xy)));
+}"#,
+    },
+    Declaration {
+        module: "roots/paths",
+        name: "paths_main",
+        sampling: None,
+        uses: &["PROBE_GROUP", "PROBE_ROW", "found_hits", "given_paths", "refine_stage", "search_stage"],
+        text: r#"@compute @workgroup_size(PROBE_GROUP)
+fn paths_main(@builtin(global_invocation_id) id: vec3u) {
+    let index = id.y * PROBE_ROW + id.x;
+    if (index >= arrayLength(&given_paths)) {
+        return;
+    }
+    let path = given_paths[index];
+    found_hits[index] = refine_stage(path, search_stage(path));
 }"#,
     },
     Declaration {

@@ -529,6 +529,64 @@ impl Shared for Probe {
     }
 }
 
+impl Shared for Hit {
+    const SIZE: usize = 48;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.found.write(&mut bytes[0..]);
+        self.exhausted.write(&mut bytes[4..]);
+        self.uv.write(&mut bytes[8..]);
+        self.height.write(&mut bytes[16..]);
+        self.t.write(&mut bytes[20..]);
+        self.cost.write(&mut bytes[32..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            found: Shared::read(&bytes[0..]),
+            exhausted: Shared::read(&bytes[4..]),
+            uv: Shared::read(&bytes[8..]),
+            height: Shared::read(&bytes[16..]),
+            t: Shared::read(&bytes[20..]),
+            cost: Shared::read(&bytes[32..]),
+        }
+    }
+}
+
+impl Shared for Path {
+    const SIZE: usize = 96;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.uv.write(&mut bytes[0..]);
+        self.duv.write(&mut bytes[8..]);
+        self.h.write(&mut bytes[16..]);
+        self.exit.write(&mut bytes[28..]);
+        self.base.write(&mut bytes[32..]);
+        self.metric.write(&mut bytes[48..]);
+        self.ray.write(&mut bytes[64..]);
+        self.level.write(&mut bytes[68..]);
+        self.start.write(&mut bytes[72..]);
+        self.share.write(&mut bytes[76..]);
+        self.bend.write(&mut bytes[80..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            uv: Shared::read(&bytes[0..]),
+            duv: Shared::read(&bytes[8..]),
+            h: Shared::read(&bytes[16..]),
+            exit: Shared::read(&bytes[28..]),
+            base: Shared::read(&bytes[32..]),
+            metric: Shared::read(&bytes[48..]),
+            ray: Shared::read(&bytes[64..]),
+            level: Shared::read(&bytes[68..]),
+            start: Shared::read(&bytes[72..]),
+            share: Shared::read(&bytes[76..]),
+            bend: Shared::read(&bytes[80..]),
+        }
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 /// What a pass over a level of a pyramid reads.
 pub struct PyramidPass {

@@ -77,7 +77,7 @@ const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'sta
 
 /// All bindings. Group 0 is the same for every program; a program of the other groups binds those of them
 /// that it names.
-pub const BINDINGS: [Binding; 40] = [
+pub const BINDINGS: [Binding; 42] = [
     uniform(0, "surface_settings", "SurfaceSettings", "what changes with the surface"),
     filtered(1, "height_map", false, "heights"),
     filtered(
@@ -120,6 +120,8 @@ pub const BINDINGS: [Binding; 40] = [
     storage(1, 1, "mesh_corners", "Corner", true, "the base mesh's corners, which triangles share"),
     storage(1, 8, "pixels", "PixelIn", true, "rays to probe"),
     storage(1, 2, "probes", "Probe", false, "the stages' results for these rays"),
+    storage(1, 19, "given_paths", "Path", true, "paths to trace"),
+    storage(1, 20, "found_hits", "Hit", false, "the hits of these paths"),
     traced(
         0,
         "traced_hit",

@@ -27,10 +27,10 @@ use crate::{Choice, Selection};
 /// Rows and columns of a workgroup of the passes over pixels.
 pub const SHADE_GROUP: u32 = 8;
 
-/// Rays of a workgroup of the probe.
+/// Rays of a workgroup of the probe, and paths.
 pub const PROBE_GROUP: u32 = 64;
 
-/// Rays of a row of the probe's workgroups, so that more rays fit than a dispatch has columns.
+/// Rays of a row of these workgroups, so that more rays fit than a dispatch has columns.
 pub const PROBE_ROW: u32 = 65_536;
 
 /// Vertices, edges, triangles, blocks or points of a workgroup of the passes that tessellate.
@@ -149,6 +149,8 @@ pub enum Root {
     Show,
     /// Runs the stages over a list of rays and writes every stage's result: `probe_main`.
     Probe,
+    /// Runs search and refinement over a list of paths: `paths_main`.
+    Paths,
     /// Builds a level of a pyramid of heights: `pyramid_vertex`, `pyramid_fragment`. It binds nothing of
     /// group 0.
     Pyramid,
@@ -160,7 +162,7 @@ pub enum Root {
 
 impl Root {
     /// Every root.
-    pub const ALL: [Root; 21] = [
+    pub const ALL: [Root; 22] = [
         Root::Functions,
         Root::Trace,
         Root::TraceShells,
@@ -180,6 +182,7 @@ impl Root {
         Root::Resolve,
         Root::Show,
         Root::Probe,
+        Root::Paths,
         Root::Pyramid,
         Root::Tessellate,
     ];
@@ -208,6 +211,7 @@ impl Root {
             Root::Resolve => &["resolve_main"],
             Root::Show => &["show_main"],
             Root::Probe => &["probe_main"],
+            Root::Paths => &["paths_main"],
             Root::Pyramid => &["pyramid_vertex", "pyramid_fragment"],
             Root::Tessellate => &[
                 "begin_main",

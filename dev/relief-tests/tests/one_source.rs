@@ -114,3 +114,28 @@ fn fast_sampling_reads_the_same_surface_in_every_wrap() {
         assert!(compared > 10_000, "{wrap}: only {compared}");
     }
 }
+
+#[test]
+fn paths_without_a_pixel_end_where_the_translation_says() {
+    let Some(mut prober) = adapter::prober() else { return };
+    for (search, refine) in [("linear", "binary"), ("cells", "patch"), ("pyramid", "patch"), ("cone", "none")]
+    {
+        for wrap in Wrap::ALL {
+            let map = named("white noise 37x53").build(wrap).with_displacement(0.3, -0.1);
+            let case = Case::of(search, refine, map.expect("proper numbers"));
+            let program = case.program();
+            let rays = rays::pixels(&case.map, 5_000, 13);
+            let paths: Vec<_> =
+                rays.iter().map(|ray| program.segment(*ray, program.enter(*ray), 0)).collect();
+            let hits = prober.trace(case.surface(), Sampling::Exact, &paths).expect("the paths are traced");
+            let found = hits.iter().filter(|hit| hit.found == 1).count();
+            assert!(found > 1_000, "{search} {wrap}: {found} hits");
+            for (path, hit) in paths.iter().zip(&hits) {
+                let own = program.refine(*path, program.search(*path));
+                assert_eq!(*hit, own, "{search}, {refine}, {wrap}: {path:?}");
+            }
+        }
+    }
+    let case = Case::of("linear", "binary", named("white noise 37x53").build(Wrap::Repeat));
+    assert_eq!(prober.trace(case.surface(), Sampling::Exact, &[]), Ok(Vec::new()));
+}

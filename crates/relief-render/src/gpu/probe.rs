@@ -1,8 +1,12 @@
-//! The stages over a list of rays.
+//! The stages over a list of rays, and search and refinement over a list of paths.
 
-use relief_shaders::cpu::{Frame, PassSettings, PixelIn, Probe, Shared, read_all};
+use std::marker::PhantomData;
+use std::time::Duration;
+
+use relief_shaders::cpu::{Frame, Hit, PassSettings, Path, PixelIn, Probe, Shared, read_all};
 use relief_shaders::wgsl::{PROBE_GROUP, PROBE_ROW, Sampling};
-use wgpu::{BindGroup, BufferUsages, ComputePipeline};
+use web_time::Instant;
+use wgpu::{BindGroup, BindGroupLayout, Buffer, BufferUsages, CommandEncoder, ComputePipeline};
 
 use super::layouts::group;
 use super::programs::Programs;
@@ -42,25 +46,78 @@ impl Prober {
         sampling: Sampling,
         rays: &[PixelIn],
     ) -> Result<Vec<Probe>, GpuError> {
-        block_on(self.probe_async(surface, sampling, rays))
+        block_on(async {
+            let pass = self.pass_over_rays(surface, sampling).await?;
+            self.results(&pass, rays).await
+        })
     }
 
-    async fn probe_async(
+    /// Traces paths through a surface's relief by its search and its refinement: the hits that
+    /// [`MethodTracer`](relief_shaders::cpu::MethodTracer) finds. The surface's own triangles are not used.
+    ///
+    /// # Errors
+    ///
+    /// As [`probe`](Self::probe).
+    pub fn trace(
         &mut self,
         surface: &JobSurface,
         sampling: Sampling,
-        rays: &[PixelIn],
-    ) -> Result<Vec<Probe>, GpuError> {
-        let mut probes = Vec::new();
-        probes.try_reserve_exact(rays.len()).map_err(|_| GpuError::OutOfMemory)?;
-        if rays.is_empty() {
-            return Ok(probes);
-        }
+        paths: &[Path],
+    ) -> Result<Vec<Hit>, GpuError> {
+        block_on(async {
+            let pass = self.pass_over_paths(surface, sampling).await?;
+            self.results(&pass, paths).await
+        })
+    }
+
+    /// How long [`trace`](Self::trace) takes on the GPU, without what is sent before and read back after. A
+    /// dispatch is a part of the paths: each is done so many times, and the shortest time of each counts.
+    ///
+    /// # Errors
+    ///
+    /// As [`probe`](Self::probe).
+    pub fn trace_time(
+        &mut self,
+        surface: &JobSurface,
+        sampling: Sampling,
+        paths: &[Path],
+        rounds: u16,
+    ) -> Result<Duration, GpuError> {
+        block_on(async {
+            let pass = self.pass_over_paths(surface, sampling).await?;
+            let mut all = Duration::ZERO;
+            for part in paths.chunks(RAYS) {
+                all += self.least_time(&pass, part, rounds).await?;
+            }
+            Ok(all)
+        })
+    }
+
+    async fn pass_over_rays(
+        &mut self,
+        surface: &JobSurface,
+        sampling: Sampling,
+    ) -> Result<Pass<PixelIn, Probe>, GpuError> {
         let program = self.programs.probe(&self.gpu, &surface.selection, sampling).await?;
+        let maps = self.maps(surface, sampling).await?;
+        Ok(Pass::new(program, maps, &self.programs.layouts.rays, ["pixels", "probes"]))
+    }
+
+    async fn pass_over_paths(
+        &mut self,
+        surface: &JobSurface,
+        sampling: Sampling,
+    ) -> Result<Pass<Path, Hit>, GpuError> {
+        let program = self.programs.paths(&self.gpu, &surface.selection, sampling).await?;
+        let maps = self.maps(surface, sampling).await?;
+        Ok(Pass::new(program, maps, &self.programs.layouts.paths, ["given_paths", "found_hits"]))
+    }
+
+    /// What the stages of a surface read.
+    async fn maps(&mut self, surface: &JobSurface, sampling: Sampling) -> Result<BindGroup, GpuError> {
         let builder = self.programs.pyramids(&self.gpu, std::slice::from_ref(surface), sampling).await?;
         let layouts = &self.programs.layouts;
-        let maps = self
-            .gpu
+        self.gpu
             .guarded(|| {
                 let mut frame = Uniform::new::<Frame>(&self.gpu, "frame");
                 frame.set(&self.gpu, Frame::none());
@@ -77,45 +134,109 @@ impl Prober {
                     .maps(&self.gpu, surface, sampling, layouts.maps(sampling), &common)
                     .map(|maps| maps.seen)
             })
-            .await?;
-        for chunk in rays.chunks(RAYS) {
-            self.probe_chunk(&program, &maps, chunk, &mut probes).await?;
-        }
-        Ok(probes)
+            .await
     }
 
-    async fn probe_chunk(
+    /// What a pass makes of a list.
+    async fn results<Given: Shared, Made: Shared>(
         &self,
-        program: &ComputePipeline,
-        maps: &BindGroup,
-        rays: &[PixelIn],
-        probes: &mut Vec<Probe>,
-    ) -> Result<(), GpuError> {
+        pass: &Pass<Given, Made>,
+        list: &[Given],
+    ) -> Result<Vec<Made>, GpuError> {
+        let mut made = Vec::new();
+        made.try_reserve_exact(list.len()).map_err(|_| GpuError::OutOfMemory)?;
+        for part in list.chunks(RAYS) {
+            let gpu = &self.gpu;
+            let bytes = (part.len() * Made::SIZE) as u64;
+            let readable = gpu
+                .guarded(|| {
+                    let part = pass.part(gpu, part)?;
+                    let usage = BufferUsages::MAP_READ | BufferUsages::COPY_DST;
+                    let readable = gpu.buffer("results to read", bytes, usage);
+                    let mut encoder = gpu.device().create_command_encoder(&Default::default());
+                    pass.dispatch(&part, &mut encoder);
+                    encoder.copy_buffer_to_buffer(&part.results, 0, &readable, 0, bytes);
+                    gpu.queue().submit([encoder.finish()]);
+                    Ok(readable)
+                })
+                .await?;
+            gpu.read(&readable, bytes, |bytes| made.extend(read_all::<Made>(bytes))).await?;
+        }
+        Ok(made)
+    }
+
+    /// The shortest of some times that a pass takes over a dispatch's part of a list.
+    async fn least_time<Given: Shared, Made: Shared>(
+        &self,
+        pass: &Pass<Given, Made>,
+        part: &[Given],
+        rounds: u16,
+    ) -> Result<Duration, GpuError> {
         let gpu = &self.gpu;
-        let bytes = (rays.len() * Probe::SIZE) as u64;
-        let row = PROBE_ROW as usize;
-        let readable = gpu
-            .guarded(|| {
-                let given = gpu.filled("rays", rays, BufferUsages::STORAGE)?;
-                let results = gpu.buffer("probes", bytes, BufferUsages::STORAGE | BufferUsages::COPY_SRC);
-                let readable =
-                    gpu.buffer("probes to read", bytes, BufferUsages::MAP_READ | BufferUsages::COPY_DST);
-                let bound = [("pixels", given.as_entire_binding()), ("probes", results.as_entire_binding())];
-                let rays_group = group(gpu.device(), "rays", &self.programs.layouts.rays, &bound);
+        let part = gpu.guarded(|| pass.part(gpu, part)).await?;
+        let mut least = None;
+        for _ in 0..rounds {
+            let start = Instant::now();
+            gpu.guarded(|| {
                 let mut encoder = gpu.device().create_command_encoder(&Default::default());
-                {
-                    let mut pass = encoder.begin_compute_pass(&Default::default());
-                    pass.set_pipeline(program);
-                    pass.set_bind_group(0, maps, &[0, 0]);
-                    pass.set_bind_group(1, &rays_group, &[]);
-                    let columns = rays.len().min(row).div_ceil(PROBE_GROUP as usize);
-                    pass.dispatch_workgroups(columns as u32, rays.len().div_ceil(row) as u32, 1);
-                }
-                encoder.copy_buffer_to_buffer(&results, 0, &readable, 0, bytes);
+                pass.dispatch(&part, &mut encoder);
                 gpu.queue().submit([encoder.finish()]);
-                Ok(readable)
+                Ok(())
             })
             .await?;
-        gpu.read(&readable, bytes, |bytes| probes.extend(read_all::<Probe>(bytes))).await
+            gpu.wait()?;
+            let taken = start.elapsed();
+            least = Some(least.map_or(taken, |least: Duration| least.min(taken)));
+        }
+        Ok(least.unwrap_or_default())
+    }
+}
+
+/// A program over a list, with what it reads of a surface.
+struct Pass<Given, Made> {
+    program: ComputePipeline,
+    maps: BindGroup,
+    layout: BindGroupLayout,
+    /// What the list and the results are bound as.
+    names: [&'static str; 2],
+    kinds: PhantomData<(Given, Made)>,
+}
+
+/// The part of a list that a dispatch goes over.
+struct Part {
+    len: usize,
+    results: Buffer,
+    group: BindGroup,
+}
+
+impl<Given: Shared, Made: Shared> Pass<Given, Made> {
+    fn new(
+        program: ComputePipeline,
+        maps: BindGroup,
+        layout: &BindGroupLayout,
+        names: [&'static str; 2],
+    ) -> Self {
+        Self { program, maps, layout: layout.clone(), names, kinds: PhantomData }
+    }
+
+    /// A part of the list on the GPU, and room for what is made of it.
+    fn part(&self, gpu: &Gpu, list: &[Given]) -> Result<Part, GpuError> {
+        let [given, made] = self.names;
+        let list_buffer = gpu.filled(given, list, BufferUsages::STORAGE)?;
+        let bytes = (list.len() * Made::SIZE) as u64;
+        let results = gpu.buffer(made, bytes, BufferUsages::STORAGE | BufferUsages::COPY_SRC);
+        let bound = [(given, list_buffer.as_entire_binding()), (made, results.as_entire_binding())];
+        let group = group(gpu.device(), given, &self.layout, &bound);
+        Ok(Part { len: list.len(), results, group })
+    }
+
+    fn dispatch(&self, part: &Part, encoder: &mut CommandEncoder) {
+        let mut pass = encoder.begin_compute_pass(&Default::default());
+        pass.set_pipeline(&self.program);
+        pass.set_bind_group(0, &self.maps, &[0, 0]);
+        pass.set_bind_group(1, &part.group, &[]);
+        let row = PROBE_ROW as usize;
+        let columns = part.len.min(row).div_ceil(PROBE_GROUP as usize);
+        pass.dispatch_workgroups(columns as u32, part.len.div_ceil(row) as u32, 1);
     }
 }

@@ -61,6 +61,8 @@ pub struct Layouts {
     pub shown: BindGroupLayout,
     /// Group 1 of the probe: rays and results.
     pub rays: BindGroupLayout,
+    /// Group 1 of the pass over paths: these and their hits.
+    pub paths: BindGroupLayout,
     /// Group 1 of the passes that build pyramids: what is read.
     pub pyramid: BindGroupLayout,
     /// What the passes that tessellate bind, where the GPU can bind as much.
@@ -78,6 +80,7 @@ impl Layouts {
             traced: of("traced", &["traced_hit", "traced_what", "records", "sums"]),
             shown: of("shown", &["shown_records", "picture"]),
             rays: of("rays", &["pixels", "probes"]),
+            paths: of("paths", &["given_paths", "found_hits"]),
             pyramid: of("pyramid", &["finer_level", "heights_below", "pyramid_pass"]),
             tessellated: tessellate::is_possible(device).then(|| tessellate::Groups {
                 counting: of("tessellate", tessellate::COUNTING),
@@ -115,6 +118,7 @@ pub struct Programs {
     stencil: Kept<Variant, StencilPrograms>,
     shade: Kept<Variant, ComputePipeline>,
     probe: Kept<Variant, ComputePipeline>,
+    paths: Kept<Variant, ComputePipeline>,
     /// The same for everything that is chosen.
     resolve: Kept<(), ComputePipeline>,
     show: Kept<(), ComputePipeline>,
@@ -173,6 +177,7 @@ impl Programs {
             stencil: Kept::new(),
             shade: Kept::new(),
             probe: Kept::new(),
+            paths: Kept::new(),
             resolve: Kept::new(),
             show: Kept::new(),
             pyramid: Kept::new(),
@@ -350,6 +355,19 @@ impl Programs {
         let compile = |text: &str| compute(gpu.device(), text, Root::Probe, &groups.each_ref());
         self.probe.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
     }
+
+    /// The program that runs search and refinement over paths.
+    pub async fn paths(
+        &mut self,
+        gpu: &Gpu,
+        selection: &Selection,
+        sampling: Sampling,
+    ) -> Result<ComputePipeline, GpuError> {
+        let groups = [self.layouts.maps(sampling), &self.layouts.paths].map(Clone::clone);
+        let text = || assemble(selection, Root::Paths, sampling);
+        let compile = |text: &str| compute(gpu.device(), text, Root::Paths, &groups.each_ref());
+        self.paths.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
+    }
 }
 
 fn module(device: &Device, label: &str, text: &str) -> ShaderModule {
@@ -378,6 +396,7 @@ fn label(root: Root) -> &'static str {
         Root::Resolve => "resolve",
         Root::Show => "show",
         Root::Probe => "probe",
+        Root::Paths => "paths",
         Root::Pyramid => "pyramid",
         Root::Tessellate => "tessellate",
     }

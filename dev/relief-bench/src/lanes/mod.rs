@@ -2,6 +2,7 @@
 
 use clap::{Args, ValueEnum};
 
+mod compute;
 mod frames;
 mod packets;
 mod pictures;
@@ -28,6 +29,8 @@ enum Part {
     Packets,
     /// Searches and refinements
     Stages,
+    /// The same in a compute pass of the machine's adapter, beside lanes on all threads
+    Compute,
     /// Whole pictures, beside the machine's adapter
     Pictures,
 }
@@ -42,6 +45,9 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     }
     if is_asked(Part::Stages) {
         stages::run(arguments.rounds)?;
+    }
+    if is_asked(Part::Compute) {
+        compute::run(arguments.rounds)?;
     }
     if is_asked(Part::Pictures) {
         pictures::run(arguments.rounds)?;

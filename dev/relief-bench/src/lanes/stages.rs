@@ -10,13 +10,13 @@ use super::rays::{ground, scattered, view};
 use crate::table::table;
 
 /// Texels along a side of the map.
-const SIDE: u32 = 512;
+pub const SIDE: u32 = 512;
 
 /// The widths that are compared, all of which x86-64 has.
 const WIDTHS: [Lanes; 3] = [Lanes::One, Lanes::Eight, Lanes::Sixteen];
 
 /// Methods, and how many times faster they are to be over eight and over sixteen lanes.
-const METHODS: [(&str, [f64; 2]); 5] = [
+pub const METHODS: [(&str, [f64; 2]); 5] = [
     ("relief", [3.5, 6.5]),
     ("occlusion", [3.5, 6.5]),
     ("exact", [3.5, 6.5]),
@@ -34,10 +34,7 @@ pub fn run(rounds: u16) -> Result<(), String> {
     for wrap in [Wrap::Clamp, Wrap::Repeat] {
         let map = ground(SIDE, wrap)?;
         for (name, aims) in METHODS {
-            let mut selection = Selection::method(name).map_err(|error| error.to_string())?;
-            if name == "relief" {
-                selection.set("refine.steps", 5.0).map_err(|error| error.to_string())?;
-            }
+            let selection = selection(name)?;
             let baked = maps_in(MapFormat::F32, &map, &selection);
             let tracer = MethodTracer::over(&map, &selection, slots(&map, &selection, &baked));
             for (kind, paths, aims) in [("view", &view, aims), ("scattered", &scattered, SCATTERED)] {
@@ -59,9 +56,19 @@ pub fn run(rounds: u16) -> Result<(), String> {
     Ok(())
 }
 
+/// A method as it is measured.
+pub fn selection(name: &str) -> Result<Selection, String> {
+    let mut selection = Selection::method(name).map_err(|error| error.to_string())?;
+    if name == "relief" {
+        selection.set("refine.steps", 5.0).map_err(|error| error.to_string())?;
+    }
+    Ok(selection)
+}
+
 /// Nanoseconds a ray one by one and over lanes, of blocks that are there before.
 fn measured(tracer: &MethodTracer, paths: &[Path], rounds: u16) -> Result<[f64; 3], String> {
-    let blocks: Vec<(PathBlock, u16)> = paths.chunks(BLOCK).map(block_of).collect();
+    let of_core: Vec<_> = paths.iter().map(relief_shaders::cpu::Path::from).collect();
+    let blocks: Vec<(PathBlock, u16)> = of_core.chunks(BLOCK).map(block_of).collect();
     let mut hits = WIDTHS.map(|_| vec![HitBlock::default(); blocks.len()]);
     let mut ways = WIDTHS.into_iter().zip(&mut hits).map(|(lanes, hits)| {
         let blocks = &blocks;
@@ -89,10 +96,10 @@ fn measured(tracer: &MethodTracer, paths: &[Path], rounds: u16) -> Result<[f64; 
 }
 
 /// At most sixteen paths as a block, and which places they have.
-fn block_of(paths: &[Path]) -> (PathBlock, u16) {
+pub fn block_of(paths: &[relief_shaders::cpu::Path]) -> (PathBlock, u16) {
     let mut block = PathBlock::default();
     for (at, path) in paths.iter().enumerate() {
-        block.set(at, &path.into());
+        block.set(at, path);
     }
     (block, u16::MAX >> (BLOCK - paths.len()))
 }

@@ -7,7 +7,7 @@ pub fn module() -> String {
     let mut text = String::from(
         "import package::shared::records::{Face, Probe, Record, ShellNode};\n\
          import package::shared::settings::{Frame, PassSettings, PyramidPass, SurfaceSettings};\n\
-         import package::shared::types::{Corner, PixelIn};\n\n",
+         import package::shared::types::{Corner, Hit, Path, PixelIn};\n\n",
     );
     for binding in &BINDINGS {
         if binding.kind == BindingKind::Sampler {

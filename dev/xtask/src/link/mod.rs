@@ -22,7 +22,7 @@ mod rust;
 mod wesl_link;
 
 /// The roots of what GPUs run, whose declarations are held to what the linker makes of them.
-const GPU_ROOTS: [&str; 10] = [
+const GPU_ROOTS: [&str; 11] = [
     "roots/trace",
     "roots/trace_shells",
     "roots/stencil",
@@ -31,6 +31,7 @@ const GPU_ROOTS: [&str; 10] = [
     "roots/resolve",
     "roots/show",
     "roots/probe",
+    "roots/paths",
     "roots/pyramid",
     "roots/tessellate",
 ];
