@@ -2679,51 +2679,70 @@ impl<'g> Resources<'g> {
         let _e1 = self.v_height_texels(level_7);
         return _e1.to_f32();
     }
+    pub(crate) fn height_pair(
+        &self,
+        columns: impl rt::Into<rt::Vec2<i32>>,
+        row: impl rt::Into<rt::Scalar<i32>>,
+        level_8: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_height_pair(rt::into(columns), rt::into(row), rt::into(level_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_height_pair(
+        &self,
+        columns: rt::Vec2<i32>,
+        row: rt::Scalar<i32>,
+        level_8: rt::Scalar<i32>,
+    ) -> rt::Vec2<f32> {
+        let _e6 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(columns.x(), row), 0i32, 0i32, rt::Scalar::into_inner(level_8));
+        let _e11 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(columns.y(), row), 0i32, 0i32, rt::Scalar::into_inner(level_8));
+        return <rt::Vec2<f32>>::from_scalars(_e6.x(), _e11.x());
+    }
     pub(crate) fn height_cell(
         &self,
         cell: impl rt::Into<rt::Vec2<i32>>,
-        level_8: impl rt::Into<rt::Scalar<u32>>,
+        level_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_height_cell(rt::into(cell), rt::into(level_8)))
+        rt::into(self.v_height_cell(rt::into(cell), rt::into(level_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_height_cell(
         &self,
         cell: rt::Vec2<i32>,
-        level_8: rt::Scalar<u32>,
+        level_9: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e2 = self.v_height_texels(level_8);
-        let k_43 = level_8.to_i32();
+        let _e2 = self.v_height_texels(level_9);
+        let k_43 = level_9.to_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_43));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_43));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_43));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_43));
-        return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
+        let columns_1 = <rt::Vec2<i32>>::from_scalars(_e6, _e11);
+        let _e21 = self.v_height_pair(columns_1, _e14, k_43);
+        let _e22 = self.v_height_pair(columns_1, _e19, k_43);
+        return <rt::Vec4<f32>>::new_22(_e21, _e22);
     }
     pub(crate) fn height_at(
         &self,
         uv_2: impl rt::Into<rt::Vec2<f32>>,
-        level_9: impl rt::Into<rt::Scalar<u32>>,
+        level_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_height_at(rt::into(uv_2), rt::into(level_9)))
+        rt::into(self.v_height_at(rt::into(uv_2), rt::into(level_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_height_at(
         &self,
         uv_2: rt::Vec2<f32>,
-        level_9: rt::Scalar<u32>,
+        level_10: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e2 = self.v_height_size(level_9);
+        let _e2 = self.v_height_size(level_10);
         let point_23 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_23);
         let f = (point_23 - _e8);
-        let _e11 = self.v_height_cell(_e8.to_i32(), level_9);
+        let _e11 = self.v_height_cell(_e8.to_i32(), level_10);
         let top_2 = (_e11.x() + ((_e11.y() - _e11.x()) * f.x()));
         let bottom_1 = (_e11.z() + ((_e11.w() - _e11.z()) * f.x()));
         return (top_2 + ((bottom_1 - top_2) * f.y()));
@@ -3343,45 +3362,45 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_none_cell(
         &self,
         cell_3: impl rt::Into<rt::Vec2<i32>>,
-        level_10: impl rt::Into<rt::Scalar<u32>>,
+        level_11: impl rt::Into<rt::Scalar<u32>>,
         params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_none_cell(rt::into(cell_3), rt::into(level_10), rt::into(params_5)))
+        rt::into(self.v_object_none_cell(rt::into(cell_3), rt::into(level_11), rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_none_cell(
         &self,
         cell_3: rt::Vec2<i32>,
-        level_10: rt::Scalar<u32>,
+        level_11: rt::Scalar<u32>,
         params_5: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_cell(cell_3, level_10);
+        let _e3 = self.v_height_cell(cell_3, level_11);
         return _e3;
     }
     pub(crate) fn cell_of_images(
         &self,
         cell_4: impl rt::Into<rt::Vec2<i32>>,
-        level_11: impl rt::Into<rt::Scalar<u32>>,
+        level_12: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_cell_of_images(rt::into(cell_4), rt::into(level_11)))
+        rt::into(self.v_cell_of_images(rt::into(cell_4), rt::into(level_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cell_of_images(
         &self,
         cell_4: rt::Vec2<i32>,
-        level_11: rt::Scalar<u32>,
+        level_12: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let mut local_9: rt::Scalar<bool>;
 
         let _e4 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(CELLS_BILINEAR)) {
-            let _e7 = self.v_height_cell(cell_4, level_11);
+            let _e7 = self.v_height_cell(cell_4, level_12);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(CELLS_HIGHEST)) {
-            let _e13 = self.v_height_cell(cell_4, level_11);
+            let _e13 = self.v_height_cell(cell_4, level_12);
             let most_4 = _e13.x().max(_e13.y()).max(_e13.z().max(_e13.w()));
             let least = _e13.x().min(_e13.y()).min(_e13.z().min(_e13.w()));
             let _e31 = rt::Scalar(self.surface_settings.jump);
@@ -3391,7 +3410,7 @@ impl<'g> Resources<'g> {
             return _e13;
         }
         let dual = <rt::Vec2<i32>>::from_scalars((cell_4.x() >> rt::Scalar(1u32)), (cell_4.y() >> rt::Scalar(1u32)));
-        let _e41 = self.v_height_cell(dual, level_11);
+        let _e41 = self.v_height_cell(dual, level_12);
         let most_5 = _e41.x().max(_e41.y()).max(_e41.z().max(_e41.w()));
         let least_1 = _e41.x().min(_e41.y()).min(_e41.z().min(_e41.w()));
         let right_1 = ((cell_4.x() - dual.x()) - dual.x()).elementwise_eq(rt::Scalar(1i32));
@@ -3418,111 +3437,111 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_depth_cell(
         &self,
         cell_5: impl rt::Into<rt::Vec2<i32>>,
-        level_12: impl rt::Into<rt::Scalar<u32>>,
+        level_13: impl rt::Into<rt::Scalar<u32>>,
         params_6: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_depth_cell(rt::into(cell_5), rt::into(level_12), rt::into(params_6)))
+        rt::into(self.v_object_depth_cell(rt::into(cell_5), rt::into(level_13), rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_depth_cell(
         &self,
         cell_5: rt::Vec2<i32>,
-        level_12: rt::Scalar<u32>,
+        level_13: rt::Scalar<u32>,
         params_6: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_cell_of_images(cell_5, level_12);
+        let _e3 = self.v_cell_of_images(cell_5, level_13);
         return _e3;
     }
     pub(crate) fn cell_of_mask(
         &self,
         cell_6: impl rt::Into<rt::Vec2<i32>>,
-        level_13: impl rt::Into<rt::Scalar<u32>>,
+        level_14: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_cell_of_mask(rt::into(cell_6), rt::into(level_13)))
+        rt::into(self.v_cell_of_mask(rt::into(cell_6), rt::into(level_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_cell_of_mask(
         &self,
         cell_6: rt::Vec2<i32>,
-        level_13: rt::Scalar<u32>,
+        level_14: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e2 = self.v_height_cell(cell_6, level_13);
+        let _e2 = self.v_height_cell(cell_6, level_14);
         return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select(rt::Scalar(1f32), _e2.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e2.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e2.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e2.w().elementwise_gt(rt::Scalar(0.00001f32))));
     }
     pub(crate) fn object_hull_cell(
         &self,
         cell_7: impl rt::Into<rt::Vec2<i32>>,
-        level_14: impl rt::Into<rt::Scalar<u32>>,
+        level_15: impl rt::Into<rt::Scalar<u32>>,
         params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_hull_cell(rt::into(cell_7), rt::into(level_14), rt::into(params_7)))
+        rt::into(self.v_object_hull_cell(rt::into(cell_7), rt::into(level_15), rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_hull_cell(
         &self,
         cell_7: rt::Vec2<i32>,
-        level_14: rt::Scalar<u32>,
+        level_15: rt::Scalar<u32>,
         params_7: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_cell_of_mask(cell_7, level_14);
+        let _e3 = self.v_cell_of_mask(cell_7, level_15);
         return _e3;
     }
     pub(crate) fn object_blend_cell(
         &self,
         cell_8: impl rt::Into<rt::Vec2<i32>>,
-        level_15: impl rt::Into<rt::Scalar<u32>>,
+        level_16: impl rt::Into<rt::Scalar<u32>>,
         params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_blend_cell(rt::into(cell_8), rt::into(level_15), rt::into(params_8)))
+        rt::into(self.v_object_blend_cell(rt::into(cell_8), rt::into(level_16), rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_blend_cell(
         &self,
         cell_8: rt::Vec2<i32>,
-        level_15: rt::Scalar<u32>,
+        level_16: rt::Scalar<u32>,
         params_8: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_cell(cell_8, level_15);
+        let _e3 = self.v_height_cell(cell_8, level_16);
         return _e3;
     }
     pub(crate) fn object_cell_stage(
         &self,
         cell_9: impl rt::Into<rt::Vec2<i32>>,
-        level_16: impl rt::Into<rt::Scalar<u32>>,
+        level_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_cell_stage(rt::into(cell_9), rt::into(level_16)))
+        rt::into(self.v_object_cell_stage(rt::into(cell_9), rt::into(level_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_cell_stage(
         &self,
         cell_9: rt::Vec2<i32>,
-        level_16: rt::Scalar<u32>,
+        level_17: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_object_none_cell(cell_9, level_16, _e11);
+                let _e12 = self.v_object_none_cell(cell_9, level_17, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_object_depth_cell(cell_9, level_16, _e17);
+                let _e18 = self.v_object_depth_cell(cell_9, level_17, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_object_hull_cell(cell_9, level_16, _e23);
+                let _e24 = self.v_object_hull_cell(cell_9, level_17, _e23);
                 return _e24;
             }
             _ => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_object_blend_cell(cell_9, level_16, _e29);
+                let _e30 = self.v_object_blend_cell(cell_9, level_17, _e29);
                 return _e30;
             }
         }
@@ -3706,10 +3725,10 @@ impl<'g> Resources<'g> {
             let y_3 = ((rt::Scalar(column.inside) + at_14) - rt::Scalar(1i32));
             return <SweptPoint>::new(INSIDE, (rt::Scalar(column.first) + (at_14 - rt::Scalar(1i32)).to_u32()), x_6, y_3, rt::Scalar(1i32), rt::Scalar(0u32));
         }
-        let columns = sweep_2.end.x();
-        let _e25 = self.v_swept_border(sweep_2, sweep_2.corners.x(), sweep_2.corners.y(), x_6, columns);
-        let sides_1 = ((ON_PRIMARY + rt::Scalar(0u32).select(ON_FIRST, x_6.elementwise_eq(rt::Scalar(0i32)))) + rt::Scalar(0u32).select(ON_SECOND, x_6.elementwise_eq(columns)));
-        return <SweptPoint>::new(_e25.x(), _e25.y(), (x_6 * columns), (sweep_2.end.y() * x_6), columns, sides_1);
+        let columns_2 = sweep_2.end.x();
+        let _e25 = self.v_swept_border(sweep_2, sweep_2.corners.x(), sweep_2.corners.y(), x_6, columns_2);
+        let sides_1 = ((ON_PRIMARY + rt::Scalar(0u32).select(ON_FIRST, x_6.elementwise_eq(rt::Scalar(0i32)))) + rt::Scalar(0u32).select(ON_SECOND, x_6.elementwise_eq(columns_2)));
+        return <SweptPoint>::new(_e25.x(), _e25.y(), (x_6 * columns_2), (sweep_2.end.y() * x_6), columns_2, sides_1);
     }
     pub(crate) fn chain_point(
         &self,
@@ -3869,16 +3888,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_none_parts(
         &self,
-        level_17: impl rt::Into<rt::Scalar<u32>>,
+        level_18: impl rt::Into<rt::Scalar<u32>>,
         params_9: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_none_parts(rt::into(level_17), rt::into(params_9)))
+        rt::into(self.v_object_none_parts(rt::into(level_18), rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_none_parts(
         &self,
-        level_17: rt::Scalar<u32>,
+        level_18: rt::Scalar<u32>,
         params_9: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         return rt::Scalar(1i32);
@@ -3902,16 +3921,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_depth_parts(
         &self,
-        level_18: impl rt::Into<rt::Scalar<u32>>,
+        level_19: impl rt::Into<rt::Scalar<u32>>,
         params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_depth_parts(rt::into(level_18), rt::into(params_10)))
+        rt::into(self.v_object_depth_parts(rt::into(level_19), rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_depth_parts(
         &self,
-        level_18: rt::Scalar<u32>,
+        level_19: rt::Scalar<u32>,
         params_10: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         let _e2 = self.v_parts_of_images();
@@ -3919,61 +3938,61 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_hull_parts(
         &self,
-        level_19: impl rt::Into<rt::Scalar<u32>>,
+        level_20: impl rt::Into<rt::Scalar<u32>>,
         params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_hull_parts(rt::into(level_19), rt::into(params_11)))
+        rt::into(self.v_object_hull_parts(rt::into(level_20), rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_hull_parts(
         &self,
-        level_19: rt::Scalar<u32>,
+        level_20: rt::Scalar<u32>,
         params_11: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         return rt::Scalar(1i32);
     }
     pub(crate) fn object_blend_parts(
         &self,
-        level_20: impl rt::Into<rt::Scalar<u32>>,
+        level_21: impl rt::Into<rt::Scalar<u32>>,
         params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_blend_parts(rt::into(level_20), rt::into(params_12)))
+        rt::into(self.v_object_blend_parts(rt::into(level_21), rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_blend_parts(
         &self,
-        level_20: rt::Scalar<u32>,
+        level_21: rt::Scalar<u32>,
         params_12: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         return rt::Scalar(1i32);
     }
-    pub(crate) fn object_parts_stage(&self, level_21: impl rt::Into<rt::Scalar<u32>>) -> i32 {
-        rt::into(self.v_object_parts_stage(rt::into(level_21)))
+    pub(crate) fn object_parts_stage(&self, level_22: impl rt::Into<rt::Scalar<u32>>) -> i32 {
+        rt::into(self.v_object_parts_stage(rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_parts_stage(&self, level_21: rt::Scalar<u32>) -> rt::Scalar<i32> {
+    fn v_object_parts_stage(&self, level_22: rt::Scalar<u32>) -> rt::Scalar<i32> {
         let _e5 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[3usize].params;
-                let _e11 = self.v_object_none_parts(level_21, _e10);
+                let _e11 = self.v_object_none_parts(level_22, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[3usize].params;
-                let _e17 = self.v_object_depth_parts(level_21, _e16);
+                let _e17 = self.v_object_depth_parts(level_22, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[3usize].params;
-                let _e23 = self.v_object_hull_parts(level_21, _e22);
+                let _e23 = self.v_object_hull_parts(level_22, _e22);
                 return _e23;
             }
             _ => {
                 let _e28 = self.surface_settings.choices[3usize].params;
-                let _e29 = self.v_object_blend_parts(level_21, _e28);
+                let _e29 = self.v_object_blend_parts(level_22, _e28);
                 return _e29;
             }
         }
@@ -4344,37 +4363,37 @@ impl<'g> Resources<'g> {
     pub(crate) fn coarser_voxel(
         &self,
         at_18: impl rt::Into<rt::Vec3<i32>>,
-        level_22: impl rt::Into<rt::Scalar<u32>>,
+        level_23: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<i32> {
-        rt::into(self.v_coarser_voxel(rt::into(at_18), rt::into(level_22)))
+        rt::into(self.v_coarser_voxel(rt::into(at_18), rt::into(level_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_coarser_voxel(
         &self,
         at_18: rt::Vec3<i32>,
-        level_22: rt::Scalar<u32>,
+        level_23: rt::Scalar<u32>,
     ) -> rt::Vec3<i32> {
-        return <rt::Vec3<i32>>::from_scalars((at_18.x() >> level_22), (at_18.y() >> level_22), (at_18.z() >> level_22));
+        return <rt::Vec3<i32>>::from_scalars((at_18.x() >> level_23), (at_18.y() >> level_23), (at_18.z() >> level_23));
     }
     pub(crate) fn color_at(
         &self,
         uv_3: impl rt::Into<rt::Vec2<f32>>,
-        level_23: impl rt::Into<rt::Scalar<u32>>,
+        level_24: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_color_at(rt::into(uv_3), rt::into(level_23)))
+        rt::into(self.v_color_at(rt::into(uv_3), rt::into(level_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_color_at(
         &self,
         uv_3: rt::Vec2<f32>,
-        level_23: rt::Scalar<u32>,
+        level_24: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.surface_settings.color_size;
-        let _e5 = self.v_level_texels(_e4, level_23);
+        let _e5 = self.v_level_texels(_e4, level_24);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_45 = level_23.to_i32();
+        let k_45 = level_24.to_i32();
         let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
         let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
         let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
@@ -4400,10 +4419,10 @@ impl<'g> Resources<'g> {
         let mut z: rt::Scalar<f32>;
 
         let _e3 = rt::Scalar(self.surface_settings.images);
-        let row_8 = _e3.to_i32();
-        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_8));
-        let _e10 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_8));
-        let _e13 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_8));
+        let row_9 = _e3.to_i32();
+        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_9));
+        let _e10 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_9));
+        let _e13 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_9));
         let last_4 = (_e7.w() - rt::Scalar(1f32)).max(rt::Scalar(1f32));
         let is_hemi = _e10.w().elementwise_gt(rt::Scalar(0f32));
         let up_2 = _e10.xyz().dot(toward);
@@ -4449,19 +4468,19 @@ impl<'g> Resources<'g> {
         let mut depth_5: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(1f32));
         let mut eye_1: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
 
-        let row_9 = number_3.to_i32();
-        let _e4 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(3i32), row_9));
-        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_9));
+        let row_10 = number_3.to_i32();
+        let _e4 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(3i32), row_10));
+        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_10));
         let has_eye = _e7.w().elementwise_eq(rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition(has_eye) {
-            let _e25 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(5i32), row_9));
+            let _e25 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(5i32), row_10));
             depth_5 = _e25;
-            let _e28 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(6i32), row_9));
+            let _e28 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(6i32), row_10));
             eye_1 = _e28;
         }
-        let _e31 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_9));
-        let _e34 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_9));
-        let _e37 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_9));
+        let _e31 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_10));
+        let _e34 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_10));
+        let _e37 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_10));
         let _e38 = depth_5;
         let _e44 = eye_1;
         let _e47 = eye_1.w();
@@ -4817,9 +4836,9 @@ impl<'g> Resources<'g> {
         path_13: Path,
         place_5: impl rt::Into<rt::Vec2<i32>>,
         layer_1: impl rt::Into<rt::Scalar<i32>>,
-        level_24: impl rt::Into<rt::Scalar<i32>>,
+        level_25: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel(path_13, rt::into(place_5), rt::into(layer_1), rt::into(level_24)))
+        rt::into(self.v_search_texel(path_13, rt::into(place_5), rt::into(layer_1), rt::into(level_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -4828,15 +4847,15 @@ impl<'g> Resources<'g> {
         path_13: Path,
         place_5: rt::Vec2<i32>,
         layer_1: rt::Scalar<i32>,
-        level_24: rt::Scalar<i32>,
+        level_25: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_13.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_5, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_24));
+            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_5, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_25));
             let _e12 = self.surface_settings.maps[2usize];
             let _e13 = self.v_decoded(texel_7, _e12);
             return _e13;
         }
-        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_5, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_24));
+        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_5, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_25));
         let _e19 = self.surface_settings.maps[1usize];
         let _e20 = self.v_decoded(_e15, _e19);
         return _e20;
@@ -5003,8 +5022,8 @@ impl<'g> Resources<'g> {
         let part_10 = ((begin_4 - _e8) / (begin_4 - params_15.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_15.y()), _e19);
-        let level_44 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_44, _e4, part_10.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        let level_45 = rt::Scalar(_e20.fine);
+        return <Detail>::new(level_45, _e4, part_10.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
@@ -5073,9 +5092,9 @@ impl<'g> Resources<'g> {
         &self,
         place_6: impl rt::Into<rt::Vec2<i32>>,
         layer_2: impl rt::Into<rt::Scalar<i32>>,
-        level_25: impl rt::Into<rt::Scalar<i32>>,
+        level_26: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel(rt::into(place_6), rt::into(layer_2), rt::into(level_25)))
+        rt::into(self.v_detail_texel(rt::into(place_6), rt::into(layer_2), rt::into(level_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5083,9 +5102,9 @@ impl<'g> Resources<'g> {
         &self,
         place_6: rt::Vec2<i32>,
         layer_2: rt::Scalar<i32>,
-        level_25: rt::Scalar<i32>,
+        level_26: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_6, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_25));
+        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_6, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_26));
         let _e8 = self.surface_settings.maps[0usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -5094,9 +5113,9 @@ impl<'g> Resources<'g> {
         &self,
         uv_5: impl rt::Into<rt::Vec2<f32>>,
         layer_3: impl rt::Into<rt::Scalar<i32>>,
-        level_26: impl rt::Into<rt::Scalar<u32>>,
+        level_27: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel_between(rt::into(uv_5), rt::into(layer_3), rt::into(level_26)))
+        rt::into(self.v_detail_texel_between(rt::into(uv_5), rt::into(layer_3), rt::into(level_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5104,11 +5123,11 @@ impl<'g> Resources<'g> {
         &self,
         uv_5: rt::Vec2<f32>,
         layer_3: rt::Scalar<i32>,
-        level_26: rt::Scalar<u32>,
+        level_27: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_26);
+        let _e3 = self.v_height_texels(level_27);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_46 = (level_26 - SEEN_FIRST_LEVEL).to_i32();
+        let k_46 = (level_27 - SEEN_FIRST_LEVEL).to_i32();
         let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_46);
         let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_46);
         let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_46);
@@ -5265,18 +5284,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_points_before(
         &self,
         rows_3: DiceRows,
-        row: impl rt::Into<rt::Scalar<u32>>,
+        row_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_points_before(rows_3, rt::into(row)))
+        rt::into(self.v_dice_points_before(rows_3, rt::into(row_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_points_before(
         &self,
         rows_3: DiceRows,
-        row: rt::Scalar<u32>,
+        row_1: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_dice_parts_before(rows_3, (row - rt::Scalar(1u32)));
+        let _e4 = self.v_dice_parts_before(rows_3, (row_1 - rt::Scalar(1u32)));
         return _e4;
     }
     pub(crate) fn dice_points(&self, rows_4: DiceRows) -> u32 {
@@ -5301,40 +5320,40 @@ impl<'g> Resources<'g> {
         rows_5: DiceRows,
         number_4: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let mut row_1: rt::Scalar<u32>;
+        let mut row_2: rt::Scalar<u32>;
 
         let _e2 = self.v_dice_points(rows_5);
         let _e3 = self.v_dice_guess(rows_5, number_4, _e2);
-        row_1 = _e3.max(rt::Scalar(1u32));
+        row_2 = _e3.max(rt::Scalar(1u32));
         'naga_break: loop {
             'naga_continue: {
-                let _e7 = row_1;
+                let _e7 = row_2;
                 let _e8 = self.v_dice_points_before(rows_5, _e7);
                 if rt::Scalar::into_branch_condition(_e8.elementwise_gt(number_4)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e10 = row_1;
-                    row_1 = (_e10 - rt::Scalar(1u32));
+                    let _e10 = row_2;
+                    row_2 = (_e10 - rt::Scalar(1u32));
                 }
             }
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e13 = row_1;
+                let _e13 = row_2;
                 let _e16 = self.v_dice_points_before(rows_5, (_e13 + rt::Scalar(1u32)));
                 if rt::Scalar::into_branch_condition(_e16.elementwise_le(number_4)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e18 = row_1;
-                    row_1 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = row_2;
+                    row_2 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e21 = row_1;
+        let _e21 = row_2;
         return _e21;
     }
     pub(crate) fn dice_place(
@@ -5358,36 +5377,36 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_share(
         &self,
         rows_7: DiceRows,
-        row_2: impl rt::Into<rt::Scalar<u32>>,
+        row_3: impl rt::Into<rt::Scalar<u32>>,
         parts_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_share(rows_7, rt::into(row_2), rt::into(parts_1)))
+        rt::into(self.v_dice_share(rows_7, rt::into(row_3), rt::into(parts_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_share(
         &self,
         rows_7: DiceRows,
-        row_2: rt::Scalar<u32>,
+        row_3: rt::Scalar<u32>,
         parts_1: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        return ((((row_2 * parts_1) + rt::Scalar(rows_7.count)) - rt::Scalar(1u32)) / rt::Scalar(rows_7.count));
+        return ((((row_3 * parts_1) + rt::Scalar(rows_7.count)) - rt::Scalar(1u32)) / rt::Scalar(rows_7.count));
     }
     pub(crate) fn dice_row_parts(
         &self,
         rows_8: DiceRows,
-        row_3: impl rt::Into<rt::Scalar<u32>>,
+        row_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_row_parts(rows_8, rt::into(row_3)))
+        rt::into(self.v_dice_row_parts(rows_8, rt::into(row_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_row_parts(
         &self,
         rows_8: DiceRows,
-        row_3: rt::Scalar<u32>,
+        row_4: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_dice_share(rows_8, row_3, rows_8.parts.y());
+        let _e4 = self.v_dice_share(rows_8, row_4, rows_8.parts.y());
         return _e4;
     }
     pub(crate) fn dice_point(&self, rows_9: DiceRows, place_8: DicePlace) -> DicePoint {
@@ -5427,22 +5446,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_triangles_before(
         &self,
         rows_10: DiceRows,
-        row_4: impl rt::Into<rt::Scalar<u32>>,
+        row_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_triangles_before(rows_10, rt::into(row_4)))
+        rt::into(self.v_dice_triangles_before(rows_10, rt::into(row_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_triangles_before(
         &self,
         rows_10: DiceRows,
-        row_4: rt::Scalar<u32>,
+        row_5: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_dice_share(rows_10, row_4, rows_10.parts.x());
-        let _e7 = self.v_dice_share(rows_10, row_4, rows_10.parts.z());
+        let _e4 = self.v_dice_share(rows_10, row_5, rows_10.parts.x());
+        let _e7 = self.v_dice_share(rows_10, row_5, rows_10.parts.z());
         let ends_1 = (_e4 + _e7);
-        let _e10 = self.v_dice_parts_before(rows_10, row_4);
-        let _e13 = self.v_dice_row_parts(rows_10, row_4);
+        let _e10 = self.v_dice_parts_before(rows_10, row_5);
+        let _e13 = self.v_dice_row_parts(rows_10, row_5);
         return (((rt::Scalar(2u32) * _e10) + ends_1) - _e13);
     }
     pub(crate) fn dice_triangles(&self, rows_11: DiceRows) -> u32 {
@@ -5467,40 +5486,40 @@ impl<'g> Resources<'g> {
         rows_12: DiceRows,
         number_6: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let mut row_5: rt::Scalar<u32>;
+        let mut row_6: rt::Scalar<u32>;
 
         let _e2 = self.v_dice_triangles(rows_12);
         let _e3 = self.v_dice_guess(rows_12, number_6, _e2);
-        row_5 = _e3;
+        row_6 = _e3;
         'naga_break: loop {
             'naga_continue: {
-                let _e5 = row_5;
+                let _e5 = row_6;
                 let _e6 = self.v_dice_triangles_before(rows_12, _e5);
                 if rt::Scalar::into_branch_condition(_e6.elementwise_gt(number_6)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e8 = row_5;
-                    row_5 = (_e8 - rt::Scalar(1u32));
+                    let _e8 = row_6;
+                    row_6 = (_e8 - rt::Scalar(1u32));
                 }
             }
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = row_5;
+                let _e11 = row_6;
                 let _e14 = self.v_dice_triangles_before(rows_12, (_e11 + rt::Scalar(1u32)));
                 if rt::Scalar::into_branch_condition(_e14.elementwise_le(number_6)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e16 = row_5;
-                    row_5 = (_e16 + rt::Scalar(1u32));
+                    let _e16 = row_6;
+                    row_6 = (_e16 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e19 = row_5;
+        let _e19 = row_6;
         return (_e19 + rt::Scalar(1u32));
     }
     pub(crate) fn dice_rows(&self, parts_2: impl rt::Into<rt::Vec3<u32>>) -> DiceRows {
@@ -5712,22 +5731,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn height_and_slope(
         &self,
         uv_6: impl rt::Into<rt::Vec2<f32>>,
-        level_27: impl rt::Into<rt::Scalar<u32>>,
+        level_28: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_6), rt::into(level_27)))
+        rt::into(self.v_height_and_slope(rt::into(uv_6), rt::into(level_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_height_and_slope(
         &self,
         uv_6: rt::Vec2<f32>,
-        level_27: rt::Scalar<u32>,
+        level_28: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_height_size(level_27);
+        let _e2 = self.v_height_size(level_28);
         let point_24 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_24);
         let f_1 = (point_24 - _e8);
-        let _e11 = self.v_height_cell(_e8.to_i32(), level_27);
+        let _e11 = self.v_height_cell(_e8.to_i32(), level_28);
         let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_3 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
         let left_4 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
@@ -5737,19 +5756,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn relief_between_levels(
         &self,
         uv_7: impl rt::Into<rt::Vec2<f32>>,
-        level_28: impl rt::Into<rt::Scalar<f32>>,
+        level_29: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_relief_between_levels(rt::into(uv_7), rt::into(level_28)))
+        rt::into(self.v_relief_between_levels(rt::into(uv_7), rt::into(level_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_relief_between_levels(
         &self,
         uv_7: rt::Vec2<f32>,
-        level_28: rt::Scalar<f32>,
+        level_29: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let finer = level_28.to_u32();
-        let part_13 = (level_28 - finer.to_f32());
+        let finer = level_29.to_u32();
+        let part_13 = (level_29 - finer.to_f32());
         let _e5 = self.v_height_and_slope(uv_7, finer);
         if rt::Scalar::into_branch_condition(part_13.elementwise_eq(rt::Scalar(0f32))) {
             return _e5;
@@ -5819,11 +5838,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e4 = self.v_height_texels(rt::Scalar(path_16.level));
         let _e5 = self.v_texels_around(uv_8, _e4);
-        let level_45 = rt::Scalar(path_16.level).to_i32();
-        let _e13 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_45);
-        let _e19 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_45);
-        let _e25 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_45);
-        let _e31 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_45);
+        let level_46 = rt::Scalar(path_16.level).to_i32();
+        let _e13 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_46);
+        let _e19 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_46);
+        let _e25 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_46);
+        let _e31 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_46);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
@@ -7425,9 +7444,9 @@ impl<'g> Resources<'g> {
         &self,
         uv_12: impl rt::Into<rt::Vec2<f32>>,
         layer_5: impl rt::Into<rt::Scalar<i32>>,
-        level_29: impl rt::Into<rt::Scalar<u32>>,
+        level_30: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_12), rt::into(layer_5), rt::into(level_29)))
+        rt::into(self.v_normal_at(rt::into(uv_12), rt::into(layer_5), rt::into(level_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -7435,12 +7454,12 @@ impl<'g> Resources<'g> {
         &self,
         uv_12: rt::Vec2<f32>,
         layer_5: rt::Scalar<i32>,
-        level_29: rt::Scalar<u32>,
+        level_30: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.normal_size;
-        let _e6 = self.v_level_texels(_e5, level_29);
+        let _e6 = self.v_level_texels(_e5, level_30);
         let _e7 = self.v_texels_around(uv_12, _e6);
-        let k_47 = level_29.to_i32();
+        let k_47 = level_30.to_i32();
         let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
         let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
         let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
@@ -10815,9 +10834,9 @@ impl<'g> Resources<'g> {
         cell_20: impl rt::Into<rt::Scalar<i32>>,
         image_10: impl rt::Into<rt::Vec2<i32>>,
         n_6: impl rt::Into<rt::Scalar<i32>>,
-        level_30: impl rt::Into<rt::Scalar<u32>>,
+        level_31: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_20), rt::into(image_10), rt::into(n_6), rt::into(level_30)))
+        rt::into(self.v_node_extent(rt::into(cell_20), rt::into(image_10), rt::into(n_6), rt::into(level_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
@@ -10825,12 +10844,12 @@ impl<'g> Resources<'g> {
         cell_20: rt::Scalar<i32>,
         image_10: rt::Vec2<i32>,
         n_6: rt::Scalar<i32>,
-        level_30: rt::Scalar<u32>,
+        level_31: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_68: rt::Scalar<bool>;
 
-        let first_17 = ((image_10.x() >> level_30) << level_30);
-        let side_6 = (rt::Scalar(1i32) << level_30);
+        let first_17 = ((image_10.x() >> level_31) << level_31);
+        let side_6 = (rt::Scalar(1i32) << level_31);
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
             let low_5 = (cell_20 - (image_10.x() - first_17));
             return <rt::Vec2<i32>>::from_scalars(low_5, (low_5 + side_6.min((n_6 - first_17))));
@@ -10839,7 +10858,7 @@ impl<'g> Resources<'g> {
             let high_1 = ((cell_20 + (image_10.x() - first_17)) + rt::Scalar(1i32));
             return <rt::Vec2<i32>>::from_scalars((high_1 - side_6.min(((n_6 - rt::Scalar(1i32)) - first_17))), high_1);
         }
-        if rt::Scalar::into_branch_condition(level_30.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_31.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
             local_68 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
@@ -10889,7 +10908,7 @@ impl<'g> Resources<'g> {
         params_70: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_31: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_32: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_21: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -10912,10 +10931,10 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_31;
+                    let _e28 = level_32;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).to_f32().elementwise_lt(long_5)) {
-                        let _e33 = level_31;
-                        level_31 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_32;
+                        level_32 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
@@ -10938,7 +10957,7 @@ impl<'g> Resources<'g> {
                     let _e61 = cell_21.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
                     let place_28 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
-                    let _e67 = level_31;
+                    let _e67 = level_32;
                     let above_level = (_e67 + rt::Scalar(1u32));
                     let over_2 = <rt::Vec2<i32>>::from_scalars((place_28.x() >> above_level), (place_28.y() >> above_level));
                     let _e76 = parent.x();
@@ -10957,7 +10976,7 @@ impl<'g> Resources<'g> {
                     }
                     let left_6 = local_69;
                     if rt::Scalar::into_branch_condition(left_6) {
-                        let _e98 = level_31;
+                        let _e98 = level_32;
                         let _e99 = top;
                         local_71 = _e98.elementwise_lt(_e99);
                     } else {
@@ -10965,13 +10984,13 @@ impl<'g> Resources<'g> {
                     }
                     let _e102 = local_71;
                     if rt::Scalar::into_branch_condition(_e102) {
-                        level_31 = above_level;
+                        level_32 = above_level;
                     }
                     let _e104 = cell_21.x();
-                    let _e106 = level_31;
+                    let _e106 = level_32;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
                     let _e109 = cell_21.y();
-                    let _e111 = level_31;
+                    let _e111 = level_32;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
@@ -10980,7 +10999,7 @@ impl<'g> Resources<'g> {
                     let span_10 = (end_11 - _e126).max(rt::Scalar(0f32));
                     let low_6 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_9 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
-                    let _e140 = level_31;
+                    let _e140 = level_32;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_14;
                         cost_14 = (_e143 + HEIGHTS_READ);
@@ -11000,10 +11019,10 @@ impl<'g> Resources<'g> {
                         let _e162 = cost_14;
                         let _e164 = self.v_map_read(path_62, rt::Scalar(1u32));
                         cost_14 = (_e162 + _e164);
-                        let _e167 = level_31;
-                        let _e170 = level_31;
+                        let _e167 = level_32;
+                        let _e170 = level_32;
                         let node = <rt::Vec2<i32>>::from_scalars((place_28.x() >> _e167), (place_28.y() >> _e170));
-                        let _e174 = level_31;
+                        let _e174 = level_32;
                         let _e180 = self.v_search_texel(path_62, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_62.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
                         let _e182 = t_28;
@@ -11031,8 +11050,8 @@ impl<'g> Resources<'g> {
                             let _e229 = t_28;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
                             cell_21 = _e232.to_i32().clamp(low_6, last_9);
-                            let _e235 = level_31;
-                            level_31 = (_e235 - rt::Scalar(1u32));
+                            let _e235 = level_32;
+                            level_32 = (_e235 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
@@ -11050,8 +11069,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_11)) {
                         cell_21.set_y((low_6.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e280 = level_31;
-                    let _e285 = level_31;
+                    let _e280 = level_32;
+                    let _e285 = level_32;
                     parent = <rt::Vec2<i32>>::from_scalars((place_28.x() >> (_e280 + rt::Scalar(1u32))), (place_28.y() >> (_e285 + rt::Scalar(1u32))));
                     let _e290 = t_28;
                     t_28 = _e290.max(end_11);
@@ -11066,22 +11085,22 @@ impl<'g> Resources<'g> {
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
         n_7: impl rt::Into<rt::Scalar<i32>>,
-        level_32: impl rt::Into<rt::Scalar<u32>>,
+        level_33: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_7), rt::into(level_32)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_7), rt::into(level_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
         n_7: rt::Scalar<i32>,
-        level_32: rt::Scalar<u32>,
+        level_33: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_73: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_7);
-        let first_18 = ((_e3 >> level_32) << level_32);
-        let last_10 = (first_18 + (rt::Scalar(1i32) << level_32)).min(n_7);
+        let first_18 = ((_e3 >> level_33) << level_33);
+        let last_10 = (first_18 + (rt::Scalar(1i32) << level_33)).min(n_7);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
             local_73 = _e16.elementwise_eq(WRAP_REPEAT);
@@ -11116,7 +11135,7 @@ impl<'g> Resources<'g> {
         path_63: Path,
         params_71: rt::Vec4<f32>,
     ) -> Found {
-        let mut level_33: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_34: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
         let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
@@ -11131,21 +11150,21 @@ impl<'g> Resources<'g> {
         let step_7 = (path_63.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_33;
+                let _e14 = level_34;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_33;
-                    level_33 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_34;
+                    level_34 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
         let _e24 = self.v_cell_of(origin_7);
         texel_3 = _e24.to_i32();
         let limit_5 = params_71.x().to_u32();
-        let _e35 = level_33;
+        let _e35 = level_34;
         finest_1 = params_71.y().to_u32().min(_e35);
         if rt::Scalar::into_branch_condition(rt::Scalar(path_63.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
@@ -11166,28 +11185,28 @@ impl<'g> Resources<'g> {
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
                     let place_29 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
-                    let _e59 = level_33;
+                    let _e59 = level_34;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_15;
                         cost_15 = (_e62 + HEIGHT_READ);
                         let _e67 = rt::texture::Read::read_texel((&self.height_map), place_29, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
-                        let _e70 = level_33;
-                        let _e73 = level_33;
+                        let _e70 = level_34;
+                        let _e73 = level_34;
                         let node_1 = <rt::Vec2<i32>>::from_scalars((place_29.x() >> _e70), (place_29.y() >> _e73));
                         let _e76 = cost_15;
                         let _e78 = self.v_map_read(path_63, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
-                        let _e81 = level_33;
+                        let _e81 = level_34;
                         let _e85 = self.v_search_texel(path_63, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
-                    let _e90 = level_33;
+                    let _e90 = level_34;
                     let _e91 = self.v_texel_extent(_e88, _e3.x(), _e90);
                     let _e93 = texel_3.y();
-                    let _e95 = level_33;
+                    let _e95 = level_34;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
                     let _e99 = self.v_leaves_extent(origin_7.x(), step_7.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_7.y(), step_7.y(), _e96);
@@ -11213,15 +11232,15 @@ impl<'g> Resources<'g> {
                         let _e141 = t_29;
                         let _e142 = sinks;
                         t_29 = (_e141 + _e142);
-                        let _e144 = level_33;
+                        let _e144 = level_34;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
                             let _e148 = t_29;
                             let _e149 = cost_15;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
-                        let _e154 = level_33;
-                        level_33 = (_e154 - rt::Scalar(1u32));
+                        let _e154 = level_34;
+                        level_34 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_29;
                         let _e160 = self.v_cell_of((origin_7 + (step_7 * _e157)));
                         texel_3 = _e160.to_i32().clamp(low_7, last_11);
@@ -12933,9 +12952,9 @@ impl<'g> Resources<'g> {
         a_17: Voxel,
         b_17: Voxel,
         c_12: Voxel,
-        level_34: impl rt::Into<rt::Scalar<u32>>,
+        level_35: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_swept(grid_11, a_17, b_17, c_12, rt::into(level_34)))
+        rt::into(self.v_is_swept(grid_11, a_17, b_17, c_12, rt::into(level_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_is_swept(
@@ -12944,14 +12963,14 @@ impl<'g> Resources<'g> {
         a_17: Voxel,
         b_17: Voxel,
         c_12: Voxel,
-        level_34: rt::Scalar<u32>,
+        level_35: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
         let mut local_94: rt::Scalar<bool>;
         let mut local_95: rt::Scalar<bool>;
 
-        let _e6 = self.v_coarser_voxel(a_17.at, level_34);
-        let _e8 = self.v_coarser_voxel(b_17.at, level_34);
-        let _e10 = self.v_coarser_voxel(c_12.at, level_34);
+        let _e6 = self.v_coarser_voxel(a_17.at, level_35);
+        let _e8 = self.v_coarser_voxel(b_17.at, level_35);
+        let _e10 = self.v_coarser_voxel(c_12.at, level_35);
         let _e12 = self.v_longest_of((_e8 - _e6));
         let _e14 = self.v_longest_of((_e10 - _e8));
         let _e17 = self.v_longest_of((_e6 - _e10));
@@ -13060,16 +13079,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn row_sees(
         &self,
         at_89: InView,
-        row_6: impl rt::Into<rt::Scalar<f32>>,
+        row_7: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_89, rt::into(row_6), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_89, rt::into(row_7), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
         at_89: InView,
-        row_6: rt::Scalar<f32>,
+        row_7: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -13089,7 +13108,7 @@ impl<'g> Resources<'g> {
                     let _e24 = column_2;
                     let wide_2 = (at_89.high.x().min((_e18 + rt::Scalar(1f32))) - at_89.low.x().max(_e24));
                     let _e27 = column_2;
-                    let place_30 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
+                    let place_30 = <rt::Vec2<f32>>::from_scalars(_e27, row_7);
                     let _e35 = self.v_plane_depth(view_25, at_89.point, at_89.normal, (place_30 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
                     let depth_10 = _e35.clamp(rt::Scalar(at_89.least_depth), rt::Scalar(at_89.most_depth));
                     let key = (rt::Scalar(view_25.near) / (rt::Scalar(view_25.near) + depth_10.max(rt::Scalar(0f32))));
@@ -13128,7 +13147,7 @@ impl<'g> Resources<'g> {
         bias: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut row_7: rt::Scalar<f32>;
+        let mut row_8: rt::Scalar<f32>;
 
         let view_26 = self.frame.light_views[rt::Scalar::into_array_index(number_15)];
         let texel_m = (rt::Scalar(view_26.texel_m) * rt::Scalar(1f32).select(place_17.z(), rt::Scalar(view_26.from_point).elementwise_eq(rt::Scalar(1u32))));
@@ -13139,24 +13158,24 @@ impl<'g> Resources<'g> {
         let high_4 = (low_10 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
         let last_13 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_26.size).to_f32(), rt::Scalar(view_26.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
         let in_view = <InView>::new(number_15, point_30, normal_16, low_10, high_4, (place_17.z() - reach_1), (place_17.z() + reach_1));
-        row_7 = low_10.y().floor();
+        row_8 = low_10.y().floor();
         'naga_break: loop {
             'naga_continue: {
-                let _e55 = row_7;
+                let _e55 = row_8;
                 if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_13.y())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e59 = row_7;
-                    let _e64 = row_7;
+                    let _e59 = row_8;
+                    let _e64 = row_8;
                     let tall = (high_4.y().min((_e59 + rt::Scalar(1f32))) - low_10.y().max(_e64));
                     let _e67 = seen;
-                    let _e68 = row_7;
+                    let _e68 = row_8;
                     let _e70 = self.v_row_sees(in_view, _e68, last_13.x());
                     seen = (_e67 + (_e70 * tall));
-                    let _e73 = row_7;
-                    row_7 = (_e73 + rt::Scalar(1f32));
+                    let _e73 = row_8;
+                    row_8 = (_e73 + rt::Scalar(1f32));
                 }
             }
         }
@@ -13318,18 +13337,18 @@ impl<'g> Resources<'g> {
         &self,
         at_93: Entered,
         uv_22: impl rt::Into<rt::Vec2<f32>>,
-        level_35: impl rt::Into<rt::Scalar<u32>>,
+        level_36: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_93, rt::into(uv_22), rt::into(level_35)))
+        rt::into(self.v_normals_of_level(at_93, rt::into(uv_22), rt::into(level_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
         at_93: Entered,
         uv_22: rt::Vec2<f32>,
-        level_35: rt::Scalar<u32>,
+        level_36: rt::Scalar<u32>,
     ) -> Normals {
-        if rt::Scalar::into_branch_condition(level_35.elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_36.elementwise_eq(rt::Scalar(0u32))) {
             let _e5 = self.v_finest_normal(at_93, uv_22);
             let _e6 = self.v_to_tangent_space(at_93, _e5);
             let _e7 = self.v_means_of_one(_e6);
@@ -13337,15 +13356,15 @@ impl<'g> Resources<'g> {
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_22, rt::Scalar(0i32), level_35);
-            let _e16 = self.v_normal_at(uv_22, rt::Scalar(1i32), level_35);
+            let _e14 = self.v_normal_at(uv_22, rt::Scalar(0i32), level_36);
+            let _e16 = self.v_normal_at(uv_22, rt::Scalar(1i32), level_36);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
         let x_11 = ((tile.x() * at_93.tangent.normalize().dot(at_93.tangent)) / at_93.tangent.dot(at_93.tangent));
         let y_8 = ((tile.y() * at_93.bitangent.normalize().dot(at_93.bitangent)) / at_93.bitangent.dot(at_93.bitangent));
-        let _e44 = self.v_normal_at(uv_22, rt::Scalar(0i32), (level_35 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_22, rt::Scalar(1i32), (level_35 - rt::Scalar(1u32)));
+        let _e44 = self.v_normal_at(uv_22, rt::Scalar(0i32), (level_36 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_22, rt::Scalar(1i32), (level_36 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_11), (_e44.y() * y_8), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
         let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_11) * x_11), ((_e48.y() * x_11) * y_8), ((_e48.z() * y_8) * y_8)) * longer_1);
@@ -13468,9 +13487,9 @@ impl<'g> Resources<'g> {
         uv_23: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
-        level_36: impl rt::Into<rt::Scalar<u32>>,
+        level_37: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_23), rt::into(azimuth), rt::into(elevation), rt::into(level_36)))
+        rt::into(self.v_seen_texel(rt::into(uv_23), rt::into(azimuth), rt::into(elevation), rt::into(level_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13479,11 +13498,11 @@ impl<'g> Resources<'g> {
         uv_23: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
-        level_36: rt::Scalar<u32>,
+        level_37: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_23, layer_8, level_36);
-        let _e12 = self.v_detail_texel_between(uv_23, (layer_8 + rt::Scalar(1i32)), level_36);
+        let _e9 = self.v_detail_texel_between(uv_23, layer_8, level_37);
+        let _e12 = self.v_detail_texel_between(uv_23, (layer_8 + rt::Scalar(1i32)), level_37);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
@@ -13841,9 +13860,9 @@ impl<'g> Resources<'g> {
         &self,
         place_18: impl rt::Into<rt::Vec2<i32>>,
         layer_6: impl rt::Into<rt::Scalar<i32>>,
-        level_37: impl rt::Into<rt::Scalar<i32>>,
+        level_38: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_18), rt::into(layer_6), rt::into(level_37)))
+        rt::into(self.v_shadow_texel(rt::into(place_18), rt::into(layer_6), rt::into(level_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13851,9 +13870,9 @@ impl<'g> Resources<'g> {
         &self,
         place_18: rt::Vec2<i32>,
         layer_6: rt::Scalar<i32>,
-        level_37: rt::Scalar<i32>,
+        level_38: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_18, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_37));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_18, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_38));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -13862,9 +13881,9 @@ impl<'g> Resources<'g> {
         &self,
         uv_27: impl rt::Into<rt::Vec2<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
-        level_38: impl rt::Into<rt::Scalar<u32>>,
+        level_39: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_27), rt::into(layer_7), rt::into(level_38)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_27), rt::into(layer_7), rt::into(level_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13872,11 +13891,11 @@ impl<'g> Resources<'g> {
         &self,
         uv_27: rt::Vec2<f32>,
         layer_7: rt::Scalar<i32>,
-        level_38: rt::Scalar<u32>,
+        level_39: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_38);
+        let _e3 = self.v_height_texels(level_39);
         let _e4 = self.v_texels_around(uv_27, _e3);
-        let k_48 = level_38.to_i32();
+        let k_48 = level_39.to_i32();
         let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_48);
         let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_48);
         let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_48);
@@ -13890,16 +13909,16 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_own_slope(&self, way_8: Path) -> rt::Scalar<f32> {
-        let mut level_39: Path;
+        let mut level_40: Path;
 
         let _e1 = self.v_grid_of(way_8);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_18 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_39 = way_8;
-        level_39.h = <rt::Vec3<f32>>::from_scalars(way_8.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_39.exit) = end_18;
-        let _e18 = level_39;
+        level_40 = way_8;
+        level_40.h = <rt::Vec3<f32>>::from_scalars(way_8.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        rt::Scalar(level_40.exit) = end_18;
+        let _e18 = level_40;
         let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_8.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_18))));
@@ -14361,9 +14380,9 @@ impl<'g> Resources<'g> {
         &self,
         grid_12: Tessellation,
         along_19: impl rt::Into<rt::Vec2<f32>>,
-        level_40: impl rt::Into<rt::Scalar<u32>>,
+        level_41: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_40)))
+        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14371,19 +14390,19 @@ impl<'g> Resources<'g> {
         &self,
         grid_12: Tessellation,
         along_19: rt::Vec2<f32>,
-        level_40: rt::Scalar<u32>,
+        level_41: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let both_1 = (along_19 * grid_12.parts_of_uv);
-        let parts_7 = ((both_1.x().max(both_1.y()) / (rt::Scalar(1u32) << level_40).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
+        let parts_7 = ((both_1.x().max(both_1.y()) / (rt::Scalar(1u32) << level_41).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
         return parts_7.clamp(rt::Scalar(1f32), rt::Scalar(32767f32)).to_u32();
     }
     pub(crate) fn parts_by_voxels(
         &self,
         a_19: Voxel,
         b_19: Voxel,
-        level_41: impl rt::Into<rt::Scalar<u32>>,
+        level_42: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_voxels(a_19, b_19, rt::into(level_41)))
+        rt::into(self.v_parts_by_voxels(a_19, b_19, rt::into(level_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14391,10 +14410,10 @@ impl<'g> Resources<'g> {
         &self,
         a_19: Voxel,
         b_19: Voxel,
-        level_41: rt::Scalar<u32>,
+        level_42: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_coarser_voxel(b_19.at, level_41);
-        let _e6 = self.v_coarser_voxel(a_19.at, level_41);
+        let _e4 = self.v_coarser_voxel(b_19.at, level_42);
+        let _e6 = self.v_coarser_voxel(a_19.at, level_42);
         let _e8 = self.v_longest_of((_e4 - _e6));
         return _e8.to_u32().clamp(rt::Scalar(1u32), DICE_PARTS);
     }
@@ -14404,9 +14423,9 @@ impl<'g> Resources<'g> {
         a_20: Voxel,
         b_20: Voxel,
         along_20: impl rt::Into<rt::Vec2<f32>>,
-        level_42: impl rt::Into<rt::Scalar<u32>>,
+        level_43: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_between(grid_13, a_20, b_20, rt::into(along_20), rt::into(level_42)))
+        rt::into(self.v_parts_between(grid_13, a_20, b_20, rt::into(along_20), rt::into(level_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14416,13 +14435,13 @@ impl<'g> Resources<'g> {
         a_20: Voxel,
         b_20: Voxel,
         along_20: rt::Vec2<f32>,
-        level_42: rt::Scalar<u32>,
+        level_43: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         if rt::Scalar::into_branch_condition(grid_13.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))) {
-            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_42);
+            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_43);
             return _e9;
         }
-        let _e10 = self.v_parts_by_voxels(a_20, b_20, level_42);
+        let _e10 = self.v_parts_by_voxels(a_20, b_20, level_43);
         return _e10;
     }
     pub(crate) fn pixel_direction(&self, pixel_84: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
@@ -15939,9 +15958,9 @@ impl<'g> Resources<'g> {
         a_27: Voxel,
         b_27: Voxel,
         c_18: Voxel,
-        level_43: impl rt::Into<rt::Scalar<u32>>,
+        level_44: impl rt::Into<rt::Scalar<u32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_on(a_27, b_27, c_18, rt::into(level_43)))
+        rt::into(self.v_sweep_on(a_27, b_27, c_18, rt::into(level_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15950,11 +15969,11 @@ impl<'g> Resources<'g> {
         a_27: Voxel,
         b_27: Voxel,
         c_18: Voxel,
-        level_43: rt::Scalar<u32>,
+        level_44: rt::Scalar<u32>,
     ) -> Sweep {
-        let _e5 = self.v_coarser_voxel(a_27.at, level_43);
-        let _e7 = self.v_coarser_voxel(b_27.at, level_43);
-        let _e9 = self.v_coarser_voxel(c_18.at, level_43);
+        let _e5 = self.v_coarser_voxel(a_27.at, level_44);
+        let _e7 = self.v_coarser_voxel(b_27.at, level_44);
+        let _e9 = self.v_coarser_voxel(c_18.at, level_44);
         let _e10 = self.v_sweep_of(_e5, _e7, _e9);
         return _e10;
     }

@@ -3152,7 +3152,7 @@ fn cell_of(point: vec2f) -> vec2f {
         module: "shared/height",
         name: "height_cell",
         sampling: None,
-        uses: &["height_map", "height_texels", "wrap_index"],
+        uses: &["height_pair", "height_texels", "wrap_index"],
         text: r#"// The corners h00, h10, h01, h11 of a dual cell of a level. One read.
 fn height_cell(cell: vec2i, level: u32) -> vec4f {
     let n = height_texels(level);
@@ -3161,11 +3161,20 @@ fn height_cell(cell: vec2i, level: u32) -> vec4f {
     let i1 = wrap_index(cell.x + 1, n.x);
     let j0 = wrap_index(cell.y, n.y);
     let j1 = wrap_index(cell.y + 1, n.y);
-    return vec4f(
-        textureLoad(height_map, vec2i(i0, j0), k).x,
-        textureLoad(height_map, vec2i(i1, j0), k).x,
-        textureLoad(height_map, vec2i(i0, j1), k).x,
-        textureLoad(height_map, vec2i(i1, j1), k).x,
+    let columns = vec2i(i0, i1);
+    return vec4f(height_pair(columns, j0, k), height_pair(columns, j1, k));
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "height_pair",
+        sampling: None,
+        uses: &["height_map"],
+        text: r#"// Two texels of a row of a level, which lie side by side but at edges.
+fn height_pair(columns: vec2i, row: i32, level: i32) -> vec2f {
+    return vec2f(
+        textureLoad(height_map, vec2i(columns.x, row), level).x,
+        textureLoad(height_map, vec2i(columns.y, row), level).x,
     );
 }"#,
     },

@@ -247,11 +247,10 @@ lanes! { fn height_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1
     let i1_11 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), n_2.x);
     let j0_14 = wrap_index(r, ex, cell_a0.y, n_2.y);
     let j1_19 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), n_2.y);
-    let e_22 = height_texel(&r.height_map, i0_6, j0_14, k_3);
-    let e_26 = height_texel(&r.height_map, i1_11, j0_14, k_3);
-    let e_30 = height_texel(&r.height_map, i0_6, j1_19, k_3);
-    let e_34 = height_texel(&r.height_map, i1_11, j1_19, k_3);
-    return Vec4 { x: e_22.x, y: e_26.x, z: e_30.x, w: e_34.x };
+    let columns_20 = Vec2 { x: i0_6, y: i1_11 };
+    let e_21 = height_pair(r, ex, columns_20, j0_14, k_3);
+    let e_22 = height_pair(r, ex, columns_20, j1_19, k_3);
+    return Vec4 { x: e_21.x, y: e_21.y, z: e_22.x, w: e_22.y };
 } }
 lanes! { fn height_at(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: u32) -> F {
     let mut ex = within;

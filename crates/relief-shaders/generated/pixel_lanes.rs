@@ -1732,6 +1732,18 @@ lanes! { fn height_size(r: &Resources<'_>, level_a0: U) -> Vec2<F> {
     let e_1 = height_texels(r, level_a0);
     return Vec2 { x: f_of_i(e_1.x), y: f_of_i(e_1.y) };
 } }
+lanes! { fn height_pair_lll(r: &Resources<'_>, within: M, columns_a0: Vec2<I>, row_a1: I, level_a2: I) -> Vec2<F> {
+    let mut ex = within;
+    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let e_6 = height_texel_of_each(&r.height_map, ex, columns_a0.x, row_a1, level_a2);
+    let e_11 = height_texel_of_each(&r.height_map, ex, columns_a0.y, row_a1, level_a2);
+    return Vec2 { x: e_6.x, y: e_11.x };
+} }
+lanes! { fn height_pair_lls(r: &Resources<'_>, columns_a0: Vec2<I>, row_a1: I, level_a2: i32) -> Vec2<F> {
+    let e_6 = height_texel(&r.height_map, columns_a0.x, row_a1, level_a2);
+    let e_11 = height_texel(&r.height_map, columns_a0.y, row_a1, level_a2);
+    return Vec2 { x: e_6.x, y: e_11.x };
+} }
 lanes! { fn height_cell_ll(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: U) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
@@ -1741,11 +1753,10 @@ lanes! { fn height_cell_ll(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level
     let i1_11 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), n_2.x);
     let j0_14 = wrap_index(r, ex, cell_a0.y, n_2.y);
     let j1_19 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), n_2.y);
-    let e_22 = height_texel_of_each(&r.height_map, ex, i0_6, j0_14, k_3);
-    let e_26 = height_texel_of_each(&r.height_map, ex, i1_11, j0_14, k_3);
-    let e_30 = height_texel_of_each(&r.height_map, ex, i0_6, j1_19, k_3);
-    let e_34 = height_texel_of_each(&r.height_map, ex, i1_11, j1_19, k_3);
-    return Vec4 { x: e_22.x, y: e_26.x, z: e_30.x, w: e_34.x };
+    let columns_20 = Vec2 { x: i0_6, y: i1_11 };
+    let e_21 = height_pair_lll(r, ex, columns_20, j0_14, k_3);
+    let e_22 = height_pair_lll(r, ex, columns_20, j1_19, k_3);
+    return Vec4 { x: e_21.x, y: e_21.y, z: e_22.x, w: e_22.y };
 } }
 lanes! { fn height_cell_ls(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
     let mut ex = within;
@@ -1756,11 +1767,10 @@ lanes! { fn height_cell_ls(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level
     let i1_11 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), n_2.x);
     let j0_14 = wrap_index(r, ex, cell_a0.y, n_2.y);
     let j1_19 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), n_2.y);
-    let e_22 = height_texel(&r.height_map, i0_6, j0_14, k_3);
-    let e_26 = height_texel(&r.height_map, i1_11, j0_14, k_3);
-    let e_30 = height_texel(&r.height_map, i0_6, j1_19, k_3);
-    let e_34 = height_texel(&r.height_map, i1_11, j1_19, k_3);
-    return Vec4 { x: e_22.x, y: e_26.x, z: e_30.x, w: e_34.x };
+    let columns_20 = Vec2 { x: i0_6, y: i1_11 };
+    let e_21 = height_pair_lls(r, columns_20, j0_14, k_3);
+    let e_22 = height_pair_lls(r, columns_20, j1_19, k_3);
+    return Vec4 { x: e_21.x, y: e_21.y, z: e_22.x, w: e_22.y };
 } }
 lanes! { fn height_at_ll(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: U) -> F {
     let mut ex = within;

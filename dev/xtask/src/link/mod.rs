@@ -75,6 +75,7 @@ const CPU_ROOT: (&str, &[&str]) = (
 const TRACING: LaneText = LaneText {
     roots: &["trace", "shadow_search_stage"],
     shared_members: &[("Path", "ray"), ("Path", "level")],
+    by_hand: &["height_pair"],
     ..LaneText::EMPTY
 };
 
@@ -115,6 +116,7 @@ const PIXELS: LaneText = LaneText {
         "shadow_ray",
         "shadow_soft",
     ],
+    by_hand: &[],
     levels_differ: true,
     blocks: &["Path", "Hit", "Entered", "PixelOut"],
 };

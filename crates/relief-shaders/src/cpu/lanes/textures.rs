@@ -24,6 +24,22 @@ lanes! {
 }
 
 lanes! {
+    /// The function `height_pair` of the shaders.
+    pub(super) fn height_pair(
+        r: &Resources<'_>,
+        within: M,
+        columns: Vec2<I>,
+        row: I,
+        level: i32,
+    ) -> Vec2<F> {
+        let (width, texels) = r.height_map.level(level);
+        let start = mul_i(row, splat_i(width));
+        let at = Vec2 { x: add_i(start, columns.x), y: add_i(start, columns.y) };
+        gather_two(texels, within, at)
+    }
+}
+
+lanes! {
     /// A texel of a map of four numbers in a layer and a level.
     pub(super) fn color_texel(map: &ColorTexture<'_>, x: I, y: I, layer: i32, level: i32) -> Vec4<F> {
         let (width, texels) = map.layer(layer, level);

@@ -35,6 +35,9 @@ pub struct LaneText {
     pub shared_members: &'static [(&'static str, &'static str)],
     /// Functions that are called for each lane by itself, as single numbers have them.
     pub one_by_one: &'static [&'static str],
+    /// Functions that the runtime has over lanes, since they can be had there in a better way than from their
+    /// text.
+    pub by_hand: &'static [&'static str],
     /// Whether lanes read textures in levels of their own.
     pub levels_differ: bool,
     /// Structs that are handed over in blocks.
@@ -48,6 +51,7 @@ impl LaneText {
         same_arguments: &[],
         shared_members: &[],
         one_by_one: &[],
+        by_hand: &[],
         levels_differ: false,
         blocks: &[],
     };
@@ -84,6 +88,9 @@ pub fn translate(
     let (mut structs, mut apart) = (BTreeSet::new(), BTreeSet::new());
     for variant in &written {
         let writer = function::Writer::new(&program, &written, variant);
+        if program.is_by_hand(variant) {
+            continue;
+        }
         let function = if program.is_one_by_one(variant) {
             writer.write_one_by_one(&mut structs, &mut apart)
         } else {
@@ -177,6 +184,16 @@ mod tests {
         let text = LaneText { one_by_one: &["both"], ..TRIAL };
         let written = in_text(source, &text).expect("a text");
         assert!(written.contains("r.both(") && written.contains("singles_both("), "{written}");
+    }
+
+    #[test]
+    fn what_the_runtime_has_is_called_and_not_written() {
+        let source = "fn both(x: f32) -> vec2f {\nreturn vec2f(x, atan2(x, 1.0));\n}\n\n\
+                      fn trial(x: f32) -> f32 {\nreturn both(x).y;\n}\n";
+        assert!(translated(source).is_err());
+        let text = LaneText { by_hand: &["both"], ..TRIAL };
+        let written = in_text(source, &text).expect("a text");
+        assert!(written.contains("both(r, ") && !written.contains("fn both"), "{written}");
     }
 
     #[test]

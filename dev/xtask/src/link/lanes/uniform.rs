@@ -73,7 +73,7 @@ impl<'a> Program<'a> {
         while !is_settled {
             is_settled = true;
             for variant in program.facts.keys().cloned().collect::<Vec<_>>() {
-                if program.is_one_by_one(&variant) {
+                if program.is_apart(&variant) {
                     continue;
                 }
                 let handle = variant.function;
@@ -117,6 +117,18 @@ impl<'a> Program<'a> {
         function.arguments.iter().map(is_same).collect()
     }
 
+    /// Whether the runtime has a function over lanes.
+    pub fn is_by_hand(&self, variant: &Variant) -> bool {
+        let name = self.module.functions[variant.function].name.as_deref().unwrap_or_default();
+        self.text.by_hand.contains(&name)
+    }
+
+    /// Whether it does not matter what a function is made of: it is told which lanes run, and its result
+    /// differs from lane to lane.
+    fn is_apart(&self, variant: &Variant) -> bool {
+        self.is_one_by_one(variant) || self.is_by_hand(variant)
+    }
+
     /// Whether a function is called for each lane by itself.
     pub fn is_one_by_one(&self, variant: &Variant) -> bool {
         let name = self.module.functions[variant.function].name.as_deref().unwrap_or_default();
@@ -133,7 +145,7 @@ impl<'a> Program<'a> {
         let variant = self.variant(function, same);
         let callee = &self.module.functions[function];
         let module = self.module;
-        let one_by_one = self.is_one_by_one(&variant);
+        let is_apart = self.is_apart(&variant);
         // Structs that are made have lanes, whatever they are made of.
         let gives_number = callee.result.as_ref().is_some_and(|result| !is_by_reference(module, result.ty));
         let facts = self.facts.entry(variant).or_insert_with(|| Facts {
@@ -144,8 +156,8 @@ impl<'a> Program<'a> {
                 .map(|(_, local)| !matches!(module.types[local.ty].inner, TypeInner::Struct { .. }))
                 .collect(),
             expressions: vec![true; callee.expressions.len()],
-            result: gives_number && !one_by_one,
-            is_masked: one_by_one,
+            result: gives_number && !is_apart,
+            is_masked: is_apart,
         });
         for (argument, same) in facts.arguments.iter_mut().zip(same) {
             *argument &= same;
@@ -160,8 +172,8 @@ impl<'a> Program<'a> {
         let mut reached = HashSet::new();
         while let Some(variant) = waiting.pop() {
             let facts = &self.facts[&variant];
-            if facts.result || !reached.insert(variant.clone()) || self.is_one_by_one(&variant) {
-                // What is called lane by lane is single numbers' own.
+            if facts.result || !reached.insert(variant.clone()) || self.is_apart(&variant) {
+                // What they are made of is not written.
                 continue;
             }
             reach::statements(&self.module.functions[variant.function].body, &mut |statement| {

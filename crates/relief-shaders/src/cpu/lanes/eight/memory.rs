@@ -35,6 +35,14 @@ lanes! {
 }
 
 lanes! {
+    /// The numbers at two places in each lane; 0 for places that there are not. Mostly they are side by side, but gathers
+    /// of pairs take longer here than twice as many numbers one by one.
+    pub(super) fn gather_two(values: &[f32], _within: M, at: Vec2<I>) -> Vec2<F> {
+        Vec2 { x: gather(values, at.x), y: gather(values, at.y) }
+    }
+}
+
+lanes! {
     /// Four bytes from these places on; 0 where not all four are there.
     pub(super) fn gather_of_8(values: &[u8], at: I) -> U {
         let count = values.len().min(i32::MAX as usize).saturating_sub(3) as u32;

@@ -39,6 +39,35 @@ lanes! {
 }
 
 lanes! {
+    /// The numbers at two places in each of some lanes, which mostly are side by side: then both are read at
+    /// once. Any numbers elsewhere, and where there are none.
+    pub(super) fn gather_two(values: &[f32], within: M, at: Vec2<I>) -> Vec2<F> {
+        if any(and(within, ne_i(at.y, add_i(at.x, splat_i(1))))) {
+            return Vec2 { x: gather(values, at.x), y: gather(values, at.y) };
+        }
+        let count = values.len().min(i32::MAX as usize).saturating_sub(1) as u32;
+        let inside = lt_u(u_of_i(at.x), splat_u(count)).0;
+        let places = [_mm512_castsi512_si256(at.x.0), _mm512_extracti64x4_epi64::<1>(at.x.0)];
+        // SAFETY: lanes of `inside` alone are read. Their index is less than the number of values less one,
+        // so that two are there, and less than 2^31. A gather needs no alignment.
+        let [low, high] = unsafe {
+            let (zero, pairs) = (_mm512_setzero_pd(), values.as_ptr().cast());
+            [
+                _mm512_mask_i32gather_pd::<4>(zero, inside as u8, places[0], pairs),
+                _mm512_mask_i32gather_pd::<4>(zero, (inside >> 8) as u8, places[1], pairs),
+            ]
+        };
+        let (low, high) = (_mm512_castpd_ps(low), _mm512_castpd_ps(high));
+        let first = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+        let second = _mm512_setr_epi32(1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31);
+        Vec2 {
+            x: F(_mm512_permutex2var_ps(low, first, high)),
+            y: F(_mm512_permutex2var_ps(low, second, high)),
+        }
+    }
+}
+
+lanes! {
     /// Four bytes from these places on; 0 where not all four are there.
     pub(super) fn gather_of_8(values: &[u8], at: I) -> U {
         let count = values.len().min(i32::MAX as usize).saturating_sub(3) as u32;
