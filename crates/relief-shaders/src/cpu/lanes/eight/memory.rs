@@ -35,8 +35,8 @@ lanes! {
 }
 
 lanes! {
-    /// The numbers at two places in each lane; 0 for places that there are not. Mostly they are side by side, but gathers
-    /// of pairs take longer here than twice as many numbers one by one.
+    /// The numbers at two places in each lane; 0 for places that there are not. Mostly they are side by side,
+    /// but gathers of pairs take longer here than twice as many of numbers.
     pub(super) fn gather_two(values: &[f32], _within: M, at: Vec2<I>) -> Vec2<F> {
         Vec2 { x: gather(values, at.x), y: gather(values, at.y) }
     }
