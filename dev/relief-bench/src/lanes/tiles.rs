@@ -82,7 +82,12 @@ fn by_tiles(caster: &RayCaster, rays: &PictureRays, lanes: Lanes, seen: &mut [Se
             for point in 0..TILE_POINTS {
                 let pixel = [x + (point % TILE) as u32, y + (point / TILE) as u32];
                 if pixel[0] < SIZE[0] && pixel[1] < SIZE[1] {
-                    let hit = tiles.hits(&hits, point).next();
+                    // As the renderer reads them: mostly all is known.
+                    let hit = if hits.is_miss(point) {
+                        None
+                    } else {
+                        hits.first(point).or_else(|| tiles.hits(&hits, point).next())
+                    };
                     let seen = &mut seen[(pixel[1] * SIZE[0] + pixel[0]) as usize];
                     *seen = hit.map(|hit| (hit.t.to_bits(), hit.triangle, hit.front));
                 }
