@@ -43,9 +43,7 @@ lanes! {
     /// A texel of a map of four numbers in a layer and a level.
     pub(super) fn color_texel(map: &ColorTexture<'_>, x: I, y: I, layer: i32, level: i32) -> Vec4<F> {
         let (width, texels) = map.layer(layer, level);
-        let first = mul_i(add_i(mul_i(y, splat_i(width)), x), splat_i(4));
-        let part = |by: i32| gather(texels.as_flattened(), next(first, by));
-        Vec4 { x: part(0), y: part(1), z: part(2), w: part(3) }
+        gather_four(texels, add_i(mul_i(y, splat_i(width)), x))
     }
 }
 
@@ -143,17 +141,11 @@ lanes! {
             Texels::One(values) => Vec4 { x: gather(values, at), y: zero, z: zero, w: one },
             Texels::Two(texels) => {
                 let (values, first) = (texels.as_flattened(), add_i(at, at));
-                Vec4 { x: gather(values, first), y: gather(values, next(first, 1)), z: zero, w: one }
+                // No lane has numbers that are not side by side.
+                let both = gather_two(values, no_lane(), Vec2 { x: first, y: next(first, 1) });
+                Vec4 { x: both.x, y: both.y, z: zero, w: one }
             }
-            Texels::Four(texels) => {
-                let (values, first) = (texels.as_flattened(), mul_i(at, splat_i(4)));
-                Vec4 {
-                    x: gather(values, first),
-                    y: gather(values, next(first, 1)),
-                    z: gather(values, next(first, 2)),
-                    w: gather(values, next(first, 3)),
-                }
-            }
+            Texels::Four(texels) => gather_four(texels, at),
             Texels::Half { values, channels } => halves(values, channels, at),
             Texels::Codes { values, channels } => codes(values, channels, at),
         }

@@ -43,6 +43,26 @@ lanes! {
 }
 
 lanes! {
+    /// The texels of four numbers at these places; 0 for places that there are not. Each is loaded as a whole:
+    /// gathers would fetch every number by itself.
+    pub(super) fn gather_four(texels: &[[f32; 4]], at: I) -> Vec4<F> {
+        let rows = row_i(at).map(|at| {
+            let [x, y, z, w] = texels.get(at as u32 as usize).copied().unwrap_or_default();
+            _mm_setr_ps(x, y, z, w)
+        });
+        let [a, b, c, d] = [0, 1, 2, 3].map(|lane| _mm256_set_m128(rows[lane + 4], rows[lane]));
+        let (low_ab, high_ab) = (_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b));
+        let (low_cd, high_cd) = (_mm256_unpacklo_ps(c, d), _mm256_unpackhi_ps(c, d));
+        Vec4 {
+            x: F(_mm256_shuffle_ps::<0b01_00_01_00>(low_ab, low_cd)),
+            y: F(_mm256_shuffle_ps::<0b11_10_11_10>(low_ab, low_cd)),
+            z: F(_mm256_shuffle_ps::<0b01_00_01_00>(high_ab, high_cd)),
+            w: F(_mm256_shuffle_ps::<0b11_10_11_10>(high_ab, high_cd)),
+        }
+    }
+}
+
+lanes! {
     /// Four bytes from these places on; 0 where not all four are there.
     pub(super) fn gather_of_8(values: &[u8], at: I) -> U {
         let count = values.len().min(i32::MAX as usize).saturating_sub(3) as u32;

@@ -39,6 +39,20 @@ lanes! {
 }
 
 lanes! {
+    /// The texels of four numbers at these places; 0 for places that there are not.
+    pub(super) fn gather_four(texels: &[[f32; 4]], at: I) -> Vec4<F> {
+        let (values, first) = (texels.as_flattened(), mul_i(at, splat_i(4)));
+        let after = |by: i32| add_i(first, splat_i(by));
+        Vec4 {
+            x: gather(values, first),
+            y: gather(values, after(1)),
+            z: gather(values, after(2)),
+            w: gather(values, after(3)),
+        }
+    }
+}
+
+lanes! {
     /// Four bytes from these places on; 0 where not all four are there.
     pub(super) fn gather_of_8(values: &[u8], at: I) -> U {
         let read = |at: i32| values.get(usize::try_from(at).ok()?..)?.first_chunk();

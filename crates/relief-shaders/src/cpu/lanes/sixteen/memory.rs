@@ -68,6 +68,17 @@ lanes! {
 }
 
 lanes! {
+    /// The texels of four numbers at these places; 0 for places that there are not.
+    pub(super) fn gather_four(texels: &[[f32; 4]], at: I) -> Vec4<F> {
+        let (values, first) = (texels.as_flattened(), mul_i(at, splat_i(4)));
+        let after = |by: i32| add_i(first, splat_i(by));
+        let low = gather_two(values, no_lane(), Vec2 { x: first, y: after(1) });
+        let high = gather_two(values, no_lane(), Vec2 { x: after(2), y: after(3) });
+        Vec4 { x: low.x, y: low.y, z: high.x, w: high.y }
+    }
+}
+
+lanes! {
     /// Four bytes from these places on; 0 where not all four are there.
     pub(super) fn gather_of_8(values: &[u8], at: I) -> U {
         let count = values.len().min(i32::MAX as usize).saturating_sub(3) as u32;
