@@ -43,8 +43,8 @@ lanes! {
 }
 
 lanes! {
-    /// The texels of four numbers at these places; 0 for places that there are not. Each is loaded as a whole:
-    /// gathers would fetch every number by itself.
+    /// The texels of four numbers at these places; 0 for places that there are not. Each is loaded as a
+    /// whole: gathers would fetch every number by itself.
     pub(super) fn gather_four(texels: &[[f32; 4]], at: I) -> Vec4<F> {
         let rows = row_i(at).map(|at| {
             let [x, y, z, w] = texels.get(at as u32 as usize).copied().unwrap_or_default();
