@@ -1,16 +1,16 @@
 //! The least slopes of most cells, by squares of texels that grow ahead of all cells at once.
 //!
 //! Let `z` be a cell's top, and `B(k)` the greatest height of the texels up to `k` ahead along both axes: a
-//! square. A texel of height `h` that is `k` ahead asks for the slope `(h - z) / (k - 1)`. The highest texel of
-//! a square may be nearer than its end, and then asks for more. So `(B(k) - z) / (k - 1)` is never too much,
-//! and at some `k` it is all that texels ask for. The cell on the diagonal that ends at `k` asks for less than
-//! `(B(k) - z) / (k - 3/2)`, or for less than its corners do.
+//! square. A texel of height `h` that is `k` ahead asks for the slope `(h - z) / (k - 1)`. The highest
+//! texel of a square may be nearer than its end, and then asks for more. So `(B(k) - z) / (k - 1)` is never
+//! too much, and at some `k` it is all that texels ask for. The cell on the diagonal that ends at `k` asks
+//! for less than `(B(k) - z) / (k - 3/2)`, or for less than its corners do.
 //!
 //! Squares of `2^m` texels, one at every texel, follow from those of half the side. Four of them, which may
 //! overlap, make any square of up to twice the side. So `k` goes from one power of two to the next, a ring,
-//! for all cells at once, and two planes of squares are all that is held. A ring is cut into spans. In a first
-//! pass their ends estimate all slopes. In a second pass they tell which spans may ask for more; only there
-//! is `k` looked at one by one, from far to near, and what is passed over is too low to ask for more.
+//! for all cells at once, and two planes of squares are all that is held. A ring is cut into spans. In a
+//! first pass their ends estimate all slopes. In a second pass they tell which spans may ask for more; only
+//! there is `k` looked at one by one, from far to near, and what is passed over is too low to ask for more.
 //!
 //! On inclined ground every `k` is as steep as the next. A cell that took many steps in vain is left to the
 //! search of `least_slopes.rs`, which begins with what was found here.
@@ -57,8 +57,8 @@ pub struct Found {
     pub patience: Vec<u8>,
 }
 
-/// What squares tell of the slopes of all cells, with those tops, in those quadrants: each goes forward or not
-/// along both axes.
+/// What squares tell of the slopes of all cells, with those tops, in those quadrants: each goes forward or
+/// not along both axes.
 pub fn slopes_by_squares<const N: usize>(
     map: &HeightMap,
     tops: &[f32],
