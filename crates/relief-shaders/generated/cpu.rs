@@ -1602,20 +1602,20 @@ impl<'g> Resources<'g> {
         ray_2: Across,
         t_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let c_20 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
+        let c_21 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
         let _e7 = self.v_across_discriminant(ray_2, t_1);
         if rt::Scalar::into_branch_condition((!_e7.elementwise_ge(rt::Scalar(0f32)))) {
-            return c_20;
+            return c_21;
         }
         let b_29 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
         let root = _e7.sqrt();
         if rt::Scalar::into_branch_condition(b_29.elementwise_lt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(2f32) * c_20) / (root - b_29));
+            return ((rt::Scalar(2f32) * c_21) / (root - b_29));
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(ray_2.across).elementwise_ne(rt::Scalar(0f32))) {
             return (((rt::Scalar(0f32) - b_29) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
         }
-        return c_20;
+        return c_21;
     }
     pub(crate) fn traced_scale_m(&self) -> f32 {
         rt::into(self.v_traced_scale_m())
@@ -2679,50 +2679,48 @@ impl<'g> Resources<'g> {
         let _e1 = self.v_height_texels(level_7);
         return _e1.to_f32();
     }
-    pub(crate) fn height_pair(
+    pub(crate) fn wrapped_cell(
         &self,
-        columns: impl rt::Into<rt::Vec2<i32>>,
-        row: impl rt::Into<rt::Scalar<i32>>,
-        level_8: impl rt::Into<rt::Scalar<i32>>,
-    ) -> rt::Vec2<f32> {
-        rt::into(self.v_height_pair(rt::into(columns), rt::into(row), rt::into(level_8)))
+        cell: impl rt::Into<rt::Vec2<i32>>,
+        level_8: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_wrapped_cell(rt::into(cell), rt::into(level_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_height_pair(
+    fn v_wrapped_cell(
         &self,
-        columns: rt::Vec2<i32>,
-        row: rt::Scalar<i32>,
-        level_8: rt::Scalar<i32>,
-    ) -> rt::Vec2<f32> {
-        let _e6 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(columns.x(), row), 0i32, 0i32, rt::Scalar::into_inner(level_8));
-        let _e11 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(columns.y(), row), 0i32, 0i32, rt::Scalar::into_inner(level_8));
-        return <rt::Vec2<f32>>::from_scalars(_e6.x(), _e11.x());
+        cell: rt::Vec2<i32>,
+        level_8: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let _e2 = self.v_height_texels(level_8);
+        let k_43 = level_8.to_i32();
+        let _e6 = self.v_wrap_index(cell.x(), _e2.x());
+        let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
+        let _e14 = self.v_wrap_index(cell.y(), _e2.y());
+        let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_43));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_43));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_43));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_43));
+        return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_cell(
         &self,
-        cell: impl rt::Into<rt::Vec2<i32>>,
+        cell_1: impl rt::Into<rt::Vec2<i32>>,
         level_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_height_cell(rt::into(cell), rt::into(level_9)))
+        rt::into(self.v_height_cell(rt::into(cell_1), rt::into(level_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_height_cell(
         &self,
-        cell: rt::Vec2<i32>,
+        cell_1: rt::Vec2<i32>,
         level_9: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e2 = self.v_height_texels(level_9);
-        let k_43 = level_9.to_i32();
-        let _e6 = self.v_wrap_index(cell.x(), _e2.x());
-        let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
-        let _e14 = self.v_wrap_index(cell.y(), _e2.y());
-        let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let columns_1 = <rt::Vec2<i32>>::from_scalars(_e6, _e11);
-        let _e21 = self.v_height_pair(columns_1, _e14, k_43);
-        let _e22 = self.v_height_pair(columns_1, _e19, k_43);
-        return <rt::Vec4<f32>>::new_22(_e21, _e22);
+        let _e2 = self.v_wrapped_cell(cell_1, level_9);
+        return _e2;
     }
     pub(crate) fn height_at(
         &self,
@@ -3077,13 +3075,13 @@ impl<'g> Resources<'g> {
         let number_24 = ((rt::Scalar(pixel.shell.order) >> (rt::Scalar(2u32) * place_3)) & rt::Scalar(3u32));
         let a_29 = pixel.a;
         let b_30 = pixel.b;
-        let c_21 = pixel.c;
-        let _e15 = self.v_corner_value(number_24, a_29.position, b_30.position, c_21.position);
-        let _e19 = self.v_corner_value(number_24, a_29.normal, b_30.normal, c_21.normal);
-        let _e23 = self.v_corner_value(number_24, a_29.tangent, b_30.tangent, c_21.tangent);
-        let _e27 = self.v_corner_value(number_24, a_29.bitangent, b_30.bitangent, c_21.bitangent);
-        let _e37 = self.v_corner_value(number_24, <rt::Vec3<f32>>::new_21(a_29.uv, rt::Scalar(0f32)), <rt::Vec3<f32>>::new_21(b_30.uv, rt::Scalar(0f32)), <rt::Vec3<f32>>::new_21(c_21.uv, rt::Scalar(0f32)));
-        let _e42 = self.v_corner_value(number_24, a_29.of_surface, b_30.of_surface, c_21.of_surface);
+        let c_22 = pixel.c;
+        let _e15 = self.v_corner_value(number_24, a_29.position, b_30.position, c_22.position);
+        let _e19 = self.v_corner_value(number_24, a_29.normal, b_30.normal, c_22.normal);
+        let _e23 = self.v_corner_value(number_24, a_29.tangent, b_30.tangent, c_22.tangent);
+        let _e27 = self.v_corner_value(number_24, a_29.bitangent, b_30.bitangent, c_22.bitangent);
+        let _e37 = self.v_corner_value(number_24, <rt::Vec3<f32>>::new_21(a_29.uv, rt::Scalar(0f32)), <rt::Vec3<f32>>::new_21(b_30.uv, rt::Scalar(0f32)), <rt::Vec3<f32>>::new_21(c_22.uv, rt::Scalar(0f32)));
+        let _e42 = self.v_corner_value(number_24, a_29.of_surface, b_30.of_surface, c_22.of_surface);
         return <Corner>::new(_e15, _e19, _e23, _e27, _e37.xy(), _e42);
     }
     pub(crate) fn uv_of(
@@ -3309,37 +3307,37 @@ impl<'g> Resources<'g> {
     pub(crate) fn cell_after(
         &self,
         grid: Grid,
-        cell_1: impl rt::Into<rt::Vec2<f32>>,
+        cell_2: impl rt::Into<rt::Vec2<f32>>,
         leave_1: impl rt::Into<rt::Vec2<f32>>,
         forward: impl rt::Into<rt::Vec2<bool>>,
         t_9: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_after(grid, rt::into(cell_1), rt::into(leave_1), rt::into(forward), rt::into(t_9)))
+        rt::into(self.v_cell_after(grid, rt::into(cell_2), rt::into(leave_1), rt::into(forward), rt::into(t_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_cell_after(
         &self,
         grid: Grid,
-        cell_1: rt::Vec2<f32>,
+        cell_2: rt::Vec2<f32>,
         leave_1: rt::Vec2<f32>,
         forward: rt::Vec2<bool>,
         t_9: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
         let _e9 = self.v_cell_of((grid.origin + (grid.step * t_9)));
-        let ahead = _e9.max((cell_1 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_9, t_9)))));
-        let behind = _e9.min((cell_1 - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_9, t_9)))));
+        let ahead = _e9.max((cell_2 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_9, t_9)))));
+        let behind = _e9.min((cell_2 - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_9, t_9)))));
         return behind.select(ahead, forward);
     }
     pub(crate) fn gap_to(
         &self,
         path_6: Path,
         grid_1: Grid,
-        cell_2: impl rt::Into<rt::Vec2<f32>>,
+        cell_3: impl rt::Into<rt::Vec2<f32>>,
         h_1: impl rt::Into<rt::Vec4<f32>>,
         t_10: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_gap_to(path_6, grid_1, rt::into(cell_2), rt::into(h_1), rt::into(t_10)))
+        rt::into(self.v_gap_to(path_6, grid_1, rt::into(cell_3), rt::into(h_1), rt::into(t_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3347,60 +3345,60 @@ impl<'g> Resources<'g> {
         &self,
         path_6: Path,
         grid_1: Grid,
-        cell_2: rt::Vec2<f32>,
+        cell_3: rt::Vec2<f32>,
         h_1: rt::Vec4<f32>,
         t_10: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let bx = (h_1.y() - h_1.x());
         let by_3 = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_143 = ((grid_1.origin - cell_2) + (grid_1.step * t_10));
+        let at_143 = ((grid_1.origin - cell_3) + (grid_1.step * t_10));
         let z_1 = (path_6.h.x() + (t_10 * (path_6.h.y() + (t_10 * path_6.h.z()))));
         let dz = (path_6.h.y() + ((rt::Scalar(2f32) * t_10) * path_6.h.z()));
         return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_143.x())) + (by_3 * at_143.y())) + ((twist * at_143.x()) * at_143.y()))), (dz - (((bx * grid_1.step.x()) + (by_3 * grid_1.step.y())) + (twist * ((at_143.x() * grid_1.step.y()) + (at_143.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn object_none_cell(
         &self,
-        cell_3: impl rt::Into<rt::Vec2<i32>>,
+        cell_4: impl rt::Into<rt::Vec2<i32>>,
         level_11: impl rt::Into<rt::Scalar<u32>>,
         params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_none_cell(rt::into(cell_3), rt::into(level_11), rt::into(params_5)))
+        rt::into(self.v_object_none_cell(rt::into(cell_4), rt::into(level_11), rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_none_cell(
         &self,
-        cell_3: rt::Vec2<i32>,
+        cell_4: rt::Vec2<i32>,
         level_11: rt::Scalar<u32>,
         params_5: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_cell(cell_3, level_11);
+        let _e3 = self.v_height_cell(cell_4, level_11);
         return _e3;
     }
     pub(crate) fn cell_of_images(
         &self,
-        cell_4: impl rt::Into<rt::Vec2<i32>>,
+        cell_5: impl rt::Into<rt::Vec2<i32>>,
         level_12: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_cell_of_images(rt::into(cell_4), rt::into(level_12)))
+        rt::into(self.v_cell_of_images(rt::into(cell_5), rt::into(level_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cell_of_images(
         &self,
-        cell_4: rt::Vec2<i32>,
+        cell_5: rt::Vec2<i32>,
         level_12: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let mut local_9: rt::Scalar<bool>;
 
         let _e4 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(CELLS_BILINEAR)) {
-            let _e7 = self.v_height_cell(cell_4, level_12);
+            let _e7 = self.v_height_cell(cell_5, level_12);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(CELLS_HIGHEST)) {
-            let _e13 = self.v_height_cell(cell_4, level_12);
+            let _e13 = self.v_height_cell(cell_5, level_12);
             let most_4 = _e13.x().max(_e13.y()).max(_e13.z().max(_e13.w()));
             let least = _e13.x().min(_e13.y()).min(_e13.z().min(_e13.w()));
             let _e31 = rt::Scalar(self.surface_settings.jump);
@@ -3409,12 +3407,12 @@ impl<'g> Resources<'g> {
             }
             return _e13;
         }
-        let dual = <rt::Vec2<i32>>::from_scalars((cell_4.x() >> rt::Scalar(1u32)), (cell_4.y() >> rt::Scalar(1u32)));
+        let dual = <rt::Vec2<i32>>::from_scalars((cell_5.x() >> rt::Scalar(1u32)), (cell_5.y() >> rt::Scalar(1u32)));
         let _e41 = self.v_height_cell(dual, level_12);
         let most_5 = _e41.x().max(_e41.y()).max(_e41.z().max(_e41.w()));
         let least_1 = _e41.x().min(_e41.y()).min(_e41.z().min(_e41.w()));
-        let right_1 = ((cell_4.x() - dual.x()) - dual.x()).elementwise_eq(rt::Scalar(1i32));
-        let lower = ((cell_4.y() - dual.y()) - dual.y()).elementwise_eq(rt::Scalar(1i32));
+        let right_1 = ((cell_5.x() - dual.x()) - dual.x()).elementwise_eq(rt::Scalar(1i32));
+        let lower = ((cell_5.y() - dual.y()) - dual.y()).elementwise_eq(rt::Scalar(1i32));
         let _e72 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition((!_e72.elementwise_eq(CELLS_NEAREST))) {
             let _e81 = rt::Scalar(self.surface_settings.jump);
@@ -3436,124 +3434,132 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_depth_cell(
         &self,
-        cell_5: impl rt::Into<rt::Vec2<i32>>,
+        cell_6: impl rt::Into<rt::Vec2<i32>>,
         level_13: impl rt::Into<rt::Scalar<u32>>,
         params_6: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_depth_cell(rt::into(cell_5), rt::into(level_13), rt::into(params_6)))
+        rt::into(self.v_object_depth_cell(rt::into(cell_6), rt::into(level_13), rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_depth_cell(
         &self,
-        cell_5: rt::Vec2<i32>,
+        cell_6: rt::Vec2<i32>,
         level_13: rt::Scalar<u32>,
         params_6: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_cell_of_images(cell_5, level_13);
+        let _e3 = self.v_cell_of_images(cell_6, level_13);
         return _e3;
     }
     pub(crate) fn cell_of_mask(
         &self,
-        cell_6: impl rt::Into<rt::Vec2<i32>>,
+        cell_7: impl rt::Into<rt::Vec2<i32>>,
         level_14: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_cell_of_mask(rt::into(cell_6), rt::into(level_14)))
+        rt::into(self.v_cell_of_mask(rt::into(cell_7), rt::into(level_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_cell_of_mask(
         &self,
-        cell_6: rt::Vec2<i32>,
+        cell_7: rt::Vec2<i32>,
         level_14: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e2 = self.v_height_cell(cell_6, level_14);
+        let _e2 = self.v_height_cell(cell_7, level_14);
         return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select(rt::Scalar(1f32), _e2.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e2.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e2.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select(rt::Scalar(1f32), _e2.w().elementwise_gt(rt::Scalar(0.00001f32))));
     }
     pub(crate) fn object_hull_cell(
         &self,
-        cell_7: impl rt::Into<rt::Vec2<i32>>,
+        cell_8: impl rt::Into<rt::Vec2<i32>>,
         level_15: impl rt::Into<rt::Scalar<u32>>,
         params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_hull_cell(rt::into(cell_7), rt::into(level_15), rt::into(params_7)))
+        rt::into(self.v_object_hull_cell(rt::into(cell_8), rt::into(level_15), rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_hull_cell(
         &self,
-        cell_7: rt::Vec2<i32>,
+        cell_8: rt::Vec2<i32>,
         level_15: rt::Scalar<u32>,
         params_7: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_cell_of_mask(cell_7, level_15);
+        let _e3 = self.v_cell_of_mask(cell_8, level_15);
         return _e3;
     }
     pub(crate) fn object_blend_cell(
         &self,
-        cell_8: impl rt::Into<rt::Vec2<i32>>,
+        cell_9: impl rt::Into<rt::Vec2<i32>>,
         level_16: impl rt::Into<rt::Scalar<u32>>,
         params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_blend_cell(rt::into(cell_8), rt::into(level_16), rt::into(params_8)))
+        rt::into(self.v_object_blend_cell(rt::into(cell_9), rt::into(level_16), rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_blend_cell(
         &self,
-        cell_8: rt::Vec2<i32>,
+        cell_9: rt::Vec2<i32>,
         level_16: rt::Scalar<u32>,
         params_8: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_cell(cell_8, level_16);
+        let _e3 = self.v_height_cell(cell_9, level_16);
         return _e3;
     }
     pub(crate) fn object_cell_stage(
         &self,
-        cell_9: impl rt::Into<rt::Vec2<i32>>,
+        cell_10: impl rt::Into<rt::Vec2<i32>>,
         level_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_cell_stage(rt::into(cell_9), rt::into(level_17)))
+        rt::into(self.v_object_cell_stage(rt::into(cell_10), rt::into(level_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_cell_stage(
         &self,
-        cell_9: rt::Vec2<i32>,
+        cell_10: rt::Vec2<i32>,
         level_17: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_object_none_cell(cell_9, level_17, _e11);
+                let _e12 = self.v_object_none_cell(cell_10, level_17, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_object_depth_cell(cell_9, level_17, _e17);
+                let _e18 = self.v_object_depth_cell(cell_10, level_17, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_object_hull_cell(cell_9, level_17, _e23);
+                let _e24 = self.v_object_hull_cell(cell_10, level_17, _e23);
                 return _e24;
             }
             _ => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_object_blend_cell(cell_9, level_17, _e29);
+                let _e30 = self.v_object_blend_cell(cell_10, level_17, _e29);
                 return _e30;
             }
         }
+    }
+    pub(crate) fn whole_cell(&self, cell_11: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<i32> {
+        rt::into(self.v_whole_cell(rt::into(cell_11)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_whole_cell(&self, cell_11: rt::Vec2<f32>) -> rt::Vec2<i32> {
+        return cell_11.to_i32();
     }
     pub(crate) fn cell_gap(
         &self,
         path_7: Path,
         grid_2: Grid,
-        cell_10: impl rt::Into<rt::Vec2<f32>>,
+        cell_12: impl rt::Into<rt::Vec2<f32>>,
         t_11: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_cell_gap(path_7, grid_2, rt::into(cell_10), rt::into(t_11)))
+        rt::into(self.v_cell_gap(path_7, grid_2, rt::into(cell_12), rt::into(t_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3561,66 +3567,55 @@ impl<'g> Resources<'g> {
         &self,
         path_7: Path,
         grid_2: Grid,
-        cell_10: rt::Vec2<f32>,
+        cell_12: rt::Vec2<f32>,
         t_11: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let _e6 = self.v_object_cell_stage(cell_10.to_i32(), rt::Scalar(path_7.level));
-        let _e7 = self.v_gap_to(path_7, grid_2, cell_10, _e6, t_11);
+        let _e4 = self.v_whole_cell(cell_12);
+        let _e6 = self.v_object_cell_stage(_e4, rt::Scalar(path_7.level));
+        let _e7 = self.v_gap_to(path_7, grid_2, cell_12, _e6, t_11);
         return _e7;
     }
     pub(crate) fn cell_leave(
         &self,
         grid_3: Grid,
-        cell_11: impl rt::Into<rt::Vec2<f32>>,
+        cell_13: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_leave(grid_3, rt::into(cell_11)))
+        rt::into(self.v_cell_leave(grid_3, rt::into(cell_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
     fn v_cell_leave(
         &self,
         grid_3: Grid,
-        cell_11: rt::Vec2<f32>,
+        cell_13: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut leave_2: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-
-        if rt::Scalar::into_branch_condition(grid_3.step.x().elementwise_gt(rt::Scalar(0f32))) {
-            leave_2.set_x((((cell_11.x() + rt::Scalar(1f32)) - grid_3.origin.x()) / grid_3.step.x()));
-        }
-        if rt::Scalar::into_branch_condition(grid_3.step.x().elementwise_lt(rt::Scalar(0f32))) {
-            leave_2.set_x(((cell_11.x() - grid_3.origin.x()) / grid_3.step.x()));
-        }
-        if rt::Scalar::into_branch_condition(grid_3.step.y().elementwise_gt(rt::Scalar(0f32))) {
-            leave_2.set_y((((cell_11.y() + rt::Scalar(1f32)) - grid_3.origin.y()) / grid_3.step.y()));
-        }
-        if rt::Scalar::into_branch_condition(grid_3.step.y().elementwise_lt(rt::Scalar(0f32))) {
-            leave_2.set_y(((cell_11.y() - grid_3.origin.y()) / grid_3.step.y()));
-        }
-        let _e58 = leave_2;
-        return _e58;
+        let ahead_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), grid_3.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
+        let leave_6 = (((cell_13 + ahead_1) - grid_3.origin) / grid_3.step);
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)).select(leave_6, grid_3.step.abs().elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
     }
     pub(crate) fn cell_next(
         &self,
         grid_4: Grid,
-        cell_12: impl rt::Into<rt::Vec2<f32>>,
-        leave_3: impl rt::Into<rt::Vec2<f32>>,
+        cell_14: impl rt::Into<rt::Vec2<f32>>,
+        leave_2: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_next(grid_4, rt::into(cell_12), rt::into(leave_3)))
+        rt::into(self.v_cell_next(grid_4, rt::into(cell_14), rt::into(leave_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_cell_next(
         &self,
         grid_4: Grid,
-        cell_12: rt::Vec2<f32>,
-        leave_3: rt::Vec2<f32>,
+        cell_14: rt::Vec2<f32>,
+        leave_2: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let mut next: rt::Vec2<f32>;
 
-        next = cell_12;
-        if rt::Scalar::into_branch_condition(leave_3.x().elementwise_le(leave_3.y())) {
-            next.set_x((cell_12.x() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.x().elementwise_gt(rt::Scalar(0f32)))));
+        next = cell_14;
+        if rt::Scalar::into_branch_condition(leave_2.x().elementwise_le(leave_2.y())) {
+            next.set_x((cell_14.x() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.x().elementwise_gt(rt::Scalar(0f32)))));
         } else {
-            next.set_y((cell_12.y() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.y().elementwise_gt(rt::Scalar(0f32)))));
+            next.set_y((cell_14.y() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.y().elementwise_gt(rt::Scalar(0f32)))));
         }
         let _e27 = next;
         return _e27;
@@ -3725,10 +3720,10 @@ impl<'g> Resources<'g> {
             let y_3 = ((rt::Scalar(column.inside) + at_14) - rt::Scalar(1i32));
             return <SweptPoint>::new(INSIDE, (rt::Scalar(column.first) + (at_14 - rt::Scalar(1i32)).to_u32()), x_6, y_3, rt::Scalar(1i32), rt::Scalar(0u32));
         }
-        let columns_2 = sweep_2.end.x();
-        let _e25 = self.v_swept_border(sweep_2, sweep_2.corners.x(), sweep_2.corners.y(), x_6, columns_2);
-        let sides_1 = ((ON_PRIMARY + rt::Scalar(0u32).select(ON_FIRST, x_6.elementwise_eq(rt::Scalar(0i32)))) + rt::Scalar(0u32).select(ON_SECOND, x_6.elementwise_eq(columns_2)));
-        return <SweptPoint>::new(_e25.x(), _e25.y(), (x_6 * columns_2), (sweep_2.end.y() * x_6), columns_2, sides_1);
+        let columns = sweep_2.end.x();
+        let _e25 = self.v_swept_border(sweep_2, sweep_2.corners.x(), sweep_2.corners.y(), x_6, columns);
+        let sides_1 = ((ON_PRIMARY + rt::Scalar(0u32).select(ON_FIRST, x_6.elementwise_eq(rt::Scalar(0i32)))) + rt::Scalar(0u32).select(ON_SECOND, x_6.elementwise_eq(columns)));
+        return <SweptPoint>::new(_e25.x(), _e25.y(), (x_6 * columns), (sweep_2.end.y() * x_6), columns, sides_1);
     }
     pub(crate) fn chain_point(
         &self,
@@ -4048,7 +4043,7 @@ impl<'g> Resources<'g> {
         slack_2: rt::Scalar<f32>,
         texels_2: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut cell_13: rt::Vec2<f32>;
+        let mut cell_15: rt::Vec2<f32>;
         let mut t_13: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut local_12: rt::Scalar<bool>;
         let mut local_13: rt::Scalar<bool>;
@@ -4057,8 +4052,8 @@ impl<'g> Resources<'g> {
         let _e3 = self.v_grid_of(path_11);
         let _e4 = self.v_rounded_gap(path_11, slack_2, texels_2);
         let _e6 = self.v_cell_of(_e3.origin);
-        cell_13 = _e6;
-        let _e10 = cell_13;
+        cell_15 = _e6;
+        let _e10 = cell_15;
         let _e12 = self.v_cell_gap(path_11, _e3, _e10, rt::Scalar(0f32));
         let is_near = _e12.x().elementwise_ge((rt::Scalar(0f32) - _e4));
         if rt::Scalar::into_branch_condition(_e12.x().elementwise_le(rt::Scalar(0f32))) {
@@ -4085,10 +4080,10 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e38 = cell_13;
+                    let _e38 = cell_15;
                     let _e39 = self.v_cell_leave(_e3, _e38);
                     let end_3 = _e39.x().min(_e39.y()).min(rt::Scalar(path_11.exit));
-                    let _e48 = cell_13;
+                    let _e48 = cell_15;
                     let _e49 = t_13;
                     let _e50 = self.v_cell_gap(path_11, _e3, _e48, _e49);
                     let below_3 = (<rt::Vec3<f32>>::from_scalars(_e34, rt::Scalar(0f32), rt::Scalar(0f32)) - _e50);
@@ -4097,14 +4092,14 @@ impl<'g> Resources<'g> {
                         return _e56;
                     }
                     let _e57 = t_13;
-                    let span_5 = (end_3 - _e57).max(rt::Scalar(0f32));
-                    let _e61 = self.v_first_root(below_3, span_5);
+                    let span_6 = (end_3 - _e57).max(rt::Scalar(0f32));
+                    let _e61 = self.v_first_root(below_3, span_6);
                     if rt::Scalar::into_branch_condition(_e61.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e64 = t_13;
                         return (_e64 + _e61);
                     }
                     if rt::Scalar::into_branch_condition(is_near) {
-                        let _e68 = self.v_quadratic(below_3, span_5);
+                        let _e68 = self.v_quadratic(below_3, span_6);
                         local_14 = _e68.elementwise_gt((_e34 + _e4));
                     } else {
                         local_14 = rt::Scalar(false);
@@ -4113,9 +4108,9 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e72) {
                         return rt::Scalar(0f32);
                     }
-                    let _e74 = cell_13;
+                    let _e74 = cell_15;
                     let _e75 = self.v_cell_next(_e3, _e74, _e39);
-                    cell_13 = _e75;
+                    cell_15 = _e75;
                     let _e76 = t_13;
                     t_13 = _e76.max(end_3);
                 }
@@ -4419,10 +4414,10 @@ impl<'g> Resources<'g> {
         let mut z: rt::Scalar<f32>;
 
         let _e3 = rt::Scalar(self.surface_settings.images);
-        let row_9 = _e3.to_i32();
-        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_9));
-        let _e10 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_9));
-        let _e13 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_9));
+        let row_8 = _e3.to_i32();
+        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_8));
+        let _e10 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_8));
+        let _e13 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_8));
         let last_4 = (_e7.w() - rt::Scalar(1f32)).max(rt::Scalar(1f32));
         let is_hemi = _e10.w().elementwise_gt(rt::Scalar(0f32));
         let up_2 = _e10.xyz().dot(toward);
@@ -4451,10 +4446,10 @@ impl<'g> Resources<'g> {
         let _e82 = x_1;
         let along_23 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_4));
         let place_24 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
-        let cell_27 = place_24.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
-        let part_9 = (place_24 - cell_27);
+        let cell_29 = place_24.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
+        let part_9 = (place_24 - cell_29);
         let side_5 = (last_4.to_u32() + rt::Scalar(1u32));
-        let first_11 = ((cell_27.y().to_u32() * side_5) + cell_27.x().to_u32());
+        let first_11 = ((cell_29.y().to_u32() * side_5) + cell_29.x().to_u32());
         let beside_4 = (first_11 + side_5).select((first_11 + rt::Scalar(1u32)), part_9.x().elementwise_gt(part_9.y()));
         let least_2 = part_9.x().min(part_9.y());
         let most_7 = part_9.x().max(part_9.y());
@@ -4468,19 +4463,19 @@ impl<'g> Resources<'g> {
         let mut depth_5: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(1f32));
         let mut eye_1: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
 
-        let row_10 = number_3.to_i32();
-        let _e4 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(3i32), row_10));
-        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_10));
+        let row_9 = number_3.to_i32();
+        let _e4 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(3i32), row_9));
+        let _e7 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(4i32), row_9));
         let has_eye = _e7.w().elementwise_eq(rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition(has_eye) {
-            let _e25 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(5i32), row_10));
+            let _e25 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(5i32), row_9));
             depth_5 = _e25;
-            let _e28 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(6i32), row_10));
+            let _e28 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(6i32), row_9));
             eye_1 = _e28;
         }
-        let _e31 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_10));
-        let _e34 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_10));
-        let _e37 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_10));
+        let _e31 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), row_9));
+        let _e34 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), row_9));
+        let _e37 = self.v_object_texel(<rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), row_9));
         let _e38 = depth_5;
         let _e44 = eye_1;
         let _e47 = eye_1.w();
@@ -4875,9 +4870,9 @@ impl<'g> Resources<'g> {
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let _e3 = self.v_height_texels(rt::Scalar(path_14.level));
-        let place_25 = texel_1.to_i32();
-        let _e7 = self.v_wrap_index(place_25.x(), _e3.x());
-        let _e10 = self.v_wrap_index(place_25.y(), _e3.y());
+        let _e4 = self.v_whole_cell(texel_1);
+        let _e7 = self.v_wrap_index(_e4.x(), _e3.x());
+        let _e10 = self.v_wrap_index(_e4.y(), _e3.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e7, _e10);
         let _e15 = self.v_search_texel(path_14, wrapped, rt::Scalar(0i32), rt::Scalar(path_14.level).to_i32());
         let _e17 = self.v_slope_of(_e15.x());
@@ -5284,18 +5279,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_points_before(
         &self,
         rows_3: DiceRows,
-        row_1: impl rt::Into<rt::Scalar<u32>>,
+        row: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_points_before(rows_3, rt::into(row_1)))
+        rt::into(self.v_dice_points_before(rows_3, rt::into(row)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_points_before(
         &self,
         rows_3: DiceRows,
-        row_1: rt::Scalar<u32>,
+        row: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_dice_parts_before(rows_3, (row_1 - rt::Scalar(1u32)));
+        let _e4 = self.v_dice_parts_before(rows_3, (row - rt::Scalar(1u32)));
         return _e4;
     }
     pub(crate) fn dice_points(&self, rows_4: DiceRows) -> u32 {
@@ -5320,40 +5315,40 @@ impl<'g> Resources<'g> {
         rows_5: DiceRows,
         number_4: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let mut row_2: rt::Scalar<u32>;
+        let mut row_1: rt::Scalar<u32>;
 
         let _e2 = self.v_dice_points(rows_5);
         let _e3 = self.v_dice_guess(rows_5, number_4, _e2);
-        row_2 = _e3.max(rt::Scalar(1u32));
+        row_1 = _e3.max(rt::Scalar(1u32));
         'naga_break: loop {
             'naga_continue: {
-                let _e7 = row_2;
+                let _e7 = row_1;
                 let _e8 = self.v_dice_points_before(rows_5, _e7);
                 if rt::Scalar::into_branch_condition(_e8.elementwise_gt(number_4)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e10 = row_2;
-                    row_2 = (_e10 - rt::Scalar(1u32));
+                    let _e10 = row_1;
+                    row_1 = (_e10 - rt::Scalar(1u32));
                 }
             }
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e13 = row_2;
+                let _e13 = row_1;
                 let _e16 = self.v_dice_points_before(rows_5, (_e13 + rt::Scalar(1u32)));
                 if rt::Scalar::into_branch_condition(_e16.elementwise_le(number_4)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e18 = row_2;
-                    row_2 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = row_1;
+                    row_1 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e21 = row_2;
+        let _e21 = row_1;
         return _e21;
     }
     pub(crate) fn dice_place(
@@ -5377,36 +5372,36 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_share(
         &self,
         rows_7: DiceRows,
-        row_3: impl rt::Into<rt::Scalar<u32>>,
+        row_2: impl rt::Into<rt::Scalar<u32>>,
         parts_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_share(rows_7, rt::into(row_3), rt::into(parts_1)))
+        rt::into(self.v_dice_share(rows_7, rt::into(row_2), rt::into(parts_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_share(
         &self,
         rows_7: DiceRows,
-        row_3: rt::Scalar<u32>,
+        row_2: rt::Scalar<u32>,
         parts_1: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        return ((((row_3 * parts_1) + rt::Scalar(rows_7.count)) - rt::Scalar(1u32)) / rt::Scalar(rows_7.count));
+        return ((((row_2 * parts_1) + rt::Scalar(rows_7.count)) - rt::Scalar(1u32)) / rt::Scalar(rows_7.count));
     }
     pub(crate) fn dice_row_parts(
         &self,
         rows_8: DiceRows,
-        row_4: impl rt::Into<rt::Scalar<u32>>,
+        row_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_row_parts(rows_8, rt::into(row_4)))
+        rt::into(self.v_dice_row_parts(rows_8, rt::into(row_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_row_parts(
         &self,
         rows_8: DiceRows,
-        row_4: rt::Scalar<u32>,
+        row_3: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_dice_share(rows_8, row_4, rows_8.parts.y());
+        let _e4 = self.v_dice_share(rows_8, row_3, rows_8.parts.y());
         return _e4;
     }
     pub(crate) fn dice_point(&self, rows_9: DiceRows, place_8: DicePlace) -> DicePoint {
@@ -5446,22 +5441,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn dice_triangles_before(
         &self,
         rows_10: DiceRows,
-        row_5: impl rt::Into<rt::Scalar<u32>>,
+        row_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_triangles_before(rows_10, rt::into(row_5)))
+        rt::into(self.v_dice_triangles_before(rows_10, rt::into(row_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_triangles_before(
         &self,
         rows_10: DiceRows,
-        row_5: rt::Scalar<u32>,
+        row_4: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_dice_share(rows_10, row_5, rows_10.parts.x());
-        let _e7 = self.v_dice_share(rows_10, row_5, rows_10.parts.z());
+        let _e4 = self.v_dice_share(rows_10, row_4, rows_10.parts.x());
+        let _e7 = self.v_dice_share(rows_10, row_4, rows_10.parts.z());
         let ends_1 = (_e4 + _e7);
-        let _e10 = self.v_dice_parts_before(rows_10, row_5);
-        let _e13 = self.v_dice_row_parts(rows_10, row_5);
+        let _e10 = self.v_dice_parts_before(rows_10, row_4);
+        let _e13 = self.v_dice_row_parts(rows_10, row_4);
         return (((rt::Scalar(2u32) * _e10) + ends_1) - _e13);
     }
     pub(crate) fn dice_triangles(&self, rows_11: DiceRows) -> u32 {
@@ -5486,40 +5481,40 @@ impl<'g> Resources<'g> {
         rows_12: DiceRows,
         number_6: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let mut row_6: rt::Scalar<u32>;
+        let mut row_5: rt::Scalar<u32>;
 
         let _e2 = self.v_dice_triangles(rows_12);
         let _e3 = self.v_dice_guess(rows_12, number_6, _e2);
-        row_6 = _e3;
+        row_5 = _e3;
         'naga_break: loop {
             'naga_continue: {
-                let _e5 = row_6;
+                let _e5 = row_5;
                 let _e6 = self.v_dice_triangles_before(rows_12, _e5);
                 if rt::Scalar::into_branch_condition(_e6.elementwise_gt(number_6)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e8 = row_6;
-                    row_6 = (_e8 - rt::Scalar(1u32));
+                    let _e8 = row_5;
+                    row_5 = (_e8 - rt::Scalar(1u32));
                 }
             }
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = row_6;
+                let _e11 = row_5;
                 let _e14 = self.v_dice_triangles_before(rows_12, (_e11 + rt::Scalar(1u32)));
                 if rt::Scalar::into_branch_condition(_e14.elementwise_le(number_6)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e16 = row_6;
-                    row_6 = (_e16 + rt::Scalar(1u32));
+                    let _e16 = row_5;
+                    row_5 = (_e16 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e19 = row_6;
+        let _e19 = row_5;
         return (_e19 + rt::Scalar(1u32));
     }
     pub(crate) fn dice_rows(&self, parts_2: impl rt::Into<rt::Vec3<u32>>) -> DiceRows {
@@ -5864,13 +5859,13 @@ impl<'g> Resources<'g> {
         height_1: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_26 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_5 = place_26.floor();
+        let place_25 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_5 = place_25.floor();
         let _e13 = self.v_search_texel_between(path_17, uv_9, below_5.to_i32());
         let lower_1 = _e13.x();
         let _e21 = self.v_search_texel_between(path_17, uv_9, (below_5 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
         let upper = _e21.x();
-        return (lower_1 + ((upper - lower_1) * (place_26 - below_5)));
+        return (lower_1 + ((upper - lower_1) * (place_25 - below_5)));
     }
     pub(crate) fn ends_on(&self, sweep_4: Sweep, chain_1: SweptChain, other: SweptChain) -> bool {
         rt::into(self.v_ends_on(sweep_4, chain_1, other))
@@ -6210,8 +6205,8 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec3<f32> {
         let a_32 = ((prism_5.p2_ - prism_5.p1_) + ((prism_5.n2_ - prism_5.n1_) * offset_2));
         let b_32 = ((prism_5.p0_ - prism_5.p2_) + ((prism_5.n0_ - prism_5.n2_) * offset_2));
-        let c_22 = ((prism_5.p1_ - prism_5.p0_) + ((prism_5.n1_ - prism_5.n0_) * offset_2));
-        return (<rt::Vec3<f32>>::from_scalars(a_32.length(), b_32.length(), c_22.length()) / rt::Vec3::splat_from_scalar(b_32.cross(c_22).length().max(rt::Scalar(0.000000000000000000000000000001f32))));
+        let c_23 = ((prism_5.p1_ - prism_5.p0_) + ((prism_5.n1_ - prism_5.n0_) * offset_2));
+        return (<rt::Vec3<f32>>::from_scalars(a_32.length(), b_32.length(), c_23.length()) / rt::Vec3::splat_from_scalar(b_32.cross(c_23).length().max(rt::Scalar(0.000000000000000000000000000001f32))));
     }
     pub(crate) fn way_beyond(
         &self,
@@ -6601,11 +6596,11 @@ impl<'g> Resources<'g> {
                     let third_3 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
                     let a_33 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_24 * second_4));
                     let b_33 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_24 * third_3));
-                    let c_23 = (normal_24 * width_5);
-                    let across_4 = b_33.cross(c_23);
+                    let c_24 = (normal_24 * width_5);
+                    let across_4 = b_33.cross(c_24);
                     let one_over = (rt::Scalar(1f32) / a_33.dot(across_4));
                     let db = (rest_3.dot(across_4) * one_over);
-                    let dc = (rest_3.dot(c_23.cross(a_33)) * one_over);
+                    let dc = (rest_3.dot(c_24.cross(a_33)) * one_over);
                     let dh = (rest_3.dot(a_33.cross(b_33)) * one_over);
                     let _e126 = w_1.x();
                     let _e130 = w_1.y();
@@ -7044,9 +7039,9 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let a_34 = (pixel_37.a.position - pixel_37.origin);
         let b_34 = (pixel_37.b.position - pixel_37.origin);
-        let c_24 = (pixel_37.c.position - pixel_37.origin);
+        let c_25 = (pixel_37.c.position - pixel_37.origin);
         let along_29 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
-        let places_1 = <rt::Vec3<f32>>::from_scalars(a_34.dot(along_29), b_34.dot(along_29), c_24.dot(along_29));
+        let places_1 = <rt::Vec3<f32>>::from_scalars(a_34.dot(along_29), b_34.dot(along_29), c_25.dot(along_29));
         let least_5 = places_1.x().min(places_1.y()).min(places_1.z());
         let most_12 = places_1.x().max(places_1.y()).max(places_1.z());
         let across_5 = normal_13.dot(pixel_37.direction);
@@ -7440,6 +7435,51 @@ impl<'g> Resources<'g> {
         let y_6 = (across * rt::Scalar(1.7320508f32));
         return <rt::Vec4<f32>>::from_scalars((middle_7 + x_8), (middle_7 - x_8), (middle_7 + y_6), (middle_7 - y_6)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
     }
+    pub(crate) fn least_at(
+        &self,
+        c_8: impl rt::Into<rt::Vec3<f32>>,
+        span_2: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_least_at(rt::into(c_8), rt::into(span_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_least_at(
+        &self,
+        c_8: rt::Vec3<f32>,
+        span_2: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(c_8.z().elementwise_gt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(0f32) - c_8.y()) / (rt::Scalar(2f32) * c_8.z())).clamp(rt::Scalar(0f32), span_2);
+        }
+        return span_2;
+    }
+    pub(crate) fn falls_in_cell(
+        &self,
+        c_9: impl rt::Into<rt::Vec3<f32>>,
+        span_3: impl rt::Into<rt::Scalar<f32>>,
+    ) -> bool {
+        rt::into(self.v_falls_in_cell(rt::into(c_9), rt::into(span_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_falls_in_cell(
+        &self,
+        c_9: rt::Vec3<f32>,
+        span_3: rt::Scalar<f32>,
+    ) -> rt::Scalar<bool> {
+        let mut local_42: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition((!c_9.x().elementwise_le(rt::Scalar(0f32)))) {
+            let _e8 = self.v_least_at(c_9, span_3);
+            let _e9 = self.v_quadratic(c_9, _e8);
+            local_42 = _e9.elementwise_le(rt::Scalar(0f32));
+        } else {
+            local_42 = rt::Scalar(true);
+        }
+        let _e13 = local_42;
+        return _e13;
+    }
     pub(crate) fn normal_at(
         &self,
         uv_12: impl rt::Into<rt::Vec2<f32>>,
@@ -7647,7 +7687,7 @@ impl<'g> Resources<'g> {
         params_31: rt::Vec4<f32>,
     ) -> Path {
         let mut enter: rt::Scalar<f32>;
-        let mut leave_4: rt::Scalar<f32>;
+        let mut leave_3: rt::Scalar<f32>;
         let mut interval_3: rt::Vec2<f32>;
 
         let along_31 = pixel_46.direction.length();
@@ -7664,14 +7704,14 @@ impl<'g> Resources<'g> {
         let eye_3 = (rt::Scalar(0f32) - distance);
         let top_6 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
         enter = top_6.max(eye_3);
-        leave_4 = ((_e16 * _e15) / descent_3);
-        let _e34 = leave_4;
-        let _e35 = leave_4;
-        leave_4 = (_e34 + ((_e35 - top_6) * rt::Scalar(0.000001f32)));
+        leave_3 = ((_e16 * _e15) / descent_3);
+        let _e34 = leave_3;
+        let _e35 = leave_3;
+        leave_3 = (_e34 + ((_e35 - top_6) * rt::Scalar(0.000001f32)));
         let _e42 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
-            let _e49 = leave_4;
+            let _e49 = leave_3;
             let _e51 = self.v_inside_unit(at_44.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
             interval_3 = _e51;
             let _e56 = interval_3;
@@ -7680,7 +7720,7 @@ impl<'g> Resources<'g> {
             let _e59 = interval_3.x();
             enter = _e59;
             let _e61 = interval_3.y();
-            leave_4 = _e61;
+            leave_3 = _e61;
         }
         let _e62 = enter;
         let _e65 = enter;
@@ -7688,7 +7728,7 @@ impl<'g> Resources<'g> {
         let _e69 = enter;
         let base_2 = (rt::Scalar(0f32) - _e69).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e76 = enter;
-        let _e81 = leave_4;
+        let _e81 = leave_3;
         let _e82 = enter;
         let _e87 = enter;
         return <Path>::new((at_44.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_44.metric, RAY_VIEW, rt::Scalar(at_44.level), (distance + _e87), rt::Scalar(1f32), rt::Scalar(0f32));
@@ -7713,7 +7753,7 @@ impl<'g> Resources<'g> {
         let mut a_13: WayPoint;
         let mut b_13: WayPoint;
         let mut path_19: Path;
-        let mut local_42: rt::Scalar<bool>;
+        let mut local_43: rt::Scalar<bool>;
 
         let along_32 = pixel_47.direction.normalize();
         let _e6 = self.v_middle_of(pixel_47, along_32);
@@ -7754,11 +7794,11 @@ impl<'g> Resources<'g> {
         let _e67 = rt::Scalar(a_13.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
             let _e76 = rt::Scalar(b_13.beside);
-            local_42 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
+            local_43 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
         } else {
-            local_42 = rt::Scalar(true);
+            local_43 = rt::Scalar(true);
         }
-        let _e82 = local_42;
+        let _e82 = local_43;
         if rt::Scalar::into_branch_condition(_e82) {
             rt::Scalar(path_19.exit) = rt::Scalar(0f32);
         }
@@ -7822,7 +7862,7 @@ impl<'g> Resources<'g> {
     ) -> Path {
         let mut begin_1: rt::Scalar<f32>;
         let mut end_1: rt::Scalar<f32>;
-        let mut local_43: rt::Scalar<bool>;
+        let mut local_44: rt::Scalar<bool>;
         let mut path_20: Path;
         let mut inside_2: rt::Vec2<f32>;
 
@@ -7848,11 +7888,11 @@ impl<'g> Resources<'g> {
         end_1 = (at_47.of_surface.w() - (_e57 / _e10));
         if rt::Scalar::into_branch_condition((k_8 + rt::Scalar(1u32)).elementwise_eq(params_34.z().to_u32())) {
             let _e68 = end_1;
-            local_43 = _e68.elementwise_lt(rt::Scalar(0.5f32));
+            local_44 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
-            local_43 = rt::Scalar(false);
+            local_44 = rt::Scalar(false);
         }
-        let _e72 = local_43;
+        let _e72 = local_44;
         if rt::Scalar::into_branch_condition(_e72) {
             let _e73 = end_1;
             end_1 = _e73.min(rt::Scalar(-0.000001f32));
@@ -7908,13 +7948,13 @@ impl<'g> Resources<'g> {
         k_9: rt::Scalar<u32>,
         params_35: rt::Vec4<f32>,
     ) -> Path {
-        let mut local_44: rt::Scalar<bool>;
         let mut local_45: rt::Scalar<bool>;
+        let mut local_46: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
-        let mut leave_5: rt::Scalar<f32>;
+        let mut leave_4: rt::Scalar<f32>;
         let mut interval_4: rt::Vec2<f32>;
         let mut path_21: Path;
-        let mut local_46: rt::Scalar<bool>;
+        let mut local_47: rt::Scalar<bool>;
 
         let along_35 = pixel_50.direction.length();
         let direction_7 = (pixel_50.direction / rt::Vec3::splat_from_scalar(along_35));
@@ -7933,16 +7973,16 @@ impl<'g> Resources<'g> {
         let _e35 = self.v_bent_descent(((height_18 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
             if rt::Scalar::into_branch_condition((!height_18.elementwise_lt(rt::Scalar(1f32)))) {
-                local_45 = _e35.elementwise_ge(rt::Scalar(0f32));
+                local_46 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
-                local_45 = rt::Scalar(true);
+                local_46 = rt::Scalar(true);
             }
-            let _e48 = local_45;
-            local_44 = _e48;
+            let _e48 = local_46;
+            local_45 = _e48;
         } else {
-            local_44 = rt::Scalar(false);
+            local_45 = rt::Scalar(false);
         }
-        let comes_down = local_44;
+        let comes_down = local_45;
         enter_1 = _e35.max(eye_4);
         let _e53 = enter_1;
         let _e54 = enter_1;
@@ -7951,17 +7991,17 @@ impl<'g> Resources<'g> {
         let _e63 = enter_1;
         let _e66 = enter_1;
         let _e70 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_5, (slope_10 + ((rt::Scalar(2f32) * curve) * _e66)), curve));
-        leave_5 = (_e63 + _e70);
+        leave_4 = (_e63 + _e70);
         if rt::Scalar::into_branch_condition(_e23.elementwise_eq(rt::Scalar(0f32))) {
-            leave_5 = ((height_18 * _e15) / descent_4);
-            let _e77 = leave_5;
-            let _e78 = leave_5;
-            leave_5 = (_e77 + ((_e78 - _e35) * rt::Scalar(0.000001f32)));
+            leave_4 = ((height_18 * _e15) / descent_4);
+            let _e77 = leave_4;
+            let _e78 = leave_4;
+            leave_4 = (_e77 + ((_e78 - _e35) * rt::Scalar(0.000001f32)));
         }
         let _e85 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e85.elementwise_eq(WRAP_CLAMP)) {
             let _e91 = enter_1;
-            let _e92 = leave_5;
+            let _e92 = leave_4;
             let _e94 = self.v_inside_unit(at_48.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
             interval_4 = _e94;
             let _e99 = interval_4;
@@ -7970,7 +8010,7 @@ impl<'g> Resources<'g> {
             let _e102 = interval_4.x();
             enter_1 = _e102;
             let _e104 = interval_4.y();
-            leave_5 = _e104;
+            leave_4 = _e104;
         }
         let _e105 = enter_1;
         let _e106 = enter_1;
@@ -7980,17 +8020,17 @@ impl<'g> Resources<'g> {
         let base_4 = (rt::Scalar(0f32) - _e115).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e122 = enter_1;
         let _e127 = enter_1;
-        let _e131 = leave_5;
+        let _e131 = leave_4;
         let _e132 = enter_1;
         let _e137 = enter_1;
         path_21 = <Path>::new((at_48.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_48.metric, RAY_VIEW, rt::Scalar(at_48.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e148 = rt::Scalar(path_21.exit);
-            local_46 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
+            local_47 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_46 = rt::Scalar(true);
+            local_47 = rt::Scalar(true);
         }
-        let _e153 = local_46;
+        let _e153 = local_47;
         if rt::Scalar::into_branch_condition(_e153) {
             rt::Scalar(path_21.exit) = rt::Scalar(0f32);
         }
@@ -8245,27 +8285,27 @@ impl<'g> Resources<'g> {
         along_16: rt::Scalar<f32>,
         far_2: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut local_47: rt::Scalar<bool>;
+        let mut local_48: rt::Scalar<bool>;
 
         let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_53.direction.dot(at_52.normal).elementwise_lt(rt::Scalar(0f32))) * at_52.of_surface.y());
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
         let step_m = (upward * _e17);
         let a_36 = (pixel_53.a.position + (pixel_53.a.normal * step_m));
         let b_36 = (pixel_53.b.position + (pixel_53.b.normal * step_m));
-        let c_25 = (pixel_53.c.position + (pixel_53.c.normal * step_m));
-        let n_11 = (b_36 - a_36).cross((c_25 - a_36));
+        let c_26 = (pixel_53.c.position + (pixel_53.c.normal * step_m));
+        let n_11 = (b_36 - a_36).cross((c_26 - a_36));
         let t_37 = (n_11.dot((a_36 - pixel_53.origin)) / n_11.dot(pixel_53.direction));
         let lead = (far_2 - (t_37 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
-            local_47 = t_37.abs().elementwise_le(rt::Scalar(1000000000f32));
+            local_48 = t_37.abs().elementwise_le(rt::Scalar(1000000000f32));
         } else {
-            local_47 = rt::Scalar(false);
+            local_48 = rt::Scalar(false);
         }
-        let _e57 = local_47;
+        let _e57 = local_48;
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e68 = self.v_weights_of(a_36, b_36, c_25, n_11, (pixel_53.origin + (pixel_53.direction * t_37)));
+        let _e68 = self.v_weights_of(a_36, b_36, c_26, n_11, (pixel_53.origin + (pixel_53.direction * t_37)));
         let aside_4 = ((((pixel_53.a.uv * _e68.x()) + (pixel_53.b.uv * _e68.y())) + (pixel_53.c.uv * _e68.z())) - at_52.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_4, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
@@ -8285,16 +8325,16 @@ impl<'g> Resources<'g> {
         climbs: rt::Vec3<f32>,
         pace: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut local_48: rt::Scalar<bool>;
+        let mut local_49: rt::Scalar<bool>;
 
         let up_3 = (at_53.of_surface.x().select((rt::Scalar(1f32) - at_53.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
         let lead_1 = (at_53.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_3, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
         if rt::Scalar::into_branch_condition(lead_1.elementwise_gt(rt::Scalar(0f32))) {
-            local_48 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
+            local_49 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
         } else {
-            local_48 = rt::Scalar(false);
+            local_49 = rt::Scalar(false);
         }
-        let _e33 = local_48;
+        let _e33 = local_49;
         if rt::Scalar::into_branch_condition((!_e33)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
@@ -8385,15 +8425,15 @@ impl<'g> Resources<'g> {
         high: rt::Scalar<f32>,
         interval_5: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_49: rt::Scalar<bool>;
+        let mut local_50: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx_1.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x_2.elementwise_lt(low))) {
-                local_49 = x_2.elementwise_gt(high);
+                local_50 = x_2.elementwise_gt(high);
             } else {
-                local_49 = rt::Scalar(true);
+                local_50 = rt::Scalar(true);
             }
-            let _e13 = local_49;
+            let _e13 = local_50;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(0f32));
             }
@@ -8438,7 +8478,7 @@ impl<'g> Resources<'g> {
         k_13: rt::Scalar<u32>,
     ) -> Path {
         let mut begin_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_50: rt::Scalar<bool>;
+        let mut local_51: rt::Scalar<bool>;
         let mut interval_6: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let mut height_5: rt::Vec3<f32>;
 
@@ -8450,11 +8490,11 @@ impl<'g> Resources<'g> {
             let nearest_2 = (rt::Scalar(0.01f32) * rt::Scalar(_e4.nearest));
             begin_2 = rt::Scalar(0f32).select(rt::Scalar(300000000000000000000000000000000000000f32), _e9.elementwise_lt(nearest_2));
             if rt::Scalar::into_branch_condition(_e9.elementwise_lt(nearest_2)) {
-                local_50 = deepens.elementwise_gt(rt::Scalar(0f32));
+                local_51 = deepens.elementwise_gt(rt::Scalar(0f32));
             } else {
-                local_50 = rt::Scalar(false);
+                local_51 = rt::Scalar(false);
             }
-            let _e26 = local_50;
+            let _e26 = local_51;
             if rt::Scalar::into_branch_condition(_e26) {
                 begin_2 = ((nearest_2 - _e9) / deepens);
             }
@@ -8550,9 +8590,9 @@ impl<'g> Resources<'g> {
         image_9: Image,
         point_12: rt::Vec3<f32>,
     ) -> OnImage {
-        let mut local_51: rt::Scalar<bool>;
         let mut local_52: rt::Scalar<bool>;
         let mut local_53: rt::Scalar<bool>;
+        let mut local_54: rt::Scalar<bool>;
 
         let _e2 = self.v_depth_in_image(image_9, point_12);
         let u_2 = ((image_9.u.xyz().dot(point_12) + image_9.u.w()) / _e2);
@@ -8571,23 +8611,23 @@ impl<'g> Resources<'g> {
         let bottom_4 = (_e56.z() + ((_e56.w() - _e56.z()) * part_18.x()));
         let map_5 = (top_7 + ((bottom_4 - top_7) * part_18.y()));
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(0f32))) {
-            local_51 = beside_5.elementwise_le(rt::Scalar(0.5f32));
-        } else {
-            local_51 = rt::Scalar(false);
-        }
-        let _e82 = local_51;
-        if rt::Scalar::into_branch_condition(_e82) {
-            local_52 = h_7.elementwise_gt(rt::Scalar(0.00001f32));
+            local_52 = beside_5.elementwise_le(rt::Scalar(0.5f32));
         } else {
             local_52 = rt::Scalar(false);
         }
-        let _e88 = local_52;
-        if rt::Scalar::into_branch_condition(_e88) {
-            local_53 = h_7.elementwise_le(rt::Scalar(1f32));
+        let _e82 = local_52;
+        if rt::Scalar::into_branch_condition(_e82) {
+            local_53 = h_7.elementwise_gt(rt::Scalar(0.00001f32));
         } else {
             local_53 = rt::Scalar(false);
         }
-        let is_inside_1 = local_53;
+        let _e88 = local_53;
+        if rt::Scalar::into_branch_condition(_e88) {
+            local_54 = h_7.elementwise_le(rt::Scalar(1f32));
+        } else {
+            local_54 = rt::Scalar(false);
+        }
+        let is_inside_1 = local_54;
         let _e97 = rt::Scalar(self.surface_settings.cells);
         return <OnImage>::new(uv_38, h_7.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_1);
     }
@@ -8597,15 +8637,15 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_is_in_image(&self, at_58: OnImage) -> rt::Scalar<bool> {
-        let mut local_54: rt::Scalar<bool>;
+        let mut local_55: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(at_58.is_inside)) {
             let _e7 = self.v_slices_stage(rt::Scalar(at_58.map), rt::Scalar(at_58.height), rt::Scalar(0f32));
-            local_54 = _e7;
+            local_55 = _e7;
         } else {
-            local_54 = rt::Scalar(false);
+            local_55 = rt::Scalar(false);
         }
-        let _e9 = local_54;
+        let _e9 = local_55;
         return _e9;
     }
     pub(crate) fn with_image(
@@ -8640,7 +8680,7 @@ impl<'g> Resources<'g> {
     fn v_slice_at(&self, point_14: rt::Vec3<f32>) -> OnSlice {
         let mut slice_5: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
         let mut number_13: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_55: rt::Scalar<bool>;
+        let mut local_56: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
@@ -8648,11 +8688,11 @@ impl<'g> Resources<'g> {
                 let _e18 = rt::Scalar(self.surface_settings.solids);
                 if rt::Scalar::into_branch_condition(_e15.elementwise_lt(_e18)) {
                     let _e23 = rt::Scalar(slice_5.passes);
-                    local_55 = _e23;
+                    local_56 = _e23;
                 } else {
-                    local_55 = rt::Scalar(false);
+                    local_56 = rt::Scalar(false);
                 }
-                let _e25 = local_55;
+                let _e25 = local_56;
                 if rt::Scalar::into_branch_condition(_e25) {
                 } else {
                     break 'naga_break;
@@ -9005,15 +9045,15 @@ impl<'g> Resources<'g> {
                         t_15 = (_e66 - (gap_1 / change_6)).clamp((rt::Scalar(hit_8.t) - most_13), (rt::Scalar(hit_8.t) + most_13));
                     }
                     let _e75 = t_15;
-                    let place_27 = (along_39 * ((rt::Scalar(path_26.start) + _e75) - _e7));
+                    let place_26 = (along_39 * ((rt::Scalar(path_26.start) + _e75) - _e7));
                     if rt::Scalar::into_branch_condition(rt::Scalar(pixel_64.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e83 = t_15;
                         let _e84 = self.v_path_height(path_26, _e83);
-                        let _e85 = self.v_shell_point_near(_e8, place_27, _e84);
+                        let _e85 = self.v_shell_point_near(_e8, place_26, _e84);
                         point_15 = _e85;
                     } else {
                         let _e86 = point_15;
-                        let _e87 = self.v_shell_point_from(_e8, place_27, _e86);
+                        let _e87 = self.v_shell_point_from(_e8, place_26, _e86);
                         point_15 = _e87;
                     }
                 }
@@ -9331,11 +9371,11 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_height_texels(rt::Scalar(0u32));
         let _e4 = self.v_height_size(rt::Scalar(0u32));
         let _e10 = self.v_cell_of(((uv_16 * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let cell_28 = _e10.to_i32();
-        let _e14 = self.v_wrap_index(cell_28.x(), _e2.x());
-        let _e19 = self.v_wrap_index((cell_28.x() + rt::Scalar(1i32)), _e2.x());
-        let _e22 = self.v_wrap_index(cell_28.y(), _e2.y());
-        let _e27 = self.v_wrap_index((cell_28.y() + rt::Scalar(1i32)), _e2.y());
+        let cell_30 = _e10.to_i32();
+        let _e14 = self.v_wrap_index(cell_30.x(), _e2.x());
+        let _e19 = self.v_wrap_index((cell_30.x() + rt::Scalar(1i32)), _e2.x());
+        let _e22 = self.v_wrap_index(cell_30.y(), _e2.y());
+        let _e27 = self.v_wrap_index((cell_30.y() + rt::Scalar(1i32)), _e2.y());
         let _e31 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e14, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e36 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e19, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let above_7 = _e31.x().max(_e36.x());
@@ -9409,15 +9449,15 @@ impl<'g> Resources<'g> {
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_56: rt::Scalar<bool>;
+        let mut local_57: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(t_17.elementwise_gt(rt::Scalar(path_40.exit))) {
             let _e9 = self.v_path_height(path_40, rt::Scalar(path_40.exit));
-            local_56 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+            local_57 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_56 = rt::Scalar(false);
+            local_57 = rt::Scalar(false);
         }
-        let _e13 = local_56;
+        let _e13 = local_57;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
@@ -9432,17 +9472,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_41: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_57: rt::Scalar<bool>;
+        let mut local_58: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_41.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_57 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_58 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_57 = rt::Scalar(true);
+            local_58 = rt::Scalar(true);
         }
-        let _e16 = local_57;
+        let _e16 = local_58;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -9677,28 +9717,28 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_7: Found) -> rt::Scalar<bool> {
-        let mut local_58: rt::Scalar<bool>;
         let mut local_59: rt::Scalar<bool>;
         let mut local_60: rt::Scalar<bool>;
+        let mut local_61: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.far).elementwise_gt(rt::Scalar(found_7.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                local_59 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
-            } else {
-                local_59 = rt::Scalar(true);
-            }
-            let _e16 = local_59;
-            if rt::Scalar::into_branch_condition((!_e16)) {
-                local_60 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+                local_60 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
                 local_60 = rt::Scalar(true);
             }
-            let _e24 = local_60;
-            local_58 = _e24;
+            let _e16 = local_60;
+            if rt::Scalar::into_branch_condition((!_e16)) {
+                local_61 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+            } else {
+                local_61 = rt::Scalar(true);
+            }
+            let _e24 = local_61;
+            local_59 = _e24;
         } else {
-            local_58 = rt::Scalar(false);
+            local_59 = rt::Scalar(false);
         }
-        let _e26 = local_58;
+        let _e26 = local_59;
         return _e26;
     }
     pub(crate) fn refine_binary(
@@ -9719,7 +9759,7 @@ impl<'g> Resources<'g> {
         let mut near_2: rt::Scalar<f32>;
         let mut far_4: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_61: rt::Scalar<bool>;
+        let mut local_62: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_21: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -9734,11 +9774,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_8.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_4;
             let _e19 = self.v_path_height(path_48, _e18);
-            local_61 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_62 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_61 = rt::Scalar(true);
+            local_62 = rt::Scalar(true);
         }
-        let _e23 = local_61;
+        let _e23 = local_62;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -9984,9 +10024,9 @@ impl<'g> Resources<'g> {
         params_63: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_22: rt::Scalar<f32>;
-        let mut cell_14: rt::Vec2<f32>;
+        let mut cell_16: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_62: rt::Scalar<bool>;
+        let mut local_63: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_11.cost);
@@ -10004,7 +10044,7 @@ impl<'g> Resources<'g> {
         t_22 = rt::Scalar(found_11.near);
         let _e27 = t_22;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
-        cell_14 = _e30;
+        cell_16 = _e30;
         cost_8 = found_11.cost;
         let _e35 = cost_8.x();
         let limit = (_e35 + params_63.x().to_u32());
@@ -10018,12 +10058,12 @@ impl<'g> Resources<'g> {
                 {
                     let _e42 = cost_8;
                     cost_8 = (_e42 + STEP);
-                    let _e45 = cell_14;
+                    let _e45 = cell_16;
                     let _e46 = self.v_cell_leave(_e22, _e45);
                     let end_6 = _e46.x().min(_e46.y()).min(rt::Scalar(found_11.far));
                     let _e52 = t_22;
-                    let span_6 = (end_6 - _e52).max(rt::Scalar(0f32));
-                    let _e56 = cell_14;
+                    let span_7 = (end_6 - _e52).max(rt::Scalar(0f32));
+                    let _e56 = cell_16;
                     let _e57 = t_22;
                     let _e58 = self.v_cell_gap(path_51, _e22, _e56, _e57);
                     let _e59 = cost_8;
@@ -10034,7 +10074,7 @@ impl<'g> Resources<'g> {
                         let _e68 = self.v_hit_on_path(path_51, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
-                    let _e69 = self.v_first_root(_e58, span_6);
+                    let _e69 = self.v_first_root(_e58, span_7);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e72 = t_22;
                         let _e75 = cost_8;
@@ -10043,11 +10083,11 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(found_11.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_11.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_62 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
+                            local_63 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_62 = rt::Scalar(true);
+                            local_63 = rt::Scalar(true);
                         }
-                        let _e89 = local_62;
+                        let _e89 = local_63;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
                             let _e93 = self.v_hit_on_path(path_51, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
@@ -10057,9 +10097,9 @@ impl<'g> Resources<'g> {
                         let _e95 = self.v_miss(_e94);
                         return _e95;
                     }
-                    let _e96 = cell_14;
+                    let _e96 = cell_16;
                     let _e97 = self.v_cell_next(_e22, _e96, _e46);
-                    cell_14 = _e97;
+                    cell_16 = _e97;
                     let _e98 = t_22;
                     t_22 = _e98.max(end_6);
                 }
@@ -10251,65 +10291,42 @@ impl<'g> Resources<'g> {
         let _e68 = cost_9;
         return <Found>::new(FOUND_MISS, _e64, _e65, _e66, _e67, _e68);
     }
-    pub(crate) fn least_at(
-        &self,
-        c_8: impl rt::Into<rt::Vec3<f32>>,
-        span_2: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_least_at(rt::into(c_8), rt::into(span_2)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_least_at(
-        &self,
-        c_8: rt::Vec3<f32>,
-        span_2: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(c_8.z().elementwise_gt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(0f32) - c_8.y()) / (rt::Scalar(2f32) * c_8.z())).clamp(rt::Scalar(0f32), span_2);
-        }
-        return span_2;
-    }
     pub(crate) fn found_in_cell(
         &self,
-        c_9: impl rt::Into<rt::Vec3<f32>>,
+        c_10: impl rt::Into<rt::Vec3<f32>>,
         t_23: impl rt::Into<rt::Scalar<f32>>,
-        span_3: impl rt::Into<rt::Scalar<f32>>,
+        span_4: impl rt::Into<rt::Scalar<f32>>,
         first_2: impl rt::Into<rt::Scalar<bool>>,
         cost_10: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_found_in_cell(rt::into(c_9), rt::into(t_23), rt::into(span_3), rt::into(first_2), rt::into(cost_10)))
+        rt::into(self.v_found_in_cell(rt::into(c_10), rt::into(t_23), rt::into(span_4), rt::into(first_2), rt::into(cost_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_found_in_cell(
         &self,
-        c_9: rt::Vec3<f32>,
+        c_10: rt::Vec3<f32>,
         t_23: rt::Scalar<f32>,
-        span_3: rt::Scalar<f32>,
+        span_4: rt::Scalar<f32>,
         first_2: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_63: rt::Scalar<bool>;
+        let mut local_64: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(c_9.x().elementwise_le(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(c_10.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_2) {
-                local_63 = c_9.x().elementwise_lt(rt::Scalar(0f32));
+                local_64 = c_10.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_63 = rt::Scalar(false);
+                local_64 = rt::Scalar(false);
             }
-            let _e14 = local_63;
+            let _e14 = local_64;
             if rt::Scalar::into_branch_condition(_e14) {
-                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_9.x(), c_9.x(), cost_10);
+                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_10.x(), c_10.x(), cost_10);
             }
-            return <Found>::new(FOUND_BRACKET, t_23, t_23, c_9.x(), c_9.x(), cost_10);
+            return <Found>::new(FOUND_BRACKET, t_23, t_23, c_10.x(), c_10.x(), cost_10);
         }
-        let _e25 = self.v_least_at(c_9, span_3);
-        let _e26 = self.v_quadratic(c_9, _e25);
-        if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
-            return <Found>::new(FOUND_BRACKET, t_23, (t_23 + _e25), c_9.x(), _e26, cost_10);
-        }
-        let _e36 = self.v_quadratic(c_9, span_3);
-        return <Found>::new(FOUND_ABOVE, t_23, (t_23 + span_3), c_9.x(), _e36, cost_10);
+        let _e25 = self.v_least_at(c_10, span_4);
+        let _e29 = self.v_quadratic(c_10, _e25);
+        return <Found>::new(FOUND_BRACKET, t_23, (t_23 + _e25), c_10.x(), _e29, cost_10);
     }
     pub(crate) fn search_cells(
         &self,
@@ -10324,13 +10341,13 @@ impl<'g> Resources<'g> {
         path_56: Path,
         params_67: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_15: rt::Vec2<f32>;
+        let mut cell_17: rt::Vec2<f32>;
         let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_11: rt::Vec3<u32> = NO_COST;
 
         let _e2 = self.v_grid_of(path_56);
         let _e4 = self.v_cell_of(_e2.origin);
-        cell_15 = _e4;
+        cell_17 = _e4;
         let limit_1 = params_67.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -10342,74 +10359,76 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = cost_11;
                     cost_11 = (_e15 + STEP);
-                    let _e18 = cell_15;
-                    let _e19 = self.v_cell_leave(_e2, _e18);
-                    let end_7 = _e19.x().min(_e19.y()).min(rt::Scalar(path_56.exit));
-                    let _e25 = cell_15;
-                    let _e26 = t_24;
-                    let _e27 = self.v_cell_gap(path_56, _e2, _e25, _e26);
-                    let _e28 = cost_11;
-                    cost_11 = (_e28 + HEIGHTS_READ);
+                    let _e18 = cell_17;
+                    let _e19 = t_24;
+                    let _e20 = self.v_cell_gap(path_56, _e2, _e18, _e19);
+                    let _e21 = cost_11;
+                    cost_11 = (_e21 + HEIGHTS_READ);
+                    let _e24 = cell_17;
+                    let _e25 = self.v_cell_leave(_e2, _e24);
+                    let end_7 = _e25.x().min(_e25.y()).min(rt::Scalar(path_56.exit));
                     let _e31 = t_24;
-                    let span_7 = (end_7 - _e31).max(rt::Scalar(0f32));
-                    let _e35 = t_24;
-                    let _e37 = cost_11.x();
-                    let _e40 = cost_11;
-                    let _e41 = self.v_found_in_cell(_e27, _e35, span_7, _e37.elementwise_eq(rt::Scalar(1u32)), _e40);
-                    if rt::Scalar::into_branch_condition(rt::Scalar(_e41.status).elementwise_ne(FOUND_ABOVE)) {
-                        return _e41;
+                    let span_8 = (end_7 - _e31).max(rt::Scalar(0f32));
+                    let _e35 = self.v_falls_in_cell(_e20, span_8);
+                    if rt::Scalar::into_branch_condition(_e35) {
+                        let _e36 = t_24;
+                        let _e38 = cost_11.x();
+                        let _e41 = cost_11;
+                        let _e42 = self.v_found_in_cell(_e20, _e36, span_8, _e38.elementwise_eq(rt::Scalar(1u32)), _e41);
+                        return _e42;
                     }
                     if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_56.exit))) {
-                        let _e48 = t_24;
-                        let _e52 = cost_11;
-                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_56.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
+                        let _e46 = t_24;
+                        let _e49 = self.v_quadratic(_e20, span_8);
+                        let _e50 = cost_11;
+                        return <Found>::new(FOUND_MISS, _e46, rt::Scalar(path_56.exit), _e20.x(), _e49, _e50);
                     }
-                    let _e54 = cell_15;
-                    let _e55 = self.v_cell_next(_e2, _e54, _e19);
-                    cell_15 = _e55;
-                    let _e56 = t_24;
-                    t_24 = _e56.max(end_7);
+                    let _e52 = cell_17;
+                    let _e53 = self.v_cell_next(_e2, _e52, _e25);
+                    cell_17 = _e53;
+                    let _e54 = t_24;
+                    t_24 = _e54.max(end_7);
                 }
             }
         }
-        let _e59 = t_24;
-        let _e61 = cost_11;
-        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_56.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
+        let _e57 = t_24;
+        let _e59 = cost_11;
+        return <Found>::new(FOUND_EXHAUSTED, _e57, rt::Scalar(path_56.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e59);
     }
     pub(crate) fn image_of(
         &self,
-        cell_16: impl rt::Into<rt::Scalar<i32>>,
+        cell_18: impl rt::Into<rt::Scalar<i32>>,
         n_5: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_image_of(rt::into(cell_16), rt::into(n_5)))
+        rt::into(self.v_image_of(rt::into(cell_18), rt::into(n_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_image_of(
         &self,
-        cell_16: rt::Scalar<i32>,
+        cell_18: rt::Scalar<i32>,
         n_5: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_64: rt::Scalar<bool>;
+        let mut local_65: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(cell_16.elementwise_ge(rt::Scalar(0i32))) {
-            local_64 = cell_16.elementwise_lt(n_5);
+        if rt::Scalar::into_branch_condition(cell_18.elementwise_ge(rt::Scalar(0i32))) {
+            local_65 = cell_18.elementwise_lt(n_5);
         } else {
-            local_64 = rt::Scalar(false);
+            local_65 = rt::Scalar(false);
         }
-        let _e8 = local_64;
+        let _e8 = local_65;
         if rt::Scalar::into_branch_condition(_e8) {
-            return <rt::Vec2<i32>>::from_scalars(cell_16, rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_18, rt::Scalar(0i32));
         }
         let _e13 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
-            return <rt::Vec2<i32>>::from_scalars(cell_16.clamp(rt::Scalar(0i32), (n_5 - rt::Scalar(1i32))), rt::Scalar(2i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_18.clamp(rt::Scalar(0i32), (n_5 - rt::Scalar(1i32))), rt::Scalar(2i32));
         }
         let _e24 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
-            return <rt::Vec2<i32>>::from_scalars((((cell_16 % n_5) + n_5) % n_5), rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars((((cell_18 % n_5) + n_5) % n_5), rt::Scalar(0i32));
         }
         let period_1 = (rt::Scalar(2i32) * n_5);
-        let folded_1 = (((cell_16 % period_1) + period_1) % period_1);
+        let folded_1 = (((cell_18 % period_1) + period_1) % period_1);
         if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_5)) {
             return <rt::Vec2<i32>>::from_scalars(folded_1, rt::Scalar(0i32));
         }
@@ -10421,29 +10440,29 @@ impl<'g> Resources<'g> {
     pub(crate) fn frustum_slope(
         &self,
         path_57: Path,
-        cell_17: impl rt::Into<rt::Vec2<i32>>,
+        cell_19: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_57, rt::into(cell_17), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_57, rt::into(cell_19), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frustum_slope(
         &self,
         path_57: Path,
-        cell_17: rt::Vec2<i32>,
+        cell_19: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_65: rt::Scalar<bool>;
+        let mut local_66: rt::Scalar<bool>;
 
         let _e4 = self.v_height_texels(rt::Scalar(path_57.level));
-        let _e7 = self.v_image_of(cell_17.x(), _e4.x());
-        let _e10 = self.v_image_of(cell_17.y(), _e4.y());
+        let _e7 = self.v_image_of(cell_19.x(), _e4.x());
+        let _e10 = self.v_image_of(cell_19.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_65 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_66 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_65 = rt::Scalar(true);
+            local_66 = rt::Scalar(true);
         }
-        let _e21 = local_65;
+        let _e21 = local_66;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
@@ -10477,9 +10496,9 @@ impl<'g> Resources<'g> {
         left: impl rt::Into<rt::Scalar<f32>>,
         speed: impl rt::Into<rt::Scalar<f32>>,
         lost: impl rt::Into<rt::Scalar<f32>>,
-        span_4: impl rt::Into<rt::Scalar<f32>>,
+        span_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_above(rt::into(above_2), rt::into(slope_2), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_4)))
+        rt::into(self.v_stays_above(rt::into(above_2), rt::into(slope_2), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -10490,7 +10509,7 @@ impl<'g> Resources<'g> {
         left: rt::Scalar<f32>,
         speed: rt::Scalar<f32>,
         lost: rt::Scalar<f32>,
-        span_4: rt::Scalar<f32>,
+        span_5: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let rise_3 = (slope_2 * speed.abs());
         let gap_2 = ((above_2.x() + (slope_2 * left)) - lost);
@@ -10499,7 +10518,7 @@ impl<'g> Resources<'g> {
         }
         let closing_2 = ((rise_3 - above_2.y()) + (rt::Scalar(0.0000009536743f32) * (rise_3 + above_2.y().abs())));
         if rt::Scalar::into_branch_condition(above_2.z().elementwise_ne(rt::Scalar(0f32))) {
-            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_2, (rt::Scalar(0f32) - closing_2), above_2.z()), span_4);
+            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_2, (rt::Scalar(0f32) - closing_2), above_2.z()), span_5);
             return _e30;
         }
         if rt::Scalar::into_branch_condition(closing_2.elementwise_gt(rt::Scalar(0f32))) {
@@ -10520,17 +10539,17 @@ impl<'g> Resources<'g> {
         path_59: Path,
         params_68: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_18: rt::Vec2<f32>;
+        let mut cell_20: rt::Vec2<f32>;
         let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_3: rt::Scalar<f32>;
-        let mut local_66: rt::Scalar<bool>;
+        let mut local_67: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_59);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_18 = _e9;
+        cell_20 = _e9;
         let limit_2 = params_68.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -10544,15 +10563,16 @@ impl<'g> Resources<'g> {
                     cost_12 = (_e20 + STEP);
                     let _e24 = cost_12.x();
                     let first_15 = _e24.elementwise_eq(rt::Scalar(0u32));
-                    let _e27 = cell_18;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_59.level));
+                    let _e27 = cell_20;
+                    let _e28 = self.v_whole_cell(_e27);
+                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_59.level));
                     let _e31 = cost_12;
                     cost_12 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_18;
+                    let _e34 = cell_20;
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_59.exit));
                     let _e41 = t_25;
-                    let span_8 = (end_8 - _e41).max(rt::Scalar(0f32));
+                    let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
                     let top_9 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
                     let _e52 = t_25;
                     let _e53 = self.v_path_height(path_59, _e52);
@@ -10565,18 +10585,19 @@ impl<'g> Resources<'g> {
                     let _e77 = t_25;
                     next_1 = _e77.max(end_8);
                     slope_3 = rt::Scalar(-1f32);
-                    let _e82 = self.v_least_at(above_8, span_8);
+                    let _e82 = self.v_least_at(above_8, span_9);
                     let _e83 = self.v_quadratic(above_8, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_66 = above_8.x().elementwise_gt(of_heights);
+                        local_67 = above_8.x().elementwise_gt(of_heights);
                     } else {
-                        local_66 = rt::Scalar(false);
+                        local_67 = rt::Scalar(false);
                     }
-                    let _e90 = local_66;
+                    let _e90 = local_67;
                     if rt::Scalar::into_branch_condition(_e90) {
                         if rt::Scalar::into_branch_condition(end_8.elementwise_lt(rt::Scalar(path_59.exit))) {
-                            let _e93 = cell_18;
-                            let _e95 = self.v_frustum_slope(path_59, _e93.to_i32(), forward_3);
+                            let _e93 = cell_20;
+                            let _e94 = self.v_whole_cell(_e93);
+                            let _e95 = self.v_frustum_slope(path_59, _e94, forward_3);
                             slope_3 = _e95;
                             let _e96 = slope_3;
                             if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
@@ -10586,61 +10607,62 @@ impl<'g> Resources<'g> {
                             }
                         }
                     } else {
-                        let _e103 = cell_18;
+                        let _e103 = cell_20;
                         let _e104 = t_25;
                         let _e105 = self.v_gap_to(path_59, _e2, _e103, _e30, _e104);
-                        let _e106 = t_25;
-                        let _e107 = cost_12;
-                        let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_15, _e107);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e108;
+                        let _e106 = self.v_falls_in_cell(_e105, span_9);
+                        if rt::Scalar::into_branch_condition(_e106) {
+                            let _e107 = t_25;
+                            let _e108 = cost_12;
+                            let _e109 = self.v_found_in_cell(_e105, _e107, span_9, first_15, _e108);
+                            return _e109;
                         }
                     }
-                    let _e112 = slope_3;
-                    if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e116 = cell_18;
-                        let _e119 = t_25;
-                        let at_145 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                    let _e110 = slope_3;
+                    if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(0f32))) {
+                        let _e114 = cell_20;
+                        let _e117 = t_25;
+                        let at_145 = ((_e2.origin - _e114) + (_e2.step * _e117));
                         let left_5 = at_145.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_145), forward_3);
-                        let _e131 = t_25;
-                        let far_9 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                        let _e139 = slope_3;
-                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_9));
-                        let _e145 = t_25;
-                        let rest_6 = (rt::Scalar(path_59.exit) - _e145);
-                        let _e147 = slope_3;
-                        let _e152 = self.v_stays_above(above_8, _e147, left_5.x(), _e2.step.x(), lost_1.x(), rest_6);
-                        let _e153 = slope_3;
-                        let _e158 = self.v_stays_above(above_8, _e153, left_5.y(), _e2.step.y(), lost_1.y(), rest_6);
-                        let _e159 = next_1;
-                        let _e160 = t_25;
-                        next_1 = _e159.max((_e160 + _e152.min(_e158)));
+                        let _e129 = t_25;
+                        let far_9 = ((_e2.origin.abs() + (_e2.step.abs() * _e129)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                        let _e137 = slope_3;
+                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e137) * far_9));
+                        let _e143 = t_25;
+                        let rest_6 = (rt::Scalar(path_59.exit) - _e143);
+                        let _e145 = slope_3;
+                        let _e150 = self.v_stays_above(above_8, _e145, left_5.x(), _e2.step.x(), lost_1.x(), rest_6);
+                        let _e151 = slope_3;
+                        let _e156 = self.v_stays_above(above_8, _e151, left_5.y(), _e2.step.y(), lost_1.y(), rest_6);
+                        let _e157 = next_1;
+                        let _e158 = t_25;
+                        next_1 = _e157.max((_e158 + _e150.min(_e156)));
                     }
-                    let _e164 = next_1;
-                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_59.exit))) {
-                        let _e168 = t_25;
-                        let _e170 = cost_12;
-                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
+                    let _e162 = next_1;
+                    if rt::Scalar::into_branch_condition(_e162.elementwise_ge(rt::Scalar(path_59.exit))) {
+                        let _e166 = t_25;
+                        let _e168 = cost_12;
+                        return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                     }
-                    let _e174 = slope_3;
-                    if rt::Scalar::into_branch_condition(_e174.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e177 = cell_18;
-                        let _e178 = next_1;
-                        let _e179 = self.v_cell_after(_e2, _e177, _e35, forward_3, _e178);
-                        cell_18 = _e179;
+                    let _e172 = slope_3;
+                    if rt::Scalar::into_branch_condition(_e172.elementwise_ge(rt::Scalar(0f32))) {
+                        let _e175 = cell_20;
+                        let _e176 = next_1;
+                        let _e177 = self.v_cell_after(_e2, _e175, _e35, forward_3, _e176);
+                        cell_20 = _e177;
                     } else {
-                        let _e180 = cell_18;
-                        let _e181 = self.v_cell_next(_e2, _e180, _e35);
-                        cell_18 = _e181;
+                        let _e178 = cell_20;
+                        let _e179 = self.v_cell_next(_e2, _e178, _e35);
+                        cell_20 = _e179;
                     }
-                    let _e182 = next_1;
-                    t_25 = _e182;
+                    let _e180 = next_1;
+                    t_25 = _e180;
                 }
             }
         }
-        let _e184 = t_25;
-        let _e186 = cost_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
+        let _e182 = t_25;
+        let _e184 = cost_12;
+        return <Found>::new(FOUND_EXHAUSTED, _e182, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e184);
     }
     pub(crate) fn nearest_corner(&self, at_75: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_nearest_corner(rt::into(at_75)))
@@ -10672,8 +10694,8 @@ impl<'g> Resources<'g> {
         t_26: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_67: rt::Scalar<bool>;
-        let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+        let mut local_68: rt::Scalar<bool>;
+        let mut leave_5: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         let rest_7 = (rt::Scalar(path_60.exit) - t_26);
         let _e8 = self.v_path_height(path_60, t_26);
@@ -10695,36 +10717,36 @@ impl<'g> Resources<'g> {
         let gap_3 = (height_21 - (rt::Scalar(2f32) * lost_2));
         let _e85 = self.v_height_size(rt::Scalar(path_60.level));
         let aside_5 = (((grid_8.origin - offset_6) + (grid_8.step * t_26)) / _e85);
-        let c_26 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
+        let c_27 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
         if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
-            local_67 = c_26.elementwise_ge(rt::Scalar(0f32));
+            local_68 = c_27.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_67 = rt::Scalar(true);
+            local_68 = rt::Scalar(true);
         }
-        let _e102 = local_67;
+        let _e102 = local_68;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
         let b_39 = (((slope_4 * slope_4) * aside_5.dot(path_60.duv)) - (gap_3 * rise_4));
         let a_39 = (((slope_4 * slope_4) * path_60.duv.dot(path_60.duv)) - (rise_4 * rise_4));
-        let discriminant_3 = ((b_39 * b_39) - (a_39 * c_26));
+        let discriminant_3 = ((b_39 * b_39) - (a_39 * c_27));
         if rt::Scalar::into_branch_condition(discriminant_3.elementwise_ge(rt::Scalar(0f32))) {
             let root_4 = discriminant_3.sqrt();
             if rt::Scalar::into_branch_condition(b_39.elementwise_ge(rt::Scalar(0f32))) {
-                leave_6 = ((rt::Scalar(0f32) - c_26) / (b_39 + root_4));
+                leave_5 = ((rt::Scalar(0f32) - c_27) / (b_39 + root_4));
             } else {
                 if rt::Scalar::into_branch_condition(a_39.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_6 = ((root_4 - b_39) / a_39);
+                    leave_5 = ((root_4 - b_39) / a_39);
                 }
             }
         }
-        let _e135 = leave_6;
+        let _e135 = leave_5;
         let _e136 = most;
-        leave_6 = _e135.min(_e136);
-        let _e139 = leave_6;
-        let _e145 = leave_6;
+        leave_5 = _e135.min(_e136);
+        let _e139 = leave_5;
+        let _e145 = leave_5;
         if rt::Scalar::into_branch_condition(((slope_4 * (aside_5 + (path_60.duv * _e139)).length()) + lost_2).elementwise_le((height_21 + (rise_4 * _e145)))) {
-            let _e149 = leave_6;
+            let _e149 = leave_5;
             return _e149;
         }
         return rt::Scalar(0f32);
@@ -10742,7 +10764,7 @@ impl<'g> Resources<'g> {
         path_61: Path,
         params_69: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_19: rt::Vec2<f32>;
+        let mut cell_21: rt::Vec2<f32>;
         let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
@@ -10750,7 +10772,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_grid_of(path_61);
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_19 = _e9;
+        cell_21 = _e9;
         let limit_3 = params_69.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -10764,16 +10786,17 @@ impl<'g> Resources<'g> {
                     cost_13 = (_e20 + STEP);
                     let _e24 = cost_13.x();
                     let first_16 = _e24.elementwise_eq(rt::Scalar(0u32));
-                    let _e27 = cell_19;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_61.level));
+                    let _e27 = cell_21;
+                    let _e28 = self.v_whole_cell(_e27);
+                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_61.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_19;
+                    let _e34 = cell_21;
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_10 = _e35.x().min(_e35.y()).min(rt::Scalar(path_61.exit));
                     let _e41 = t_27;
-                    let span_9 = (end_10 - _e41).max(rt::Scalar(0f32));
-                    let _e46 = cell_19;
+                    let span_10 = (end_10 - _e41).max(rt::Scalar(0f32));
+                    let _e46 = cell_21;
                     let _e49 = t_27;
                     let at_146 = ((_e2.origin - _e46) + (_e2.step * _e49));
                     let _e52 = self.v_nearest_corner(at_146);
@@ -10783,7 +10806,7 @@ impl<'g> Resources<'g> {
                     let _e56 = t_27;
                     let _e57 = self.v_path_height(path_61, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
-                        let _e59 = cell_19;
+                        let _e59 = cell_21;
                         let texel_8 = (_e59 + _e52);
                         let _e61 = self.v_cone_slope(path_61, texel_8);
                         let _e62 = cost_13;
@@ -10798,77 +10821,78 @@ impl<'g> Resources<'g> {
                     }
                     let _e72 = next_2;
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_10)) {
-                        let _e74 = cell_19;
+                        let _e74 = cell_21;
                         let _e75 = t_27;
                         let _e76 = self.v_gap_to(path_61, _e2, _e74, _e30, _e75);
-                        let _e77 = t_27;
-                        let _e78 = cost_13;
-                        let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_16, _e78);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e79;
+                        let _e77 = self.v_falls_in_cell(_e76, span_10);
+                        if rt::Scalar::into_branch_condition(_e77) {
+                            let _e78 = t_27;
+                            let _e79 = cost_13;
+                            let _e80 = self.v_found_in_cell(_e76, _e78, span_10, first_16, _e79);
+                            return _e80;
                         }
-                        let _e83 = t_27;
-                        next_2 = _e83.max(end_10);
+                        let _e81 = t_27;
+                        next_2 = _e81.max(end_10);
                     }
-                    let _e85 = next_2;
-                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_61.exit))) {
-                        let _e89 = t_27;
-                        let _e91 = cost_13;
-                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
+                    let _e83 = next_2;
+                    if rt::Scalar::into_branch_condition(_e83.elementwise_ge(rt::Scalar(path_61.exit))) {
+                        let _e87 = t_27;
+                        let _e89 = cost_13;
+                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
-                    let _e95 = cell_19;
+                    let _e93 = cell_21;
+                    let _e94 = next_2;
+                    let _e95 = self.v_cell_after(_e2, _e93, _e35, forward_4, _e94);
+                    cell_21 = _e95;
                     let _e96 = next_2;
-                    let _e97 = self.v_cell_after(_e2, _e95, _e35, forward_4, _e96);
-                    cell_19 = _e97;
-                    let _e98 = next_2;
-                    t_27 = _e98;
+                    t_27 = _e96;
                 }
             }
         }
-        let _e100 = t_27;
-        let _e102 = cost_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
+        let _e98 = t_27;
+        let _e100 = cost_13;
+        return <Found>::new(FOUND_EXHAUSTED, _e98, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e100);
     }
     pub(crate) fn node_extent(
         &self,
-        cell_20: impl rt::Into<rt::Scalar<i32>>,
+        cell_22: impl rt::Into<rt::Scalar<i32>>,
         image_10: impl rt::Into<rt::Vec2<i32>>,
         n_6: impl rt::Into<rt::Scalar<i32>>,
         level_31: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_20), rt::into(image_10), rt::into(n_6), rt::into(level_31)))
+        rt::into(self.v_node_extent(rt::into(cell_22), rt::into(image_10), rt::into(n_6), rt::into(level_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
         &self,
-        cell_20: rt::Scalar<i32>,
+        cell_22: rt::Scalar<i32>,
         image_10: rt::Vec2<i32>,
         n_6: rt::Scalar<i32>,
         level_31: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_68: rt::Scalar<bool>;
+        let mut local_69: rt::Scalar<bool>;
 
         let first_17 = ((image_10.x() >> level_31) << level_31);
         let side_6 = (rt::Scalar(1i32) << level_31);
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_5 = (cell_20 - (image_10.x() - first_17));
+            let low_5 = (cell_22 - (image_10.x() - first_17));
             return <rt::Vec2<i32>>::from_scalars(low_5, (low_5 + side_6.min((n_6 - first_17))));
         }
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high_1 = ((cell_20 + (image_10.x() - first_17)) + rt::Scalar(1i32));
+            let high_1 = ((cell_22 + (image_10.x() - first_17)) + rt::Scalar(1i32));
             return <rt::Vec2<i32>>::from_scalars((high_1 - side_6.min(((n_6 - rt::Scalar(1i32)) - first_17))), high_1);
         }
         if rt::Scalar::into_branch_condition(level_31.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_68 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_69 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_68 = rt::Scalar(false);
+            local_69 = rt::Scalar(false);
         }
-        let _e43 = local_68;
+        let _e43 = local_69;
         if rt::Scalar::into_branch_condition(_e43) {
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_6, cell_20.elementwise_ge(n_6)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_20.elementwise_ge(n_6)));
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_6, cell_22.elementwise_ge(n_6)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_22.elementwise_ge(n_6)));
         }
-        return <rt::Vec2<i32>>::from_scalars(cell_20, (cell_20 + rt::Scalar(1i32)));
+        return <rt::Vec2<i32>>::from_scalars(cell_22, (cell_22 + rt::Scalar(1i32)));
     }
     pub(crate) fn leaves_extent(
         &self,
@@ -10909,11 +10933,10 @@ impl<'g> Resources<'g> {
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_32: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut cell_21: rt::Vec2<i32>;
+        let mut cell_23: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_69: rt::Scalar<bool>;
         let mut local_70: rt::Scalar<bool>;
         let mut local_71: rt::Scalar<bool>;
         let mut local_72: rt::Scalar<bool>;
@@ -10940,7 +10963,7 @@ impl<'g> Resources<'g> {
             }
         }
         let _e37 = self.v_cell_of(_e2.origin);
-        cell_21 = _e37.to_i32();
+        cell_23 = _e37.to_i32();
         let limit_4 = params_70.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -10952,134 +10975,128 @@ impl<'g> Resources<'g> {
                 {
                     let _e53 = cost_14;
                     cost_14 = (_e53 + STEP);
-                    let _e57 = cell_21.x();
+                    let _e57 = cell_23.x();
                     let _e59 = self.v_image_of(_e57, _e4.x());
-                    let _e61 = cell_21.y();
+                    let _e61 = cell_23.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_28 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let place_27 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
                     let _e67 = level_32;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_28.x() >> above_level), (place_28.y() >> above_level));
+                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_27.x() >> above_level), (place_27.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_2.x()))) {
                             let _e89 = parent.y();
-                            local_70 = _e89.elementwise_ne(over_2.y());
+                            local_71 = _e89.elementwise_ne(over_2.y());
                         } else {
-                            local_70 = rt::Scalar(true);
+                            local_71 = rt::Scalar(true);
                         }
-                        let _e93 = local_70;
-                        local_69 = _e93;
+                        let _e93 = local_71;
+                        local_70 = _e93;
                     } else {
-                        local_69 = rt::Scalar(false);
+                        local_70 = rt::Scalar(false);
                     }
-                    let left_6 = local_69;
+                    let left_6 = local_70;
                     if rt::Scalar::into_branch_condition(left_6) {
                         let _e98 = level_32;
                         let _e99 = top;
-                        local_71 = _e98.elementwise_lt(_e99);
+                        local_72 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_71 = rt::Scalar(false);
+                        local_72 = rt::Scalar(false);
                     }
-                    let _e102 = local_71;
+                    let _e102 = local_72;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_32 = above_level;
                     }
-                    let _e104 = cell_21.x();
+                    let _e104 = cell_23.x();
                     let _e106 = level_32;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
-                    let _e109 = cell_21.y();
+                    let _e109 = cell_23.y();
                     let _e111 = level_32;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
                     let end_11 = _e117.min(_e122).min(rt::Scalar(path_62.exit));
                     let _e126 = t_28;
-                    let span_10 = (end_11 - _e126).max(rt::Scalar(0f32));
+                    let span_11 = (end_11 - _e126).max(rt::Scalar(0f32));
                     let low_6 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_9 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
                     let _e140 = level_32;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_14;
                         cost_14 = (_e143 + HEIGHTS_READ);
-                        let _e146 = cell_21;
-                        let _e148 = cell_21;
+                        let _e146 = cell_23;
+                        let _e148 = cell_23;
                         let _e150 = self.v_object_cell_stage(_e148, rt::Scalar(path_62.level));
                         let _e151 = t_28;
                         let _e152 = self.v_gap_to(path_62, _e2, _e146.to_f32(), _e150, _e151);
-                        let _e153 = t_28;
-                        let _e154 = t_28;
-                        let _e157 = cost_14;
-                        let _e158 = self.v_found_in_cell(_e152, _e153, span_10, _e154.elementwise_eq(rt::Scalar(0f32)), _e157);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e158.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e158;
+                        let _e153 = self.v_falls_in_cell(_e152, span_11);
+                        if rt::Scalar::into_branch_condition(_e153) {
+                            let _e154 = t_28;
+                            let _e155 = t_28;
+                            let _e158 = cost_14;
+                            let _e159 = self.v_found_in_cell(_e152, _e154, span_11, _e155.elementwise_eq(rt::Scalar(0f32)), _e158);
+                            return _e159;
                         }
                     } else {
-                        let _e162 = cost_14;
-                        let _e164 = self.v_map_read(path_62, rt::Scalar(1u32));
-                        cost_14 = (_e162 + _e164);
-                        let _e167 = level_32;
-                        let _e170 = level_32;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_28.x() >> _e167), (place_28.y() >> _e170));
-                        let _e174 = level_32;
-                        let _e180 = self.v_search_texel(path_62, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_62.level)).to_i32() - rt::Scalar(1i32)));
-                        let highest_1 = _e180.y();
-                        let _e182 = t_28;
-                        let furthest = (_e182 + span_10);
+                        let _e160 = cost_14;
+                        let _e162 = self.v_map_read(path_62, rt::Scalar(1u32));
+                        cost_14 = (_e160 + _e162);
+                        let _e165 = level_32;
+                        let _e168 = level_32;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_27.x() >> _e165), (place_27.y() >> _e168));
+                        let _e172 = level_32;
+                        let _e178 = self.v_search_texel(path_62, node, rt::Scalar(0i32), ((_e172 + rt::Scalar(path_62.level)).to_i32() - rt::Scalar(1i32)));
+                        let highest_1 = _e178.y();
+                        let _e180 = t_28;
+                        let furthest = (_e180 + span_11);
                         let rounded = (path_62.h.x().abs() + (furthest * (path_62.h.y().abs() + (furthest * path_62.h.z().abs()))));
-                        let _e197 = t_28;
-                        let _e198 = self.v_path_height(path_62, _e197);
-                        let _e203 = t_28;
-                        let _e204 = self.v_path_slope(path_62, _e203);
-                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_62.h.z());
-                        if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
-                            let _e214 = self.v_least_at(gap_4, span_10);
-                            let _e215 = self.v_quadratic(gap_4, _e214);
-                            local_72 = _e215.elementwise_le(rt::Scalar(0f32));
-                        } else {
-                            local_72 = rt::Scalar(true);
-                        }
-                        let _e219 = local_72;
-                        if rt::Scalar::into_branch_condition(_e219) {
+                        let _e195 = t_28;
+                        let _e196 = self.v_path_height(path_62, _e195);
+                        let _e201 = t_28;
+                        let _e202 = self.v_path_slope(path_62, _e201);
+                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e196 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e202, path_62.h.z());
+                        let _e206 = self.v_falls_in_cell(gap_4, span_11);
+                        if rt::Scalar::into_branch_condition(_e206) {
                             if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e223 = t_28;
-                                let _e224 = self.v_first_root(gap_4, span_10);
-                                t_28 = (_e223 + _e224.min(span_10));
+                                let _e210 = t_28;
+                                let _e211 = self.v_first_root(gap_4, span_11);
+                                t_28 = (_e210 + _e211.min(span_11));
                             }
-                            let _e229 = t_28;
-                            let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
-                            cell_21 = _e232.to_i32().clamp(low_6, last_9);
-                            let _e235 = level_32;
-                            level_32 = (_e235 - rt::Scalar(1u32));
+                            let _e216 = t_28;
+                            let _e219 = self.v_cell_of((_e2.origin + (_e2.step * _e216)));
+                            cell_23 = _e219.to_i32().clamp(low_6, last_9);
+                            let _e222 = level_32;
+                            level_32 = (_e222 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
                     if rt::Scalar::into_branch_condition(end_11.elementwise_ge(rt::Scalar(path_62.exit))) {
-                        let _e244 = t_28;
-                        let _e246 = cost_14;
-                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
+                        let _e231 = t_28;
+                        let _e233 = cost_14;
+                        return <Found>::new(FOUND_MISS, _e231, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e233);
                     }
-                    let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_11)));
-                    cell_21 = _e254.to_i32().clamp(low_6, last_9);
+                    let _e241 = self.v_cell_of((_e2.origin + (_e2.step * end_11)));
+                    cell_23 = _e241.to_i32().clamp(low_6, last_9);
                     if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_11)) {
-                        cell_21.set_x((low_6.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                        cell_23.set_x((low_6.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_11)) {
-                        cell_21.set_y((low_6.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                        cell_23.set_y((low_6.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e280 = level_32;
-                    let _e285 = level_32;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_28.x() >> (_e280 + rt::Scalar(1u32))), (place_28.y() >> (_e285 + rt::Scalar(1u32))));
-                    let _e290 = t_28;
-                    t_28 = _e290.max(end_11);
+                    let _e267 = level_32;
+                    let _e272 = level_32;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_27.x() >> (_e267 + rt::Scalar(1u32))), (place_27.y() >> (_e272 + rt::Scalar(1u32))));
+                    let _e277 = t_28;
+                    t_28 = _e277.max(end_11);
                 }
             }
         }
-        let _e293 = t_28;
-        let _e295 = cost_14;
-        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
+        let _e280 = t_28;
+        let _e282 = cost_14;
+        return <Found>::new(FOUND_EXHAUSTED, _e280, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e282);
     }
     pub(crate) fn texel_extent(
         &self,
@@ -11183,18 +11200,18 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_29 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_28 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
                     let _e59 = level_34;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_15;
                         cost_15 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_29, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_28, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
                         let _e70 = level_34;
                         let _e73 = level_34;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_29.x() >> _e70), (place_29.y() >> _e73));
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_28.x() >> _e70), (place_28.y() >> _e73));
                         let _e76 = cost_15;
                         let _e78 = self.v_map_read(path_63, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
@@ -11270,22 +11287,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn leaves_window(
         &self,
         grid_9: Grid,
-        cell_22: impl rt::Into<rt::Vec2<f32>>,
+        cell_24: impl rt::Into<rt::Vec2<f32>>,
         radius: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_leaves_window(grid_9, rt::into(cell_22), rt::into(radius)))
+        rt::into(self.v_leaves_window(grid_9, rt::into(cell_24), rt::into(radius)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_leaves_window(
         &self,
         grid_9: Grid,
-        cell_22: rt::Vec2<f32>,
+        cell_24: rt::Vec2<f32>,
         radius: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let wide_1 = <rt::Vec2<f32>>::from_scalars(radius, radius);
-        let _e5 = self.v_cell_leave(grid_9, (cell_22 - wide_1));
-        let _e7 = self.v_cell_leave(grid_9, (cell_22 + wide_1));
+        let _e5 = self.v_cell_leave(grid_9, (cell_24 - wide_1));
+        let _e7 = self.v_cell_leave(grid_9, (cell_24 + wide_1));
         let leave_8 = _e5.select(_e7, grid_9.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
         return leave_8.x().min(leave_8.y());
     }
@@ -11302,7 +11319,7 @@ impl<'g> Resources<'g> {
         path_64: Path,
         params_72: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_23: rt::Vec2<f32>;
+        let mut cell_25: rt::Vec2<f32>;
         let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_16: rt::Vec3<u32> = NO_COST;
@@ -11317,7 +11334,7 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_height_texels(rt::Scalar(path_64.level));
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
-        cell_23 = _e11;
+        cell_25 = _e11;
         let limit_6 = params_72.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -11329,125 +11346,125 @@ impl<'g> Resources<'g> {
                 {
                     let _e24 = cost_16;
                     cost_16 = (_e24 + STEP);
-                    let _e27 = cell_23;
+                    let _e27 = cell_25;
                     let _e28 = self.v_cell_leave(_e2, _e27);
                     let end_13 = _e28.x().min(_e28.y()).min(rt::Scalar(path_64.exit));
                     let _e34 = t_30;
-                    let span_11 = (end_13 - _e34).max(rt::Scalar(0f32));
+                    let span_12 = (end_13 - _e34).max(rt::Scalar(0f32));
                     let _e38 = t_30;
                     next_3 = _e38;
                     looks = params_72.y().elementwise_gt(rt::Scalar(0.5f32));
-                    let _e45 = cell_23.x();
-                    let _e48 = self.v_image_of(_e45.to_i32(), _e4.x());
-                    let _e50 = cell_23.y();
-                    let _e53 = self.v_image_of(_e50.to_i32(), _e4.y());
+                    let _e44 = cell_25;
+                    let _e45 = self.v_whole_cell(_e44);
+                    let _e48 = self.v_image_of(_e45.x(), _e4.x());
+                    let _e51 = self.v_image_of(_e45.y(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_74 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_74 = _e51.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
                         local_74 = rt::Scalar(true);
                     }
-                    let _e64 = local_74;
-                    if rt::Scalar::into_branch_condition(_e64) {
+                    let _e62 = local_74;
+                    if rt::Scalar::into_branch_condition(_e62) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e72 = self.v_search_texel(path_64, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_64.level).to_i32());
-                        let _e73 = cost_16;
-                        let _e75 = self.v_map_read(path_64, rt::Scalar(1u32));
-                        cost_16 = (_e73 + _e75);
-                        let _e77 = cell_23;
-                        let _e79 = self.v_leaves_window(_e2, _e77, params_72.z());
-                        let _e82 = t_30;
-                        let reach = (_e79.min(rt::Scalar(path_64.exit)) - _e82).max(rt::Scalar(0f32));
-                        let _e86 = t_30;
-                        let furthest_1 = (_e86 + reach);
+                        let _e70 = self.v_search_texel(path_64, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e51.x()), rt::Scalar(0i32), rt::Scalar(path_64.level).to_i32());
+                        let _e71 = cost_16;
+                        let _e73 = self.v_map_read(path_64, rt::Scalar(1u32));
+                        cost_16 = (_e71 + _e73);
+                        let _e75 = cell_25;
+                        let _e77 = self.v_leaves_window(_e2, _e75, params_72.z());
+                        let _e80 = t_30;
+                        let reach = (_e77.min(rt::Scalar(path_64.exit)) - _e80).max(rt::Scalar(0f32));
+                        let _e84 = t_30;
+                        let furthest_1 = (_e84 + reach);
                         let rounded_1 = (path_64.h.x().abs() + (furthest_1 * (path_64.h.y().abs() + (furthest_1 * path_64.h.z().abs()))));
-                        let _e101 = t_30;
-                        let _e102 = self.v_path_height(path_64, _e101);
-                        let _e108 = t_30;
-                        let _e109 = self.v_path_slope(path_64, _e108);
-                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_64.h.z());
+                        let _e99 = t_30;
+                        let _e100 = self.v_path_height(path_64, _e99);
+                        let _e106 = t_30;
+                        let _e107 = self.v_path_slope(path_64, _e106);
+                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e100 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e107, path_64.h.z());
                         if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
-                            let _e116 = t_30;
-                            safe_ = _e116;
-                            let _e117 = t_30;
-                            next_3 = (_e117 + reach);
-                            let _e119 = self.v_least_at(gap_6, reach);
-                            let _e120 = self.v_quadratic(gap_6, _e119);
-                            if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
-                                let _e123 = t_30;
-                                let _e124 = self.v_first_root(gap_6, reach);
-                                next_3 = (_e123 + _e124.min(reach));
+                            let _e114 = t_30;
+                            safe_ = _e114;
+                            let _e115 = t_30;
+                            next_3 = (_e115 + reach);
+                            let _e117 = self.v_least_at(gap_6, reach);
+                            let _e118 = self.v_quadratic(gap_6, _e117);
+                            if rt::Scalar::into_branch_condition(_e118.elementwise_le(rt::Scalar(0f32))) {
+                                let _e121 = t_30;
+                                let _e122 = self.v_first_root(gap_6, reach);
+                                next_3 = (_e121 + _e122.min(reach));
                             }
                         }
-                        let _e127 = looks;
-                        if rt::Scalar::into_branch_condition((!_e127)) {
-                            let _e131 = next_3;
-                            local_75 = _e131.elementwise_lt(end_13);
+                        let _e125 = looks;
+                        if rt::Scalar::into_branch_condition((!_e125)) {
+                            let _e129 = next_3;
+                            local_75 = _e129.elementwise_lt(end_13);
                         } else {
                             local_75 = rt::Scalar(false);
                         }
-                        let _e134 = local_75;
-                        if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_64, end_13);
-                            local_76 = _e137.elementwise_lt(_e72.x());
+                        let _e132 = local_75;
+                        if rt::Scalar::into_branch_condition(_e132) {
+                            let _e135 = self.v_path_height(path_64, end_13);
+                            local_76 = _e135.elementwise_lt(_e70.x());
                         } else {
                             local_76 = rt::Scalar(false);
                         }
-                        let _e141 = local_76;
-                        if rt::Scalar::into_branch_condition(_e141) {
-                            let _e142 = safe_;
-                            let _e143 = cost_16;
-                            let _e144 = self.v_bracket_between(path_64, _e142, end_13, _e143);
-                            return _e144;
+                        let _e139 = local_76;
+                        if rt::Scalar::into_branch_condition(_e139) {
+                            let _e140 = safe_;
+                            let _e141 = cost_16;
+                            let _e142 = self.v_bracket_between(path_64, _e140, end_13, _e141);
+                            return _e142;
                         }
                     }
-                    let _e145 = next_3;
-                    if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_13))) {
-                        let _e150 = t_30;
-                        local_77 = (!end_13.elementwise_gt(_e150));
+                    let _e143 = next_3;
+                    if rt::Scalar::into_branch_condition((!_e143.elementwise_lt(end_13))) {
+                        let _e148 = t_30;
+                        local_77 = (!end_13.elementwise_gt(_e148));
                     } else {
                         local_77 = rt::Scalar(true);
                     }
-                    let _e154 = local_77;
-                    if rt::Scalar::into_branch_condition(_e154) {
-                        let _e155 = looks;
-                        if rt::Scalar::into_branch_condition(_e155) {
-                            let _e156 = cost_16;
-                            cost_16 = (_e156 + HEIGHTS_READ);
-                            let _e159 = cell_23;
-                            let _e162 = self.v_height_cell(_e159.to_i32(), rt::Scalar(path_64.level));
-                            let _e163 = cell_23;
-                            let _e164 = t_30;
-                            let _e165 = self.v_gap_to(path_64, _e2, _e163, _e162, _e164);
-                            let _e166 = t_30;
-                            let _e167 = t_30;
-                            let _e170 = cost_16;
-                            let _e171 = self.v_found_in_cell(_e165, _e166, span_11, _e167.elementwise_eq(rt::Scalar(0f32)), _e170);
-                            if rt::Scalar::into_branch_condition(rt::Scalar(_e171.status).elementwise_ne(FOUND_ABOVE)) {
-                                return _e171;
+                    let _e152 = local_77;
+                    if rt::Scalar::into_branch_condition(_e152) {
+                        let _e153 = looks;
+                        if rt::Scalar::into_branch_condition(_e153) {
+                            let _e154 = cost_16;
+                            cost_16 = (_e154 + HEIGHTS_READ);
+                            let _e158 = self.v_height_cell(_e45, rt::Scalar(path_64.level));
+                            let _e159 = cell_25;
+                            let _e160 = t_30;
+                            let _e161 = self.v_gap_to(path_64, _e2, _e159, _e158, _e160);
+                            let _e162 = self.v_falls_in_cell(_e161, span_12);
+                            if rt::Scalar::into_branch_condition(_e162) {
+                                let _e163 = t_30;
+                                let _e164 = t_30;
+                                let _e167 = cost_16;
+                                let _e168 = self.v_found_in_cell(_e161, _e163, span_12, _e164.elementwise_eq(rt::Scalar(0f32)), _e167);
+                                return _e168;
                             }
                         }
+                        let _e169 = t_30;
+                        next_3 = _e169.max(end_13);
+                    }
+                    let _e171 = next_3;
+                    if rt::Scalar::into_branch_condition(_e171.elementwise_ge(rt::Scalar(path_64.exit))) {
                         let _e175 = t_30;
-                        next_3 = _e175.max(end_13);
+                        let _e177 = cost_16;
+                        return <Found>::new(FOUND_MISS, _e175, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e177);
                     }
-                    let _e177 = next_3;
-                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_64.exit))) {
-                        let _e181 = t_30;
-                        let _e183 = cost_16;
-                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
-                    }
-                    let _e187 = cell_23;
-                    let _e188 = next_3;
-                    let _e189 = self.v_cell_after(_e2, _e187, _e28, forward_5, _e188);
-                    cell_23 = _e189;
-                    let _e190 = next_3;
-                    t_30 = _e190;
+                    let _e181 = cell_25;
+                    let _e182 = next_3;
+                    let _e183 = self.v_cell_after(_e2, _e181, _e28, forward_5, _e182);
+                    cell_25 = _e183;
+                    let _e184 = next_3;
+                    t_30 = _e184;
                 }
             }
         }
-        let _e192 = t_30;
-        let _e194 = cost_16;
-        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
+        let _e186 = t_30;
+        let _e188 = cost_16;
+        return <Found>::new(FOUND_EXHAUSTED, _e186, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e188);
     }
     pub(crate) fn search_sphere(
         &self,
@@ -11462,7 +11479,7 @@ impl<'g> Resources<'g> {
         path_65: Path,
         params_73: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_24: rt::Vec2<f32>;
+        let mut cell_26: rt::Vec2<f32>;
         let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
@@ -11479,7 +11496,7 @@ impl<'g> Resources<'g> {
         let height_terms = (path_65.h.x().abs() + (rt::Scalar(path_65.exit) * (path_65.h.y().abs() + (rt::Scalar(path_65.exit) * path_65.h.z().abs()))));
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_11.x() + far_11.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
-        cell_24 = _e52;
+        cell_26 = _e52;
         let limit_7 = params_73.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -11491,11 +11508,11 @@ impl<'g> Resources<'g> {
                 {
                     let _e63 = cost_17;
                     cost_17 = (_e63 + STEP);
-                    let _e66 = cell_24;
+                    let _e66 = cell_26;
                     let _e67 = self.v_cell_leave(_e2, _e66);
                     let end_14 = _e67.x().min(_e67.y()).min(rt::Scalar(path_65.exit));
                     let _e73 = t_31;
-                    let span_12 = (end_14 - _e73).max(rt::Scalar(0f32));
+                    let span_13 = (end_14 - _e73).max(rt::Scalar(0f32));
                     let _e77 = t_31;
                     let _e78 = self.v_path_uv(path_65, _e77);
                     let _e79 = t_31;
@@ -11532,40 +11549,42 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
-                            let _e129 = cell_24;
-                            let _e130 = cell_24;
-                            let _e133 = self.v_height_cell(_e130.to_i32(), rt::Scalar(path_65.level));
+                            let _e129 = cell_26;
+                            let _e130 = cell_26;
+                            let _e131 = self.v_whole_cell(_e130);
+                            let _e133 = self.v_height_cell(_e131, rt::Scalar(path_65.level));
                             let _e134 = t_31;
                             let _e135 = self.v_gap_to(path_65, _e2, _e129, _e133, _e134);
-                            let _e136 = t_31;
-                            let _e137 = t_31;
-                            let _e140 = cost_17;
-                            let _e141 = self.v_found_in_cell(_e135, _e136, span_12, _e137.elementwise_eq(rt::Scalar(0f32)), _e140);
-                            if rt::Scalar::into_branch_condition(rt::Scalar(_e141.status).elementwise_ne(FOUND_ABOVE)) {
-                                return _e141;
+                            let _e136 = self.v_falls_in_cell(_e135, span_13);
+                            if rt::Scalar::into_branch_condition(_e136) {
+                                let _e137 = t_31;
+                                let _e138 = t_31;
+                                let _e141 = cost_17;
+                                let _e142 = self.v_found_in_cell(_e135, _e137, span_13, _e138.elementwise_eq(rt::Scalar(0f32)), _e141);
+                                return _e142;
                             }
-                            let _e145 = t_31;
-                            next_4 = _e145.max(end_14);
+                            let _e143 = t_31;
+                            next_4 = _e143.max(end_14);
                         }
                     }
-                    let _e147 = next_4;
-                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_65.exit))) {
-                        let _e151 = t_31;
-                        let _e153 = cost_17;
-                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
+                    let _e145 = next_4;
+                    if rt::Scalar::into_branch_condition(_e145.elementwise_ge(rt::Scalar(path_65.exit))) {
+                        let _e149 = t_31;
+                        let _e151 = cost_17;
+                        return <Found>::new(FOUND_MISS, _e149, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
                     }
-                    let _e157 = cell_24;
+                    let _e155 = cell_26;
+                    let _e156 = next_4;
+                    let _e157 = self.v_cell_after(_e2, _e155, _e67, forward_6, _e156);
+                    cell_26 = _e157;
                     let _e158 = next_4;
-                    let _e159 = self.v_cell_after(_e2, _e157, _e67, forward_6, _e158);
-                    cell_24 = _e159;
-                    let _e160 = next_4;
-                    t_31 = _e160;
+                    t_31 = _e158;
                 }
             }
         }
-        let _e162 = t_31;
-        let _e164 = cost_17;
-        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
+        let _e160 = t_31;
+        let _e162 = cost_17;
+        return <Found>::new(FOUND_EXHAUSTED, _e160, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e162);
     }
     pub(crate) fn search_cone_moved(
         &self,
@@ -11680,7 +11699,7 @@ impl<'g> Resources<'g> {
         path_67: Path,
         params_75: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_25: rt::Vec2<f32>;
+        let mut cell_27: rt::Vec2<f32>;
         let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11699,7 +11718,7 @@ impl<'g> Resources<'g> {
         let _e33 = self.v_height_size(rt::Scalar(path_67.level));
         let far_13 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_67.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
-        cell_25 = _e36;
+        cell_27 = _e36;
         let limit_8 = params_75.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -11711,14 +11730,15 @@ impl<'g> Resources<'g> {
                 {
                     let _e51 = cost_19;
                     cost_19 = (_e51 + STEP);
-                    let _e54 = cell_25;
+                    let _e54 = cell_27;
                     let _e55 = self.v_cell_leave(_e2, _e54);
                     let end_15 = _e55.x().min(_e55.y()).min(rt::Scalar(path_67.exit));
                     let _e61 = t_33;
-                    let span_13 = (end_15 - _e61).max(rt::Scalar(0f32));
-                    let _e65 = cell_25;
-                    let _e66 = cell_25;
-                    let _e69 = self.v_height_cell(_e66.to_i32(), rt::Scalar(path_67.level));
+                    let span_14 = (end_15 - _e61).max(rt::Scalar(0f32));
+                    let _e65 = cell_27;
+                    let _e66 = cell_27;
+                    let _e67 = self.v_whole_cell(_e66);
+                    let _e69 = self.v_height_cell(_e67, rt::Scalar(path_67.level));
                     let _e70 = t_33;
                     let _e71 = self.v_gap_to(path_67, _e2, _e65, _e69, _e70);
                     let _e72 = cost_19;
@@ -11744,97 +11764,99 @@ impl<'g> Resources<'g> {
                         let _e94 = t_33;
                         let _e95 = t_33;
                         let _e98 = cost_19;
-                        let _e99 = self.v_found_in_cell(_e71, _e94, span_13, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
+                        let _e99 = self.v_found_in_cell(_e71, _e94, span_14, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
                         return _e99;
                     }
                     let _e100 = t_33;
                     start_2 = _e100;
                     gap = _e71.x();
                     if rt::Scalar::into_branch_condition(params_75.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e107 = t_33;
-                        let _e108 = t_33;
-                        let _e111 = cost_19;
-                        let _e112 = self.v_found_in_cell(_e71, _e107, span_13, _e108.elementwise_eq(rt::Scalar(0f32)), _e111);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e112.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e112;
+                        let _e107 = self.v_falls_in_cell(_e71, span_14);
+                        if rt::Scalar::into_branch_condition(_e107) {
+                            let _e108 = t_33;
+                            let _e109 = t_33;
+                            let _e112 = cost_19;
+                            let _e113 = self.v_found_in_cell(_e71, _e108, span_14, _e109.elementwise_eq(rt::Scalar(0f32)), _e112);
+                            return _e113;
                         }
-                        let _e116 = t_33;
-                        start_2 = _e116.max(end_15);
-                        gap = rt::Scalar(_e112.far_gap);
+                        let _e114 = t_33;
+                        start_2 = _e114.max(end_15);
+                        let _e116 = self.v_quadratic(_e71, span_14);
+                        gap = _e116;
                     }
-                    let _e119 = start_2;
-                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_67.exit))) {
-                        let _e123 = t_33;
-                        let _e125 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
+                    let _e117 = start_2;
+                    if rt::Scalar::into_branch_condition(_e117.elementwise_ge(rt::Scalar(path_67.exit))) {
+                        let _e121 = t_33;
+                        let _e123 = cost_19;
+                        return <Found>::new(FOUND_MISS, _e121, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e123);
                     }
-                    let _e129 = start_2;
-                    near_6 = _e129;
-                    let _e130 = gap;
-                    near_gap_4 = _e130;
-                    let _e131 = cell_25;
-                    let _e133 = cell_25;
-                    let _e136 = start_2;
-                    let _e139 = self.v_nearest_corner(((_e2.origin - _e133) + (_e2.step * _e136)));
-                    let _e141 = self.v_cone_slope(path_67, (_e131 + _e139));
-                    let _e142 = cost_19;
-                    let _e144 = self.v_map_read(path_67, rt::Scalar(1u32));
-                    cost_19 = (_e142 + _e144);
-                    let _e146 = start_2;
-                    next_5 = _e146;
-                    if rt::Scalar::into_branch_condition(_e141.elementwise_ge(rt::Scalar(0f32))) {
-                        let nearing_1 = ((_e141 * aside_7) - _e11);
+                    let _e127 = start_2;
+                    near_6 = _e127;
+                    let _e128 = gap;
+                    near_gap_4 = _e128;
+                    let _e129 = cell_27;
+                    let _e131 = cell_27;
+                    let _e134 = start_2;
+                    let _e137 = self.v_nearest_corner(((_e2.origin - _e131) + (_e2.step * _e134)));
+                    let _e139 = self.v_cone_slope(path_67, (_e129 + _e137));
+                    let _e140 = cost_19;
+                    let _e142 = self.v_map_read(path_67, rt::Scalar(1u32));
+                    cost_19 = (_e140 + _e142);
+                    let _e144 = start_2;
+                    next_5 = _e144;
+                    if rt::Scalar::into_branch_condition(_e139.elementwise_ge(rt::Scalar(0f32))) {
+                        let nearing_1 = ((_e139 * aside_7) - _e11);
                         let closing_4 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
-                        let _e155 = gap;
-                        let room_1 = (_e155 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e141 * (far_13.x() + far_13.y())))));
+                        let _e153 = gap;
+                        let room_1 = (_e153 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e139 * (far_13.x() + far_13.y())))));
                         next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
-                            let _e167 = start_2;
-                            next_5 = (_e167 + (room_1.max(rt::Scalar(0f32)) / closing_4));
+                            let _e165 = start_2;
+                            next_5 = (_e165 + (room_1.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
                     if rt::Scalar::into_branch_condition(params_75.y().elementwise_lt(rt::Scalar(0.5f32))) {
-                        let _e177 = next_5;
-                        let _e178 = t_33;
-                        local_81 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_67.exit))));
+                        let _e175 = next_5;
+                        let _e176 = t_33;
+                        local_81 = (!(_e175 - _e176).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_67.exit))));
                     } else {
                         local_81 = rt::Scalar(false);
                     }
-                    let _e186 = local_81;
-                    if rt::Scalar::into_branch_condition(_e186) {
-                        let _e188 = t_33;
-                        let _e190 = gap;
-                        let _e191 = cost_19;
-                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_67.exit), _e190, rt::Scalar(0f32), _e191);
+                    let _e184 = local_81;
+                    if rt::Scalar::into_branch_condition(_e184) {
+                        let _e186 = t_33;
+                        let _e188 = gap;
+                        let _e189 = cost_19;
+                        return <Found>::new(FOUND_ABOVE, _e186, rt::Scalar(path_67.exit), _e188, rt::Scalar(0f32), _e189);
                     }
-                    let _e194 = next_5;
-                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_67.exit))) {
-                        let _e198 = self.v_path_gap(path_67, rt::Scalar(path_67.exit));
-                        let _e199 = cost_19;
-                        cost_19 = (_e199 + HEIGHTS_READ);
-                        if rt::Scalar::into_branch_condition(_e198.elementwise_le(rt::Scalar(0f32))) {
-                            let _e204 = start_2;
-                            let _e206 = gap;
-                            let _e207 = cost_19;
-                            let _e208 = self.v_entered_once(path_67, _e2, _e204, rt::Scalar(path_67.exit), _e206, _e198, _e207);
-                            return _e208;
+                    let _e192 = next_5;
+                    if rt::Scalar::into_branch_condition(_e192.elementwise_ge(rt::Scalar(path_67.exit))) {
+                        let _e196 = self.v_path_gap(path_67, rt::Scalar(path_67.exit));
+                        let _e197 = cost_19;
+                        cost_19 = (_e197 + HEIGHTS_READ);
+                        if rt::Scalar::into_branch_condition(_e196.elementwise_le(rt::Scalar(0f32))) {
+                            let _e202 = start_2;
+                            let _e204 = gap;
+                            let _e205 = cost_19;
+                            let _e206 = self.v_entered_once(path_67, _e2, _e202, rt::Scalar(path_67.exit), _e204, _e196, _e205);
+                            return _e206;
                         }
-                        let _e210 = start_2;
-                        let _e212 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
+                        let _e208 = start_2;
+                        let _e210 = cost_19;
+                        return <Found>::new(FOUND_MISS, _e208, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e210);
                     }
-                    let _e216 = cell_25;
+                    let _e214 = cell_27;
+                    let _e215 = next_5;
+                    let _e216 = self.v_cell_after(_e2, _e214, _e55, forward_7, _e215);
+                    cell_27 = _e216;
                     let _e217 = next_5;
-                    let _e218 = self.v_cell_after(_e2, _e216, _e55, forward_7, _e217);
-                    cell_25 = _e218;
-                    let _e219 = next_5;
-                    t_33 = _e219;
+                    t_33 = _e217;
                 }
             }
         }
-        let _e221 = t_33;
-        let _e223 = cost_19;
-        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
+        let _e219 = t_33;
+        let _e221 = cost_19;
+        return <Found>::new(FOUND_EXHAUSTED, _e219, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e221);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
@@ -11849,7 +11871,7 @@ impl<'g> Resources<'g> {
         path_68: Path,
         params_76: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_26: rt::Vec2<f32>;
+        let mut cell_28: rt::Vec2<f32>;
         let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11860,7 +11882,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_grid_of(path_68);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_26 = _e9;
+        cell_28 = _e9;
         let limit_9 = params_76.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -11872,16 +11894,17 @@ impl<'g> Resources<'g> {
                 {
                     let _e24 = cost_20;
                     cost_20 = (_e24 + STEP);
-                    let _e27 = cell_26;
-                    let _e30 = self.v_height_cell(_e27.to_i32(), rt::Scalar(path_68.level));
+                    let _e27 = cell_28;
+                    let _e28 = self.v_whole_cell(_e27);
+                    let _e30 = self.v_height_cell(_e28, rt::Scalar(path_68.level));
                     let _e31 = cost_20;
                     cost_20 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_26;
+                    let _e34 = cell_28;
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_16 = _e35.x().min(_e35.y()).min(rt::Scalar(path_68.exit));
                     let _e41 = t_34;
-                    let span_14 = (end_16 - _e41).max(rt::Scalar(0f32));
-                    let _e45 = cell_26;
+                    let span_15 = (end_16 - _e41).max(rt::Scalar(0f32));
+                    let _e45 = cell_28;
                     let _e46 = t_34;
                     let _e47 = self.v_gap_to(path_68, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
@@ -11905,68 +11928,70 @@ impl<'g> Resources<'g> {
                         let _e67 = t_34;
                         let _e68 = t_34;
                         let _e71 = cost_20;
-                        let _e72 = self.v_found_in_cell(_e47, _e67, span_14, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
+                        let _e72 = self.v_found_in_cell(_e47, _e67, span_15, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
                         return _e72;
                     }
-                    let _e73 = t_34;
-                    let _e74 = t_34;
-                    let _e77 = cost_20;
-                    let _e78 = self.v_found_in_cell(_e47, _e73, span_14, _e74.elementwise_eq(rt::Scalar(0f32)), _e77);
-                    if rt::Scalar::into_branch_condition(rt::Scalar(_e78.status).elementwise_ne(FOUND_ABOVE)) {
-                        return _e78;
+                    let _e73 = self.v_falls_in_cell(_e47, span_15);
+                    if rt::Scalar::into_branch_condition(_e73) {
+                        let _e74 = t_34;
+                        let _e75 = t_34;
+                        let _e78 = cost_20;
+                        let _e79 = self.v_found_in_cell(_e47, _e74, span_15, _e75.elementwise_eq(rt::Scalar(0f32)), _e78);
+                        return _e79;
                     }
-                    let _e82 = t_34;
-                    let start_7 = _e82.max(end_16);
+                    let _e80 = t_34;
+                    let start_7 = _e80.max(end_16);
                     if rt::Scalar::into_branch_condition(start_7.elementwise_ge(rt::Scalar(path_68.exit))) {
-                        let _e87 = t_34;
-                        let _e89 = cost_20;
-                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                        let _e85 = t_34;
+                        let _e87 = cost_20;
+                        return <Found>::new(FOUND_MISS, _e85, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e87);
                     }
                     near_7 = start_7;
-                    near_gap_5 = rt::Scalar(_e78.far_gap);
-                    let _e95 = cell_26;
-                    let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_7)));
-                    let _e101 = self.v_corner_height(_e30, _e100);
+                    let _e91 = self.v_quadratic(_e47, span_15);
+                    near_gap_5 = _e91;
+                    let _e93 = cell_28;
+                    let _e98 = self.v_nearest_corner(((_e2.origin - _e93) + (_e2.step * start_7)));
+                    let _e99 = self.v_corner_height(_e30, _e98);
                     next_6 = start_7;
-                    let _e103 = self.v_path_height(path_68, start_7);
-                    if rt::Scalar::into_branch_condition(_e103.elementwise_gt(_e101)) {
-                        let _e105 = cell_26;
-                        let texel_9 = (_e105 + _e100);
-                        let _e107 = self.v_cone_slope(path_68, texel_9);
-                        let _e108 = cost_20;
-                        let _e110 = self.v_map_read(path_68, rt::Scalar(1u32));
-                        cost_20 = (_e108 + _e110);
-                        if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e114 = self.v_stays_inside(path_68, _e2, texel_9, _e101, _e107, start_7);
-                            next_6 = (start_7 + _e114);
+                    let _e101 = self.v_path_height(path_68, start_7);
+                    if rt::Scalar::into_branch_condition(_e101.elementwise_gt(_e99)) {
+                        let _e103 = cell_28;
+                        let texel_9 = (_e103 + _e98);
+                        let _e105 = self.v_cone_slope(path_68, texel_9);
+                        let _e106 = cost_20;
+                        let _e108 = self.v_map_read(path_68, rt::Scalar(1u32));
+                        cost_20 = (_e106 + _e108);
+                        if rt::Scalar::into_branch_condition(_e105.elementwise_ge(rt::Scalar(0f32))) {
+                            let _e112 = self.v_stays_inside(path_68, _e2, texel_9, _e99, _e105, start_7);
+                            next_6 = (start_7 + _e112);
                         }
                     }
-                    let _e116 = next_6;
-                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_68.exit))) {
-                        let _e120 = self.v_path_gap(path_68, rt::Scalar(path_68.exit));
-                        let _e121 = cost_20;
-                        cost_20 = (_e121 + HEIGHTS_READ);
-                        if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
-                            let _e127 = near_gap_5;
-                            let _e128 = cost_20;
-                            let _e129 = self.v_entered_once(path_68, _e2, start_7, rt::Scalar(path_68.exit), _e127, _e120, _e128);
-                            return _e129;
+                    let _e114 = next_6;
+                    if rt::Scalar::into_branch_condition(_e114.elementwise_ge(rt::Scalar(path_68.exit))) {
+                        let _e118 = self.v_path_gap(path_68, rt::Scalar(path_68.exit));
+                        let _e119 = cost_20;
+                        cost_20 = (_e119 + HEIGHTS_READ);
+                        if rt::Scalar::into_branch_condition(_e118.elementwise_le(rt::Scalar(0f32))) {
+                            let _e125 = near_gap_5;
+                            let _e126 = cost_20;
+                            let _e127 = self.v_entered_once(path_68, _e2, start_7, rt::Scalar(path_68.exit), _e125, _e118, _e126);
+                            return _e127;
                         }
-                        let _e132 = cost_20;
-                        return <Found>::new(FOUND_MISS, start_7, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                        let _e130 = cost_20;
+                        return <Found>::new(FOUND_MISS, start_7, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
-                    let _e136 = cell_26;
+                    let _e134 = cell_28;
+                    let _e135 = next_6;
+                    let _e136 = self.v_cell_after(_e2, _e134, _e35, forward_8, _e135);
+                    cell_28 = _e136;
                     let _e137 = next_6;
-                    let _e138 = self.v_cell_after(_e2, _e136, _e35, forward_8, _e137);
-                    cell_26 = _e138;
-                    let _e139 = next_6;
-                    t_34 = _e139;
+                    t_34 = _e137;
                 }
             }
         }
-        let _e141 = t_34;
-        let _e143 = cost_20;
-        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+        let _e139 = t_34;
+        let _e141 = cost_20;
+        return <Found>::new(FOUND_EXHAUSTED, _e139, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e141);
     }
     pub(crate) fn search_stage(&self, path_69: Path) -> Found {
         rt::into(self.v_search_stage(path_69))
@@ -12151,9 +12176,9 @@ impl<'g> Resources<'g> {
                     let _e31 = self.v_segment_of(pixel_77, at_77, _e30);
                     let _e32 = reached_1;
                     let passed_m = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
-                    let ahead_1 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
-                    let passed = (passed_m / ahead_1);
-                    if rt::Scalar::into_branch_condition(ahead_1.elementwise_gt(rt::Scalar(0f32))) {
+                    let ahead_2 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
+                    let passed = (passed_m / ahead_2);
+                    if rt::Scalar::into_branch_condition(ahead_2.elementwise_gt(rt::Scalar(0f32))) {
                         local_85 = passed.elementwise_lt(rt::Scalar(_e31.exit));
                     } else {
                         local_85 = rt::Scalar(false);
@@ -12761,15 +12786,15 @@ impl<'g> Resources<'g> {
         turns_2: rt::Scalar<f32>,
         seed_3: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let cell_29 = at_87.floor();
-        let part_21 = (at_87 - cell_29);
+        let cell_31 = at_87.floor();
+        let part_21 = (at_87 - cell_31);
         let fade = (((part_21 * part_21) * part_21) * ((part_21 * ((part_21 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
         let right_5 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
         let down_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(1f32));
-        let _e24 = self.v_gradient_at(cell_29, part_21, count_6, turns_2, seed_3);
-        let _e27 = self.v_gradient_at((cell_29 + right_5), (part_21 - right_5), count_6, turns_2, seed_3);
-        let _e30 = self.v_gradient_at((cell_29 + down_1), (part_21 - down_1), count_6, turns_2, seed_3);
-        let _e35 = self.v_gradient_at(((cell_29 + right_5) + down_1), ((part_21 - right_5) - down_1), count_6, turns_2, seed_3);
+        let _e24 = self.v_gradient_at(cell_31, part_21, count_6, turns_2, seed_3);
+        let _e27 = self.v_gradient_at((cell_31 + right_5), (part_21 - right_5), count_6, turns_2, seed_3);
+        let _e30 = self.v_gradient_at((cell_31 + down_1), (part_21 - down_1), count_6, turns_2, seed_3);
+        let _e35 = self.v_gradient_at(((cell_31 + right_5) + down_1), ((part_21 - right_5) - down_1), count_6, turns_2, seed_3);
         let above_9 = (_e24 + ((_e27 - _e24) * fade.x()));
         let below_7 = (_e30 + ((_e35 - _e30) * fade.x()));
         return (above_9 + ((below_7 - above_9) * fade.y()));
@@ -12853,11 +12878,11 @@ impl<'g> Resources<'g> {
         grid_10: Tessellation,
         a_14: BaseVertex,
         b_14: BaseVertex,
-        c_10: BaseVertex,
+        c_11: BaseVertex,
         low_m_1: impl rt::Into<rt::Scalar<f32>>,
         high_m_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_is_left_out(grid_10, a_14, b_14, c_10, rt::into(low_m_1), rt::into(high_m_1)))
+        rt::into(self.v_is_left_out(grid_10, a_14, b_14, c_11, rt::into(low_m_1), rt::into(high_m_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_is_left_out(
@@ -12865,7 +12890,7 @@ impl<'g> Resources<'g> {
         grid_10: Tessellation,
         a_14: BaseVertex,
         b_14: BaseVertex,
-        c_10: BaseVertex,
+        c_11: BaseVertex,
         low_m_1: rt::Scalar<f32>,
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
@@ -12894,7 +12919,7 @@ impl<'g> Resources<'g> {
                     }
                     let _e26 = local_92;
                     if rt::Scalar::into_branch_condition(_e26) {
-                        let _e31 = self.v_is_before(plane_1, c_10.position, c_10.direction, low_m_1, high_m_1);
+                        let _e31 = self.v_is_before(plane_1, c_11.position, c_11.direction, low_m_1, high_m_1);
                         local_93 = _e31;
                     } else {
                         local_93 = rt::Scalar(false);
@@ -12926,15 +12951,15 @@ impl<'g> Resources<'g> {
         let _e17 = self.v_magnitude(((rt::Scalar(b_15.y) * rt::Scalar(a_15.w)) - (rt::Scalar(a_15.y) * rt::Scalar(b_15.w))));
         return (_e9 + _e17);
     }
-    pub(crate) fn is_no_longer(&self, a_16: SweptPoint, b_16: SweptPoint, c_11: SweptPoint, d_3: SweptPoint) -> bool {
-        rt::into(self.v_is_no_longer(a_16, b_16, c_11, d_3))
+    pub(crate) fn is_no_longer(&self, a_16: SweptPoint, b_16: SweptPoint, c_12: SweptPoint, d_3: SweptPoint) -> bool {
+        rt::into(self.v_is_no_longer(a_16, b_16, c_12, d_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_is_no_longer(&self, a_16: SweptPoint, b_16: SweptPoint, c_11: SweptPoint, d_3: SweptPoint) -> rt::Scalar<bool> {
+    fn v_is_no_longer(&self, a_16: SweptPoint, b_16: SweptPoint, c_12: SweptPoint, d_3: SweptPoint) -> rt::Scalar<bool> {
         let _e4 = self.v_stretch_of(a_16, b_16);
-        let _e9 = self.v_stretch_of(c_11, d_3);
-        let _e14 = self.v_compared(_e4, (rt::Scalar(c_11.w) * rt::Scalar(d_3.w)).to_u32(), _e9, (rt::Scalar(a_16.w) * rt::Scalar(b_16.w)).to_u32());
+        let _e9 = self.v_stretch_of(c_12, d_3);
+        let _e14 = self.v_compared(_e4, (rt::Scalar(c_12.w) * rt::Scalar(d_3.w)).to_u32(), _e9, (rt::Scalar(a_16.w) * rt::Scalar(b_16.w)).to_u32());
         return _e14.elementwise_le(rt::Scalar(0i32));
     }
     pub(crate) fn longest_of(&self, between_1: impl rt::Into<rt::Vec3<i32>>) -> i32 {
@@ -12951,10 +12976,10 @@ impl<'g> Resources<'g> {
         grid_11: Tessellation,
         a_17: Voxel,
         b_17: Voxel,
-        c_12: Voxel,
+        c_13: Voxel,
         level_35: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_swept(grid_11, a_17, b_17, c_12, rt::into(level_35)))
+        rt::into(self.v_is_swept(grid_11, a_17, b_17, c_13, rt::into(level_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_is_swept(
@@ -12962,7 +12987,7 @@ impl<'g> Resources<'g> {
         grid_11: Tessellation,
         a_17: Voxel,
         b_17: Voxel,
-        c_12: Voxel,
+        c_13: Voxel,
         level_35: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
         let mut local_94: rt::Scalar<bool>;
@@ -12970,7 +12995,7 @@ impl<'g> Resources<'g> {
 
         let _e6 = self.v_coarser_voxel(a_17.at, level_35);
         let _e8 = self.v_coarser_voxel(b_17.at, level_35);
-        let _e10 = self.v_coarser_voxel(c_12.at, level_35);
+        let _e10 = self.v_coarser_voxel(c_13.at, level_35);
         let _e12 = self.v_longest_of((_e8 - _e6));
         let _e14 = self.v_longest_of((_e10 - _e8));
         let _e17 = self.v_longest_of((_e6 - _e10));
@@ -13079,16 +13104,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn row_sees(
         &self,
         at_89: InView,
-        row_7: impl rt::Into<rt::Scalar<f32>>,
+        row_6: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_89, rt::into(row_7), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_89, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
         at_89: InView,
-        row_7: rt::Scalar<f32>,
+        row_6: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -13108,11 +13133,11 @@ impl<'g> Resources<'g> {
                     let _e24 = column_2;
                     let wide_2 = (at_89.high.x().min((_e18 + rt::Scalar(1f32))) - at_89.low.x().max(_e24));
                     let _e27 = column_2;
-                    let place_30 = <rt::Vec2<f32>>::from_scalars(_e27, row_7);
-                    let _e35 = self.v_plane_depth(view_25, at_89.point, at_89.normal, (place_30 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let place_29 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
+                    let _e35 = self.v_plane_depth(view_25, at_89.point, at_89.normal, (place_29 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
                     let depth_10 = _e35.clamp(rt::Scalar(at_89.least_depth), rt::Scalar(at_89.most_depth));
                     let key = (rt::Scalar(view_25.near) / (rt::Scalar(view_25.near) + depth_10.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_30.to_i32(), rt::Scalar(at_89.number).to_i32());
+                    let _e48 = self.v_light_texel(place_29.to_i32(), rt::Scalar(at_89.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -13147,7 +13172,7 @@ impl<'g> Resources<'g> {
         bias: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut row_8: rt::Scalar<f32>;
+        let mut row_7: rt::Scalar<f32>;
 
         let view_26 = self.frame.light_views[rt::Scalar::into_array_index(number_15)];
         let texel_m = (rt::Scalar(view_26.texel_m) * rt::Scalar(1f32).select(place_17.z(), rt::Scalar(view_26.from_point).elementwise_eq(rt::Scalar(1u32))));
@@ -13158,24 +13183,24 @@ impl<'g> Resources<'g> {
         let high_4 = (low_10 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
         let last_13 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_26.size).to_f32(), rt::Scalar(view_26.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
         let in_view = <InView>::new(number_15, point_30, normal_16, low_10, high_4, (place_17.z() - reach_1), (place_17.z() + reach_1));
-        row_8 = low_10.y().floor();
+        row_7 = low_10.y().floor();
         'naga_break: loop {
             'naga_continue: {
-                let _e55 = row_8;
+                let _e55 = row_7;
                 if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_13.y())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e59 = row_8;
-                    let _e64 = row_8;
+                    let _e59 = row_7;
+                    let _e64 = row_7;
                     let tall = (high_4.y().min((_e59 + rt::Scalar(1f32))) - low_10.y().max(_e64));
                     let _e67 = seen;
-                    let _e68 = row_8;
+                    let _e68 = row_7;
                     let _e70 = self.v_row_sees(in_view, _e68, last_13.x());
                     seen = (_e67 + (_e70 * tall));
-                    let _e73 = row_8;
-                    row_8 = (_e73 + rt::Scalar(1f32));
+                    let _e73 = row_7;
+                    row_7 = (_e73 + rt::Scalar(1f32));
                 }
             }
         }
@@ -13731,9 +13756,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seed_of(&self, hit_27: Hit) -> rt::Scalar<u32> {
-        let place_31 = ((hit_27.uv - hit_27.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
-        let _e10 = self.v_mixed(place_31.y());
-        let _e12 = self.v_mixed((place_31.x() ^ _e10));
+        let place_30 = ((hit_27.uv - hit_27.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+        let _e10 = self.v_mixed(place_30.y());
+        let _e12 = self.v_mixed((place_30.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn point_of_disc(
@@ -13759,11 +13784,11 @@ impl<'g> Resources<'g> {
         let ring = ((k_31.to_f32() + _e9) / count_7.to_f32());
         let _e16 = self.v_unit_of(seed_4);
         let _e18 = self.v_turned_1(((k_31.to_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_32 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
+        let place_31 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other_1 = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_6 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other_1), other_1, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_5 = light_8.direction.cross(right_6);
-        let toward_8 = ((light_8.direction + (right_6 * place_32.x())) + (up_5 * place_32.y()));
+        let toward_8 = ((light_8.direction + (right_6 * place_31.x())) + (up_5 * place_31.y()));
         let along_43 = toward_8.length();
         return <Toward>::new((toward_8 / rt::Vec3::splat_from_scalar(along_43)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_43), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
@@ -14243,9 +14268,9 @@ impl<'g> Resources<'g> {
         within: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_rise_of_mask(uv_29);
-        let place_33 = ((uv_29 - image_12.corner) / image_12.extent);
-        let along_u_4 = (image_12.u.xyz() - (image_12.depth.xyz() * place_33.x())).normalize();
-        let along_v_4 = (image_12.v.xyz() - (image_12.depth.xyz() * place_33.y())).normalize();
+        let place_32 = ((uv_29 - image_12.corner) / image_12.extent);
+        let along_u_4 = (image_12.u.xyz() - (image_12.depth.xyz() * place_32.x())).normalize();
+        let along_v_4 = (image_12.v.xyz() - (image_12.depth.xyz() * place_32.y())).normalize();
         let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (along_u_4 * _e3.x())) - (along_v_4 * _e3.y()));
         let square_5 = outward.dot(outward);
         if rt::Scalar::into_branch_condition(square_5.elementwise_gt(rt::Scalar(0f32))) {
@@ -14470,12 +14495,12 @@ impl<'g> Resources<'g> {
         &self,
         a_21: Corner,
         b_21: Corner,
-        c_13: Corner,
+        c_14: Corner,
         shell_4: Shell,
         side_3: impl rt::Into<rt::Scalar<f32>>,
         point_19: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_21, b_21, c_13, shell_4, rt::into(side_3), rt::into(point_19)))
+        rt::into(self.v_pixel_of(a_21, b_21, c_14, shell_4, rt::into(side_3), rt::into(point_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14483,14 +14508,14 @@ impl<'g> Resources<'g> {
         &self,
         a_21: Corner,
         b_21: Corner,
-        c_13: Corner,
+        c_14: Corner,
         shell_4: Shell,
         side_3: rt::Scalar<f32>,
         point_19: rt::Vec2<f32>,
     ) -> PixelIn {
         let _e6 = self.v_pixel_eye(point_19);
         let _e7 = self.v_pixel_direction(point_19);
-        return <PixelIn>::new(_e6, _e7, side_3, a_21, b_21, c_13, shell_4);
+        return <PixelIn>::new(_e6, _e7, side_3, a_21, b_21, c_14, shell_4);
     }
     pub(crate) fn placed_over(
         &self,
@@ -15171,13 +15196,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e14 = k_36;
                     let _e18 = k_36;
-                    let cell_30 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                    let _e29 = self.v_bits_of_point(cell_30, params_104.x(), seed_5);
+                    let cell_32 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                    let _e29 = self.v_bits_of_point(cell_32, params_104.x(), seed_5);
                     let _e30 = self.v_unit_of(_e29);
                     let _e33 = self.v_mixed((_e29 + rt::Scalar(1u32)));
                     let _e34 = self.v_unit_of(_e33);
                     let beside_7 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-                    let middle_16 = ((cell_30 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_7 * (rt::Scalar(0.5f32) * params_104.z())));
+                    let middle_16 = ((cell_32 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_7 * (rt::Scalar(0.5f32) * params_104.z())));
                     let away_2 = ((at_150 - middle_16) / rt::Vec2::splat_from_scalar(params_104.y()));
                     let _e55 = self.v_mixed((_e29 + rt::Scalar(2u32)));
                     let _e56 = self.v_unit_of(_e55);
@@ -15787,10 +15812,10 @@ impl<'g> Resources<'g> {
         &self,
         a_22: BaseSite,
         b_22: BaseSite,
-        c_14: BaseSite,
+        c_15: BaseSite,
         w_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> BaseSite {
-        rt::into(self.v_weighted_site(a_22, b_22, c_14, rt::into(w_2)))
+        rt::into(self.v_weighted_site(a_22, b_22, c_15, rt::into(w_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15798,10 +15823,10 @@ impl<'g> Resources<'g> {
         &self,
         a_22: BaseSite,
         b_22: BaseSite,
-        c_14: BaseSite,
+        c_15: BaseSite,
         w_2: rt::Vec3<f32>,
     ) -> BaseSite {
-        return <BaseSite>::new((((a_22.position * w_2.x()) + (b_22.position * w_2.y())) + (c_14.position * w_2.z())), (((a_22.direction * w_2.x()) + (b_22.direction * w_2.y())) + (c_14.direction * w_2.z())), (((a_22.seen_uv * w_2.x()) + (b_22.seen_uv * w_2.y())) + (c_14.seen_uv * w_2.z())), (((a_22.uv * w_2.x()) + (b_22.uv * w_2.y())) + (c_14.uv * w_2.z())), (((rt::Scalar(a_22.texels_per_m) * w_2.x()) + (rt::Scalar(b_22.texels_per_m) * w_2.y())) + (rt::Scalar(c_14.texels_per_m) * w_2.z())), (((rt::Scalar(a_22.depth) * w_2.x()) + (rt::Scalar(b_22.depth) * w_2.y())) + (rt::Scalar(c_14.depth) * w_2.z())), (((a_22.normal * w_2.x()) + (b_22.normal * w_2.y())) + (c_14.normal * w_2.z())), (((a_22.tangent * w_2.x()) + (b_22.tangent * w_2.y())) + (c_14.tangent * w_2.z())), (((a_22.bitangent * w_2.x()) + (b_22.bitangent * w_2.y())) + (c_14.bitangent * w_2.z())), (((a_22.turn_u * w_2.x()) + (b_22.turn_u * w_2.y())) + (c_14.turn_u * w_2.z())), (((a_22.turn_v * w_2.x()) + (b_22.turn_v * w_2.y())) + (c_14.turn_v * w_2.z())));
+        return <BaseSite>::new((((a_22.position * w_2.x()) + (b_22.position * w_2.y())) + (c_15.position * w_2.z())), (((a_22.direction * w_2.x()) + (b_22.direction * w_2.y())) + (c_15.direction * w_2.z())), (((a_22.seen_uv * w_2.x()) + (b_22.seen_uv * w_2.y())) + (c_15.seen_uv * w_2.z())), (((a_22.uv * w_2.x()) + (b_22.uv * w_2.y())) + (c_15.uv * w_2.z())), (((rt::Scalar(a_22.texels_per_m) * w_2.x()) + (rt::Scalar(b_22.texels_per_m) * w_2.y())) + (rt::Scalar(c_15.texels_per_m) * w_2.z())), (((rt::Scalar(a_22.depth) * w_2.x()) + (rt::Scalar(b_22.depth) * w_2.y())) + (rt::Scalar(c_15.depth) * w_2.z())), (((a_22.normal * w_2.x()) + (b_22.normal * w_2.y())) + (c_15.normal * w_2.z())), (((a_22.tangent * w_2.x()) + (b_22.tangent * w_2.y())) + (c_15.tangent * w_2.z())), (((a_22.bitangent * w_2.x()) + (b_22.bitangent * w_2.y())) + (c_15.bitangent * w_2.z())), (((a_22.turn_u * w_2.x()) + (b_22.turn_u * w_2.y())) + (c_15.turn_u * w_2.z())), (((a_22.turn_v * w_2.x()) + (b_22.turn_v * w_2.y())) + (c_15.turn_v * w_2.z())));
     }
     pub(crate) fn site_between(
         &self,
@@ -15833,11 +15858,11 @@ impl<'g> Resources<'g> {
         &self,
         a_24: BaseSite,
         b_24: BaseSite,
-        c_15: BaseSite,
+        c_16: BaseSite,
         shares_1: impl rt::Into<rt::Vec3<f32>>,
         weights_5: impl rt::Into<rt::Vec3<f32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_inside(a_24, b_24, c_15, rt::into(shares_1), rt::into(weights_5)))
+        rt::into(self.v_site_inside(a_24, b_24, c_16, rt::into(shares_1), rt::into(weights_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15845,13 +15870,13 @@ impl<'g> Resources<'g> {
         &self,
         a_24: BaseSite,
         b_24: BaseSite,
-        c_15: BaseSite,
+        c_16: BaseSite,
         shares_1: rt::Vec3<f32>,
         weights_5: rt::Vec3<f32>,
     ) -> BaseSite {
         let shared_out = (weights_5 * shares_1);
         let sum_13 = ((shared_out.x() + shared_out.y()) + shared_out.z());
-        let _e13 = self.v_weighted_site(a_24, b_24, c_15, (shared_out / rt::Vec3::splat_from_scalar(sum_13)));
+        let _e13 = self.v_weighted_site(a_24, b_24, c_16, (shared_out / rt::Vec3::splat_from_scalar(sum_13)));
         return _e13;
     }
     pub(crate) fn site_of_vertex(&self, vertex: BaseVertex, seen_5: BaseVertex, voxel: Voxel) -> BaseSite {
@@ -15867,9 +15892,9 @@ impl<'g> Resources<'g> {
         primary: impl rt::Into<rt::Scalar<u32>>,
         a_25: impl rt::Into<rt::Vec3<i32>>,
         b_25: impl rt::Into<rt::Vec3<i32>>,
-        c_16: impl rt::Into<rt::Vec3<i32>>,
+        c_17: impl rt::Into<rt::Vec3<i32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_from(rt::into(primary), rt::into(a_25), rt::into(b_25), rt::into(c_16)))
+        rt::into(self.v_sweep_from(rt::into(primary), rt::into(a_25), rt::into(b_25), rt::into(c_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_sweep_from(
@@ -15877,7 +15902,7 @@ impl<'g> Resources<'g> {
         primary: rt::Scalar<u32>,
         a_25: rt::Vec3<i32>,
         b_25: rt::Vec3<i32>,
-        c_16: rt::Vec3<i32>,
+        c_17: rt::Vec3<i32>,
     ) -> Sweep {
         let mut first_7: rt::Vec3<i32>;
         let mut end_2: rt::Vec3<i32>;
@@ -15904,38 +15929,38 @@ impl<'g> Resources<'g> {
         let _e24 = first_7;
         let _e26 = self.v_seen_along((_e23 - _e24), _e4);
         let _e27 = first_7;
-        let _e29 = self.v_seen_along((c_16 - _e27), _e4);
+        let _e29 = self.v_seen_along((c_17 - _e27), _e4);
         let in_first = ((_e26.x() * _e29.y()) - (_e26.y() * _e29.x()));
         let in_second = ((_e26.x() * _e29.z()) - (_e26.z() * _e29.x()));
         let is_first_3 = in_first.abs().elementwise_ge(in_second.abs());
         let upward_1 = rt::Scalar(1i32).select(rt::Scalar(-1i32), in_second.select(in_first, is_first_3).elementwise_lt(rt::Scalar(0i32)));
         let _e53 = corners;
         let _e66 = first_7;
-        let _e68 = self.v_longest_of((c_16 - _e66));
+        let _e68 = self.v_longest_of((c_17 - _e66));
         let _e71 = end_2;
-        let _e73 = self.v_longest_of((c_16 - _e71));
+        let _e73 = self.v_longest_of((c_17 - _e71));
         return <Sweep>::new(_e53, <rt::Vec2<i32>>::from_scalars(_e26.x(), (_e26.z().select(_e26.y(), is_first_3) * upward_1)), <rt::Vec2<i32>>::from_scalars(_e29.x(), (_e29.z().select(_e29.y(), is_first_3) * upward_1)), <rt::Vec2<i32>>::from_scalars(_e68.max(rt::Scalar(1i32)), _e73.max(rt::Scalar(1i32))), rt::Scalar(0u32).select(rt::Scalar(1u32), is_back));
     }
     pub(crate) fn sweep_of(
         &self,
         a_26: impl rt::Into<rt::Vec3<i32>>,
         b_26: impl rt::Into<rt::Vec3<i32>>,
-        c_17: impl rt::Into<rt::Vec3<i32>>,
+        c_18: impl rt::Into<rt::Vec3<i32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_of(rt::into(a_26), rt::into(b_26), rt::into(c_17)))
+        rt::into(self.v_sweep_of(rt::into(a_26), rt::into(b_26), rt::into(c_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_sweep_of(
         &self,
         a_26: rt::Vec3<i32>,
         b_26: rt::Vec3<i32>,
-        c_17: rt::Vec3<i32>,
+        c_18: rt::Vec3<i32>,
     ) -> Sweep {
         let mut local_101: rt::Scalar<bool>;
 
-        let _e3 = self.v_primary_length(a_26, b_26, c_17);
-        let _e4 = self.v_primary_length(b_26, c_17, a_26);
-        let _e5 = self.v_primary_length(c_17, a_26, b_26);
+        let _e3 = self.v_primary_length(a_26, b_26, c_18);
+        let _e4 = self.v_primary_length(b_26, c_18, a_26);
+        let _e5 = self.v_primary_length(c_18, a_26, b_26);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ge(_e4)) {
             local_101 = _e3.elementwise_ge(_e5);
         } else {
@@ -15943,24 +15968,24 @@ impl<'g> Resources<'g> {
         }
         let _e11 = local_101;
         if rt::Scalar::into_branch_condition(_e11) {
-            let _e13 = self.v_sweep_from(rt::Scalar(0u32), a_26, b_26, c_17);
+            let _e13 = self.v_sweep_from(rt::Scalar(0u32), a_26, b_26, c_18);
             return _e13;
         }
         if rt::Scalar::into_branch_condition(_e4.elementwise_ge(_e5)) {
-            let _e16 = self.v_sweep_from(rt::Scalar(1u32), b_26, c_17, a_26);
+            let _e16 = self.v_sweep_from(rt::Scalar(1u32), b_26, c_18, a_26);
             return _e16;
         }
-        let _e18 = self.v_sweep_from(rt::Scalar(2u32), c_17, a_26, b_26);
+        let _e18 = self.v_sweep_from(rt::Scalar(2u32), c_18, a_26, b_26);
         return _e18;
     }
     pub(crate) fn sweep_on(
         &self,
         a_27: Voxel,
         b_27: Voxel,
-        c_18: Voxel,
+        c_19: Voxel,
         level_44: impl rt::Into<rt::Scalar<u32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_on(a_27, b_27, c_18, rt::into(level_44)))
+        rt::into(self.v_sweep_on(a_27, b_27, c_19, rt::into(level_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15968,12 +15993,12 @@ impl<'g> Resources<'g> {
         &self,
         a_27: Voxel,
         b_27: Voxel,
-        c_18: Voxel,
+        c_19: Voxel,
         level_44: rt::Scalar<u32>,
     ) -> Sweep {
         let _e5 = self.v_coarser_voxel(a_27.at, level_44);
         let _e7 = self.v_coarser_voxel(b_27.at, level_44);
-        let _e9 = self.v_coarser_voxel(c_18.at, level_44);
+        let _e9 = self.v_coarser_voxel(c_19.at, level_44);
         let _e10 = self.v_sweep_of(_e5, _e7, _e9);
         return _e10;
     }
@@ -16100,15 +16125,15 @@ impl<'g> Resources<'g> {
         let corners_1 = sweep_10.corners;
         return <rt::Vec3<f32>>::from_scalars(of_apex.select(of_end, corners_1.y().elementwise_eq(rt::Scalar(0u32))).select(of_first, corners_1.x().elementwise_eq(rt::Scalar(0u32))), of_apex.select(of_end, corners_1.y().elementwise_eq(rt::Scalar(1u32))).select(of_first, corners_1.x().elementwise_eq(rt::Scalar(1u32))), of_apex.select(of_end, corners_1.y().elementwise_eq(rt::Scalar(2u32))).select(of_first, corners_1.x().elementwise_eq(rt::Scalar(2u32))));
     }
-    pub(crate) fn turn_of_piece(&self, a_28: SweptPoint, b_28: SweptPoint, c_19: SweptPoint) -> i32 {
-        rt::into(self.v_turn_of_piece(a_28, b_28, c_19))
+    pub(crate) fn turn_of_piece(&self, a_28: SweptPoint, b_28: SweptPoint, c_20: SweptPoint) -> i32 {
+        rt::into(self.v_turn_of_piece(a_28, b_28, c_20))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_turn_of_piece(&self, a_28: SweptPoint, b_28: SweptPoint, c_19: SweptPoint) -> rt::Scalar<i32> {
+    fn v_turn_of_piece(&self, a_28: SweptPoint, b_28: SweptPoint, c_20: SweptPoint) -> rt::Scalar<i32> {
         let bx_1 = ((rt::Scalar(b_28.x) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.x) * rt::Scalar(b_28.w)));
         let by_4 = ((rt::Scalar(b_28.y) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.y) * rt::Scalar(b_28.w)));
-        let cx = ((rt::Scalar(c_19.x) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.x) * rt::Scalar(c_19.w)));
-        let cy = ((rt::Scalar(c_19.y) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.y) * rt::Scalar(c_19.w)));
+        let cx = ((rt::Scalar(c_20.x) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.x) * rt::Scalar(c_20.w)));
+        let cy = ((rt::Scalar(c_20.y) * rt::Scalar(a_28.w)) - (rt::Scalar(a_28.y) * rt::Scalar(c_20.w)));
         let _e31 = self.v_sign_of(bx_1);
         let _e32 = self.v_sign_of(cy);
         let of_first_1 = (_e31 * _e32);

@@ -1606,20 +1606,9 @@ struct Grid {
         text: r#"// The parameter where the path leaves the cell through its sides across u and across v. Computed from the
 // cell number each time, so that nothing accumulates.
 fn cell_leave(grid: Grid, cell: vec2f) -> vec2f {
-    var leave = vec2f(NEVER, NEVER);
-    if (grid.step.x > 0.0) {
-        leave.x = (cell.x + 1.0 - grid.origin.x) / grid.step.x;
-    }
-    if (grid.step.x < 0.0) {
-        leave.x = (cell.x - grid.origin.x) / grid.step.x;
-    }
-    if (grid.step.y > 0.0) {
-        leave.y = (cell.y + 1.0 - grid.origin.y) / grid.step.y;
-    }
-    if (grid.step.y < 0.0) {
-        leave.y = (cell.y - grid.origin.y) / grid.step.y;
-    }
-    return leave;
+    let ahead = select(vec2f(0.0, 0.0), vec2f(1.0, 1.0), grid.step > vec2f(0.0, 0.0));
+    let leave = (cell + ahead - grid.origin) / grid.step;
+    return select(vec2f(NEVER, NEVER), leave, abs(grid.step) > vec2f(0.0, 0.0));
 }"#,
     },
     Declaration {
@@ -1657,10 +1646,10 @@ fn cell_after(grid: Grid, cell: vec2f, leave: vec2f, forward: vec2<bool>, t: f32
         module: "shared/cell",
         name: "cell_gap",
         sampling: None,
-        uses: &["Grid", "Path", "gap_to", "object_cell_stage"],
+        uses: &["Grid", "Path", "gap_to", "object_cell_stage", "whole_cell"],
         text: r#"// The coefficients of the gap in a cell, from parameter t on. One read.
 fn cell_gap(path: Path, grid: Grid, cell: vec2f, t: f32) -> vec3f {
-    return gap_to(path, grid, cell, object_cell_stage(vec2i(cell), path.level), t);
+    return gap_to(path, grid, cell, object_cell_stage(whole_cell(cell), path.level), t);
 }"#,
     },
     Declaration {
@@ -1741,11 +1730,21 @@ fn first_root(c: vec3f, span: f32) -> f32 {
     },
     Declaration {
         module: "shared/cell",
+        name: "falls_in_cell",
+        sampling: None,
+        uses: &["least_at", "quadratic"],
+        text: r#"// Whether a gap of c falls to zero in [0, span].
+fn falls_in_cell(c: vec3f, span: f32) -> bool {
+    return c.x <= 0.0 || quadratic(c, least_at(c, span)) <= 0.0;
+}"#,
+    },
+    Declaration {
+        module: "shared/cell",
         name: "found_in_cell",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_BRACKET", "FOUND_STARTED_BELOW", "Found", "least_at", "quadratic"],
-        text: r#"// What a search knows after a cell over which the gap is c, from parameter t on to t + span: a bracket that
-// ends where the gap is least, or that the path stays above. `first` says that the path begins here.
+        uses: &["FOUND_BRACKET", "FOUND_STARTED_BELOW", "Found", "least_at", "quadratic"],
+        text: r#"// What a search knows after a cell in which the gap c falls to zero, from parameter t on to t + span: a
+// bracket that ends where the gap is least. `first` says that the path begins here.
 fn found_in_cell(c: vec3f, t: f32, span: f32, first: bool, cost: vec3u) -> Found {
     if (c.x <= 0.0) {
         if (first && c.x < 0.0) {
@@ -1754,11 +1753,7 @@ fn found_in_cell(c: vec3f, t: f32, span: f32, first: bool, cost: vec3u) -> Found
         return Found(FOUND_BRACKET, t, t, c.x, c.x, cost);
     }
     let s = least_at(c, span);
-    let gap = quadratic(c, s);
-    if (gap <= 0.0) {
-        return Found(FOUND_BRACKET, t, t + s, c.x, gap, cost);
-    }
-    return Found(FOUND_ABOVE, t, t + span, c.x, quadratic(c, span), cost);
+    return Found(FOUND_BRACKET, t, t + s, c.x, quadratic(c, s), cost);
 }"#,
     },
     Declaration {
@@ -1788,11 +1783,11 @@ fn slope_of(value: f32) -> f32 {
         module: "shared/cone",
         name: "cone_slope",
         sampling: None,
-        uses: &["Path", "height_texels", "search_texel", "slope_of", "wrap_index"],
+        uses: &["Path", "height_texels", "search_texel", "slope_of", "whole_cell", "wrap_index"],
         text: r#"// Slope of the cone on a texel. One read.
 fn cone_slope(path: Path, texel: vec2f) -> f32 {
     let n = height_texels(path.level);
-    let place = vec2i(texel);
+    let place = whole_cell(texel);
     let wrapped = vec2i(wrap_index(place.x, n.x), wrap_index(place.y, n.y));
     return slope_of(search_texel(path, wrapped, 0, i32(path.level)).x);
 }"#,
@@ -3150,31 +3145,42 @@ fn cell_of(point: vec2f) -> vec2f {
     },
     Declaration {
         module: "shared/height",
+        name: "whole_cell",
+        sampling: None,
+        uses: &[],
+        text: r#"// The same as integers. The cells that a path goes through fit into them.
+fn whole_cell(cell: vec2f) -> vec2i {
+    return vec2i(cell);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
         name: "height_cell",
         sampling: None,
-        uses: &["height_pair", "height_texels", "wrap_index"],
+        uses: &["wrapped_cell"],
         text: r#"// The corners h00, h10, h01, h11 of a dual cell of a level. One read.
 fn height_cell(cell: vec2i, level: u32) -> vec4f {
+    return wrapped_cell(cell, level);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "wrapped_cell",
+        sampling: None,
+        uses: &["height_map", "height_texels", "wrap_index"],
+        text: r#"// The same, told apart for lanes, which have the other for cells inside the map.
+fn wrapped_cell(cell: vec2i, level: u32) -> vec4f {
     let n = height_texels(level);
     let k = i32(level);
     let i0 = wrap_index(cell.x, n.x);
     let i1 = wrap_index(cell.x + 1, n.x);
     let j0 = wrap_index(cell.y, n.y);
     let j1 = wrap_index(cell.y + 1, n.y);
-    let columns = vec2i(i0, i1);
-    return vec4f(height_pair(columns, j0, k), height_pair(columns, j1, k));
-}"#,
-    },
-    Declaration {
-        module: "shared/height",
-        name: "height_pair",
-        sampling: None,
-        uses: &["height_map"],
-        text: r#"// Two texels of a row of a level, which lie side by side but at edges.
-fn height_pair(columns: vec2i, row: i32, level: i32) -> vec2f {
-    return vec2f(
-        textureLoad(height_map, vec2i(columns.x, row), level).x,
-        textureLoad(height_map, vec2i(columns.y, row), level).x,
+    return vec4f(
+        textureLoad(height_map, vec2i(i0, j0), k).x,
+        textureLoad(height_map, vec2i(i1, j0), k).x,
+        textureLoad(height_map, vec2i(i0, j1), k).x,
+        textureLoad(height_map, vec2i(i1, j1), k).x,
     );
 }"#,
     },
@@ -10574,7 +10580,7 @@ const LEAST_RANGE = 0.000001;"#,
         module: "search/cells",
         name: "search_cells",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "STEP", "cell_gap", "cell_leave", "cell_next", "cell_of", "found_in_cell", "grid_of"],
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "STEP", "cell_gap", "cell_leave", "cell_next", "cell_of", "falls_in_cell", "found_in_cell", "grid_of", "quadratic"],
         text: r#"fn search_cells(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     var cell = cell_of(grid.origin);
@@ -10583,17 +10589,16 @@ const LEAST_RANGE = 0.000001;"#,
     let limit = u32(params.x);
     while (cost.x < limit) {
         cost = cost + STEP;
-        let leave = cell_leave(grid, cell);
-        let end = min(min(leave.x, leave.y), path.exit);
         let c = cell_gap(path, grid, cell, t);
         cost = cost + HEIGHTS_READ;
+        let leave = cell_leave(grid, cell);
+        let end = min(min(leave.x, leave.y), path.exit);
         let span = max(end - t, 0.0);
-        let found = found_in_cell(c, t, span, cost.x == 1u, cost);
-        if (found.status != FOUND_ABOVE) {
-            return found;
+        if (falls_in_cell(c, span)) {
+            return found_in_cell(c, t, span, cost.x == 1u, cost);
         }
         if (end >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, c.x, found.far_gap, cost);
+            return Found(FOUND_MISS, t, path.exit, c.x, quadratic(c, span), cost);
         }
         cell = cell_next(grid, cell, leave);
         t = max(t, end);
@@ -10605,7 +10610,7 @@ const LEAST_RANGE = 0.000001;"#,
         module: "search/cone",
         name: "search_cone",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "STEP", "cell_after", "cell_leave", "cell_of", "cone_slope", "corner_height", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "nearest_corner", "path_height", "stays_inside"],
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "STEP", "cell_after", "cell_leave", "cell_of", "cone_slope", "corner_height", "falls_in_cell", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "nearest_corner", "path_height", "stays_inside", "whole_cell"],
         text: r#"fn search_cone(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
@@ -10616,7 +10621,7 @@ const LEAST_RANGE = 0.000001;"#,
     while (cost.x < limit) {
         cost = cost + STEP;
         let first = cost.x == 0u;
-        let heights = height_cell(vec2i(cell), path.level);
+        let heights = height_cell(whole_cell(cell), path.level);
         cost = cost + HEIGHTS_READ;
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), path.exit);
@@ -10634,9 +10639,9 @@ const LEAST_RANGE = 0.000001;"#,
             }
         }
         if (next < end) {
-            let found = found_in_cell(gap_to(path, grid, cell, heights, t), t, span, first, cost);
-            if (found.status != FOUND_ABOVE) {
-                return found;
+            let c = gap_to(path, grid, cell, heights, t);
+            if (falls_in_cell(c, span)) {
+                return found_in_cell(c, t, span, first, cost);
             }
             next = max(t, end);
         }
@@ -10730,7 +10735,7 @@ fn bracket_between(path: Path, near: f32, far: f32, cost: vec3u) -> Found {
         module: "search/dilation_erosion",
         name: "search_dilation_erosion",
         sampling: None,
-        uses: &["BESIDE", "FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "bracket_between", "cell_after", "cell_leave", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_texels", "image_of", "least_at", "leaves_window", "map_read", "path_height", "path_slope", "quadratic", "search_texel"],
+        uses: &["BESIDE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "bracket_between", "cell_after", "cell_leave", "cell_of", "falls_in_cell", "first_root", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_texels", "image_of", "least_at", "leaves_window", "map_read", "path_height", "path_slope", "quadratic", "search_texel", "whole_cell"],
         text: r#"fn search_dilation_erosion(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let n = height_texels(path.level);
@@ -10748,8 +10753,9 @@ fn bracket_between(path: Path, near: f32, far: f32, cost: vec3u) -> Found {
         let span = max(end - t, 0.0);
         var next = t;
         var looks = params.y > 0.5;
-        let u = image_of(i32(cell.x), n.x);
-        let v = image_of(i32(cell.y), n.y);
+        let place = whole_cell(cell);
+        let u = image_of(place.x, n.x);
+        let v = image_of(place.y, n.y);
         if (u.y == BESIDE || v.y == BESIDE) {
             looks = true;
         } else {
@@ -10777,10 +10783,10 @@ fn bracket_between(path: Path, near: f32, far: f32, cost: vec3u) -> Found {
         if (next < end || !(end > t)) {
             if (looks) {
                 cost = cost + HEIGHTS_READ;
-                let heights = height_cell(vec2i(cell), path.level);
-                let found = found_in_cell(gap_to(path, grid, cell, heights, t), t, span, t == 0.0, cost);
-                if (found.status != FOUND_ABOVE) {
-                    return found;
+                let heights = height_cell(place, path.level);
+                let c = gap_to(path, grid, cell, heights, t);
+                if (falls_in_cell(c, span)) {
+                    return found_in_cell(c, t, span, t == 0.0, cost);
                 }
             }
             next = max(t, end);
@@ -10843,7 +10849,7 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
         module: "search/frustum",
         name: "search_frustum",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "cell_after", "cell_leave", "cell_next", "cell_of", "found_in_cell", "frustum_slope", "gap_to", "grid_of", "height_cell", "least_at", "map_read", "path_height", "path_slope", "quadratic", "stays_above"],
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "cell_after", "cell_leave", "cell_next", "cell_of", "falls_in_cell", "found_in_cell", "frustum_slope", "gap_to", "grid_of", "height_cell", "least_at", "map_read", "path_height", "path_slope", "quadratic", "stays_above", "whole_cell"],
         text: r#"fn search_frustum(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
@@ -10854,7 +10860,7 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
     while (cost.x < limit) {
         cost = cost + STEP;
         let first = cost.x == 0u;
-        let heights = height_cell(vec2i(cell), path.level);
+        let heights = height_cell(whole_cell(cell), path.level);
         cost = cost + HEIGHTS_READ;
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), path.exit);
@@ -10866,16 +10872,15 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
         var slope = -1.0;
         if (quadratic(above, least_at(above, span)) > of_heights && above.x > of_heights) {
             if (end < path.exit) {
-                slope = frustum_slope(path, vec2i(cell), forward);
+                slope = frustum_slope(path, whole_cell(cell), forward);
                 if (slope >= 0.0) {
                     cost = cost + map_read(path, 1u);
                 }
             }
         } else {
             let c = gap_to(path, grid, cell, heights, t);
-            let found = found_in_cell(c, t, span, first, cost);
-            if (found.status != FOUND_ABOVE) {
-                return found;
+            if (falls_in_cell(c, span)) {
+                return found_in_cell(c, t, span, first, cost);
             }
         }
         if (slope >= 0.0) {
@@ -10977,7 +10982,7 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
         module: "search/pyramid",
         name: "search_pyramid",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_of", "height_texels", "image_of", "least_at", "leaves_extent", "map_read", "node_extent", "object_cell_stage", "path_height", "path_slope", "quadratic", "search_texel"],
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "cell_of", "falls_in_cell", "first_root", "found_in_cell", "gap_to", "grid_of", "height_texels", "image_of", "leaves_extent", "map_read", "node_extent", "object_cell_stage", "path_height", "path_slope", "search_texel"],
         text: r#"fn search_pyramid(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let n = height_texels(path.level);
@@ -11018,9 +11023,8 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
         if (level == 0u) {
             cost = cost + HEIGHTS_READ;
             let c = gap_to(path, grid, vec2f(cell), object_cell_stage(cell, path.level), t);
-            let found = found_in_cell(c, t, span, t == 0.0, cost);
-            if (found.status != FOUND_ABOVE) {
-                return found;
+            if (falls_in_cell(c, span)) {
+                return found_in_cell(c, t, span, t == 0.0, cost);
             }
         } else {
             cost = cost + map_read(path, 1u);
@@ -11033,7 +11037,7 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
                 path_slope(path, t),
                 path.h.z,
             );
-            if (gap.x <= 0.0 || quadratic(gap, least_at(gap, span)) <= 0.0) {
+            if (falls_in_cell(gap, span)) {
                 // Down, to the child over which the path sinks to the maximum.
                 if (gap.x > 0.0) {
                     t = t + min(first_root(gap, span), span);
@@ -11161,7 +11165,7 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         module: "search/relaxed_cone",
         name: "search_relaxed_cone",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NEVER", "NO_COST", "Path", "ROUNDING", "STEP", "cell_after", "cell_leave", "cell_of", "cone_slope", "entered_once", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_size", "map_read", "nearest_corner", "path_gap", "path_slope"],
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NEVER", "NO_COST", "Path", "ROUNDING", "STEP", "cell_after", "cell_leave", "cell_of", "cone_slope", "entered_once", "falls_in_cell", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_size", "map_read", "nearest_corner", "path_gap", "path_slope", "quadratic", "whole_cell"],
         text: r#"fn search_relaxed_cone(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
@@ -11181,7 +11185,7 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), path.exit);
         let span = max(end - t, 0.0);
-        let c = gap_to(path, grid, cell, height_cell(vec2i(cell), path.level), t);
+        let c = gap_to(path, grid, cell, height_cell(whole_cell(cell), path.level), t);
         cost = cost + HEIGHTS_READ;
         if (c.x <= 0.0) {
             if (near < t && near_gap > 0.0) {
@@ -11193,12 +11197,11 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         var start = t;
         var gap = c.x;
         if (params.y > 0.5) {
-            let found = found_in_cell(c, t, span, t == 0.0, cost);
-            if (found.status != FOUND_ABOVE) {
-                return found;
+            if (falls_in_cell(c, span)) {
+                return found_in_cell(c, t, span, t == 0.0, cost);
             }
             start = max(t, end);
-            gap = found.far_gap;
+            gap = quadratic(c, span);
         }
         if (start >= path.exit) {
             return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
@@ -11238,7 +11241,7 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         module: "search/relaxed_cone_resting",
         name: "search_relaxed_cone_resting",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "STEP", "cell_after", "cell_leave", "cell_of", "cone_slope", "corner_height", "entered_once", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "nearest_corner", "path_gap", "path_height", "stays_inside"],
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "STEP", "cell_after", "cell_leave", "cell_of", "cone_slope", "corner_height", "entered_once", "falls_in_cell", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "nearest_corner", "path_gap", "path_height", "quadratic", "stays_inside", "whole_cell"],
         text: r#"fn search_relaxed_cone_resting(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
@@ -11251,7 +11254,7 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
     let limit = u32(params.x);
     while (cost.x < limit) {
         cost = cost + STEP;
-        let heights = height_cell(vec2i(cell), path.level);
+        let heights = height_cell(whole_cell(cell), path.level);
         cost = cost + HEIGHTS_READ;
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), path.exit);
@@ -11263,16 +11266,15 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
             }
             return found_in_cell(c, t, span, t == 0.0, cost);
         }
-        let found = found_in_cell(c, t, span, t == 0.0, cost);
-        if (found.status != FOUND_ABOVE) {
-            return found;
+        if (falls_in_cell(c, span)) {
+            return found_in_cell(c, t, span, t == 0.0, cost);
         }
         let start = max(t, end);
         if (start >= path.exit) {
             return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         near = start;
-        near_gap = found.far_gap;
+        near_gap = quadratic(c, span);
         // The cone is asked where the patch has nothing more to say: where the path leaves the cell.
         let corner = nearest_corner((grid.origin - cell) + grid.step * start);
         let apex = corner_height(heights, corner);
@@ -11317,7 +11319,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "search/sphere",
         name: "search_sphere",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "cell_after", "cell_leave", "cell_of", "climb", "distance_at", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "path_height", "path_slope", "path_uv"],
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "cell_after", "cell_leave", "cell_of", "climb", "distance_at", "falls_in_cell", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "path_height", "path_slope", "path_uv", "whole_cell"],
         text: r#"fn search_sphere(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
@@ -11350,10 +11352,9 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
             }
         } else if (next < end || !(end > t)) {
             cost = cost + HEIGHTS_READ;
-            let c = gap_to(path, grid, cell, height_cell(vec2i(cell), path.level), t);
-            let found = found_in_cell(c, t, span, t == 0.0, cost);
-            if (found.status != FOUND_ABOVE) {
-                return found;
+            let c = gap_to(path, grid, cell, height_cell(whole_cell(cell), path.level), t);
+            if (falls_in_cell(c, span)) {
+                return found_in_cell(c, t, span, t == 0.0, cost);
             }
             next = max(t, end);
         }

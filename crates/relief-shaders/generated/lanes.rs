@@ -238,7 +238,7 @@ lanes! { fn decoded(r: &Resources<'_>, texel_a0: Vec4<F>, map_a1: &single::MapSe
     }
     return texel_a0;
 } }
-lanes! { fn height_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+stage! { pub(super) fn wrapped_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let n_2 = r.height_texels(level_a1);
@@ -247,10 +247,11 @@ lanes! { fn height_cell(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1
     let i1_11 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), n_2.x);
     let j0_14 = wrap_index(r, ex, cell_a0.y, n_2.y);
     let j1_19 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), n_2.y);
-    let columns_20 = Vec2 { x: i0_6, y: i1_11 };
-    let e_21 = height_pair(r, ex, columns_20, j0_14, k_3);
-    let e_22 = height_pair(r, ex, columns_20, j1_19, k_3);
-    return Vec4 { x: e_21.x, y: e_21.y, z: e_22.x, w: e_22.y };
+    let e_22 = height_texel(&r.height_map, i0_6, j0_14, k_3);
+    let e_26 = height_texel(&r.height_map, i1_11, j0_14, k_3);
+    let e_30 = height_texel(&r.height_map, i0_6, j1_19, k_3);
+    let e_34 = height_texel(&r.height_map, i1_11, j1_19, k_3);
+    return Vec4 { x: e_22.x, y: e_26.x, z: e_30.x, w: e_34.x };
 } }
 lanes! { fn height_at(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: u32) -> F {
     let mut ex = within;
@@ -413,24 +414,15 @@ lanes! { fn object_cell_stage(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, le
 lanes! { fn cell_gap(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: &Grid, cell_a2: Vec2<F>, t_a3: F) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let e_6 = object_cell_stage(r, ex, Vec2 { x: i_of_f(cell_a2.x), y: i_of_f(cell_a2.y) }, path_a0.level);
+    let e_4 = whole_cell(r, ex, cell_a2);
+    let e_6 = object_cell_stage(r, ex, e_4, path_a0.level);
     let e_7 = gap_to(r, path_a0, grid_a1, cell_a2, e_6, t_a3);
     return e_7;
 } }
-lanes! { fn cell_leave(r: &Resources<'_>, within: M, grid_a0: &Grid, cell_a1: Vec2<F>) -> Vec2<F> {
-    let mut ex = within;
-    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
-    let mut leave_v0: Vec2<F> = Vec2 { x: splat(3e38f32), y: splat(3e38f32) };
-    let c1 = gt(grid_a0.step.x, splat(0.0f32));
-    leave_v0.x = sel(c1, div(sub(add(cell_a1.x, splat(1.0f32)), grid_a0.origin.x), grid_a0.step.x), leave_v0.x);
-    let c2 = lt(grid_a0.step.x, splat(0.0f32));
-    leave_v0.x = sel(c2, div(sub(cell_a1.x, grid_a0.origin.x), grid_a0.step.x), leave_v0.x);
-    let c3 = gt(grid_a0.step.y, splat(0.0f32));
-    leave_v0.y = sel(c3, div(sub(add(cell_a1.y, splat(1.0f32)), grid_a0.origin.y), grid_a0.step.y), leave_v0.y);
-    let c4 = lt(grid_a0.step.y, splat(0.0f32));
-    leave_v0.y = sel(c4, div(sub(cell_a1.y, grid_a0.origin.y), grid_a0.step.y), leave_v0.y);
-    let e_58 = leave_v0;
-    return e_58;
+lanes! { fn cell_leave(r: &Resources<'_>, grid_a0: &Grid, cell_a1: Vec2<F>) -> Vec2<F> {
+    let ahead_13 = Vec2 { x: sel(gt(grid_a0.step.x, splat(0.0f32)), splat(1.0f32), splat(0.0f32)), y: sel(gt(grid_a0.step.y, splat(0.0f32)), splat(1.0f32), splat(0.0f32)) };
+    let leave_18 = Vec2 { x: div(sub(add(cell_a1.x, ahead_13.x), grid_a0.origin.x), grid_a0.step.x), y: div(sub(add(cell_a1.y, ahead_13.y), grid_a0.origin.y), grid_a0.step.y) };
+    return Vec2 { x: sel(gt(abs(grid_a0.step.x), splat(0.0f32)), leave_18.x, splat(3e38f32)), y: sel(gt(abs(grid_a0.step.y), splat(0.0f32)), leave_18.y, splat(3e38f32)) };
 } }
 lanes! { fn cell_next(r: &Resources<'_>, within: M, grid_a0: &Grid, cell_a1: Vec2<F>, leave_a2: Vec2<F>) -> Vec2<F> {
     let mut ex = within;
@@ -496,7 +488,7 @@ lanes! { fn cone_slope(r: &Resources<'_>, within: M, path_a0: &Path, texel_a1: V
     let mut ex = within;
     let mut ret: F = splat(0f32);
     let n_3 = r.height_texels(path_a0.level);
-    let place_4 = Vec2 { x: i_of_f(texel_a1.x), y: i_of_f(texel_a1.y) };
+    let place_4 = whole_cell(r, ex, texel_a1);
     let e_7 = wrap_index(r, ex, place_4.x, n_3.x);
     let e_10 = wrap_index(r, ex, place_4.y, n_3.y);
     let wrapped_11 = Vec2 { x: e_7, y: e_10 };
@@ -609,6 +601,33 @@ stage! { fn entered_once(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: 
     let e_52 = far_gap_v3;
     let e_53 = cost_v4;
     return Found { status: splat_u(3u32), near: e_49, far: e_50, near_gap: e_51, far_gap: e_52, cost: e_53, };
+} }
+lanes! { fn least_at(r: &Resources<'_>, within: M, c_a0: Vec3<F>, span_a1: F) -> F {
+    let mut ex = within;
+    let mut ret: F = splat(0f32);
+    let c1 = gt(c_a0.z, splat(0.0f32));
+    ret = min(max_with(div(sub(splat(0.0f32), c_a0.y), mul(splat(2.0f32), c_a0.z)), splat(0.0f32)), span_a1);
+    ex = and_not(ex, c1);
+    return sel(ex, span_a1, ret);
+} }
+lanes! { fn falls_in_cell(r: &Resources<'_>, within: M, c_a0: Vec3<F>, span_a1: F) -> M {
+    let mut ex = within;
+    let mut ret: M = splat_m(false);
+    let mut both_v0: M = splat_m(false);
+    let (b1, c2) = (ex, not(le(c_a0.x, splat(0.0f32))));
+    ex = and(b1, c2);
+    if any(ex) {
+        let e_8 = least_at(r, ex, c_a0, span_a1);
+        let e_9 = quadratic(r, c_a0, e_8);
+        both_v0 = sel_m(ex, le(e_9, splat(0.0f32)), both_v0);
+    }
+    ex = and_not(b1, c2);
+    if any(ex) {
+        both_v0 = sel_m(ex, splat_m(true), both_v0);
+    }
+    ex = b1;
+    let e_13 = both_v0;
+    return e_13;
 } }
 lanes! { fn miss(r: &Resources<'_>, cost_a0: Vec3<U>) -> Hit {
     return Hit { found: splat_u(0u32), exhausted: splat_u(0u32), uv: Vec2 { x: splat(0.0f32), y: splat(0.0f32) }, height: splat(0.0f32), t: splat(0.0f32), cost: cost_a0, };
@@ -1168,7 +1187,7 @@ stage! { fn refine_patch(r: &Resources<'_>, within: M, path_a0: &Path, found_a1:
         cost_v2 = Vec3 { x: sel_u(m10, y11.x, cost_v2.x), y: sel_u(m10, y11.y, cost_v2.y), z: sel_u(m10, y11.z, cost_v2.z) };
         let e_45 = cell_v1;
         if none(ex) { break 'l7; }
-        let leave_46 = cell_leave(r, ex, &grid_22, e_45);
+        let leave_46 = cell_leave(r, &grid_22, e_45);
         let end_51 = min(min(leave_46.x, leave_46.y), found_a1.far);
         let e_52 = t_v0;
         let span_55 = max_with(sub(end_51, e_52), splat(0.0f32));
@@ -1391,14 +1410,6 @@ stage! { fn search_linear(r: &Resources<'_>, within: M, path_a0: &Path, params_a
     let e_68 = cost_v2;
     return sel_found(ex, &Found { status: splat_u(0u32), near: e_64, far: e_65, near_gap: e_66, far_gap: e_67, cost: e_68, }, &ret);
 } }
-lanes! { fn least_at(r: &Resources<'_>, within: M, c_a0: Vec3<F>, span_a1: F) -> F {
-    let mut ex = within;
-    let mut ret: F = splat(0f32);
-    let c1 = gt(c_a0.z, splat(0.0f32));
-    ret = min(max_with(div(sub(splat(0.0f32), c_a0.y), mul(splat(2.0f32), c_a0.z)), splat(0.0f32)), span_a1);
-    ex = and_not(ex, c1);
-    return sel(ex, span_a1, ret);
-} }
 lanes! { fn found_in_cell(r: &Resources<'_>, within: M, c_a0: Vec3<F>, t_a1: F, span_a2: F, first_a3: M, cost_a4: Vec3<U>) -> Found {
     let mut ex = within;
     let mut ret: Found = zero_found();
@@ -1421,17 +1432,8 @@ lanes! { fn found_in_cell(r: &Resources<'_>, within: M, c_a0: Vec3<F>, t_a1: F, 
     ex = and_not(b1, c2);
     if none(ex) { return ret; }
     let s_25 = least_at(r, ex, c_a0, span_a2);
-    let gap_26 = quadratic(r, c_a0, s_25);
-    let (b5, c6) = (ex, le(gap_26, splat(0.0f32)));
-    ex = and(b5, c6);
-    if any(ex) {
-        ret = sel_found(ex, &Found { status: splat_u(3u32), near: t_a1, far: add(t_a1, s_25), near_gap: c_a0.x, far_gap: gap_26, cost: cost_a4, }, &ret);
-        ex = no_lane();
-    }
-    ex = and_not(b5, c6);
-    if none(ex) { return ret; }
-    let e_36 = quadratic(r, c_a0, span_a2);
-    return sel_found(ex, &Found { status: splat_u(1u32), near: t_a1, far: add(t_a1, span_a2), near_gap: c_a0.x, far_gap: e_36, cost: cost_a4, }, &ret);
+    let e_29 = quadratic(r, c_a0, s_25);
+    return sel_found(ex, &Found { status: splat_u(3u32), near: t_a1, far: add(t_a1, s_25), near_gap: c_a0.x, far_gap: e_29, cost: cost_a4, }, &ret);
 } }
 stage! { fn search_cells(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
     let mut ex = within;
@@ -1453,51 +1455,53 @@ stage! { fn search_cells(r: &Resources<'_>, within: M, path_a0: &Path, params_a1
         let (m4, y5) = (ex, Vec3 { x: add_u(e_15.x, splat_u(0u32)), y: add_u(e_15.y, splat_u(1u32)), z: add_u(e_15.z, splat_u(0u32)) });
         cost_v2 = Vec3 { x: sel_u(m4, y5.x, cost_v2.x), y: sel_u(m4, y5.y, cost_v2.y), z: sel_u(m4, y5.z, cost_v2.z) };
         let e_18 = cell_v0;
+        let e_19 = t_v1;
         if none(ex) { break 'l1; }
-        let leave_19 = cell_leave(r, ex, &grid_2, e_18);
-        let end_24 = min(min(leave_19.x, leave_19.y), path_a0.exit);
-        let e_25 = cell_v0;
-        let e_26 = t_v1;
-        let c_27 = cell_gap(r, ex, path_a0, &grid_2, e_25, e_26);
-        let e_28 = cost_v2;
-        let (m6, y7) = (ex, Vec3 { x: add_u(e_28.x, splat_u(1u32)), y: add_u(e_28.y, splat_u(0u32)), z: add_u(e_28.z, splat_u(16u32)) });
+        let c_20 = cell_gap(r, ex, path_a0, &grid_2, e_18, e_19);
+        let e_21 = cost_v2;
+        let (m6, y7) = (ex, Vec3 { x: add_u(e_21.x, splat_u(1u32)), y: add_u(e_21.y, splat_u(0u32)), z: add_u(e_21.z, splat_u(16u32)) });
         cost_v2 = Vec3 { x: sel_u(m6, y7.x, cost_v2.x), y: sel_u(m6, y7.y, cost_v2.y), z: sel_u(m6, y7.z, cost_v2.z) };
+        let e_24 = cell_v0;
+        let leave_25 = cell_leave(r, &grid_2, e_24);
+        let end_30 = min(min(leave_25.x, leave_25.y), path_a0.exit);
         let e_31 = t_v1;
-        let span_34 = max_with(sub(end_24, e_31), splat(0.0f32));
-        let e_35 = t_v1;
-        let e_37 = cost_v2.x;
-        let e_40 = cost_v2;
-        let found_41 = found_in_cell(r, ex, c_27, e_35, span_34, eq_u(e_37, splat_u(1u32)), e_40);
-        let (b8, c9) = (ex, ne_u(found_41.status, splat_u(1u32)));
+        let span_34 = max_with(sub(end_30, e_31), splat(0.0f32));
+        let e_35 = falls_in_cell(r, ex, c_20, span_34);
+        let (b8, c9) = (ex, e_35);
         ex = and(b8, c9);
         if any(ex) {
-            ret = sel_found(ex, &found_41, &ret);
+            let e_36 = t_v1;
+            let e_38 = cost_v2.x;
+            let e_41 = cost_v2;
+            let e_42 = found_in_cell(r, ex, c_20, e_36, span_34, eq_u(e_38, splat_u(1u32)), e_41);
+            ret = sel_found(ex, &e_42, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
         ex = and_not(b8, c9);
         if none(ex) { break 'l1; }
-        let (b10, c11) = (ex, ge(end_24, path_a0.exit));
+        let (b10, c11) = (ex, ge(end_30, path_a0.exit));
         ex = and(b10, c11);
         if any(ex) {
-            let e_48 = t_v1;
-            let e_52 = cost_v2;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_48, far: path_a0.exit, near_gap: c_27.x, far_gap: found_41.far_gap, cost: e_52, }, &ret);
+            let e_46 = t_v1;
+            let e_49 = quadratic(r, c_20, span_34);
+            let e_50 = cost_v2;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_46, far: path_a0.exit, near_gap: c_20.x, far_gap: e_49, cost: e_50, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
         ex = and_not(b10, c11);
-        let e_54 = cell_v0;
+        let e_52 = cell_v0;
         if none(ex) { break 'l1; }
-        let e_55 = cell_next(r, ex, &grid_2, e_54, leave_19);
-        cell_v0 = e_55;
-        let e_56 = t_v1;
-        t_v1 = sel(ex, max(e_56, end_24), t_v1);
+        let e_53 = cell_next(r, ex, &grid_2, e_52, leave_25);
+        cell_v0 = e_53;
+        let e_54 = t_v1;
+        t_v1 = sel(ex, max(e_54, end_30), t_v1);
     }
     ex = and(b2, alive);
-    let e_59 = t_v1;
-    let e_61 = cost_v2;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_59, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_61, }, &ret);
+    let e_57 = t_v1;
+    let e_59 = cost_v2;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_57, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_59, }, &ret);
 } }
 lanes! { fn image_of(r: &Resources<'_>, within: M, cell_a0: I, n_a1: i32) -> Vec2<I> {
     let mut ex = within;
@@ -1603,12 +1607,13 @@ stage! { fn search_frustum(r: &Resources<'_>, within: M, path_a0: &Path, params_
         let first_26 = eq_u(e_24, splat_u(0u32));
         let e_27 = cell_v0;
         if none(ex) { break 'l1; }
-        let heights_30 = height_cell(r, ex, Vec2 { x: i_of_f(e_27.x), y: i_of_f(e_27.y) }, path_a0.level);
+        let e_28 = whole_cell(r, ex, e_27);
+        let heights_30 = height_cell(r, ex, e_28, path_a0.level);
         let e_31 = cost_v2;
         let (m6, y7) = (ex, Vec3 { x: add_u(e_31.x, splat_u(1u32)), y: add_u(e_31.y, splat_u(0u32)), z: add_u(e_31.z, splat_u(16u32)) });
         cost_v2 = Vec3 { x: sel_u(m6, y7.x, cost_v2.x), y: sel_u(m6, y7.y, cost_v2.y), z: sel_u(m6, y7.z, cost_v2.z) };
         let e_34 = cell_v0;
-        let leave_35 = cell_leave(r, ex, &grid_2, e_34);
+        let leave_35 = cell_leave(r, &grid_2, e_34);
         let end_40 = min(min(leave_35.x, leave_35.y), path_a0.exit);
         let e_41 = t_v1;
         let span_44 = max_with(sub(end_40, e_41), splat(0.0f32));
@@ -1635,7 +1640,8 @@ stage! { fn search_frustum(r: &Resources<'_>, within: M, path_a0: &Path, params_
             ex = and(b10, c11);
             if any(ex) {
                 let e_93 = cell_v0;
-                let e_95 = frustum_slope(r, ex, path_a0, Vec2 { x: i_of_f(e_93.x), y: i_of_f(e_93.y) }, forward_7);
+                let e_94 = whole_cell(r, ex, e_93);
+                let e_95 = frustum_slope(r, ex, path_a0, e_94, forward_7);
                 slope_v4 = sel(ex, e_95, slope_v4);
                 let e_96 = slope_v4;
                 let (b12, c13) = (ex, ge(e_96, splat(0.0f32)));
@@ -1655,81 +1661,82 @@ stage! { fn search_frustum(r: &Resources<'_>, within: M, path_a0: &Path, params_
             let e_103 = cell_v0;
             let e_104 = t_v1;
             let c_105 = gap_to(r, path_a0, &grid_2, e_103, heights_30, e_104);
-            let e_106 = t_v1;
-            let e_107 = cost_v2;
-            let found_108 = found_in_cell(r, ex, c_105, e_106, span_44, first_26, e_107);
-            let (b16, c17) = (ex, ne_u(found_108.status, splat_u(1u32)));
+            let e_106 = falls_in_cell(r, ex, c_105, span_44);
+            let (b16, c17) = (ex, e_106);
             ex = and(b16, c17);
             if any(ex) {
-                ret = sel_found(ex, &found_108, &ret);
+                let e_107 = t_v1;
+                let e_108 = cost_v2;
+                let e_109 = found_in_cell(r, ex, c_105, e_107, span_44, first_26, e_108);
+                ret = sel_found(ex, &e_109, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
             ex = and_not(b16, c17);
         }
         ex = or(ex, and(b8, c9));
-        let e_112 = slope_v4;
+        let e_110 = slope_v4;
         if none(ex) { break 'l1; }
-        let (b18, c19) = (ex, ge(e_112, splat(0.0f32)));
+        let (b18, c19) = (ex, ge(e_110, splat(0.0f32)));
         ex = and(b18, c19);
         if any(ex) {
-            let e_116 = cell_v0;
-            let e_119 = t_v1;
-            let at_121 = Vec2 { x: add(sub(grid_2.origin.x, e_116.x), mul(grid_2.step.x, e_119)), y: add(sub(grid_2.origin.y, e_116.y), mul(grid_2.step.y, e_119)) };
-            let left_126 = Vec2 { x: sel(forward_7.x, sub(splat(1.0f32), at_121.x), at_121.x), y: sel(forward_7.y, sub(splat(1.0f32), at_121.y), at_121.y) };
-            let e_131 = t_v1;
-            let far_137 = Vec2 { x: add(add(abs(grid_2.origin.x), mul(abs(grid_2.step.x), e_131)), splat(1.0f32)), y: add(add(abs(grid_2.origin.y), mul(abs(grid_2.step.y), e_131)), splat(1.0f32)) };
-            let e_139 = slope_v4;
-            let e_141 = mul(splat(9.536743e-7f32), e_139);
-            let lost_143 = Vec2 { x: add(of_heights_76, mul(e_141, far_137.x)), y: add(of_heights_76, mul(e_141, far_137.y)) };
-            let e_145 = t_v1;
-            let rest_146 = sub(path_a0.exit, e_145);
-            let e_147 = slope_v4;
-            let u_152 = stays_above(r, ex, above_59, e_147, left_126.x, grid_2.step.x, lost_143.x, rest_146);
-            let e_153 = slope_v4;
-            let v_158 = stays_above(r, ex, above_59, e_153, left_126.y, grid_2.step.y, lost_143.y, rest_146);
-            let e_159 = next_v3;
-            let e_160 = t_v1;
-            next_v3 = sel(ex, max(e_159, add(e_160, min(u_152, v_158))), next_v3);
+            let e_114 = cell_v0;
+            let e_117 = t_v1;
+            let at_119 = Vec2 { x: add(sub(grid_2.origin.x, e_114.x), mul(grid_2.step.x, e_117)), y: add(sub(grid_2.origin.y, e_114.y), mul(grid_2.step.y, e_117)) };
+            let left_124 = Vec2 { x: sel(forward_7.x, sub(splat(1.0f32), at_119.x), at_119.x), y: sel(forward_7.y, sub(splat(1.0f32), at_119.y), at_119.y) };
+            let e_129 = t_v1;
+            let far_135 = Vec2 { x: add(add(abs(grid_2.origin.x), mul(abs(grid_2.step.x), e_129)), splat(1.0f32)), y: add(add(abs(grid_2.origin.y), mul(abs(grid_2.step.y), e_129)), splat(1.0f32)) };
+            let e_137 = slope_v4;
+            let e_139 = mul(splat(9.536743e-7f32), e_137);
+            let lost_141 = Vec2 { x: add(of_heights_76, mul(e_139, far_135.x)), y: add(of_heights_76, mul(e_139, far_135.y)) };
+            let e_143 = t_v1;
+            let rest_144 = sub(path_a0.exit, e_143);
+            let e_145 = slope_v4;
+            let u_150 = stays_above(r, ex, above_59, e_145, left_124.x, grid_2.step.x, lost_141.x, rest_144);
+            let e_151 = slope_v4;
+            let v_156 = stays_above(r, ex, above_59, e_151, left_124.y, grid_2.step.y, lost_141.y, rest_144);
+            let e_157 = next_v3;
+            let e_158 = t_v1;
+            next_v3 = sel(ex, max(e_157, add(e_158, min(u_150, v_156))), next_v3);
         }
         ex = b18;
-        let e_164 = next_v3;
-        let (b20, c21) = (ex, ge(e_164, path_a0.exit));
+        let e_162 = next_v3;
+        let (b20, c21) = (ex, ge(e_162, path_a0.exit));
         ex = and(b20, c21);
         if any(ex) {
-            let e_168 = t_v1;
-            let e_170 = cost_v2;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_168, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_170, }, &ret);
+            let e_166 = t_v1;
+            let e_168 = cost_v2;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_166, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_168, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
         ex = and_not(b20, c21);
-        let e_174 = slope_v4;
+        let e_172 = slope_v4;
         if none(ex) { break 'l1; }
-        let (b22, c23) = (ex, ge(e_174, splat(0.0f32)));
+        let (b22, c23) = (ex, ge(e_172, splat(0.0f32)));
         ex = and(b22, c23);
         if any(ex) {
-            let e_177 = cell_v0;
-            let e_178 = next_v3;
-            let e_179 = cell_after(r, &grid_2, e_177, leave_35, forward_7, e_178);
-            let (m24, y25) = (ex, e_179);
+            let e_175 = cell_v0;
+            let e_176 = next_v3;
+            let e_177 = cell_after(r, &grid_2, e_175, leave_35, forward_7, e_176);
+            let (m24, y25) = (ex, e_177);
             cell_v0 = Vec2 { x: sel(m24, y25.x, cell_v0.x), y: sel(m24, y25.y, cell_v0.y) };
         }
         ex = and_not(b22, c23);
         if any(ex) {
-            let e_180 = cell_v0;
-            let e_181 = cell_next(r, ex, &grid_2, e_180, leave_35);
-            let (m26, y27) = (ex, e_181);
+            let e_178 = cell_v0;
+            let e_179 = cell_next(r, ex, &grid_2, e_178, leave_35);
+            let (m26, y27) = (ex, e_179);
             cell_v0 = Vec2 { x: sel(m26, y27.x, cell_v0.x), y: sel(m26, y27.y, cell_v0.y) };
         }
         ex = b22;
-        let e_182 = next_v3;
-        t_v1 = sel(ex, e_182, t_v1);
+        let e_180 = next_v3;
+        t_v1 = sel(ex, e_180, t_v1);
     }
     ex = and(b2, alive);
-    let e_184 = t_v1;
-    let e_186 = cost_v2;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_184, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_186, }, &ret);
+    let e_182 = t_v1;
+    let e_184 = cost_v2;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_182, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_184, }, &ret);
 } }
 lanes! { fn nearest_corner(r: &Resources<'_>, at_a0: Vec2<F>) -> Vec2<F> {
     return Vec2 { x: sel(ge(at_a0.x, splat(0.5f32)), splat(1.0f32), splat(0.0f32)), y: sel(ge(at_a0.y, splat(0.5f32)), splat(1.0f32), splat(0.0f32)) };
@@ -1816,12 +1823,13 @@ stage! { fn search_cone(r: &Resources<'_>, within: M, path_a0: &Path, params_a1:
         let first_26 = eq_u(e_24, splat_u(0u32));
         let e_27 = cell_v0;
         if none(ex) { break 'l1; }
-        let heights_30 = height_cell(r, ex, Vec2 { x: i_of_f(e_27.x), y: i_of_f(e_27.y) }, path_a0.level);
+        let e_28 = whole_cell(r, ex, e_27);
+        let heights_30 = height_cell(r, ex, e_28, path_a0.level);
         let e_31 = cost_v2;
         let (m6, y7) = (ex, Vec3 { x: add_u(e_31.x, splat_u(1u32)), y: add_u(e_31.y, splat_u(0u32)), z: add_u(e_31.z, splat_u(16u32)) });
         cost_v2 = Vec3 { x: sel_u(m6, y7.x, cost_v2.x), y: sel_u(m6, y7.y, cost_v2.y), z: sel_u(m6, y7.z, cost_v2.z) };
         let e_34 = cell_v0;
-        let leave_35 = cell_leave(r, ex, &grid_2, e_34);
+        let leave_35 = cell_leave(r, &grid_2, e_34);
         let end_40 = min(min(leave_35.x, leave_35.y), path_a0.exit);
         let e_41 = t_v1;
         let span_44 = max_with(sub(end_40, e_41), splat(0.0f32));
@@ -1861,48 +1869,49 @@ stage! { fn search_cone(r: &Resources<'_>, within: M, path_a0: &Path, params_a1:
         if any(ex) {
             let e_74 = cell_v0;
             let e_75 = t_v1;
-            let e_76 = gap_to(r, path_a0, &grid_2, e_74, heights_30, e_75);
-            let e_77 = t_v1;
-            let e_78 = cost_v2;
-            let found_79 = found_in_cell(r, ex, e_76, e_77, span_44, first_26, e_78);
-            let (b16, c17) = (ex, ne_u(found_79.status, splat_u(1u32)));
+            let c_76 = gap_to(r, path_a0, &grid_2, e_74, heights_30, e_75);
+            let e_77 = falls_in_cell(r, ex, c_76, span_44);
+            let (b16, c17) = (ex, e_77);
             ex = and(b16, c17);
             if any(ex) {
-                ret = sel_found(ex, &found_79, &ret);
+                let e_78 = t_v1;
+                let e_79 = cost_v2;
+                let e_80 = found_in_cell(r, ex, c_76, e_78, span_44, first_26, e_79);
+                ret = sel_found(ex, &e_80, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
             ex = and_not(b16, c17);
-            let e_83 = t_v1;
-            next_v3 = sel(ex, max(e_83, end_40), next_v3);
+            let e_81 = t_v1;
+            next_v3 = sel(ex, max(e_81, end_40), next_v3);
         }
         let x18 = ex;
         ex = and_not(b14, c15);
         ex = or(ex, x18);
-        let e_85 = next_v3;
+        let e_83 = next_v3;
         if none(ex) { break 'l1; }
-        let (b19, c20) = (ex, ge(e_85, path_a0.exit));
+        let (b19, c20) = (ex, ge(e_83, path_a0.exit));
         ex = and(b19, c20);
         if any(ex) {
-            let e_89 = t_v1;
-            let e_91 = cost_v2;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_89, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_91, }, &ret);
+            let e_87 = t_v1;
+            let e_89 = cost_v2;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_87, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_89, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
         ex = and_not(b19, c20);
-        let e_95 = cell_v0;
-        let e_96 = next_v3;
+        let e_93 = cell_v0;
+        let e_94 = next_v3;
         if none(ex) { break 'l1; }
-        let e_97 = cell_after(r, &grid_2, e_95, leave_35, forward_7, e_96);
-        cell_v0 = e_97;
-        let e_98 = next_v3;
-        t_v1 = sel(ex, e_98, t_v1);
+        let e_95 = cell_after(r, &grid_2, e_93, leave_35, forward_7, e_94);
+        cell_v0 = e_95;
+        let e_96 = next_v3;
+        t_v1 = sel(ex, e_96, t_v1);
     }
     ex = and(b2, alive);
-    let e_100 = t_v1;
-    let e_102 = cost_v2;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_100, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_102, }, &ret);
+    let e_98 = t_v1;
+    let e_100 = cost_v2;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_98, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_100, }, &ret);
 } }
 lanes! { fn node_extent(r: &Resources<'_>, within: M, cell_a0: I, image_a1: Vec2<I>, n_a2: i32, level_a3: U) -> Vec2<I> {
     let mut ex = within;
@@ -1952,7 +1961,6 @@ stage! { fn search_pyramid(r: &Resources<'_>, within: M, path_a0: &Path, params_
     let mut both_v6: M = splat_m(false);
     let mut both_v7: M = splat_m(false);
     let mut both_v8: M = splat_m(false);
-    let mut both_v9: M = splat_m(false);
     let grid_2 = grid_of(r, path_a0);
     let n_4 = r.height_texels(path_a0.level);
     let long_13 = mul(max(abs(grid_2.step.x), abs(grid_2.step.y)), path_a0.exit);
@@ -2030,14 +2038,15 @@ stage! { fn search_pyramid(r: &Resources<'_>, within: M, path_a0: &Path, params_
                 let e_150 = object_cell_stage(r, ex, e_148, path_a0.level);
                 let e_151 = t_v4;
                 let c_152 = gap_to(r, path_a0, &grid_2, Vec2 { x: f_of_i(e_146.x), y: f_of_i(e_146.y) }, e_150, e_151);
-                let e_153 = t_v4;
-                let e_154 = t_v4;
-                let e_157 = cost_v5;
-                let found_158 = found_in_cell(r, ex, c_152, e_153, span_129, eq(e_154, splat(0.0f32)), e_157);
-                let (b15, c16) = (ex, ne_u(found_158.status, splat_u(1u32)));
+                let e_153 = falls_in_cell(r, ex, c_152, span_129);
+                let (b15, c16) = (ex, e_153);
                 ex = and(b15, c16);
                 if any(ex) {
-                    ret = sel_found(ex, &found_158, &ret);
+                    let e_154 = t_v4;
+                    let e_155 = t_v4;
+                    let e_158 = cost_v5;
+                    let e_159 = found_in_cell(r, ex, c_152, e_154, span_129, eq(e_155, splat(0.0f32)), e_158);
+                    ret = sel_found(ex, &e_159, &ret);
                     alive = and_not(alive, ex);
                     live6 = and_not(live6, ex);
                     ex = no_lane();
@@ -2047,94 +2056,82 @@ stage! { fn search_pyramid(r: &Resources<'_>, within: M, path_a0: &Path, params_
             let x17 = ex;
             ex = and_not(b11, c12);
             if any(ex) {
-                let e_162 = cost_v5;
-                let e_164 = map_read(r, path_a0, 1u32);
-                let (m18, y19) = (ex, Vec3 { x: add_u(e_162.x, e_164.x), y: add_u(e_162.y, e_164.y), z: add_u(e_162.z, e_164.z) });
+                let e_160 = cost_v5;
+                let e_162 = map_read(r, path_a0, 1u32);
+                let (m18, y19) = (ex, Vec3 { x: add_u(e_160.x, e_162.x), y: add_u(e_160.y, e_162.y), z: add_u(e_160.z, e_162.z) });
                 cost_v5 = Vec3 { x: sel_u(m18, y19.x, cost_v5.x), y: sel_u(m18, y19.y, cost_v5.y), z: sel_u(m18, y19.z, cost_v5.z) };
-                let e_167 = level_v1;
-                let e_170 = level_v1;
-                let node_172 = Vec2 { x: shr_i(place_66.x, e_167), y: shr_i(place_66.y, e_170) };
-                let e_174 = level_v1;
-                let e_180 = search_texel_llsl(r, ex, path_a0, node_172, 0i32, sub_i(i_of_u(add_u(e_174, splat_u(path_a0.level))), splat_i(1i32)));
-                let e_182 = t_v4;
-                let furthest_183 = add(e_182, span_129);
-                let rounded_196 = add(abs(path_a0.h.x), mul(furthest_183, add(abs(path_a0.h.y), mul(furthest_183, abs(path_a0.h.z)))));
-                let e_197 = t_v4;
-                let e_198 = path_height(r, path_a0, e_197);
-                let e_203 = t_v4;
-                let e_204 = path_slope(r, path_a0, e_203);
-                let gap_207 = Vec3 { x: sub(sub(e_198, e_180.y), mul(splat(9.536743e-7f32), rounded_196)), y: e_204, z: path_a0.h.z };
-                let (b20, c21) = (ex, not(le(gap_207.x, splat(0.0f32))));
+                let e_165 = level_v1;
+                let e_168 = level_v1;
+                let node_170 = Vec2 { x: shr_i(place_66.x, e_165), y: shr_i(place_66.y, e_168) };
+                let e_172 = level_v1;
+                let e_178 = search_texel_llsl(r, ex, path_a0, node_170, 0i32, sub_i(i_of_u(add_u(e_172, splat_u(path_a0.level))), splat_i(1i32)));
+                let e_180 = t_v4;
+                let furthest_181 = add(e_180, span_129);
+                let rounded_194 = add(abs(path_a0.h.x), mul(furthest_181, add(abs(path_a0.h.y), mul(furthest_181, abs(path_a0.h.z)))));
+                let e_195 = t_v4;
+                let e_196 = path_height(r, path_a0, e_195);
+                let e_201 = t_v4;
+                let e_202 = path_slope(r, path_a0, e_201);
+                let gap_205 = Vec3 { x: sub(sub(e_196, e_178.y), mul(splat(9.536743e-7f32), rounded_194)), y: e_202, z: path_a0.h.z };
+                let e_206 = falls_in_cell(r, ex, gap_205, span_129);
+                let (b20, c21) = (ex, e_206);
                 ex = and(b20, c21);
                 if any(ex) {
-                    let e_214 = least_at(r, ex, gap_207, span_129);
-                    let e_215 = quadratic(r, gap_207, e_214);
-                    both_v9 = sel_m(ex, le(e_215, splat(0.0f32)), both_v9);
-                }
-                ex = and_not(b20, c21);
-                if any(ex) {
-                    both_v9 = sel_m(ex, splat_m(true), both_v9);
-                }
-                ex = b20;
-                let e_219 = both_v9;
-                let (b22, c23) = (ex, e_219);
-                ex = and(b22, c23);
-                if any(ex) {
-                    let (b24, c25) = (ex, gt(gap_207.x, splat(0.0f32)));
-                    ex = and(b24, c25);
+                    let (b22, c23) = (ex, gt(gap_205.x, splat(0.0f32)));
+                    ex = and(b22, c23);
                     if any(ex) {
-                        let e_223 = t_v4;
-                        let e_224 = first_root(r, ex, gap_207, span_129);
-                        t_v4 = sel(ex, add(e_223, min(e_224, span_129)), t_v4);
+                        let e_210 = t_v4;
+                        let e_211 = first_root(r, ex, gap_205, span_129);
+                        t_v4 = sel(ex, add(e_210, min(e_211, span_129)), t_v4);
                     }
-                    ex = b24;
-                    let e_229 = t_v4;
-                    let e_232 = cell_of(r, Vec2 { x: add(grid_2.origin.x, mul(grid_2.step.x, e_229)), y: add(grid_2.origin.y, mul(grid_2.step.y, e_229)) });
-                    let (m26, y27) = (ex, Vec2 { x: min_i(max_i(i_of_small(e_232.x), low_132.x), last_139.x), y: min_i(max_i(i_of_small(e_232.y), low_132.y), last_139.y) });
-                    cell_v2 = Vec2 { x: sel_i(m26, y27.x, cell_v2.x), y: sel_i(m26, y27.y, cell_v2.y) };
-                    let e_235 = level_v1;
-                    level_v1 = sel_u(ex, sub_u(e_235, splat_u(1u32)), level_v1);
-                    let (m28, y29) = (ex, Vec2 { x: splat_i((-1i32)), y: splat_i((-1i32)) });
-                    parent_v3 = Vec2 { x: sel_i(m28, y29.x, parent_v3.x), y: sel_i(m28, y29.y, parent_v3.y) };
+                    ex = b22;
+                    let e_216 = t_v4;
+                    let e_219 = cell_of(r, Vec2 { x: add(grid_2.origin.x, mul(grid_2.step.x, e_216)), y: add(grid_2.origin.y, mul(grid_2.step.y, e_216)) });
+                    let (m24, y25) = (ex, Vec2 { x: min_i(max_i(i_of_small(e_219.x), low_132.x), last_139.x), y: min_i(max_i(i_of_small(e_219.y), low_132.y), last_139.y) });
+                    cell_v2 = Vec2 { x: sel_i(m24, y25.x, cell_v2.x), y: sel_i(m24, y25.y, cell_v2.y) };
+                    let e_222 = level_v1;
+                    level_v1 = sel_u(ex, sub_u(e_222, splat_u(1u32)), level_v1);
+                    let (m26, y27) = (ex, Vec2 { x: splat_i((-1i32)), y: splat_i((-1i32)) });
+                    parent_v3 = Vec2 { x: sel_i(m26, y27.x, parent_v3.x), y: sel_i(m26, y27.y, parent_v3.y) };
                     ex = no_lane();
                 }
-                ex = and_not(b22, c23);
+                ex = and_not(b20, c21);
             }
             ex = or(ex, x17);
             if none(ex) { break 't4; }
-            let (b30, c31) = (ex, ge(end_125, path_a0.exit));
-            ex = and(b30, c31);
+            let (b28, c29) = (ex, ge(end_125, path_a0.exit));
+            ex = and(b28, c29);
             if any(ex) {
-                let e_244 = t_v4;
-                let e_246 = cost_v5;
-                ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_244, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_246, }, &ret);
+                let e_231 = t_v4;
+                let e_233 = cost_v5;
+                ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_231, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_233, }, &ret);
                 alive = and_not(alive, ex);
                 live6 = and_not(live6, ex);
                 ex = no_lane();
             }
-            ex = and_not(b30, c31);
+            ex = and_not(b28, c29);
             if none(ex) { break 't4; }
-            let e_254 = cell_of(r, Vec2 { x: add(grid_2.origin.x, mul(grid_2.step.x, end_125)), y: add(grid_2.origin.y, mul(grid_2.step.y, end_125)) });
-            let (m32, y33) = (ex, Vec2 { x: min_i(max_i(i_of_small(e_254.x), low_132.x), last_139.x), y: min_i(max_i(i_of_small(e_254.y), low_132.y), last_139.y) });
-            cell_v2 = Vec2 { x: sel_i(m32, y33.x, cell_v2.x), y: sel_i(m32, y33.y, cell_v2.y) };
-            let c34 = le(leave_u_117, end_125);
-            cell_v2.x = sel_i(and(ex, c34), sel_i(gt(grid_2.step.x, splat(0.0f32)), columns_107.y, sub_i(low_132.x, splat_i(1i32))), cell_v2.x);
-            let c35 = le(leave_v_122, end_125);
-            cell_v2.y = sel_i(and(ex, c35), sel_i(gt(grid_2.step.y, splat(0.0f32)), rows_112.y, sub_i(low_132.y, splat_i(1i32))), cell_v2.y);
-            let e_280 = level_v1;
-            let e_285 = level_v1;
-            let (m36, y37) = (ex, Vec2 { x: shr_i(place_66.x, add_u(e_280, splat_u(1u32))), y: shr_i(place_66.y, add_u(e_285, splat_u(1u32))) });
-            parent_v3 = Vec2 { x: sel_i(m36, y37.x, parent_v3.x), y: sel_i(m36, y37.y, parent_v3.y) };
-            let e_290 = t_v4;
-            t_v4 = sel(ex, max(e_290, end_125), t_v4);
+            let e_241 = cell_of(r, Vec2 { x: add(grid_2.origin.x, mul(grid_2.step.x, end_125)), y: add(grid_2.origin.y, mul(grid_2.step.y, end_125)) });
+            let (m30, y31) = (ex, Vec2 { x: min_i(max_i(i_of_small(e_241.x), low_132.x), last_139.x), y: min_i(max_i(i_of_small(e_241.y), low_132.y), last_139.y) });
+            cell_v2 = Vec2 { x: sel_i(m30, y31.x, cell_v2.x), y: sel_i(m30, y31.y, cell_v2.y) };
+            let c32 = le(leave_u_117, end_125);
+            cell_v2.x = sel_i(and(ex, c32), sel_i(gt(grid_2.step.x, splat(0.0f32)), columns_107.y, sub_i(low_132.x, splat_i(1i32))), cell_v2.x);
+            let c33 = le(leave_v_122, end_125);
+            cell_v2.y = sel_i(and(ex, c33), sel_i(gt(grid_2.step.y, splat(0.0f32)), rows_112.y, sub_i(low_132.y, splat_i(1i32))), cell_v2.y);
+            let e_267 = level_v1;
+            let e_272 = level_v1;
+            let (m34, y35) = (ex, Vec2 { x: shr_i(place_66.x, add_u(e_267, splat_u(1u32))), y: shr_i(place_66.y, add_u(e_272, splat_u(1u32))) });
+            parent_v3 = Vec2 { x: sel_i(m34, y35.x, parent_v3.x), y: sel_i(m34, y35.y, parent_v3.y) };
+            let e_277 = t_v4;
+            t_v4 = sel(ex, max(e_277, end_125), t_v4);
         }
         ex = live6;
         if none(ex) { break 'l3; }
     }
     ex = and(b5, alive);
-    let e_293 = t_v4;
-    let e_295 = cost_v5;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_293, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_295, }, &ret);
+    let e_280 = t_v4;
+    let e_282 = cost_v5;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_280, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_282, }, &ret);
 } }
 lanes! { fn texel_extent(r: &Resources<'_>, within: M, texel_a0: I, n_a1: i32, level_a2: U) -> Vec2<I> {
     let mut ex = within;
@@ -2319,12 +2316,10 @@ stage! { fn search_pyramid_texels(r: &Resources<'_>, within: M, path_a0: &Path, 
     let e_202 = cost_v3;
     return sel_found(ex, &Found { status: splat_u(4u32), near: e_200, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_202, }, &ret);
 } }
-lanes! { fn leaves_window(r: &Resources<'_>, within: M, grid_a0: &Grid, cell_a1: Vec2<F>, radius_a2: f32) -> F {
-    let mut ex = within;
-    let mut ret: F = splat(0f32);
+lanes! { fn leaves_window(r: &Resources<'_>, grid_a0: &Grid, cell_a1: Vec2<F>, radius_a2: f32) -> F {
     let wide_3 = Vec2 { x: radius_a2, y: radius_a2 };
-    let leave_low_5 = cell_leave(r, ex, grid_a0, Vec2 { x: sub(cell_a1.x, splat(wide_3.x)), y: sub(cell_a1.y, splat(wide_3.y)) });
-    let leave_high_7 = cell_leave(r, ex, grid_a0, Vec2 { x: add(cell_a1.x, splat(wide_3.x)), y: add(cell_a1.y, splat(wide_3.y)) });
+    let leave_low_5 = cell_leave(r, grid_a0, Vec2 { x: sub(cell_a1.x, splat(wide_3.x)), y: sub(cell_a1.y, splat(wide_3.y)) });
+    let leave_high_7 = cell_leave(r, grid_a0, Vec2 { x: add(cell_a1.x, splat(wide_3.x)), y: add(cell_a1.y, splat(wide_3.y)) });
     let leave_13 = Vec2 { x: sel(gt(grid_a0.step.x, splat(0.0f32)), leave_high_7.x, leave_low_5.x), y: sel(gt(grid_a0.step.y, splat(0.0f32)), leave_high_7.y, leave_low_5.y) };
     return min(leave_13.x, leave_13.y);
 } }
@@ -2358,119 +2353,119 @@ stage! { fn search_dilation_erosion(r: &Resources<'_>, within: M, path_a0: &Path
         cost_v3 = Vec3 { x: sel_u(m4, y5.x, cost_v3.x), y: sel_u(m4, y5.y, cost_v3.y), z: sel_u(m4, y5.z, cost_v3.z) };
         let e_27 = cell_v0;
         if none(ex) { break 'l1; }
-        let leave_28 = cell_leave(r, ex, &grid_2, e_27);
+        let leave_28 = cell_leave(r, &grid_2, e_27);
         let end_33 = min(min(leave_28.x, leave_28.y), path_a0.exit);
         let e_34 = t_v1;
         let span_37 = max_with(sub(end_33, e_34), splat(0.0f32));
         let e_38 = t_v1;
         next_v4 = e_38;
         looks_v5 = splat_m((params_a1.y > 0.5f32));
-        let e_45 = cell_v0.x;
-        let u_48 = image_of(r, ex, i_of_f(e_45), n_4.x);
-        let e_50 = cell_v0.y;
-        let v_53 = image_of(r, ex, i_of_f(e_50), n_4.y);
-        both_v6 = or(eq_i(u_48.y, splat_i(2i32)), eq_i(v_53.y, splat_i(2i32)));
-        let e_64 = both_v6;
-        let (b6, c7) = (ex, e_64);
+        let e_44 = cell_v0;
+        let place_45 = whole_cell(r, ex, e_44);
+        let u_48 = image_of(r, ex, place_45.x, n_4.x);
+        let v_51 = image_of(r, ex, place_45.y, n_4.y);
+        both_v6 = or(eq_i(u_48.y, splat_i(2i32)), eq_i(v_51.y, splat_i(2i32)));
+        let e_62 = both_v6;
+        let (b6, c7) = (ex, e_62);
         ex = and(b6, c7);
         if any(ex) {
             looks_v5 = sel_m(ex, splat_m(true), looks_v5);
         }
         ex = and_not(b6, c7);
         if any(ex) {
-            let bounds_72 = search_texel_llss(r, path_a0, Vec2 { x: u_48.x, y: v_53.x }, 0i32, (path_a0.level as i32));
-            let e_73 = cost_v3;
-            let e_75 = map_read(r, path_a0, 1u32);
-            let (m8, y9) = (ex, Vec3 { x: add_u(e_73.x, e_75.x), y: add_u(e_73.y, e_75.y), z: add_u(e_73.z, e_75.z) });
+            let bounds_70 = search_texel_llss(r, path_a0, Vec2 { x: u_48.x, y: v_51.x }, 0i32, (path_a0.level as i32));
+            let e_71 = cost_v3;
+            let e_73 = map_read(r, path_a0, 1u32);
+            let (m8, y9) = (ex, Vec3 { x: add_u(e_71.x, e_73.x), y: add_u(e_71.y, e_73.y), z: add_u(e_71.z, e_73.z) });
             cost_v3 = Vec3 { x: sel_u(m8, y9.x, cost_v3.x), y: sel_u(m8, y9.y, cost_v3.y), z: sel_u(m8, y9.z, cost_v3.z) };
-            let e_77 = cell_v0;
-            let e_79 = leaves_window(r, ex, &grid_2, e_77, params_a1.z);
-            let e_82 = t_v1;
-            let reach_85 = max_with(sub(min(e_79, path_a0.exit), e_82), splat(0.0f32));
-            let e_86 = t_v1;
-            let furthest_87 = add(e_86, reach_85);
-            let rounded_100 = add(abs(path_a0.h.x), mul(furthest_87, add(abs(path_a0.h.y), mul(furthest_87, abs(path_a0.h.z)))));
-            let e_101 = t_v1;
-            let e_102 = path_height(r, path_a0, e_101);
-            let e_108 = t_v1;
-            let e_109 = path_slope(r, path_a0, e_108);
-            let gap_112 = Vec3 { x: sub(sub(e_102, bounds_72.y), mul(splat(9.536743e-7f32), rounded_100)), y: e_109, z: path_a0.h.z };
-            let (b10, c11) = (ex, gt(gap_112.x, splat(0.0f32)));
+            let e_75 = cell_v0;
+            let e_77 = leaves_window(r, &grid_2, e_75, params_a1.z);
+            let e_80 = t_v1;
+            let reach_83 = max_with(sub(min(e_77, path_a0.exit), e_80), splat(0.0f32));
+            let e_84 = t_v1;
+            let furthest_85 = add(e_84, reach_83);
+            let rounded_98 = add(abs(path_a0.h.x), mul(furthest_85, add(abs(path_a0.h.y), mul(furthest_85, abs(path_a0.h.z)))));
+            let e_99 = t_v1;
+            let e_100 = path_height(r, path_a0, e_99);
+            let e_106 = t_v1;
+            let e_107 = path_slope(r, path_a0, e_106);
+            let gap_110 = Vec3 { x: sub(sub(e_100, bounds_70.y), mul(splat(9.536743e-7f32), rounded_98)), y: e_107, z: path_a0.h.z };
+            let (b10, c11) = (ex, gt(gap_110.x, splat(0.0f32)));
             ex = and(b10, c11);
             if any(ex) {
-                let e_116 = t_v1;
-                safe_v2 = sel(ex, e_116, safe_v2);
-                let e_117 = t_v1;
-                next_v4 = sel(ex, add(e_117, reach_85), next_v4);
-                let e_119 = least_at(r, ex, gap_112, reach_85);
-                let e_120 = quadratic(r, gap_112, e_119);
-                let (b12, c13) = (ex, le(e_120, splat(0.0f32)));
+                let e_114 = t_v1;
+                safe_v2 = sel(ex, e_114, safe_v2);
+                let e_115 = t_v1;
+                next_v4 = sel(ex, add(e_115, reach_83), next_v4);
+                let e_117 = least_at(r, ex, gap_110, reach_83);
+                let e_118 = quadratic(r, gap_110, e_117);
+                let (b12, c13) = (ex, le(e_118, splat(0.0f32)));
                 ex = and(b12, c13);
                 if any(ex) {
-                    let e_123 = t_v1;
-                    let e_124 = first_root(r, ex, gap_112, reach_85);
-                    next_v4 = sel(ex, add(e_123, min(e_124, reach_85)), next_v4);
+                    let e_121 = t_v1;
+                    let e_122 = first_root(r, ex, gap_110, reach_83);
+                    next_v4 = sel(ex, add(e_121, min(e_122, reach_83)), next_v4);
                 }
                 ex = b12;
             }
             ex = b10;
-            let e_127 = looks_v5;
-            let e_131 = next_v4;
-            both_v7 = and(not(e_127), lt(e_131, end_33));
-            let e_134 = both_v7;
-            let (b14, c15) = (ex, e_134);
+            let e_125 = looks_v5;
+            let e_129 = next_v4;
+            both_v7 = and(not(e_125), lt(e_129, end_33));
+            let e_132 = both_v7;
+            let (b14, c15) = (ex, e_132);
             ex = and(b14, c15);
             if any(ex) {
-                let e_137 = path_height(r, path_a0, end_33);
-                both_v8 = sel_m(ex, lt(e_137, bounds_72.x), both_v8);
+                let e_135 = path_height(r, path_a0, end_33);
+                both_v8 = sel_m(ex, lt(e_135, bounds_70.x), both_v8);
             }
             ex = and_not(b14, c15);
             if any(ex) {
                 both_v8 = sel_m(ex, splat_m(false), both_v8);
             }
             ex = b14;
-            let e_141 = both_v8;
-            let (b16, c17) = (ex, e_141);
+            let e_139 = both_v8;
+            let (b16, c17) = (ex, e_139);
             ex = and(b16, c17);
             if any(ex) {
-                let e_142 = safe_v2;
-                let e_143 = cost_v3;
-                let e_144 = bracket_between(r, ex, path_a0, e_142, end_33, e_143);
-                ret = sel_found(ex, &e_144, &ret);
+                let e_140 = safe_v2;
+                let e_141 = cost_v3;
+                let e_142 = bracket_between(r, ex, path_a0, e_140, end_33, e_141);
+                ret = sel_found(ex, &e_142, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
             ex = and_not(b16, c17);
         }
         ex = or(ex, and(b6, c7));
-        let e_145 = next_v4;
-        let e_150 = t_v1;
-        both_v9 = or(lt(e_145, end_33), not(gt(end_33, e_150)));
-        let e_154 = both_v9;
+        let e_143 = next_v4;
+        let e_148 = t_v1;
+        both_v9 = or(lt(e_143, end_33), not(gt(end_33, e_148)));
+        let e_152 = both_v9;
         if none(ex) { break 'l1; }
-        let (b18, c19) = (ex, e_154);
+        let (b18, c19) = (ex, e_152);
         ex = and(b18, c19);
         if any(ex) {
-            let e_155 = looks_v5;
-            let (b20, c21) = (ex, e_155);
+            let e_153 = looks_v5;
+            let (b20, c21) = (ex, e_153);
             ex = and(b20, c21);
             if any(ex) {
-                let e_156 = cost_v3;
-                let (m22, y23) = (ex, Vec3 { x: add_u(e_156.x, splat_u(1u32)), y: add_u(e_156.y, splat_u(0u32)), z: add_u(e_156.z, splat_u(16u32)) });
+                let e_154 = cost_v3;
+                let (m22, y23) = (ex, Vec3 { x: add_u(e_154.x, splat_u(1u32)), y: add_u(e_154.y, splat_u(0u32)), z: add_u(e_154.z, splat_u(16u32)) });
                 cost_v3 = Vec3 { x: sel_u(m22, y23.x, cost_v3.x), y: sel_u(m22, y23.y, cost_v3.y), z: sel_u(m22, y23.z, cost_v3.z) };
+                let heights_158 = height_cell(r, ex, place_45, path_a0.level);
                 let e_159 = cell_v0;
-                let heights_162 = height_cell(r, ex, Vec2 { x: i_of_f(e_159.x), y: i_of_f(e_159.y) }, path_a0.level);
-                let e_163 = cell_v0;
-                let e_164 = t_v1;
-                let e_165 = gap_to(r, path_a0, &grid_2, e_163, heights_162, e_164);
-                let e_166 = t_v1;
-                let e_167 = t_v1;
-                let e_170 = cost_v3;
-                let found_171 = found_in_cell(r, ex, e_165, e_166, span_37, eq(e_167, splat(0.0f32)), e_170);
-                let (b24, c25) = (ex, ne_u(found_171.status, splat_u(1u32)));
+                let e_160 = t_v1;
+                let c_161 = gap_to(r, path_a0, &grid_2, e_159, heights_158, e_160);
+                let e_162 = falls_in_cell(r, ex, c_161, span_37);
+                let (b24, c25) = (ex, e_162);
                 ex = and(b24, c25);
                 if any(ex) {
-                    ret = sel_found(ex, &found_171, &ret);
+                    let e_163 = t_v1;
+                    let e_164 = t_v1;
+                    let e_167 = cost_v3;
+                    let e_168 = found_in_cell(r, ex, c_161, e_163, span_37, eq(e_164, splat(0.0f32)), e_167);
+                    ret = sel_found(ex, &e_168, &ret);
                     alive = and_not(alive, ex);
                     ex = no_lane();
                 }
@@ -2479,36 +2474,36 @@ stage! { fn search_dilation_erosion(r: &Resources<'_>, within: M, path_a0: &Path
             let x26 = ex;
             ex = and_not(b20, c21);
             ex = or(ex, x26);
-            let e_175 = t_v1;
-            next_v4 = sel(ex, max(e_175, end_33), next_v4);
+            let e_169 = t_v1;
+            next_v4 = sel(ex, max(e_169, end_33), next_v4);
         }
         let x27 = ex;
         ex = and_not(b18, c19);
         ex = or(ex, x27);
-        let e_177 = next_v4;
+        let e_171 = next_v4;
         if none(ex) { break 'l1; }
-        let (b28, c29) = (ex, ge(e_177, path_a0.exit));
+        let (b28, c29) = (ex, ge(e_171, path_a0.exit));
         ex = and(b28, c29);
         if any(ex) {
-            let e_181 = t_v1;
-            let e_183 = cost_v3;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_181, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_183, }, &ret);
+            let e_175 = t_v1;
+            let e_177 = cost_v3;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_175, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_177, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
         ex = and_not(b28, c29);
-        let e_187 = cell_v0;
-        let e_188 = next_v4;
+        let e_181 = cell_v0;
+        let e_182 = next_v4;
         if none(ex) { break 'l1; }
-        let e_189 = cell_after(r, &grid_2, e_187, leave_28, forward_9, e_188);
-        cell_v0 = e_189;
-        let e_190 = next_v4;
-        t_v1 = sel(ex, e_190, t_v1);
+        let e_183 = cell_after(r, &grid_2, e_181, leave_28, forward_9, e_182);
+        cell_v0 = e_183;
+        let e_184 = next_v4;
+        t_v1 = sel(ex, e_184, t_v1);
     }
     ex = and(b2, alive);
-    let e_192 = t_v1;
-    let e_194 = cost_v3;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_192, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_194, }, &ret);
+    let e_186 = t_v1;
+    let e_188 = cost_v3;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_186, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_188, }, &ret);
 } }
 stage! { fn search_sphere(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
     let mut ex = within;
@@ -2543,7 +2538,7 @@ stage! { fn search_sphere(r: &Resources<'_>, within: M, path_a0: &Path, params_a
         cost_v2 = Vec3 { x: sel_u(m4, y5.x, cost_v2.x), y: sel_u(m4, y5.y, cost_v2.y), z: sel_u(m4, y5.z, cost_v2.z) };
         let e_66 = cell_v0;
         if none(ex) { break 'l1; }
-        let leave_67 = cell_leave(r, ex, &grid_2, e_66);
+        let leave_67 = cell_leave(r, &grid_2, e_66);
         let end_72 = min(min(leave_67.x, leave_67.y), path_a0.exit);
         let e_73 = t_v1;
         let span_76 = max_with(sub(end_72, e_73), splat(0.0f32));
@@ -2589,52 +2584,54 @@ stage! { fn search_sphere(r: &Resources<'_>, within: M, path_a0: &Path, params_a
                 cost_v2 = Vec3 { x: sel_u(m13, y14.x, cost_v2.x), y: sel_u(m13, y14.y, cost_v2.y), z: sel_u(m13, y14.z, cost_v2.z) };
                 let e_129 = cell_v0;
                 let e_130 = cell_v0;
-                let e_133 = height_cell(r, ex, Vec2 { x: i_of_f(e_130.x), y: i_of_f(e_130.y) }, path_a0.level);
+                let e_131 = whole_cell(r, ex, e_130);
+                let e_133 = height_cell(r, ex, e_131, path_a0.level);
                 let e_134 = t_v1;
                 let c_135 = gap_to(r, path_a0, &grid_2, e_129, e_133, e_134);
-                let e_136 = t_v1;
-                let e_137 = t_v1;
-                let e_140 = cost_v2;
-                let found_141 = found_in_cell(r, ex, c_135, e_136, span_76, eq(e_137, splat(0.0f32)), e_140);
-                let (b15, c16) = (ex, ne_u(found_141.status, splat_u(1u32)));
+                let e_136 = falls_in_cell(r, ex, c_135, span_76);
+                let (b15, c16) = (ex, e_136);
                 ex = and(b15, c16);
                 if any(ex) {
-                    ret = sel_found(ex, &found_141, &ret);
+                    let e_137 = t_v1;
+                    let e_138 = t_v1;
+                    let e_141 = cost_v2;
+                    let e_142 = found_in_cell(r, ex, c_135, e_137, span_76, eq(e_138, splat(0.0f32)), e_141);
+                    ret = sel_found(ex, &e_142, &ret);
                     alive = and_not(alive, ex);
                     ex = no_lane();
                 }
                 ex = and_not(b15, c16);
-                let e_145 = t_v1;
-                next_v3 = sel(ex, max(e_145, end_72), next_v3);
+                let e_143 = t_v1;
+                next_v3 = sel(ex, max(e_143, end_72), next_v3);
             }
             let x17 = ex;
             ex = and_not(b11, c12);
             ex = or(ex, x17);
         }
-        let e_147 = next_v3;
+        let e_145 = next_v3;
         if none(ex) { break 'l1; }
-        let (b18, c19) = (ex, ge(e_147, path_a0.exit));
+        let (b18, c19) = (ex, ge(e_145, path_a0.exit));
         ex = and(b18, c19);
         if any(ex) {
-            let e_151 = t_v1;
-            let e_153 = cost_v2;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_151, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_153, }, &ret);
+            let e_149 = t_v1;
+            let e_151 = cost_v2;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_149, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_151, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
         ex = and_not(b18, c19);
-        let e_157 = cell_v0;
-        let e_158 = next_v3;
+        let e_155 = cell_v0;
+        let e_156 = next_v3;
         if none(ex) { break 'l1; }
-        let e_159 = cell_after(r, &grid_2, e_157, leave_67, forward_7, e_158);
-        cell_v0 = e_159;
-        let e_160 = next_v3;
-        t_v1 = sel(ex, e_160, t_v1);
+        let e_157 = cell_after(r, &grid_2, e_155, leave_67, forward_7, e_156);
+        cell_v0 = e_157;
+        let e_158 = next_v3;
+        t_v1 = sel(ex, e_158, t_v1);
     }
     ex = and(b2, alive);
-    let e_162 = t_v1;
-    let e_164 = cost_v2;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_162, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_164, }, &ret);
+    let e_160 = t_v1;
+    let e_162 = cost_v2;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_160, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_162, }, &ret);
 } }
 stage! { fn search_cone_moved(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
     let mut ex = within;
@@ -2780,13 +2777,14 @@ stage! { fn search_relaxed_cone(r: &Resources<'_>, within: M, path_a0: &Path, pa
         cost_v4 = Vec3 { x: sel_u(m4, y5.x, cost_v4.x), y: sel_u(m4, y5.y, cost_v4.y), z: sel_u(m4, y5.z, cost_v4.z) };
         let e_54 = cell_v0;
         if none(ex) { break 'l1; }
-        let leave_55 = cell_leave(r, ex, &grid_2, e_54);
+        let leave_55 = cell_leave(r, &grid_2, e_54);
         let end_60 = min(min(leave_55.x, leave_55.y), path_a0.exit);
         let e_61 = t_v1;
         let span_64 = max_with(sub(end_60, e_61), splat(0.0f32));
         let e_65 = cell_v0;
         let e_66 = cell_v0;
-        let e_69 = height_cell(r, ex, Vec2 { x: i_of_f(e_66.x), y: i_of_f(e_66.y) }, path_a0.level);
+        let e_67 = whole_cell(r, ex, e_66);
+        let e_69 = height_cell(r, ex, e_67, path_a0.level);
         let e_70 = t_v1;
         let c_71 = gap_to(r, path_a0, &grid_2, e_65, e_69, e_70);
         let e_72 = cost_v4;
@@ -2826,123 +2824,126 @@ stage! { fn search_relaxed_cone(r: &Resources<'_>, within: M, path_a0: &Path, pa
         start_v6 = e_100;
         gap_v7 = c_71.x;
         if (params_a1.y > 0.5f32) {
-            let e_107 = t_v1;
-            let e_108 = t_v1;
-            let e_111 = cost_v4;
             if none(ex) { break 'l1; }
-            let found_112 = found_in_cell(r, ex, c_71, e_107, span_64, eq(e_108, splat(0.0f32)), e_111);
-            let (b12, c13) = (ex, ne_u(found_112.status, splat_u(1u32)));
+            let e_107 = falls_in_cell(r, ex, c_71, span_64);
+            let (b12, c13) = (ex, e_107);
             ex = and(b12, c13);
             if any(ex) {
-                ret = sel_found(ex, &found_112, &ret);
+                let e_108 = t_v1;
+                let e_109 = t_v1;
+                let e_112 = cost_v4;
+                let e_113 = found_in_cell(r, ex, c_71, e_108, span_64, eq(e_109, splat(0.0f32)), e_112);
+                ret = sel_found(ex, &e_113, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
             ex = and_not(b12, c13);
-            let e_116 = t_v1;
-            start_v6 = max(e_116, end_60);
-            gap_v7 = found_112.far_gap;
+            let e_114 = t_v1;
+            start_v6 = max(e_114, end_60);
+            if none(ex) { break 'l1; }
+            let e_116 = quadratic(r, c_71, span_64);
+            gap_v7 = e_116;
         }
-        let e_119 = start_v6;
+        let e_117 = start_v6;
         if none(ex) { break 'l1; }
-        let (b14, c15) = (ex, ge(e_119, path_a0.exit));
+        let (b14, c15) = (ex, ge(e_117, path_a0.exit));
         ex = and(b14, c15);
         if any(ex) {
-            let e_123 = t_v1;
-            let e_125 = cost_v4;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_123, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_125, }, &ret);
+            let e_121 = t_v1;
+            let e_123 = cost_v4;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_121, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_123, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
         ex = and_not(b14, c15);
-        let e_129 = start_v6;
-        near_v2 = e_129;
-        let e_130 = gap_v7;
-        near_gap_v3 = e_130;
+        let e_127 = start_v6;
+        near_v2 = e_127;
+        let e_128 = gap_v7;
+        near_gap_v3 = e_128;
+        let e_129 = cell_v0;
         let e_131 = cell_v0;
-        let e_133 = cell_v0;
-        let e_136 = start_v6;
+        let e_134 = start_v6;
         if none(ex) { break 'l1; }
-        let e_139 = nearest_corner(r, Vec2 { x: add(sub(grid_2.origin.x, e_133.x), mul(grid_2.step.x, e_136)), y: add(sub(grid_2.origin.y, e_133.y), mul(grid_2.step.y, e_136)) });
-        let slope_141 = cone_slope(r, ex, path_a0, Vec2 { x: add(e_131.x, e_139.x), y: add(e_131.y, e_139.y) });
-        let e_142 = cost_v4;
-        let e_144 = map_read(r, path_a0, 1u32);
-        let (m16, y17) = (ex, Vec3 { x: add_u(e_142.x, e_144.x), y: add_u(e_142.y, e_144.y), z: add_u(e_142.z, e_144.z) });
+        let e_137 = nearest_corner(r, Vec2 { x: add(sub(grid_2.origin.x, e_131.x), mul(grid_2.step.x, e_134)), y: add(sub(grid_2.origin.y, e_131.y), mul(grid_2.step.y, e_134)) });
+        let slope_139 = cone_slope(r, ex, path_a0, Vec2 { x: add(e_129.x, e_137.x), y: add(e_129.y, e_137.y) });
+        let e_140 = cost_v4;
+        let e_142 = map_read(r, path_a0, 1u32);
+        let (m16, y17) = (ex, Vec3 { x: add_u(e_140.x, e_142.x), y: add_u(e_140.y, e_142.y), z: add_u(e_140.z, e_142.z) });
         cost_v4 = Vec3 { x: sel_u(m16, y17.x, cost_v4.x), y: sel_u(m16, y17.y, cost_v4.y), z: sel_u(m16, y17.z, cost_v4.z) };
-        let e_146 = start_v6;
-        next_v8 = e_146;
-        let (b18, c19) = (ex, ge(slope_141, splat(0.0f32)));
+        let e_144 = start_v6;
+        next_v8 = e_144;
+        let (b18, c19) = (ex, ge(slope_139, splat(0.0f32)));
         ex = and(b18, c19);
         if any(ex) {
-            let nearing_151 = sub(mul(slope_141, aside_9), rise_11);
-            let closing_154 = add(nearing_151, mul(splat(9.536743e-7f32), nearing_151));
-            let e_155 = gap_v7;
-            let room_163 = sub(e_155, mul(splat(9.536743e-7f32), add(terms_20, mul(slope_141, add(far_34.x, far_34.y)))));
+            let nearing_149 = sub(mul(slope_139, aside_9), rise_11);
+            let closing_152 = add(nearing_149, mul(splat(9.536743e-7f32), nearing_149));
+            let e_153 = gap_v7;
+            let room_161 = sub(e_153, mul(splat(9.536743e-7f32), add(terms_20, mul(slope_139, add(far_34.x, far_34.y)))));
             next_v8 = sel(ex, splat(3e38f32), next_v8);
-            let c20 = gt(closing_154, splat(0.0f32));
-            let e_167 = start_v6;
-            next_v8 = sel(and(ex, c20), add(e_167, div(max_with(room_163, splat(0.0f32)), closing_154)), next_v8);
+            let c20 = gt(closing_152, splat(0.0f32));
+            let e_165 = start_v6;
+            next_v8 = sel(and(ex, c20), add(e_165, div(max_with(room_161, splat(0.0f32)), closing_152)), next_v8);
         }
         ex = b18;
         if (params_a1.y < 0.5f32) {
-            let e_177 = next_v8;
-            let e_178 = t_v1;
-            both_v9 = not(gt(sub(e_177, e_178), mul(splat(9.536743e-7f32), path_a0.exit)));
+            let e_175 = next_v8;
+            let e_176 = t_v1;
+            both_v9 = not(gt(sub(e_175, e_176), mul(splat(9.536743e-7f32), path_a0.exit)));
         } else {
             both_v9 = splat_m(false);
         }
-        let e_186 = both_v9;
-        let (b21, c22) = (ex, e_186);
+        let e_184 = both_v9;
+        let (b21, c22) = (ex, e_184);
         ex = and(b21, c22);
         if any(ex) {
-            let e_188 = t_v1;
-            let e_190 = gap_v7;
-            let e_191 = cost_v4;
-            ret = sel_found(ex, &Found { status: splat_u(1u32), near: e_188, far: path_a0.exit, near_gap: e_190, far_gap: splat(0.0f32), cost: e_191, }, &ret);
+            let e_186 = t_v1;
+            let e_188 = gap_v7;
+            let e_189 = cost_v4;
+            ret = sel_found(ex, &Found { status: splat_u(1u32), near: e_186, far: path_a0.exit, near_gap: e_188, far_gap: splat(0.0f32), cost: e_189, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
         ex = and_not(b21, c22);
-        let e_194 = next_v8;
+        let e_192 = next_v8;
         if none(ex) { break 'l1; }
-        let (b23, c24) = (ex, ge(e_194, path_a0.exit));
+        let (b23, c24) = (ex, ge(e_192, path_a0.exit));
         ex = and(b23, c24);
         if any(ex) {
-            let last_198 = path_gap(r, ex, path_a0, path_a0.exit);
-            let e_199 = cost_v4;
-            let (m25, y26) = (ex, Vec3 { x: add_u(e_199.x, splat_u(1u32)), y: add_u(e_199.y, splat_u(0u32)), z: add_u(e_199.z, splat_u(16u32)) });
+            let last_196 = path_gap(r, ex, path_a0, path_a0.exit);
+            let e_197 = cost_v4;
+            let (m25, y26) = (ex, Vec3 { x: add_u(e_197.x, splat_u(1u32)), y: add_u(e_197.y, splat_u(0u32)), z: add_u(e_197.z, splat_u(16u32)) });
             cost_v4 = Vec3 { x: sel_u(m25, y26.x, cost_v4.x), y: sel_u(m25, y26.y, cost_v4.y), z: sel_u(m25, y26.z, cost_v4.z) };
-            let (b27, c28) = (ex, le(last_198, splat(0.0f32)));
+            let (b27, c28) = (ex, le(last_196, splat(0.0f32)));
             ex = and(b27, c28);
             if any(ex) {
-                let e_204 = start_v6;
-                let e_206 = gap_v7;
-                let e_207 = cost_v4;
-                let e_208 = entered_once(r, ex, path_a0, &grid_2, e_204, path_a0.exit, e_206, last_198, e_207);
-                ret = sel_found(ex, &e_208, &ret);
+                let e_202 = start_v6;
+                let e_204 = gap_v7;
+                let e_205 = cost_v4;
+                let e_206 = entered_once(r, ex, path_a0, &grid_2, e_202, path_a0.exit, e_204, last_196, e_205);
+                ret = sel_found(ex, &e_206, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
             ex = and_not(b27, c28);
-            let e_210 = start_v6;
-            let e_212 = cost_v4;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_210, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_212, }, &ret);
+            let e_208 = start_v6;
+            let e_210 = cost_v4;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_208, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_210, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
         ex = and_not(b23, c24);
-        let e_216 = cell_v0;
-        let e_217 = next_v8;
+        let e_214 = cell_v0;
+        let e_215 = next_v8;
         if none(ex) { break 'l1; }
-        let e_218 = cell_after(r, &grid_2, e_216, leave_55, forward_7, e_217);
-        cell_v0 = e_218;
-        let e_219 = next_v8;
-        t_v1 = sel(ex, e_219, t_v1);
+        let e_216 = cell_after(r, &grid_2, e_214, leave_55, forward_7, e_215);
+        cell_v0 = e_216;
+        let e_217 = next_v8;
+        t_v1 = sel(ex, e_217, t_v1);
     }
     ex = and(b2, alive);
-    let e_221 = t_v1;
-    let e_223 = cost_v4;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_221, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_223, }, &ret);
+    let e_219 = t_v1;
+    let e_221 = cost_v4;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_219, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_221, }, &ret);
 } }
 stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
     let mut ex = within;
@@ -2970,12 +2971,13 @@ stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &
         cost_v4 = Vec3 { x: sel_u(m4, y5.x, cost_v4.x), y: sel_u(m4, y5.y, cost_v4.y), z: sel_u(m4, y5.z, cost_v4.z) };
         let e_27 = cell_v0;
         if none(ex) { break 'l1; }
-        let heights_30 = height_cell(r, ex, Vec2 { x: i_of_f(e_27.x), y: i_of_f(e_27.y) }, path_a0.level);
+        let e_28 = whole_cell(r, ex, e_27);
+        let heights_30 = height_cell(r, ex, e_28, path_a0.level);
         let e_31 = cost_v4;
         let (m6, y7) = (ex, Vec3 { x: add_u(e_31.x, splat_u(1u32)), y: add_u(e_31.y, splat_u(0u32)), z: add_u(e_31.z, splat_u(16u32)) });
         cost_v4 = Vec3 { x: sel_u(m6, y7.x, cost_v4.x), y: sel_u(m6, y7.y, cost_v4.y), z: sel_u(m6, y7.z, cost_v4.z) };
         let e_34 = cell_v0;
-        let leave_35 = cell_leave(r, ex, &grid_2, e_34);
+        let leave_35 = cell_leave(r, &grid_2, e_34);
         let end_40 = min(min(leave_35.x, leave_35.y), path_a0.exit);
         let e_41 = t_v1;
         let span_44 = max_with(sub(end_40, e_41), splat(0.0f32));
@@ -3012,96 +3014,98 @@ stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &
             ex = no_lane();
         }
         ex = and_not(b8, c9);
-        let e_73 = t_v1;
-        let e_74 = t_v1;
-        let e_77 = cost_v4;
         if none(ex) { break 'l1; }
-        let found_78 = found_in_cell(r, ex, c_47, e_73, span_44, eq(e_74, splat(0.0f32)), e_77);
-        let (b12, c13) = (ex, ne_u(found_78.status, splat_u(1u32)));
+        let e_73 = falls_in_cell(r, ex, c_47, span_44);
+        let (b12, c13) = (ex, e_73);
         ex = and(b12, c13);
         if any(ex) {
-            ret = sel_found(ex, &found_78, &ret);
+            let e_74 = t_v1;
+            let e_75 = t_v1;
+            let e_78 = cost_v4;
+            let e_79 = found_in_cell(r, ex, c_47, e_74, span_44, eq(e_75, splat(0.0f32)), e_78);
+            ret = sel_found(ex, &e_79, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
         ex = and_not(b12, c13);
-        let e_82 = t_v1;
-        let start_83 = max(e_82, end_40);
+        let e_80 = t_v1;
+        let start_81 = max(e_80, end_40);
         if none(ex) { break 'l1; }
-        let (b14, c15) = (ex, ge(start_83, path_a0.exit));
+        let (b14, c15) = (ex, ge(start_81, path_a0.exit));
         ex = and(b14, c15);
         if any(ex) {
-            let e_87 = t_v1;
-            let e_89 = cost_v4;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_87, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_89, }, &ret);
+            let e_85 = t_v1;
+            let e_87 = cost_v4;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_85, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_87, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
         ex = and_not(b14, c15);
-        near_v2 = start_83;
-        near_gap_v3 = found_78.far_gap;
-        let e_95 = cell_v0;
+        near_v2 = start_81;
         if none(ex) { break 'l1; }
-        let corner_100 = nearest_corner(r, Vec2 { x: add(sub(grid_2.origin.x, e_95.x), mul(grid_2.step.x, start_83)), y: add(sub(grid_2.origin.y, e_95.y), mul(grid_2.step.y, start_83)) });
-        let apex_101 = corner_height(r, heights_30, corner_100);
-        next_v6 = start_83;
-        let e_103 = path_height(r, path_a0, start_83);
-        let (b16, c17) = (ex, gt(e_103, apex_101));
+        let e_91 = quadratic(r, c_47, span_44);
+        near_gap_v3 = e_91;
+        let e_93 = cell_v0;
+        let corner_98 = nearest_corner(r, Vec2 { x: add(sub(grid_2.origin.x, e_93.x), mul(grid_2.step.x, start_81)), y: add(sub(grid_2.origin.y, e_93.y), mul(grid_2.step.y, start_81)) });
+        let apex_99 = corner_height(r, heights_30, corner_98);
+        next_v6 = start_81;
+        let e_101 = path_height(r, path_a0, start_81);
+        let (b16, c17) = (ex, gt(e_101, apex_99));
         ex = and(b16, c17);
         if any(ex) {
-            let e_105 = cell_v0;
-            let texel_106 = Vec2 { x: add(e_105.x, corner_100.x), y: add(e_105.y, corner_100.y) };
-            let slope_107 = cone_slope(r, ex, path_a0, texel_106);
-            let e_108 = cost_v4;
-            let e_110 = map_read(r, path_a0, 1u32);
-            let (m18, y19) = (ex, Vec3 { x: add_u(e_108.x, e_110.x), y: add_u(e_108.y, e_110.y), z: add_u(e_108.z, e_110.z) });
+            let e_103 = cell_v0;
+            let texel_104 = Vec2 { x: add(e_103.x, corner_98.x), y: add(e_103.y, corner_98.y) };
+            let slope_105 = cone_slope(r, ex, path_a0, texel_104);
+            let e_106 = cost_v4;
+            let e_108 = map_read(r, path_a0, 1u32);
+            let (m18, y19) = (ex, Vec3 { x: add_u(e_106.x, e_108.x), y: add_u(e_106.y, e_108.y), z: add_u(e_106.z, e_108.z) });
             cost_v4 = Vec3 { x: sel_u(m18, y19.x, cost_v4.x), y: sel_u(m18, y19.y, cost_v4.y), z: sel_u(m18, y19.z, cost_v4.z) };
-            let (b20, c21) = (ex, ge(slope_107, splat(0.0f32)));
+            let (b20, c21) = (ex, ge(slope_105, splat(0.0f32)));
             ex = and(b20, c21);
             if any(ex) {
-                let e_114 = stays_inside(r, ex, path_a0, &grid_2, texel_106, apex_101, slope_107, start_83);
-                next_v6 = sel(ex, add(start_83, e_114), next_v6);
+                let e_112 = stays_inside(r, ex, path_a0, &grid_2, texel_104, apex_99, slope_105, start_81);
+                next_v6 = sel(ex, add(start_81, e_112), next_v6);
             }
             ex = b20;
         }
         ex = b16;
-        let e_116 = next_v6;
-        let (b22, c23) = (ex, ge(e_116, path_a0.exit));
+        let e_114 = next_v6;
+        let (b22, c23) = (ex, ge(e_114, path_a0.exit));
         ex = and(b22, c23);
         if any(ex) {
-            let last_120 = path_gap(r, ex, path_a0, path_a0.exit);
-            let e_121 = cost_v4;
-            let (m24, y25) = (ex, Vec3 { x: add_u(e_121.x, splat_u(1u32)), y: add_u(e_121.y, splat_u(0u32)), z: add_u(e_121.z, splat_u(16u32)) });
+            let last_118 = path_gap(r, ex, path_a0, path_a0.exit);
+            let e_119 = cost_v4;
+            let (m24, y25) = (ex, Vec3 { x: add_u(e_119.x, splat_u(1u32)), y: add_u(e_119.y, splat_u(0u32)), z: add_u(e_119.z, splat_u(16u32)) });
             cost_v4 = Vec3 { x: sel_u(m24, y25.x, cost_v4.x), y: sel_u(m24, y25.y, cost_v4.y), z: sel_u(m24, y25.z, cost_v4.z) };
-            let (b26, c27) = (ex, le(last_120, splat(0.0f32)));
+            let (b26, c27) = (ex, le(last_118, splat(0.0f32)));
             ex = and(b26, c27);
             if any(ex) {
-                let e_127 = near_gap_v3;
-                let e_128 = cost_v4;
-                let e_129 = entered_once(r, ex, path_a0, &grid_2, start_83, path_a0.exit, e_127, last_120, e_128);
-                ret = sel_found(ex, &e_129, &ret);
+                let e_125 = near_gap_v3;
+                let e_126 = cost_v4;
+                let e_127 = entered_once(r, ex, path_a0, &grid_2, start_81, path_a0.exit, e_125, last_118, e_126);
+                ret = sel_found(ex, &e_127, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
             ex = and_not(b26, c27);
-            let e_132 = cost_v4;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: start_83, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_132, }, &ret);
+            let e_130 = cost_v4;
+            ret = sel_found(ex, &Found { status: splat_u(0u32), near: start_81, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_130, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
         ex = and_not(b22, c23);
-        let e_136 = cell_v0;
-        let e_137 = next_v6;
+        let e_134 = cell_v0;
+        let e_135 = next_v6;
         if none(ex) { break 'l1; }
-        let e_138 = cell_after(r, &grid_2, e_136, leave_35, forward_7, e_137);
-        cell_v0 = e_138;
-        let e_139 = next_v6;
-        t_v1 = sel(ex, e_139, t_v1);
+        let e_136 = cell_after(r, &grid_2, e_134, leave_35, forward_7, e_135);
+        cell_v0 = e_136;
+        let e_137 = next_v6;
+        t_v1 = sel(ex, e_137, t_v1);
     }
     ex = and(b2, alive);
-    let e_141 = t_v1;
-    let e_143 = cost_v4;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_141, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_143, }, &ret);
+    let e_139 = t_v1;
+    let e_141 = cost_v4;
+    return sel_found(ex, &Found { status: splat_u(4u32), near: e_139, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_141, }, &ret);
 } }
 lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> Found {
     let mut ex = within;

@@ -1732,19 +1732,7 @@ lanes! { fn height_size(r: &Resources<'_>, level_a0: U) -> Vec2<F> {
     let e_1 = height_texels(r, level_a0);
     return Vec2 { x: f_of_i(e_1.x), y: f_of_i(e_1.y) };
 } }
-lanes! { fn height_pair_lll(r: &Resources<'_>, within: M, columns_a0: Vec2<I>, row_a1: I, level_a2: I) -> Vec2<F> {
-    let mut ex = within;
-    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
-    let e_6 = height_texel_of_each(&r.height_map, ex, columns_a0.x, row_a1, level_a2);
-    let e_11 = height_texel_of_each(&r.height_map, ex, columns_a0.y, row_a1, level_a2);
-    return Vec2 { x: e_6.x, y: e_11.x };
-} }
-lanes! { fn height_pair_lls(r: &Resources<'_>, columns_a0: Vec2<I>, row_a1: I, level_a2: i32) -> Vec2<F> {
-    let e_6 = height_texel(&r.height_map, columns_a0.x, row_a1, level_a2);
-    let e_11 = height_texel(&r.height_map, columns_a0.y, row_a1, level_a2);
-    return Vec2 { x: e_6.x, y: e_11.x };
-} }
-lanes! { fn height_cell_ll(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: U) -> Vec4<F> {
+lanes! { fn wrapped_cell_ll(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: U) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let n_2 = height_texels(r, level_a1);
@@ -1753,12 +1741,13 @@ lanes! { fn height_cell_ll(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level
     let i1_11 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), n_2.x);
     let j0_14 = wrap_index(r, ex, cell_a0.y, n_2.y);
     let j1_19 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), n_2.y);
-    let columns_20 = Vec2 { x: i0_6, y: i1_11 };
-    let e_21 = height_pair_lll(r, ex, columns_20, j0_14, k_3);
-    let e_22 = height_pair_lll(r, ex, columns_20, j1_19, k_3);
-    return Vec4 { x: e_21.x, y: e_21.y, z: e_22.x, w: e_22.y };
+    let e_22 = height_texel_of_each(&r.height_map, ex, i0_6, j0_14, k_3);
+    let e_26 = height_texel_of_each(&r.height_map, ex, i1_11, j0_14, k_3);
+    let e_30 = height_texel_of_each(&r.height_map, ex, i0_6, j1_19, k_3);
+    let e_34 = height_texel_of_each(&r.height_map, ex, i1_11, j1_19, k_3);
+    return Vec4 { x: e_22.x, y: e_26.x, z: e_30.x, w: e_34.x };
 } }
-lanes! { fn height_cell_ls(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+lanes! { fn wrapped_cell_ls(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let n_2 = height_texels(r, splat_u(level_a1));
@@ -1767,10 +1756,23 @@ lanes! { fn height_cell_ls(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level
     let i1_11 = wrap_index(r, ex, add_i(cell_a0.x, splat_i(1i32)), n_2.x);
     let j0_14 = wrap_index(r, ex, cell_a0.y, n_2.y);
     let j1_19 = wrap_index(r, ex, add_i(cell_a0.y, splat_i(1i32)), n_2.y);
-    let columns_20 = Vec2 { x: i0_6, y: i1_11 };
-    let e_21 = height_pair_lls(r, columns_20, j0_14, k_3);
-    let e_22 = height_pair_lls(r, columns_20, j1_19, k_3);
-    return Vec4 { x: e_21.x, y: e_21.y, z: e_22.x, w: e_22.y };
+    let e_22 = height_texel(&r.height_map, i0_6, j0_14, k_3);
+    let e_26 = height_texel(&r.height_map, i1_11, j0_14, k_3);
+    let e_30 = height_texel(&r.height_map, i0_6, j1_19, k_3);
+    let e_34 = height_texel(&r.height_map, i1_11, j1_19, k_3);
+    return Vec4 { x: e_22.x, y: e_26.x, z: e_30.x, w: e_34.x };
+} }
+lanes! { fn height_cell_ll(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: U) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_2 = wrapped_cell_ll(r, ex, cell_a0, level_a1);
+    return e_2;
+} }
+lanes! { fn height_cell_ls(r: &Resources<'_>, within: M, cell_a0: Vec2<I>, level_a1: u32) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let e_2 = wrapped_cell_ls(r, ex, cell_a0, level_a1);
+    return e_2;
 } }
 lanes! { fn height_at_ll(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: U) -> F {
     let mut ex = within;
@@ -2134,34 +2136,29 @@ lanes! { fn object_cell_stage_ls(r: &Resources<'_>, within: M, cell_a0: Vec2<I>,
         }
     }
 } }
+lanes! { fn whole_cell(r: &Resources<'_>, cell_a0: Vec2<F>) -> Vec2<I> {
+    return Vec2 { x: i_of_f(cell_a0.x), y: i_of_f(cell_a0.y) };
+} }
 lanes! { fn cell_gap_llll(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: &Grid, cell_a2: Vec2<F>, t_a3: F) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let e_6 = object_cell_stage_ll(r, ex, Vec2 { x: i_of_f(cell_a2.x), y: i_of_f(cell_a2.y) }, path_a0.level);
+    let e_4 = whole_cell(r, cell_a2);
+    let e_6 = object_cell_stage_ll(r, ex, e_4, path_a0.level);
     let e_7 = gap_to(r, path_a0, grid_a1, cell_a2, e_6, t_a3);
     return e_7;
 } }
 lanes! { fn cell_gap_llls(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: &Grid, cell_a2: Vec2<F>, t_a3: f32) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
-    let e_6 = object_cell_stage_ll(r, ex, Vec2 { x: i_of_f(cell_a2.x), y: i_of_f(cell_a2.y) }, path_a0.level);
+    let e_4 = whole_cell(r, cell_a2);
+    let e_6 = object_cell_stage_ll(r, ex, e_4, path_a0.level);
     let e_7 = gap_to(r, path_a0, grid_a1, cell_a2, e_6, splat(t_a3));
     return e_7;
 } }
-lanes! { fn cell_leave(r: &Resources<'_>, within: M, grid_a0: &Grid, cell_a1: Vec2<F>) -> Vec2<F> {
-    let mut ex = within;
-    let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
-    let mut leave_v0: Vec2<F> = Vec2 { x: splat(3e38f32), y: splat(3e38f32) };
-    let c1 = gt(grid_a0.step.x, splat(0.0f32));
-    leave_v0.x = sel(c1, div(sub(add(cell_a1.x, splat(1.0f32)), grid_a0.origin.x), grid_a0.step.x), leave_v0.x);
-    let c2 = lt(grid_a0.step.x, splat(0.0f32));
-    leave_v0.x = sel(c2, div(sub(cell_a1.x, grid_a0.origin.x), grid_a0.step.x), leave_v0.x);
-    let c3 = gt(grid_a0.step.y, splat(0.0f32));
-    leave_v0.y = sel(c3, div(sub(add(cell_a1.y, splat(1.0f32)), grid_a0.origin.y), grid_a0.step.y), leave_v0.y);
-    let c4 = lt(grid_a0.step.y, splat(0.0f32));
-    leave_v0.y = sel(c4, div(sub(cell_a1.y, grid_a0.origin.y), grid_a0.step.y), leave_v0.y);
-    let e_58 = leave_v0;
-    return e_58;
+lanes! { fn cell_leave(r: &Resources<'_>, grid_a0: &Grid, cell_a1: Vec2<F>) -> Vec2<F> {
+    let ahead_13 = Vec2 { x: sel(gt(grid_a0.step.x, splat(0.0f32)), splat(1.0f32), splat(0.0f32)), y: sel(gt(grid_a0.step.y, splat(0.0f32)), splat(1.0f32), splat(0.0f32)) };
+    let leave_18 = Vec2 { x: div(sub(add(cell_a1.x, ahead_13.x), grid_a0.origin.x), grid_a0.step.x), y: div(sub(add(cell_a1.y, ahead_13.y), grid_a0.origin.y), grid_a0.step.y) };
+    return Vec2 { x: sel(gt(abs(grid_a0.step.x), splat(0.0f32)), leave_18.x, splat(3e38f32)), y: sel(gt(abs(grid_a0.step.y), splat(0.0f32)), leave_18.y, splat(3e38f32)) };
 } }
 lanes! { fn cell_next(r: &Resources<'_>, within: M, grid_a0: &Grid, cell_a1: Vec2<F>, leave_a2: Vec2<F>) -> Vec2<F> {
     let mut ex = within;
@@ -2321,7 +2318,7 @@ stage! { fn out_of_ground(r: &Resources<'_>, within: M, path_a0: &Path, slack_a1
         ex = and(ex, c4);
         let e_38 = cell_v0;
         if none(ex) { break 'l2; }
-        let leave_39 = cell_leave(r, ex, &grid_3, e_38);
+        let leave_39 = cell_leave(r, &grid_3, e_38);
         let end_44 = min(min(leave_39.x, leave_39.y), path_a0.exit);
         let e_48 = cell_v0;
         let e_49 = t_v1;
@@ -4831,7 +4828,7 @@ lanes! { fn light_ray(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hi
     if none(ex) { return ret; }
     let grid_17 = grid_of(r, &way_3);
     let cell_19 = cell_of(r, Vec2 { x: grid_17.origin.x, y: grid_17.origin.y });
-    let leave_20 = cell_leave(r, ex, &grid_17, cell_19);
+    let leave_20 = cell_leave(r, &grid_17, cell_19);
     let end_26 = max_with(min(min(leave_20.x, leave_20.y), exit_11), splat(0.0f32));
     let e_29 = height_cell_ll(r, ex, Vec2 { x: i_of_small(cell_19.x), y: i_of_small(cell_19.y) }, way_3.level);
     let c_31 = gap_to(r, &way_3, &grid_17, cell_19, e_29, splat(0.0f32));
@@ -5255,7 +5252,7 @@ lanes! { fn own_slope(r: &Resources<'_>, within: M, way_a0: &Path) -> F {
     let mut level_v0: Path = zero_path();
     let grid_1 = grid_of(r, way_a0);
     let cell_3 = cell_of(r, Vec2 { x: grid_1.origin.x, y: grid_1.origin.y });
-    let leave_4 = cell_leave(r, ex, &grid_1, cell_3);
+    let leave_4 = cell_leave(r, &grid_1, cell_3);
     let end_9 = max_with(min(leave_4.x, leave_4.y), splat(0.0f32));
     level_v0 = *way_a0;
     level_v0.h = Vec3 { x: way_a0.h.x, y: splat(0.0f32), z: splat(0.0f32) };

@@ -73,9 +73,10 @@ const CPU_ROOT: (&str, &[&str]) = (
 
 /// Search and refinement over lanes, with all that they reach.
 const TRACING: LaneText = LaneText {
-    roots: &["trace", "shadow_search_stage"],
+    roots: &["trace", "shadow_search_stage", "wrapped_cell"],
+    same_arguments: &[("wrapped_cell", "level")],
     shared_members: &[("Path", "ray"), ("Path", "level")],
-    by_hand: &["height_pair"],
+    by_hand: &["height_cell", "whole_cell"],
     ..LaneText::EMPTY
 };
 

@@ -1,5 +1,6 @@
 //! Texels in lanes, included once for each width. Lanes whose place lies outside get some texel or none.
 
+use super::stages::wrapped_cell;
 use super::*;
 
 lanes! {
@@ -24,18 +25,33 @@ lanes! {
 }
 
 lanes! {
-    /// The function `height_pair` of the shaders.
-    pub(super) fn height_pair(
-        r: &Resources<'_>,
-        within: M,
-        columns: Vec2<I>,
-        row: I,
-        level: i32,
-    ) -> Vec2<F> {
-        let (width, texels) = r.height_map.level(level);
-        let start = mul_i(row, splat_i(width));
-        let at = Vec2 { x: add_i(start, columns.x), y: add_i(start, columns.y) };
-        gather_two(texels, within, at)
+    /// The function `whole_cell` of the shaders: these numbers convert without a look at what is out of range.
+    pub(super) fn whole_cell(_r: &Resources<'_>, _within: M, cell: Vec2<F>) -> Vec2<I> {
+        Vec2 { x: i_of_small(cell.x), y: i_of_small(cell.y) }
+    }
+}
+
+lanes! {
+    /// The function `height_cell` of the shaders. Mostly all cells lie inside the map, where no index needs to
+    /// be wrapped.
+    pub(super) fn height_cell(r: &Resources<'_>, within: M, cell: Vec2<I>, level: u32) -> Vec4<F> {
+        let n = r.height_texels(level);
+        let inside = and(
+            lt_u(u_of_i(cell.x), splat_u((n.x - 1) as u32)),
+            lt_u(u_of_i(cell.y), splat_u((n.y - 1) as u32)),
+        );
+        if any(and_not(within, inside)) {
+            return cell_anywhere(r, within, cell, level);
+        }
+        let (width, texels) = r.height_map.level(level as i32);
+        gather_cell(texels, width as usize, add_i(mul_i(cell.y, splat_i(width)), cell.x))
+    }
+}
+
+stage! {
+    /// The same where some lie outside.
+    fn cell_anywhere(r: &Resources<'_>, within: M, cell: Vec2<I>, level: u32) -> Vec4<F> {
+        wrapped_cell(r, within, cell, level)
     }
 }
 
@@ -141,8 +157,7 @@ lanes! {
             Texels::One(values) => Vec4 { x: gather(values, at), y: zero, z: zero, w: one },
             Texels::Two(texels) => {
                 let (values, first) = (texels.as_flattened(), add_i(at, at));
-                // No lane has numbers that are not side by side.
-                let both = gather_two(values, no_lane(), Vec2 { x: first, y: next(first, 1) });
+                let both = gather_two(values, first);
                 Vec4 { x: both.x, y: both.y, z: zero, w: one }
             }
             Texels::Four(texels) => gather_four(texels, at),
@@ -159,7 +174,7 @@ lanes! {
     }
 }
 
-lanes! {
+stage! {
     fn halves(values: &[u16], channels: usize, at: I) -> Vec4<F> {
         let padded;
         let values = match values {
@@ -191,7 +206,7 @@ lanes! {
     }
 }
 
-lanes! {
+stage! {
     fn codes(values: &[u8], channels: usize, at: I) -> Vec4<F> {
         let mut padded = [0; 4];
         let values = if values.len() < 4 {

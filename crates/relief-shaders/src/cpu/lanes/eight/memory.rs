@@ -35,10 +35,25 @@ lanes! {
 }
 
 lanes! {
-    /// The numbers at two places in each lane; 0 for places that there are not. Mostly they are side by side,
-    /// but gathers of pairs take longer here than twice as many of numbers.
-    pub(super) fn gather_two(values: &[f32], _within: M, at: Vec2<I>) -> Vec2<F> {
-        Vec2 { x: gather(values, at.x), y: gather(values, at.y) }
+    /// The number at a place and the one after it, in each lane; 0 for places that there are not.
+    pub(super) fn gather_two(values: &[f32], at: I) -> Vec2<F> {
+        Vec2 { x: gather(values, at), y: gather(values, add_i(at, splat_i(1))) }
+    }
+}
+
+lanes! {
+    /// The numbers at a place, after it, and the same two a line of so many further on. Any numbers where
+    /// there are not all four. Fetched two by two they take longer here.
+    pub(super) fn gather_cell(values: &[f32], width: usize, at: I) -> Vec4<F> {
+        let count = values.len().min(i32::MAX as usize).saturating_sub(width.saturating_add(1)) as u32;
+        let inside = lt_u(u_of_i(at), splat_u(count));
+        // SAFETY: lanes of `inside` alone are read. After their place there are a line and one number more,
+        // and it is less than 2^31, so that it is not taken for a negative one.
+        let from = |start: usize| unsafe {
+            let values = values.as_ptr().wrapping_add(start);
+            F(_mm256_mask_i32gather_ps::<4>(_mm256_setzero_ps(), values, at.0, inside.0))
+        };
+        Vec4 { x: from(0), y: from(1), z: from(width), w: from(width.wrapping_add(1)) }
     }
 }
 

@@ -32,9 +32,19 @@ lanes! {
 }
 
 lanes! {
-    /// The numbers at two places in each lane; 0 for places that there are not.
-    pub(super) fn gather_two(values: &[f32], _within: M, at: Vec2<I>) -> Vec2<F> {
-        Vec2 { x: gather(values, at.x), y: gather(values, at.y) }
+    /// The number at a place and the one after it, in each lane; 0 for places that there are not.
+    pub(super) fn gather_two(values: &[f32], at: I) -> Vec2<F> {
+        Vec2 { x: gather(values, at), y: gather(values, add_i(at, splat_i(1))) }
+    }
+}
+
+lanes! {
+    /// The numbers at a place, after it, and the same two a line of so many further on. Any numbers where
+    /// there are not all four.
+    pub(super) fn gather_cell(values: &[f32], width: usize, at: I) -> Vec4<F> {
+        let below = add_i(at, splat_i(width as i32));
+        let (above, below) = (gather_two(values, at), gather_two(values, below));
+        Vec4 { x: above.x, y: above.y, z: below.x, w: below.y }
     }
 }
 

@@ -77,11 +77,13 @@ mod tracing;
 
 pub(super) use memory::Four;
 
-use memory::{gather, gather_four, gather_of_8, gather_of_16, gather_two, load, row_i, store, store_u};
+use memory::{
+    gather, gather_cell, gather_four, gather_of_8, gather_of_16, gather_two, load, row_i, store, store_u,
+};
 use rows::{load_i, load_m, load_u, row, row_u, store_i};
 use textures::{
-    color_texel, color_texel_of_each, height_pair, height_texel, height_texel_of_each, map_texel,
-    map_texel_of_each,
+    color_texel, color_texel_of_each, height_cell, height_texel, height_texel_of_each, map_texel,
+    map_texel_of_each, whole_cell,
 };
 
 operations! {

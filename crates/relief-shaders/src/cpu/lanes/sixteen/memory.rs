@@ -39,31 +39,39 @@ lanes! {
 }
 
 lanes! {
-    /// The numbers at two places in each of some lanes, which mostly are side by side: then both are read at
-    /// once. Any numbers elsewhere, and where there are none.
-    pub(super) fn gather_two(values: &[f32], within: M, at: Vec2<I>) -> Vec2<F> {
-        if any(and(within, ne_i(at.y, add_i(at.x, splat_i(1))))) {
-            return Vec2 { x: gather(values, at.x), y: gather(values, at.y) };
-        }
-        let count = values.len().min(i32::MAX as usize).saturating_sub(1) as u32;
-        let inside = lt_u(u_of_i(at.x), splat_u(count)).0;
-        let places = [_mm512_castsi512_si256(at.x.0), _mm512_extracti64x4_epi64::<1>(at.x.0)];
-        // SAFETY: lanes of `inside` alone are read. Their index is less than the number of values less one,
-        // so that two are there, and less than 2^31. A gather needs no alignment.
-        let [low, high] = unsafe {
-            let (zero, pairs) = (_mm512_setzero_pd(), values.as_ptr().cast());
-            [
-                _mm512_mask_i32gather_pd::<4>(zero, inside as u8, places[0], pairs),
-                _mm512_mask_i32gather_pd::<4>(zero, (inside >> 8) as u8, places[1], pairs),
-            ]
+    /// The number at a place and the one after it, in each lane. Any numbers where there are not both.
+    pub(super) fn gather_two(values: &[f32], at: I) -> Vec2<F> {
+        let cell = gather_cell(values, 0, at);
+        Vec2 { x: cell.x, y: cell.y }
+    }
+}
+
+lanes! {
+    /// The numbers at a place, after it, and the same two a line of so many further on. Any numbers where
+    /// there are not all four.
+    pub(super) fn gather_cell(values: &[f32], width: usize, at: I) -> Vec4<F> {
+        let count = values.len().min(i32::MAX as usize).saturating_sub(width.saturating_add(1)) as u32;
+        let inside = lt_u(u_of_i(at), splat_u(count)).0;
+        let places = [_mm512_castsi512_si256(at.0), _mm512_extracti64x4_epi64::<1>(at.0)];
+        // Both numbers of a line are read at once.
+        let pairs = |start: usize| {
+            let (zero, pairs) = (_mm512_setzero_pd(), values.as_ptr().wrapping_add(start).cast());
+            // SAFETY: lanes of `inside` alone are read. After their place there are a line and one number
+            // more, and it is less than 2^31, so that it is not taken for a negative one. A gather needs no
+            // alignment.
+            let [low, high] = unsafe {
+                [
+                    _mm512_mask_i32gather_pd::<4>(zero, inside as u8, places[0], pairs),
+                    _mm512_mask_i32gather_pd::<4>(zero, (inside >> 8) as u8, places[1], pairs),
+                ]
+            };
+            let (low, high) = (_mm512_castpd_ps(low), _mm512_castpd_ps(high));
+            let first = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+            let second = _mm512_setr_epi32(1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31);
+            (F(_mm512_permutex2var_ps(low, first, high)), F(_mm512_permutex2var_ps(low, second, high)))
         };
-        let (low, high) = (_mm512_castpd_ps(low), _mm512_castpd_ps(high));
-        let first = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
-        let second = _mm512_setr_epi32(1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31);
-        Vec2 {
-            x: F(_mm512_permutex2var_ps(low, first, high)),
-            y: F(_mm512_permutex2var_ps(low, second, high)),
-        }
+        let ((x, y), (z, w)) = (pairs(0), pairs(width));
+        Vec4 { x, y, z, w }
     }
 }
 
@@ -71,9 +79,8 @@ lanes! {
     /// The texels of four numbers at these places; 0 for places that there are not.
     pub(super) fn gather_four(texels: &[[f32; 4]], at: I) -> Vec4<F> {
         let (values, first) = (texels.as_flattened(), mul_i(at, splat_i(4)));
-        let after = |by: i32| add_i(first, splat_i(by));
-        let low = gather_two(values, no_lane(), Vec2 { x: first, y: after(1) });
-        let high = gather_two(values, no_lane(), Vec2 { x: after(2), y: after(3) });
+        let low = gather_two(values, first);
+        let high = gather_two(values, add_i(first, splat_i(2)));
         Vec4 { x: low.x, y: low.y, z: high.x, w: high.y }
     }
 }
