@@ -8,13 +8,23 @@ use relief_render::light::Light;
 use relief_render::scene::{Scene, Surface};
 
 /// The fastest of some rounds of several ways, one after the other in each round, in seconds.
-pub fn fastest<const N: usize>(rounds: u16, mut ways: [&mut dyn FnMut(); N]) -> [f64; N] {
+pub fn fastest<const N: usize>(rounds: u16, ways: [&mut dyn FnMut(); N]) -> [f64; N] {
+    let mut timed = ways.map(|way| {
+        move || {
+            let start = Instant::now();
+            way();
+            start.elapsed().as_secs_f64()
+        }
+    });
+    least(rounds, timed.each_mut().map(|way| way as &mut dyn FnMut() -> f64))
+}
+
+/// The same of ways that say how long they took.
+pub fn least<const N: usize>(rounds: u16, mut ways: [&mut dyn FnMut() -> f64; N]) -> [f64; N] {
     let mut best = [f64::INFINITY; N];
     for _ in 0..rounds {
         for (way, best) in ways.iter_mut().zip(&mut best) {
-            let start = Instant::now();
-            way();
-            *best = best.min(start.elapsed().as_secs_f64());
+            *best = best.min(way());
         }
     }
     best
