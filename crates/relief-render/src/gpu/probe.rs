@@ -9,7 +9,7 @@ use web_time::Instant;
 use wgpu::{BindGroup, BindGroupLayout, Buffer, BufferUsages, CommandEncoder, ComputePipeline};
 
 use super::layouts::group;
-use super::programs::Programs;
+use super::programs::{List, Programs};
 use super::resident::{Common, Resident, Uniform};
 use super::wait::block_on;
 use super::{Gpu, GpuError};
@@ -47,7 +47,7 @@ impl Prober {
         rays: &[PixelIn],
     ) -> Result<Vec<Probe>, GpuError> {
         block_on(async {
-            let pass = self.pass_over_rays(surface, sampling).await?;
+            let pass: Pass<PixelIn, Probe> = self.pass_over(List::Rays, surface, sampling).await?;
             self.results(&pass, rays).await
         })
     }
@@ -65,7 +65,7 @@ impl Prober {
         paths: &[Path],
     ) -> Result<Vec<Hit>, GpuError> {
         block_on(async {
-            let pass = self.pass_over_paths(surface, sampling).await?;
+            let pass: Pass<Path, Hit> = self.pass_over(List::Paths, surface, sampling).await?;
             self.results(&pass, paths).await
         })
     }
@@ -84,7 +84,7 @@ impl Prober {
         rounds: u16,
     ) -> Result<Duration, GpuError> {
         block_on(async {
-            let pass = self.pass_over_paths(surface, sampling).await?;
+            let pass: Pass<Path, Hit> = self.pass_over(List::Paths, surface, sampling).await?;
             let mut all = Duration::ZERO;
             for part in paths.chunks(RAYS) {
                 all += self.least_time(&pass, part, rounds).await?;
@@ -93,24 +93,17 @@ impl Prober {
         })
     }
 
-    async fn pass_over_rays(
+    /// A pass of a surface's stages over a list of that kind.
+    async fn pass_over<Given: Shared, Made: Shared>(
         &mut self,
+        list: List,
         surface: &JobSurface,
         sampling: Sampling,
-    ) -> Result<Pass<PixelIn, Probe>, GpuError> {
-        let program = self.programs.probe(&self.gpu, &surface.selection, sampling).await?;
+    ) -> Result<Pass<Given, Made>, GpuError> {
+        let program = self.programs.over(&self.gpu, list, &surface.selection, sampling).await?;
         let maps = self.maps(surface, sampling).await?;
-        Ok(Pass::new(program, maps, &self.programs.layouts.rays, ["pixels", "probes"]))
-    }
-
-    async fn pass_over_paths(
-        &mut self,
-        surface: &JobSurface,
-        sampling: Sampling,
-    ) -> Result<Pass<Path, Hit>, GpuError> {
-        let program = self.programs.paths(&self.gpu, &surface.selection, sampling).await?;
-        let maps = self.maps(surface, sampling).await?;
-        Ok(Pass::new(program, maps, &self.programs.layouts.paths, ["given_paths", "found_hits"]))
+        let layout = self.programs.layouts.list(list).clone();
+        Ok(Pass { program, maps, layout, names: list.names(), kinds: PhantomData })
     }
 
     /// What the stages of a surface read.
@@ -210,15 +203,6 @@ struct Part {
 }
 
 impl<Given: Shared, Made: Shared> Pass<Given, Made> {
-    fn new(
-        program: ComputePipeline,
-        maps: BindGroup,
-        layout: &BindGroupLayout,
-        names: [&'static str; 2],
-    ) -> Self {
-        Self { program, maps, layout: layout.clone(), names, kinds: PhantomData }
-    }
-
     /// A part of the list on the GPU, and room for what is made of it.
     fn part(&self, gpu: &Gpu, list: &[Given]) -> Result<Part, GpuError> {
         let [given, made] = self.names;

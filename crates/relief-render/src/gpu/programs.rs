@@ -59,10 +59,8 @@ pub struct Layouts {
     pub traced: BindGroupLayout,
     /// Group 1 of the pass that shows.
     pub shown: BindGroupLayout,
-    /// Group 1 of the probe: rays and results.
-    pub rays: BindGroupLayout,
-    /// Group 1 of the pass over paths: these and their hits.
-    pub paths: BindGroupLayout,
+    rays: BindGroupLayout,
+    paths: BindGroupLayout,
     /// Group 1 of the passes that build pyramids: what is read.
     pub pyramid: BindGroupLayout,
     /// What the passes that tessellate bind, where the GPU can bind as much.
@@ -79,8 +77,8 @@ impl Layouts {
             shells: of("shells", &["shell_nodes"]),
             traced: of("traced", &["traced_hit", "traced_what", "records", "sums"]),
             shown: of("shown", &["shown_records", "picture"]),
-            rays: of("rays", &["pixels", "probes"]),
-            paths: of("paths", &["given_paths", "found_hits"]),
+            rays: of("rays", &List::Rays.names()),
+            paths: of("paths", &List::Paths.names()),
             pyramid: of("pyramid", &["finer_level", "heights_below", "pyramid_pass"]),
             tessellated: tessellate::is_possible(device).then(|| tessellate::Groups {
                 counting: of("tessellate", tessellate::COUNTING),
@@ -94,6 +92,40 @@ impl Layouts {
         match sampling {
             Sampling::Exact => &self.exact,
             Sampling::Fast => &self.fast,
+        }
+    }
+
+    /// Group 1 of the programs that go over a list: it, and what they make of it.
+    pub fn list(&self, list: List) -> &BindGroupLayout {
+        match list {
+            List::Rays => &self.rays,
+            List::Paths => &self.paths,
+        }
+    }
+}
+
+/// A list that a program goes over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum List {
+    /// Rays, by all stages.
+    Rays,
+    /// Paths, by search and refinement.
+    Paths,
+}
+
+impl List {
+    /// What the list is bound as, and what is made of it.
+    pub fn names(self) -> [&'static str; 2] {
+        match self {
+            Self::Rays => ["pixels", "probes"],
+            Self::Paths => ["given_paths", "found_hits"],
+        }
+    }
+
+    fn root(self) -> Root {
+        match self {
+            Self::Rays => Root::Probe,
+            Self::Paths => Root::Paths,
         }
     }
 }
@@ -117,8 +149,7 @@ pub struct Programs {
     trace: [[Kept<Variant, RenderPipeline>; 2]; 3],
     stencil: Kept<Variant, StencilPrograms>,
     shade: Kept<Variant, ComputePipeline>,
-    probe: Kept<Variant, ComputePipeline>,
-    paths: Kept<Variant, ComputePipeline>,
+    lists: Kept<(List, Variant), ComputePipeline>,
     /// The same for everything that is chosen.
     resolve: Kept<(), ComputePipeline>,
     show: Kept<(), ComputePipeline>,
@@ -176,8 +207,7 @@ impl Programs {
             trace: std::array::from_fn(|_| [Kept::new(), Kept::new()]),
             stencil: Kept::new(),
             shade: Kept::new(),
-            probe: Kept::new(),
-            paths: Kept::new(),
+            lists: Kept::new(),
             resolve: Kept::new(),
             show: Kept::new(),
             pyramid: Kept::new(),
@@ -343,30 +373,19 @@ impl Programs {
         self.tessellate.get(gpu, &mut self.compiled, sampling, text, compile).await.map(Some)
     }
 
-    /// The program that runs the stages over rays.
-    pub async fn probe(
+    /// The program that runs its stages over a list.
+    pub async fn over(
         &mut self,
         gpu: &Gpu,
+        list: List,
         selection: &Selection,
         sampling: Sampling,
     ) -> Result<ComputePipeline, GpuError> {
-        let groups = [self.layouts.maps(sampling), &self.layouts.rays].map(Clone::clone);
-        let text = || assemble(selection, Root::Probe, sampling);
-        let compile = |text: &str| compute(gpu.device(), text, Root::Probe, &groups.each_ref());
-        self.probe.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
-    }
-
-    /// The program that runs search and refinement over paths.
-    pub async fn paths(
-        &mut self,
-        gpu: &Gpu,
-        selection: &Selection,
-        sampling: Sampling,
-    ) -> Result<ComputePipeline, GpuError> {
-        let groups = [self.layouts.maps(sampling), &self.layouts.paths].map(Clone::clone);
-        let text = || assemble(selection, Root::Paths, sampling);
-        let compile = |text: &str| compute(gpu.device(), text, Root::Paths, &groups.each_ref());
-        self.paths.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
+        let groups = [self.layouts.maps(sampling), self.layouts.list(list)].map(Clone::clone);
+        let text = || assemble(selection, list.root(), sampling);
+        let compile = |text: &str| compute(gpu.device(), text, list.root(), &groups.each_ref());
+        let key = (list, Variant::new(selection, sampling));
+        self.lists.get(gpu, &mut self.compiled, key, text, compile).await
     }
 }
 
