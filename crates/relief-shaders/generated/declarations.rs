@@ -3168,8 +3168,8 @@ fn height_cell(cell: vec2i, level: u32) -> vec4f {
         name: "wrapped_cell",
         sampling: None,
         uses: &["height_map", "height_texels", "wrap_index"],
-        text: r#"// The same for a cell that may lie outside of the map. Lanes have a shorter way for those inside, and come here
-// for the others.
+        text: r#"// The same for a cell that may lie outside of the map. Lanes have a shorter way for those inside, and come
+// here for the others.
 fn wrapped_cell(cell: vec2i, level: u32) -> vec4f {
     let n = height_texels(level);
     let k = i32(level);

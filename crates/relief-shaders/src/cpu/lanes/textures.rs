@@ -25,15 +25,15 @@ lanes! {
 }
 
 lanes! {
-    /// The function `whole_cell` of the shaders: these numbers convert without a look at what is out of range.
+    /// The function `whole_cell` of the shaders. These numbers are all in range, so that none is looked at.
     pub(super) fn whole_cell(_r: &Resources<'_>, _within: M, cell: Vec2<F>) -> Vec2<I> {
         Vec2 { x: i_of_small(cell.x), y: i_of_small(cell.y) }
     }
 }
 
 lanes! {
-    /// The function `height_cell` of the shaders. Mostly all cells lie inside the map, where no index needs to
-    /// be wrapped.
+    /// The function `height_cell` of the shaders. Mostly all cells lie inside the map, where no index is
+    /// wrapped.
     pub(super) fn height_cell(r: &Resources<'_>, within: M, cell: Vec2<I>, level: u32) -> Vec4<F> {
         let n = r.height_texels(level);
         let inside = and(
