@@ -89,10 +89,8 @@ impl<V: Vector> CellHits<V> {
         let begins_below = c0.le(zero);
         let crosses = (c0 + way * (c1 + way * c2)).le(zero);
         let turns = c1.lt(zero).and(c1.negated().lt(splat(2.0) * c2 * way));
+        // No way out here where no lane may hit: a branch that is foreseen wrongly costs more than the root.
         let may_hit = inside.and(begins_below.or(crosses).or(turns));
-        if may_hit.bits() == 0 {
-            return 0;
-        }
         let disc = c1 * c1 - splat(4.0) * c0 * c2;
         let real = zero.le(disc);
         let sqrt = disc.sqrt();

@@ -69,6 +69,16 @@ struct Left {
     touched: Touched,
 }
 
+/// What is left of the blocks above the one that is searched, level by level. Made once for many packets, as
+/// making it takes a packet's search some hundredths.
+pub(super) struct Stack([Left; MAX_LEVELS]);
+
+impl Stack {
+    pub fn new() -> Self {
+        Self([Left { corner: [0; 2], touched: Touched { nodes: 0, by: [0; NODES] } }; MAX_LEVELS])
+    }
+}
+
 impl<V: Vector> Singles<V> {
     #[inline(always)]
     pub fn new(v: V, rays: &Rays<V>) -> Self {
@@ -131,7 +141,7 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
 
     /// Finds the first hits of the group.
     #[inline(always)]
-    pub fn run(&mut self) {
+    pub fn run(&mut self, stack: &mut Stack) {
         let Some(level) = self.hierarchy.levels().get(self.group.level) else { return };
         let [wide, high] = self.group.window;
         let (columns, rows) = (wide[1] - wide[0] + 1, high[1] - high[0] + 1);
@@ -147,18 +157,14 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
         for at in 0..rows {
             let row = turn(self.group.flip[1], at, high);
             let [enter_y, leave_y] = self.row(row as f32 * side, 0, side, near_y, far_y);
-            let mut by = [0u32; MOST_NODES];
-            for (at, ([enter, leave], by)) in (0..columns).zip(across.iter().zip(&mut by)) {
-                let column = turn(self.group.flip[0], at, wide);
-                let maximum = Single::splat(self.v, level.node([column, row]));
-                *by = self.touches(maximum, enter.max(enter_y), leave.min(leave_y));
-            }
-            for (at, by) in (0..columns).zip(by) {
-                if by & self.alive != 0 {
-                    let node = [turn(self.group.flip[0], at, wide), row];
-                    let by = by & self.alive & self.windows_with(node);
+            for (at, [enter, leave]) in (0..columns).zip(&across) {
+                let node = [turn(self.group.flip[0], at, wide), row];
+                let maximum = Single::splat(self.v, level.node(node));
+                let by = self.touches(maximum, enter.max(enter_y), leave.min(leave_y)) & self.alive;
+                if by != 0 {
+                    let by = by & self.windows_with(node);
                     if by != 0 {
-                        self.below(node, by);
+                        self.below(node, by, stack);
                         if self.alive == 0 {
                             return;
                         }
@@ -179,10 +185,8 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
 
     /// Goes down from a node of the first level.
     #[inline(always)]
-    fn below(&mut self, node: [u32; 2], by: u32) {
+    fn below(&mut self, node: [u32; 2], by: u32, stack: &mut Stack) {
         let levels = self.hierarchy.levels();
-        let nothing = Left { corner: [0; 2], touched: Touched { nodes: 0, by: [0; NODES] } };
-        let mut stack = [nothing; MAX_LEVELS];
         let (mut level, mut node, mut by) = (self.group.level, node, by);
         loop {
             if level == 0 {
@@ -199,14 +203,14 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
                 let maxima = pulp::bytemuck::cast_ref(block);
                 self.hits.count(by, BLOCK_BYTES);
                 let touched = self.touched(maxima, edge(corner, level), size(level), by);
-                stack[level % MAX_LEVELS] = Left { corner, touched };
+                stack.0[level % MAX_LEVELS] = Left { corner, touched };
             }
             // The next node.
             loop {
                 if level == self.group.level {
                     return;
                 }
-                let left = &mut stack[level % MAX_LEVELS];
+                let left = &mut stack.0[level % MAX_LEVELS];
                 if left.touched.nodes == 0 {
                     level += 1;
                     continue;

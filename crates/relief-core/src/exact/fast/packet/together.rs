@@ -4,7 +4,7 @@ use pulp::NullaryFnOnce;
 use pulp::x86::{V3, V4};
 
 use super::cell::CellHits;
-use super::search::{Group, MOST_NODES, Search, Singles};
+use super::search::{Group, MOST_NODES, Search, Singles, Stack};
 use super::setup::{HalfRays, half_rays};
 use super::vector::{Double, Mask, Single, Vector};
 use super::{FastTracer, HitPacket, PathPacket};
@@ -75,10 +75,11 @@ impl<V: Vector> NullaryFnOnce for Trace<'_, V> {
     #[inline(always)]
     fn call(self) {
         let Self { v, tracer, paths, answers } = self;
+        let mut stack = Stack::new();
         for (paths, answers) in paths.iter().zip(answers) {
             (answers.found, answers.exhausted) = (0, 0);
             for first in (0..PathPacket::LEN).step_by(V::F32_LANES) {
-                let Found { rays, hits, one_by_one, alone } = search(v, tracer, paths, first);
+                let Found { rays, hits, one_by_one, alone } = search(v, tracer, paths, first, &mut stack);
                 answers.found |= (hits.found << first) as u16;
                 for (half, rays) in rays.iter().enumerate() {
                     let first = first + half * V::F64_LANES;
@@ -104,10 +105,11 @@ impl<V: Vector> NullaryFnOnce for Blocked<'_, V> {
     #[inline(always)]
     fn call(self) {
         let Self { v, tracer, paths, blocked } = self;
+        let mut stack = Stack::new();
         for (paths, blocked) in paths.iter().zip(blocked) {
             *blocked = 0;
             for first in (0..PathPacket::LEN).step_by(V::F32_LANES) {
-                let Found { rays, hits, one_by_one, alone } = search(v, tracer, paths, first);
+                let Found { rays, hits, one_by_one, alone } = search(v, tracer, paths, first, &mut stack);
                 *blocked |= (hits.found << first) as u16;
                 for lane in lanes_of(one_by_one) {
                     let ray = rays[lane / V::F64_LANES].lane(lane % V::F64_LANES).ray;
@@ -143,7 +145,13 @@ struct Found<V: Vector> {
 
 /// Searches for the hits of as many paths as a vector has lanes, from a lane on.
 #[inline(always)]
-fn search<V: Vector>(v: V, tracer: &FastTracer, paths: &PathPacket, first: usize) -> Found<V> {
+fn search<V: Vector>(
+    v: V,
+    tracer: &FastTracer,
+    paths: &PathPacket,
+    first: usize,
+    stack: &mut Stack,
+) -> Found<V> {
     let low = half_rays(v, tracer, paths, first);
     let high = half_rays(v, tracer, paths, first + V::F64_LANES);
     let rays = [low, high];
@@ -178,9 +186,9 @@ fn search<V: Vector>(v: V, tracer: &FastTracer, paths: &PathPacket, first: usize
                 left = 0;
             }
         } else if falls >> first & 1 == 1 {
-            Search::<V, true>::new(v, &tracer.hierarchy, &rays, &singles, &group, &mut hits).run();
+            Search::<V, true>::new(v, &tracer.hierarchy, &rays, &singles, &group, &mut hits).run(stack);
         } else {
-            Search::<V, false>::new(v, &tracer.hierarchy, &rays, &singles, &group, &mut hits).run();
+            Search::<V, false>::new(v, &tracer.hierarchy, &rays, &singles, &group, &mut hits).run(stack);
         }
     }
     Found { rays, hits, one_by_one, alone }
