@@ -288,6 +288,7 @@ impl FastTracer {
     }
 
     /// The last point of a path that was given up.
+    #[cold]
     fn given_up(&self, path: &Path, t: f64, cost: Cost) -> ExactHit {
         let [u, v, h] = path.at(t);
         let place = [u * f64::from(self.sides[0]) - 0.5, v * f64::from(self.sides[1]) - 0.5];

@@ -59,30 +59,64 @@ pub(super) fn size(level: usize) -> f32 {
     (1i32 << (2 * level + 2)) as f32
 }
 
+/// What a search does otherwise for some rays: known to the compiler for one ray, and not for many.
+pub(super) trait Kind: Copy {
+    /// The height is not linear.
+    fn is_bent(self) -> bool;
+    /// The ray falls; else it rises or is level.
+    fn falls(self) -> bool;
+    /// The ray goes left and down, or right and up.
+    fn is_crosswise(self) -> bool;
+}
+
+/// The kind of one ray.
+#[derive(Clone, Copy)]
+struct Always<const BENT: bool, const FALLS: bool, const CROSSWISE: bool>;
+
+impl<const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Kind for Always<BENT, FALLS, CROSSWISE> {
+    #[inline(always)]
+    fn is_bent(self) -> bool {
+        BENT
+    }
+
+    #[inline(always)]
+    fn falls(self) -> bool {
+        FALLS
+    }
+
+    #[inline(always)]
+    fn is_crosswise(self) -> bool {
+        CROSSWISE
+    }
+}
+
 /// Traces a ray that falls all the way, or rises, or is level.
 #[inline(always)]
 pub(super) fn trace(hierarchy: &Hierarchy, ray: &TileRay, cost: &mut Cost) -> Option<CellHit> {
     let bent = ray.height[2] != 0.0;
     let falls = ray.height[1] + ray.length * ray.height[2] < 0.0;
-    let crosswise = (ray.per_cell[0] < 0.0) != (ray.per_cell[1] < 0.0);
-    match (bent, falls, crosswise) {
-        (false, true, false) => Search::<false, true, false>::new(hierarchy, ray).run(cost),
-        (false, true, true) => Search::<false, true, true>::new(hierarchy, ray).run(cost),
-        (false, false, false) => Search::<false, false, false>::new(hierarchy, ray).run(cost),
-        (false, false, true) => Search::<false, false, true>::new(hierarchy, ray).run(cost),
-        (true, true, false) => Search::<true, true, false>::new(hierarchy, ray).run(cost),
-        (true, true, true) => Search::<true, true, true>::new(hierarchy, ray).run(cost),
-        (true, false, false) => Search::<true, false, false>::new(hierarchy, ray).run(cost),
-        (true, false, true) => Search::<true, false, true>::new(hierarchy, ray).run(cost),
+    match (bent, falls, is_crosswise(ray)) {
+        (false, true, false) => Search::new(hierarchy, ray, Always::<false, true, false>).run(cost),
+        (false, true, true) => Search::new(hierarchy, ray, Always::<false, true, true>).run(cost),
+        (false, false, false) => Search::new(hierarchy, ray, Always::<false, false, false>).run(cost),
+        (false, false, true) => Search::new(hierarchy, ray, Always::<false, false, true>).run(cost),
+        (true, true, false) => Search::new(hierarchy, ray, Always::<true, true, false>).run(cost),
+        (true, true, true) => Search::new(hierarchy, ray, Always::<true, true, true>).run(cost),
+        (true, false, false) => Search::new(hierarchy, ray, Always::<true, false, false>).run(cost),
+        (true, false, true) => Search::new(hierarchy, ray, Always::<true, false, true>).run(cost),
     }
 }
 
-/// The search for one ray. Places in `f32` are in cells from the cell where the ray begins.
-///
-/// `CROSSWISE` says that the ray goes left and down, or right and up.
-struct Search<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> {
-    hierarchy: &'a Hierarchy,
-    ray: &'a TileRay,
+/// Whether a ray goes left and down, or right and up.
+#[inline(always)]
+pub(super) fn is_crosswise(ray: &TileRay) -> bool {
+    (ray.per_cell[0] < 0.0) != (ray.per_cell[1] < 0.0)
+}
+
+/// A ray in `f32`. Places are in cells from the cell where the ray begins.
+#[derive(Clone, Copy)]
+pub(super) struct Line<K> {
+    kind: K,
     /// The cell where the ray begins.
     origin: [i32; 2],
     /// `s` a cell.
@@ -95,14 +129,24 @@ struct Search<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> {
     height: [f32; 3],
     per_height: f32,
     length: f32,
-    start_level: usize,
+    /// The level of the window.
+    pub start_level: usize,
+    /// The first column and row of the window of 4 x 4 nodes that holds the ray.
+    pub window: [u32; 2],
     /// The ray goes left.
     backward: bool,
 }
 
-impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, BENT, FALLS, CROSSWISE> {
+/// The search for one ray.
+struct Search<'a, K> {
+    hierarchy: &'a Hierarchy,
+    ray: &'a TileRay,
+    line: Line<K>,
+}
+
+impl<K: Kind> Line<K> {
     #[inline(always)]
-    fn new(hierarchy: &'a Hierarchy, ray: &'a TileRay) -> Self {
+    pub fn new(hierarchy: &Hierarchy, ray: &TileRay, kind: K) -> Self {
         let travel = (ray.length * greater(ray.step[0].abs(), ray.step[1].abs())) as f32;
         let top = hierarchy.levels().len() - 1;
         // The finest level at which a window of 4 x 4 nodes holds the whole ray, wherever in its node it
@@ -119,9 +163,14 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
         let per_cell = [ray.per_cell[0] as f32, ray.per_cell[1] as f32];
         let grow = node * (BLOCK as f32 * GROWTH);
         let per_height = (1.0 / (ray.height[1] + 0.0)).clamp(-MOST_PER_HEIGHT, MOST_PER_HEIGHT);
+        let sides = hierarchy.levels()[start_level].sides;
+        let corner = |k: usize| {
+            let node = (origin[k].max(0) as u32) >> (2 * start_level + 2);
+            let first = if per_cell[k] < 0.0 { node.saturating_sub(BLOCK as u32 - 1) } else { node };
+            first.min(sides[k] - BLOCK as u32)
+        };
         Self {
-            hierarchy,
-            ray,
+            kind,
             origin,
             per_cell,
             before: [within[0] * per_cell[0], within[1] * per_cell[1]],
@@ -130,56 +179,9 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
             per_height: per_height as f32,
             length: ray.length as f32 * (1.0 + GROWTH),
             start_level,
+            window: [corner(0), corner(1)],
             backward: per_cell[0] < 0.0,
         }
-    }
-
-    fn run(&self, cost: &mut Cost) -> Option<CellHit> {
-        let levels = self.hierarchy.levels();
-        let start = self.start_level;
-        let window = self.window_corner(levels[start].sides, start);
-        // What is left of the blocks above the one being searched.
-        let mut masks = [0u16; MAX_LEVELS];
-        let mut level = start;
-        let mut corner = window;
-        let mut mask = self.touched(&levels[level].window(window), edge(window, level), size(level));
-        cost.step(1, BLOCK_BYTES);
-        loop {
-            while mask == 0 {
-                if level >= start {
-                    return None;
-                }
-                level += 1;
-                mask = u32::from(masks[level % MAX_LEVELS]);
-                let parent = [corner[0] >> 2, corner[1] >> 2];
-                corner = if level == start { window } else { [parent[0] & !3, parent[1] & !3] };
-            }
-            let [column, row] = self.take_first(&mut mask);
-            let node = [corner[0] + column, corner[1] + row];
-            if level == 0 {
-                let hit = self.tile(node, cost);
-                if hit.is_some() {
-                    return hit;
-                }
-                continue;
-            }
-            masks[level % MAX_LEVELS] = mask as u16;
-            level -= 1;
-            corner = [node[0] * BLOCK as u32, node[1] * BLOCK as u32];
-            mask = self.touched(levels[level].block(node)?, edge(corner, level), size(level));
-            cost.step(1, BLOCK_BYTES);
-        }
-    }
-
-    /// The window of 4 x 4 nodes that reaches from the node of a cell along the ray.
-    #[inline(always)]
-    fn window_corner(&self, sides: [u32; 2], level: usize) -> [u32; 2] {
-        let corner = |k: usize| {
-            let node = (self.origin[k].max(0) as u32) >> (2 * level + 2);
-            let first = if self.per_cell[k] < 0.0 { node.saturating_sub(BLOCK as u32 - 1) } else { node };
-            first.min(sides[k] - BLOCK as u32)
-        };
-        [corner(0), corner(1)]
     }
 
     /// Which of 4 x 4 nodes, `size` cells wide and beginning at those edges, the ray touches. Column `c` of
@@ -188,7 +190,7 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
     /// Whether a node is touched is up to the ray and the node alone, so that packets of rays come to the
     /// same nodes.
     #[inline(always)]
-    fn touched(&self, maxima: &[Vec4; BLOCK], edges: [i32; 2], size: f32) -> u32 {
+    pub fn touched(&self, maxima: &[Vec4; BLOCK], edges: [i32; 2], size: f32) -> u32 {
         let enter_and_leave = |k: usize| {
             let across = size * self.per_cell[k];
             let (near, far) = (across.min(0.0) - self.slack[k], across.max(0.0) + self.slack[k]);
@@ -203,16 +205,16 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
         let row = |k: usize, enter_y: f32, leave_y: f32| {
             let enter = enter_x.max(Vec4::splat(enter_y));
             let leave = leave_x.min(Vec4::splat(leave_y));
-            let touched = if BENT {
-                let s = if FALLS { leave } else { enter };
+            let touched = if self.kind.is_bent() {
+                let s = if self.kind.falls() { leave } else { enter };
                 let height = Vec4::splat(h0) + s * (Vec4::splat(h1) + s * Vec4::splat(h2));
                 enter.cmple(leave) & height.cmple(maxima[k])
             } else {
                 // Where the ray is as high as the node.
                 let level = (maxima[k] - Vec4::splat(h0)) * Vec4::splat(self.per_height);
-                if FALLS { level.max(enter).cmple(leave) } else { enter.cmple(level.min(leave)) }
+                if self.kind.falls() { level.max(enter).cmple(leave) } else { enter.cmple(level.min(leave)) }
             };
-            touched.bitmask() << (4 * if CROSSWISE { BLOCK - 1 - k } else { k })
+            touched.bitmask() << (4 * if self.kind.is_crosswise() { BLOCK - 1 - k } else { k })
         };
         row(0, enter_y.x, leave_y.x)
             | row(1, enter_y.y, leave_y.y)
@@ -226,10 +228,53 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
     /// and up in the reverse order; for crosswise rays the rows of the mask are upside down, so that the same
     /// holds.
     #[inline(always)]
-    fn take_first(&self, mask: &mut u32) -> [u32; 2] {
+    pub fn take_first(&self, mask: &mut u32) -> [u32; 2] {
         let bit = if self.backward { 31 - mask.leading_zeros() } else { mask.trailing_zeros() };
         *mask ^= 1 << bit;
-        [bit & 3, (bit >> 2) ^ if CROSSWISE { 3 } else { 0 }]
+        [bit & 3, (bit >> 2) ^ if self.kind.is_crosswise() { 3 } else { 0 }]
+    }
+}
+
+impl<'a, K: Kind> Search<'a, K> {
+    #[inline(always)]
+    fn new(hierarchy: &'a Hierarchy, ray: &'a TileRay, kind: K) -> Self {
+        Self { hierarchy, ray, line: Line::new(hierarchy, ray, kind) }
+    }
+
+    fn run(&self, cost: &mut Cost) -> Option<CellHit> {
+        let levels = self.hierarchy.levels();
+        let (start, window) = (self.line.start_level, self.line.window);
+        // What is left of the blocks above the one being searched.
+        let mut masks = [0u16; MAX_LEVELS];
+        let mut level = start;
+        let mut corner = window;
+        let mut mask = self.line.touched(&levels[level].window(window), edge(window, level), size(level));
+        cost.step(1, BLOCK_BYTES);
+        loop {
+            while mask == 0 {
+                if level >= start {
+                    return None;
+                }
+                level += 1;
+                mask = u32::from(masks[level % MAX_LEVELS]);
+                let parent = [corner[0] >> 2, corner[1] >> 2];
+                corner = if level == start { window } else { [parent[0] & !3, parent[1] & !3] };
+            }
+            let [column, row] = self.line.take_first(&mut mask);
+            let node = [corner[0] + column, corner[1] + row];
+            if level == 0 {
+                let hit = self.tile(node, cost);
+                if hit.is_some() {
+                    return hit;
+                }
+                continue;
+            }
+            masks[level % MAX_LEVELS] = mask as u16;
+            level -= 1;
+            corner = [node[0] * BLOCK as u32, node[1] * BLOCK as u32];
+            mask = self.line.touched(levels[level].block(node)?, edge(corner, level), size(level));
+            cost.step(1, BLOCK_BYTES);
+        }
     }
 
     /// The first hit in a tile.
@@ -237,10 +282,10 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
     fn tile(&self, node: [u32; 2], cost: &mut Cost) -> Option<CellHit> {
         let tile = self.hierarchy.tile(node)?;
         let corner = [node[0] * BLOCK as u32, node[1] * BLOCK as u32];
-        let mut mask = self.touched(&tile.cell_maxima(), [corner[0] as i32, corner[1] as i32], 1.0);
+        let mut mask = self.line.touched(&tile.cell_maxima(), [corner[0] as i32, corner[1] as i32], 1.0);
         cost.step(1, TILE_BYTES);
         while mask != 0 {
-            let cell = self.take_first(&mut mask);
+            let cell = self.line.take_first(&mut mask);
             cost.step(1, CELL_BYTES);
             let hit = self.cell(tile, corner, cell);
             if hit.is_some() {

@@ -1,10 +1,81 @@
 //! Cells in `f64` lanes.
 
+use super::PathPacket;
 use super::setup::HalfRays;
 use super::vector::{Double, Mask, Vector};
 
 /// The rays of a packet, in two halves.
 pub(super) type Rays<V> = [HalfRays<V>; 2];
+
+/// What a cell's patch has in it, of one cell or of one in each lane: where it begins and ends, and its
+/// height as `h00 + bx u + by v + d u v`.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Patch<T> {
+    first: [T; 2],
+    last: [T; 2],
+    h00: T,
+    bx: T,
+    by: T,
+    d: T,
+}
+
+impl Patch<f64> {
+    /// The patch of a cell with those corners.
+    #[inline(always)]
+    pub fn new(cell: [u32; 2], corners: [f32; 4]) -> Self {
+        let first = cell.map(f64::from);
+        let [h00, h10, h01, h11] = corners.map(f64::from);
+        let (bx, by, d) = (h10 - h00, h01 - h00, (h00 - h10) + (h11 - h01));
+        Self { first, last: [first[0] + 1.0, first[1] + 1.0], h00, bx, by, d }
+    }
+
+    /// The same in every lane.
+    #[inline(always)]
+    fn splat<V: Vector>(self, v: V) -> Patch<Double<V>> {
+        let splat = |x: f64| Double::splat(v, x);
+        let [x, y] = self.first;
+        let [to_x, to_y] = self.last;
+        Patch {
+            first: [splat(x), splat(y)],
+            last: [splat(to_x), splat(to_y)],
+            h00: splat(self.h00),
+            bx: splat(self.bx),
+            by: splat(self.by),
+            d: splat(self.d),
+        }
+    }
+}
+
+/// A cell's patch for each lane.
+pub(super) type Patches = Patch<[f64; PathPacket::LEN]>;
+
+impl Patches {
+    #[inline(always)]
+    pub fn set(&mut self, lane: usize, patch: Patch<f64>) {
+        for k in 0..2 {
+            self.first[k][lane] = patch.first[k];
+            self.last[k][lane] = patch.last[k];
+        }
+        self.h00[lane] = patch.h00;
+        self.bx[lane] = patch.bx;
+        self.by[lane] = patch.by;
+        self.d[lane] = patch.d;
+    }
+
+    /// The patches of half a packet, from a lane on.
+    #[inline(always)]
+    fn load<V: Vector>(&self, v: V, first: usize) -> Patch<Double<V>> {
+        let load = |numbers: &[f64; PathPacket::LEN]| Double::load(v, numbers, first);
+        Patch {
+            first: [load(&self.first[0]), load(&self.first[1])],
+            last: [load(&self.last[0]), load(&self.last[1])],
+            h00: load(&self.h00),
+            bx: load(&self.bx),
+            by: load(&self.by),
+            d: load(&self.d),
+        }
+    }
+}
 
 /// Where the rays of a packet hit, as far as is known, and what that took.
 pub(super) struct CellHits<V: Vector> {
@@ -40,23 +111,26 @@ impl<V: Vector> CellHits<V> {
     /// `Gap::first_root` without its branches.
     #[inline(always)]
     pub fn cell(&mut self, v: V, rays: &Rays<V>, corners: [f32; 4], cell: [u32; 2], lanes: u32) -> u32 {
-        let low = self.half_cell(v, rays, corners, cell, lanes, 0);
-        let high = self.half_cell(v, rays, corners, cell, lanes >> V::F64_LANES, 1);
+        let patch = Patch::new(cell, corners);
+        let low = self.half_cell(v, rays, patch.splat(v), lanes, 0);
+        let high = self.half_cell(v, rays, patch.splat(v), lanes >> V::F64_LANES, 1);
+        let hit = low | high << V::F64_LANES;
+        self.found |= hit;
+        hit
+    }
+
+    /// Solves a cell of its own for each of some lanes and returns those that hit.
+    #[inline(always)]
+    pub fn cells(&mut self, v: V, rays: &Rays<V>, patches: &Patches, lanes: u32) -> u32 {
+        let low = self.half_cell(v, rays, patches.load(v, 0), lanes, 0);
+        let high = self.half_cell(v, rays, patches.load(v, V::F64_LANES), lanes >> V::F64_LANES, 1);
         let hit = low | high << V::F64_LANES;
         self.found |= hit;
         hit
     }
 
     #[inline(always)]
-    fn half_cell(
-        &mut self,
-        v: V,
-        rays: &Rays<V>,
-        corners: [f32; 4],
-        cell: [u32; 2],
-        lanes: u32,
-        half: usize,
-    ) -> u32 {
+    fn half_cell(&mut self, v: V, rays: &Rays<V>, patch: Patch<Double<V>>, lanes: u32, half: usize) -> u32 {
         let lanes = lanes & ((1 << V::F64_LANES) - 1);
         if lanes == 0 {
             return 0;
@@ -64,23 +138,21 @@ impl<V: Vector> CellHits<V> {
         let ray = &rays[half];
         let splat = |x: f64| Double::splat(v, x);
         let zero = splat(0.0);
-        let places = cell.map(f64::from);
-        let [x, y] = places.map(splat);
-        let ((near_x, far_x), (near_y, far_y)) = (crossings(ray, 0, places[0]), crossings(ray, 1, places[1]));
+        let Patch { first: [x, y], last, h00, bx, by, d } = patch;
+        let (near_x, far_x) = crossings(ray, 0, x, last[0]);
+        let (near_y, far_y) = crossings(ray, 1, y, last[1]);
         let enter = near_x.greater(near_y).greater(zero);
         let leave = far_x.lesser(far_y).lesser(ray.length);
         let inside = Mask::of(v, lanes).and(enter.le(leave));
 
         // `Gap::in_cell`
-        let [h00, h10, h01, h11] = corners.map(f64::from);
-        let (bx, by, d) = (splat(h10 - h00), splat(h01 - h00), splat((h00 - h10) + (h11 - h01)));
         let [du, dv] = ray.step;
         let u = ray.start[0] + du * enter - x;
         let v_ = ray.start[1] + dv * enter - y;
         let [r0, r1, r2] = ray.height;
         let height = [r0 + enter * (r1 + enter * r2), r1 + splat(2.0) * enter * r2, r2];
         let slope_v = by + d * u;
-        let c0 = height[0] - (splat(h00) + bx * u + slope_v * v_);
+        let c0 = height[0] - (h00 + bx * u + slope_v * v_);
         let c1 = height[1] - ((bx + d * v_) * du + slope_v * dv);
         let c2 = height[2] - d * du * dv;
 
@@ -114,9 +186,13 @@ impl<V: Vector> CellHits<V> {
 
 /// Where rays cross a cell's first and last edge on an axis, in their order.
 #[inline(always)]
-fn crossings<V: Vector>(ray: &HalfRays<V>, axis: usize, edge: f64) -> (Double<V>, Double<V>) {
-    let v = ray.length.token();
-    let low = (Double::splat(v, edge) - ray.start[axis]) * ray.per_cell[axis];
-    let high = (Double::splat(v, edge + 1.0) - ray.start[axis]) * ray.per_cell[axis];
+fn crossings<V: Vector>(
+    ray: &HalfRays<V>,
+    axis: usize,
+    first: Double<V>,
+    last: Double<V>,
+) -> (Double<V>, Double<V>) {
+    let low = (first - ray.start[axis]) * ray.per_cell[axis];
+    let high = (last - ray.start[axis]) * ray.per_cell[axis];
     (low.lesser(high), low.greater(high))
 }

@@ -41,25 +41,15 @@ pub(super) struct HalfRays<V: Vector> {
 
 impl<V: Vector> HalfRays<V> {
     /// The ray of a lane.
-    pub fn lane(&self, lane: usize) -> Placed {
-        let ray = TileRay {
+    pub fn lane(&self, lane: usize) -> TileRay {
+        TileRay {
             start: [self.start[0].lane(lane), self.start[1].lane(lane)],
             step: [self.step[0].lane(lane), self.step[1].lane(lane)],
             per_cell: [self.per_cell[0].lane(lane), self.per_cell[1].lane(lane)],
             height: [self.height[0].lane(lane), self.height[1].lane(lane), self.height[2].lane(lane)],
             length: self.length.lane(lane),
-        };
-        let shift = [self.shift[0].lane(lane), self.shift[1].lane(lane)];
-        Placed { ray, shift, t0: self.t0.lane(lane), unit: self.unit.lane(lane) }
+        }
     }
-}
-
-/// A ray and what leads back to its path.
-pub(super) struct Placed {
-    pub ray: TileRay,
-    pub shift: [f64; 2],
-    pub t0: f64,
-    pub unit: f64,
 }
 
 /// The rays of `V::F64_LANES` paths of a packet, from a lane on.

@@ -7,13 +7,12 @@ use super::cell::CellHits;
 use super::search::{Group, MOST_NODES, Search, Singles, Stack};
 use super::setup::{HalfRays, half_rays};
 use super::vector::{Double, Mask, Single, Vector};
-use super::{FastTracer, HitPacket, PathPacket};
-use crate::exact::ExactHit;
+use super::{FastTracer, HitPacket, PathPacket, strays};
+use crate::Lanes;
 use crate::exact::fast::hierarchy::BLOCK;
-use crate::exact::fast::traverse::{self, size};
-use crate::{Cost, Lanes, Path};
+use crate::exact::fast::traverse::size;
 
-/// The fewest rays that go down together. Fewer are faster one by one.
+/// The fewest rays that go down together. Fewer are faster each on its own way.
 const FEWEST: u32 = 3;
 
 /// How many of a group's rays must come to a node of its window, on average, for packets to pay.
@@ -79,7 +78,7 @@ impl<V: Vector> NullaryFnOnce for Trace<'_, V> {
         for (paths, answers) in paths.iter().zip(answers) {
             (answers.found, answers.exhausted) = (0, 0);
             for first in (0..PathPacket::LEN).step_by(V::F32_LANES) {
-                let Found { rays, hits, one_by_one, alone } = search(v, tracer, paths, first, &mut stack);
+                let Found { rays, hits, alone } = search(v, tracer, paths, first, &mut stack);
                 answers.found |= (hits.found << first) as u16;
                 for (half, rays) in rays.iter().enumerate() {
                     let first = first + half * V::F64_LANES;
@@ -87,10 +86,6 @@ impl<V: Vector> NullaryFnOnce for Trace<'_, V> {
                 }
                 store(&mut answers.steps, first, hits.steps, V::as_mut_simd_u32s);
                 store(&mut answers.bytes, first, hits.bytes, V::as_mut_simd_u32s);
-                for lane in lanes_of(one_by_one) {
-                    let path = paths.path(first + lane);
-                    answers.set(first + lane, &search_one(tracer, &rays, lane, &path));
-                }
                 for lane in lanes_of(alone) {
                     answers.set(first + lane, &tracer.trace(&paths.path(first + lane)));
                 }
@@ -109,13 +104,8 @@ impl<V: Vector> NullaryFnOnce for Blocked<'_, V> {
         for (paths, blocked) in paths.iter().zip(blocked) {
             *blocked = 0;
             for first in (0..PathPacket::LEN).step_by(V::F32_LANES) {
-                let Found { rays, hits, one_by_one, alone } = search(v, tracer, paths, first, &mut stack);
+                let Found { hits, alone, .. } = search(v, tracer, paths, first, &mut stack);
                 *blocked |= (hits.found << first) as u16;
-                for lane in lanes_of(one_by_one) {
-                    let ray = rays[lane / V::F64_LANES].lane(lane % V::F64_LANES).ray;
-                    let hit = traverse::trace(&tracer.hierarchy, &ray, &mut Cost::default());
-                    *blocked |= u16::from(hit.is_some()) << (first + lane);
-                }
                 for lane in lanes_of(alone) {
                     *blocked |= u16::from(tracer.is_blocked(&paths.path(first + lane))) << (first + lane);
                 }
@@ -125,7 +115,7 @@ impl<V: Vector> NullaryFnOnce for Blocked<'_, V> {
 }
 
 /// The lanes of a set, one after the other.
-fn lanes_of(mut set: u32) -> impl Iterator<Item = usize> {
+pub(super) fn lanes_of(mut set: u32) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let lane = set.trailing_zeros() as usize;
         set &= set.wrapping_sub(1);
@@ -137,8 +127,6 @@ fn lanes_of(mut set: u32) -> impl Iterator<Item = usize> {
 struct Found<V: Vector> {
     rays: [HalfRays<V>; 2],
     hits: CellHits<V>,
-    /// Rays that nothing goes together with.
-    one_by_one: u32,
     /// Paths that are no such rays.
     alone: u32,
 }
@@ -164,12 +152,12 @@ fn search<V: Vector>(
     let mut left = both(low.together, high.together);
     let mut hits = CellHits::new(v);
     if left == 0 {
-        return Found { rays, hits, one_by_one: 0, alone };
+        return Found { rays, hits, alone };
     }
     let falls = both(low.falls, high.falls);
     let backward = [both(low.backward[0], high.backward[0]), both(low.backward[1], high.backward[1])];
     let singles = Singles::new(v, &rays);
-    let (mut one_by_one, mut strays) = (0, 0);
+    let (mut strays, mut groups) = (0, 0);
     while left != 0 {
         let first = left.trailing_zeros();
         // Those on whose side of a choice the first ray is.
@@ -179,10 +167,10 @@ fn search<V: Vector>(
         let (group, pays) = grouped(v, tracer, &rays, level, same, first, backward);
         left &= !group.lanes;
         if !pays {
-            one_by_one |= group.lanes;
-            strays += 1;
-            if strays == MOST_STRAYS {
-                one_by_one |= left;
+            strays |= group.lanes;
+            groups += 1;
+            if groups == MOST_STRAYS {
+                strays |= left;
                 left = 0;
             }
         } else if falls >> first & 1 == 1 {
@@ -191,16 +179,10 @@ fn search<V: Vector>(
             Search::<V, false>::new(v, &tracer.hierarchy, &rays, &singles, &group, &mut hits).run(stack);
         }
     }
-    Found { rays, hits, one_by_one, alone }
-}
-
-/// Traces the ray of a lane by itself.
-#[inline(never)]
-fn search_one<V: Vector>(tracer: &FastTracer, rays: &[HalfRays<V>; 2], lane: usize, path: &Path) -> ExactHit {
-    let mut cost = Cost::default();
-    let placed = rays[lane / V::F64_LANES].lane(lane % V::F64_LANES);
-    let outcome = tracer.search_tile(path, &placed.ray, placed.shift, [placed.t0, placed.unit], &mut cost);
-    tracer.answer(path, outcome, cost)
+    if strays != 0 {
+        strays::search(v, &tracer.hierarchy, &rays, strays, &mut hits);
+    }
+    Found { rays, hits, alone }
 }
 
 /// The level at which a ray begins, and those of some others that begin there.
