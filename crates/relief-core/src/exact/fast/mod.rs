@@ -9,6 +9,7 @@
 //! without a branch.
 
 mod hierarchy;
+mod line;
 mod packet;
 mod ray;
 mod traverse;

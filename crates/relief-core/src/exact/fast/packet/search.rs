@@ -5,9 +5,8 @@ use super::setup::HalfRays;
 use super::vector::{Double, Single, Vector};
 use crate::exact::CELL_BYTES;
 use crate::exact::fast::hierarchy::{BLOCK, Hierarchy, MaximaLevel};
-use crate::exact::fast::traverse::{
-    BLOCK_BYTES, GROWTH, MAX_LEVELS, MOST_PER_HEIGHT, RAISE, TILE_BYTES, edge, size,
-};
+use crate::exact::fast::line::{GROWTH, MOST_PER_HEIGHT, RAISE};
+use crate::exact::fast::traverse::{BLOCK_BYTES, MAX_LEVELS, TILE_BYTES, edge, size};
 
 /// Nodes of a block or cells of a tile.
 const NODES: usize = BLOCK * BLOCK;
@@ -15,7 +14,7 @@ const NODES: usize = BLOCK * BLOCK;
 /// Columns and rows of the largest window that rays go down from together.
 pub(super) const MOST_NODES: usize = 8;
 
-/// The rays in `f32`: see `traverse::Search`.
+/// The rays in `f32`: see `Line`.
 pub(super) struct Singles<V: Vector> {
     pub origin: [Single<V>; 2],
     pub per_cell: [Single<V>; 2],
@@ -280,7 +279,7 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
         if FALLS { level.max(enter).le(leave) } else { enter.le(level.min(leave)) }
     }
 
-    /// Which of 4 x 4 nodes the rays touch: `traverse::Search::touched` in lanes, with the same bits.
+    /// Which of 4 x 4 nodes the rays touch: `Line::touched` in lanes, with the same bits.
     #[inline(always)]
     fn touched(&self, maxima: &[f32; NODES], edges: [i32; 2], size: f32, lanes: u32) -> Touched {
         let [flip_x, flip_y] = self.group.flip;

@@ -11,8 +11,9 @@ use super::together::lanes_of;
 use super::vector::Vector;
 use crate::exact::CELL_BYTES;
 use crate::exact::fast::hierarchy::{BLOCK, Hierarchy};
+use crate::exact::fast::line::{Kind, Line, is_crosswise};
 use crate::exact::fast::ray::TileRay;
-use crate::exact::fast::traverse::{BLOCK_BYTES, Kind, Line, MAX_LEVELS, TILE_BYTES, is_crosswise};
+use crate::exact::fast::traverse::{BLOCK_BYTES, MAX_LEVELS, TILE_BYTES};
 
 /// The kind of a ray whose height is linear.
 #[derive(Clone, Copy)]

@@ -246,7 +246,7 @@ struct Way<V: Vector> {
     /// The first and the last one that a ray comes to.
     from: Single<V>,
     to: Single<V>,
-    /// The first one of the ray's own window: see `traverse::Search::window_corner`.
+    /// The first one of the ray's own window: see `Line::window`.
     corner: Single<V>,
 }
 
