@@ -104,106 +104,82 @@ struct Found {
     double taken = 0;
 };
 
-template <int N> static Found intersect(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
-    alignas(64) typename Width<N>::Hit packets[NEAR / N];
+// Fills packets of N rays each, traces them while time is measured, and counts those that hit.
+template <int N, typename Packet, typename Fill, typename Trace, typename IsHit>
+static Found timed(const Rays &rays, Fill fill, Trace trace, IsHit is_hit) {
+    alignas(64) Packet packets[NEAR / N];
     alignas(64) int valid[NEAR / N][N];
     Found found;
     for (size_t first = 0; first < rays.count; first += NEAR) {
         size_t count = std::min(NEAR, rays.count - first), used = (count + N - 1) / N;
         for (size_t p = 0; p < used; ++p) {
-            fill<N>(packets[p].ray, &rays.numbers[7 * (first + p * N)], count - p * N, valid[p]);
-            for (int k = 0; k < N; ++k) {
-                packets[p].hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
-                packets[p].hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
-            }
+            fill(packets[p], &rays.numbers[7 * (first + p * N)], count - p * N, valid[p]);
         }
         double start = seconds();
         for (size_t p = 0; p < used; ++p) {
-            Width<N>::intersect(valid[p], scene, context, &packets[p]);
+            trace(valid[p], packets[p]);
         }
         found.taken += seconds() - start;
         for (size_t k = 0; k < count; ++k) {
-            found.hits += packets[k / N].hit.geomID[k % N] != RTC_INVALID_GEOMETRY_ID;
+            found.hits += is_hit(packets[k / N], k % N);
         }
     }
     return found;
+}
+
+template <int N> static Found intersect(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
+    using Hit = typename Width<N>::Hit;
+    auto with_hits = [](Hit &packet, const float *numbers, size_t count, int *valid) {
+        fill<N>(packet.ray, numbers, count, valid);
+        for (int k = 0; k < N; ++k) {
+            packet.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+            packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+        }
+    };
+    auto trace = [&](const int *valid, Hit &packet) {
+        Width<N>::intersect(valid, scene, context, &packet);
+    };
+    auto is_hit = [](const Hit &packet, size_t k) { return packet.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID; };
+    return timed<N, Hit>(rays, with_hits, trace, is_hit);
 }
 
 template <int N> static Found occluded(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
-    alignas(64) typename Width<N>::Ray packets[NEAR / N];
-    alignas(64) int valid[NEAR / N][N];
-    Found found;
-    for (size_t first = 0; first < rays.count; first += NEAR) {
-        size_t count = std::min(NEAR, rays.count - first), used = (count + N - 1) / N;
-        for (size_t p = 0; p < used; ++p) {
-            fill<N>(packets[p], &rays.numbers[7 * (first + p * N)], count - p * N, valid[p]);
-        }
-        double start = seconds();
-        for (size_t p = 0; p < used; ++p) {
-            Width<N>::occluded(valid[p], scene, context, &packets[p]);
-        }
-        found.taken += seconds() - start;
-        for (size_t k = 0; k < count; ++k) {
-            found.hits += packets[k / N].tfar[k % N] < 0.0f;
-        }
-    }
-    return found;
+    using Ray = typename Width<N>::Ray;
+    auto trace = [&](const int *valid, Ray &packet) {
+        Width<N>::occluded(valid, scene, context, &packet);
+    };
+    auto is_hit = [](const Ray &packet, size_t k) { return packet.tfar[k] < 0.0f; };
+    return timed<N, Ray>(rays, fill<N, Ray>, trace, is_hit);
 }
 
-static RTCRayHit single(const float *from) {
-    RTCRayHit rayhit;
-    std::memset(&rayhit, 0, sizeof rayhit);
-    rayhit.ray.org_x = from[0];
-    rayhit.ray.org_y = from[1];
-    rayhit.ray.org_z = from[2];
-    rayhit.ray.dir_x = from[3];
-    rayhit.ray.dir_y = from[4];
-    rayhit.ray.dir_z = from[5];
-    rayhit.ray.tfar = from[6];
-    rayhit.ray.mask = ~0u;
-    rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    return rayhit;
+static void single(RTCRay &ray, const float *from) {
+    std::memset(&ray, 0, sizeof ray);
+    ray.org_x = from[0];
+    ray.org_y = from[1];
+    ray.org_z = from[2];
+    ray.dir_x = from[3];
+    ray.dir_y = from[4];
+    ray.dir_z = from[5];
+    ray.tfar = from[6];
+    ray.mask = ~0u;
 }
 
 static Found intersect_each(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
-    alignas(64) RTCRayHit near[NEAR];
-    Found found;
-    for (size_t first = 0; first < rays.count; first += NEAR) {
-        size_t count = std::min(NEAR, rays.count - first);
-        for (size_t k = 0; k < count; ++k) {
-            near[k] = single(&rays.numbers[7 * (first + k)]);
-        }
-        double start = seconds();
-        for (size_t k = 0; k < count; ++k) {
-            rtcIntersect1(scene, context, &near[k]);
-        }
-        found.taken += seconds() - start;
-        for (size_t k = 0; k < count; ++k) {
-            found.hits += near[k].hit.geomID != RTC_INVALID_GEOMETRY_ID;
-        }
-    }
-    return found;
+    auto with_hit = [](RTCRayHit &one, const float *numbers, size_t, int *) {
+        single(one.ray, numbers);
+        one.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        one.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    };
+    auto trace = [&](const int *, RTCRayHit &one) { rtcIntersect1(scene, context, &one); };
+    auto is_hit = [](const RTCRayHit &one, size_t) { return one.hit.geomID != RTC_INVALID_GEOMETRY_ID; };
+    return timed<1, RTCRayHit>(rays, with_hit, trace, is_hit);
 }
 
 static Found occluded_each(RTCScene scene, RTCIntersectContext *context, const Rays &rays) {
-    alignas(64) RTCRay near[NEAR];
-    Found found;
-    for (size_t first = 0; first < rays.count; first += NEAR) {
-        size_t count = std::min(NEAR, rays.count - first);
-        for (size_t k = 0; k < count; ++k) {
-            near[k] = single(&rays.numbers[7 * (first + k)]).ray;
-        }
-        double start = seconds();
-        for (size_t k = 0; k < count; ++k) {
-            rtcOccluded1(scene, context, &near[k]);
-        }
-        found.taken += seconds() - start;
-        for (size_t k = 0; k < count; ++k) {
-            found.hits += near[k].tfar < 0.0f;
-        }
-    }
-    return found;
+    auto fill = [](RTCRay &one, const float *numbers, size_t, int *) { single(one, numbers); };
+    auto trace = [&](const int *, RTCRay &one) { rtcOccluded1(scene, context, &one); };
+    auto is_hit = [](const RTCRay &one, size_t) { return one.tfar < 0.0f; };
+    return timed<1, RTCRay>(rays, fill, trace, is_hit);
 }
 
 template <typename F> static double rate(size_t count, int runs, size_t &hits, F trace) {
