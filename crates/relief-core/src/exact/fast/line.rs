@@ -22,7 +22,8 @@ pub(super) const MOST_PER_HEIGHT: f64 = (1u64 << 62) as f64;
 /// The numbers of the columns and rows of a block.
 const COUNT: Vec4 = Vec4::new(0.0, 1.0, 2.0, 3.0);
 
-/// What a search does otherwise for some rays: known to the compiler for one ray, and not for many.
+/// The choices of a search that depend on the ray. For one ray they are constants of the compiler, so that no
+/// time is spent on them; where many rays take turns they are looked up.
 pub(super) trait Kind: Copy {
     /// The height is not linear.
     fn is_bent(self) -> bool;

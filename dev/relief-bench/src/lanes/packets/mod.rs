@@ -167,10 +167,10 @@ fn measured(tracer: &FastTracer, paths: &[Path], lanes: Lanes, rounds: u16) -> R
     });
     let together_blocked = best(&mut || {
         timed(&packets, BATCH, |packets| {
-            for packets in packets.as_chunks::<4>().0 {
+            for packets in packets.as_chunks::<BATCH>().0 {
                 black_box(tracer.blocked_packets(packets, lanes));
             }
-            for packet in packets.as_chunks::<4>().1 {
+            for packet in packets.as_chunks::<BATCH>().1 {
                 black_box(tracer.blocked_packets(std::array::from_ref(packet), lanes));
             }
         })
@@ -178,7 +178,8 @@ fn measured(tracer: &FastTracer, paths: &[Path], lanes: Lanes, rounds: u16) -> R
     Ok(Ours { found: [one, together], blocked: [one_blocked, together_blocked] })
 }
 
-/// Seconds of processor time that some work takes over batches of items, which are near by then.
+/// Seconds of processor time that some work takes over all items. It gets a batch of them at a time, which is
+/// copied before time is measured and so is in the nearest cache.
 fn timed<T: Clone>(items: &[T], batch: usize, mut work: impl FnMut(&[T])) -> f64 {
     let mut near = Vec::with_capacity(batch);
     let seconds = items.chunks(batch).map(|items| {

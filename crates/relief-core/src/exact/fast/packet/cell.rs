@@ -7,8 +7,8 @@ use super::vector::{Double, Mask, Vector};
 /// The rays of a packet, in two halves.
 pub(super) type Rays<V> = [HalfRays<V>; 2];
 
-/// What a cell's patch has in it, of one cell or of one in each lane: where it begins and ends, and its
-/// height as `h00 + bx u + by v + d u v`.
+/// The bilinear patch of a cell, or of a cell in each lane: where the cell begins and ends, and the height
+/// there, `h00 + bx u + by v + d u v`.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Patch<T> {
     first: [T; 2],
@@ -50,6 +50,7 @@ impl Patch<f64> {
 pub(super) type Patches = Patch<[f64; PathPacket::LEN]>;
 
 impl Patches {
+    /// Puts a patch into a lane.
     #[inline(always)]
     pub fn set(&mut self, lane: usize, patch: Patch<f64>) {
         for k in 0..2 {
@@ -112,18 +113,19 @@ impl<V: Vector> CellHits<V> {
     #[inline(always)]
     pub fn cell(&mut self, v: V, rays: &Rays<V>, corners: [f32; 4], cell: [u32; 2], lanes: u32) -> u32 {
         let patch = Patch::new(cell, corners);
-        let low = self.half_cell(v, rays, patch.splat(v), lanes, 0);
-        let high = self.half_cell(v, rays, patch.splat(v), lanes >> V::F64_LANES, 1);
-        let hit = low | high << V::F64_LANES;
-        self.found |= hit;
-        hit
+        self.solve(v, rays, [patch.splat(v); 2], lanes)
     }
 
     /// Solves a cell of its own for each of some lanes and returns those that hit.
     #[inline(always)]
     pub fn cells(&mut self, v: V, rays: &Rays<V>, patches: &Patches, lanes: u32) -> u32 {
-        let low = self.half_cell(v, rays, patches.load(v, 0), lanes, 0);
-        let high = self.half_cell(v, rays, patches.load(v, V::F64_LANES), lanes >> V::F64_LANES, 1);
+        self.solve(v, rays, [patches.load(v, 0), patches.load(v, V::F64_LANES)], lanes)
+    }
+
+    #[inline(always)]
+    fn solve(&mut self, v: V, rays: &Rays<V>, [low, high]: [Patch<Double<V>>; 2], lanes: u32) -> u32 {
+        let low = self.half_cell(v, rays, low, lanes, 0);
+        let high = self.half_cell(v, rays, high, lanes >> V::F64_LANES, 1);
         let hit = low | high << V::F64_LANES;
         self.found |= hit;
         hit
@@ -161,7 +163,7 @@ impl<V: Vector> CellHits<V> {
         let begins_below = c0.le(zero);
         let crosses = (c0 + way * (c1 + way * c2)).le(zero);
         let turns = c1.lt(zero).and(c1.negated().lt(splat(2.0) * c2 * way));
-        // No way out here where no lane may hit: a branch that is foreseen wrongly costs more than the root.
+        // No early return where no lane may hit: a mispredicted branch costs more than the root.
         let may_hit = inside.and(begins_below.or(crosses).or(turns));
         let disc = c1 * c1 - splat(4.0) * c0 * c2;
         let real = zero.le(disc);

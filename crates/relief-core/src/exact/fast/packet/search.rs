@@ -68,8 +68,8 @@ struct Left {
     touched: Touched,
 }
 
-/// What is left of the blocks above the one that is searched, level by level. Made once for many packets, as
-/// making it takes a packet's search some hundredths.
+/// What is left of the blocks above the one that is searched, level by level. It is made once for many
+/// packets: to fill it for each search would take some hundredths of the time.
 pub(super) struct Stack([Left; MAX_LEVELS]);
 
 impl Stack {

@@ -1,7 +1,7 @@
-//! Rays that share no way: each goes its own, a step of every ray in turn.
+//! Rays with no neighbours. Each goes down the hierarchy by itself, and all take turns, a step at a time.
 //!
-//! The steps of one ray wait for each other, those of different rays do not, so that the processor works on
-//! several at once. What the steps come to are cells, which are solved in lanes.
+//! Each step of a ray waits for the ray's last one, but not for those of other rays: so the processor works
+//! on several at once. The cells that the rays come to are solved in lanes.
 
 use glam::Vec4;
 
@@ -50,13 +50,15 @@ struct Stray {
     masks: [u16; MAX_LEVELS],
 }
 
-/// What a step comes to.
+/// What a step looked at.
 enum Step {
+    /// The nodes of a block.
     Block,
+    /// The cells of a tile.
     Tile,
     /// A cell, and its corners.
     Cell([u32; 2], [f32; 4]),
-    /// There is nothing left.
+    /// Nothing: there is no node left.
     End,
 }
 
