@@ -40,7 +40,7 @@ pub(super) fn is_crosswise(ray: &TileRay) -> bool {
 }
 
 /// A ray in `f32`. Places are in cells from the cell where the ray begins.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub(super) struct Line<K> {
     kind: K,
     /// The cell where the ray begins.

@@ -198,10 +198,10 @@ impl FastTracer {
     /// are as many answers as the shorter of both slices is long.
     ///
     /// Sixteen paths in a row make a packet, so order them by neighbours: pixels by blocks of 4 x 4. In
-    /// vectors of sixteen lanes such paths are traced three to four times as fast as one by one, and
-    /// scattered ones, which go their own ways in turn, by a third faster. Paths that are bent, begin below
-    /// the map, leave the tile of the texture, or are longer than [`MAX_TRAVEL`](crate::exact::MAX_TRAVEL)
-    /// are traced one by one.
+    /// vectors of sixteen lanes such paths are traced four times as fast as one by one, and scattered ones,
+    /// which go their own ways in turn, one and a half times. Paths that are bent, begin below the map, leave
+    /// the tile of the texture, or are longer than [`MAX_TRAVEL`](crate::exact::MAX_TRAVEL) are traced one by
+    /// one.
     ///
     /// ```
     /// use relief_core::exact::{ExactHit, FastTracer};

@@ -1,7 +1,7 @@
 //! Rays with no neighbours. Each goes down the hierarchy by itself, and all take turns, a step at a time.
 //!
 //! Each step of a ray waits for the ray's last one, but not for those of other rays: so the processor works
-//! on several at once. The cells that the rays come to are solved in lanes.
+//! on several at once. A ray that has come to a cell waits until all have; then the cells are solved in lanes.
 
 use glam::Vec4;
 
@@ -16,7 +16,7 @@ use crate::exact::fast::ray::TileRay;
 use crate::exact::fast::traverse::{BLOCK_BYTES, MAX_LEVELS, TILE_BYTES};
 
 /// The kind of a ray whose height is linear.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Straight {
     falls: bool,
     crosswise: bool,
@@ -39,128 +39,172 @@ impl Kind for Straight {
     }
 }
 
-/// A ray on its way down. The nodes of depth 0 are cells, those of depth 1 tiles.
-struct Stray {
-    line: Line<Straight>,
-    /// The depth of the block or window that it is in, the first column and row there, and the nodes left.
-    depth: usize,
+/// What is left of a block, or of a window.
+#[derive(Clone, Copy, Default)]
+struct Left {
+    /// The first column and row.
     corner: [u32; 2],
-    mask: u32,
-    /// The nodes left of those above, depth by depth.
-    masks: [u16; MAX_LEVELS],
+    /// The nodes that the ray touches and has not been to.
+    nodes: u32,
 }
 
-/// What a step looked at.
-enum Step {
-    /// The nodes of a block.
-    Block,
-    /// The cells of a tile.
+/// A ray on its way down. The nodes of depth 0 are cells, those of depth 1 tiles.
+#[derive(Clone, Copy, Default)]
+struct Stray {
+    line: Line<Straight>,
+    /// What is left, depth by depth, and the depths at which something is, as bits.
+    left: [Left; MAX_LEVELS],
+    depths: u32,
+    /// The node that it has come to, and its depth.
+    node: [u32; 2],
+    depth: usize,
+}
+
+/// What a ray has come to.
+#[derive(Clone, Copy)]
+enum Node {
+    Cell,
     Tile,
-    /// A cell, and its corners.
-    Cell([u32; 2], [f32; 4]),
-    /// Nothing: there is no node left.
+    /// A node above tiles.
+    Block,
+    /// There is no node left.
     End,
 }
 
-impl Stray {
-    /// A ray that has looked at its window.
+/// The lanes whose rays have come to each kind of node. All are in one number, so that no lane waits until the
+/// one before is stored.
+#[derive(Clone, Copy, Default)]
+struct Turns(u64);
+
+impl Turns {
     #[inline(always)]
-    fn new(hierarchy: &Hierarchy, ray: &TileRay) -> Self {
-        let kind = Straight { falls: ray.height[1] < 0.0, crosswise: is_crosswise(ray) };
-        let line = Line::new(hierarchy, ray, kind);
-        let (depth, corner) = (line.start_level + 1, line.window);
-        let mut stray = Self { line, depth, corner, mask: 0, masks: [0; MAX_LEVELS] };
-        stray.look(&hierarchy.levels()[line.start_level].window(corner));
-        stray
+    fn add(&mut self, node: Node, lane: usize) {
+        self.0 |= 1 << (PathPacket::LEN * node as usize + lane);
     }
 
-    /// Finds the nodes that it touches of a block.
     #[inline(always)]
-    fn look(&mut self, maxima: &[Vec4; BLOCK]) {
-        let edges = self.corner.map(|at| (at << (2 * self.depth)) as i32);
-        self.mask = self.line.touched(maxima, edges, (1u32 << (2 * self.depth)) as f32);
-    }
-
-    /// Goes to the next node.
-    #[inline(always)]
-    fn step(&mut self, hierarchy: &Hierarchy) -> Step {
-        let start = self.line.start_level + 1;
-        while self.mask == 0 {
-            if self.depth >= start {
-                return Step::End;
-            }
-            self.depth += 1;
-            self.mask = u32::from(self.masks[self.depth % MAX_LEVELS]);
-            let block = self.corner.map(|at| (at >> 2) & !3);
-            self.corner = if self.depth == start { self.line.window } else { block };
-        }
-        let [column, row] = self.line.take_first(&mut self.mask);
-        let node = [self.corner[0] + column, self.corner[1] + row];
-        if self.depth == 0 {
-            let tile = self.corner.map(|at| at / BLOCK as u32);
-            return match hierarchy.tile(tile) {
-                Some(tile) => Step::Cell(node, tile.corners([column, row])),
-                None => Step::End,
-            };
-        }
-        self.masks[self.depth % MAX_LEVELS] = self.mask as u16;
-        self.depth -= 1;
-        self.corner = node.map(|at| at * BLOCK as u32);
-        if self.depth == 0 {
-            match hierarchy.tile(node) {
-                Some(tile) => self.look(&tile.cell_maxima()),
-                None => return Step::End,
-            }
-            return Step::Tile;
-        }
-        match hierarchy.levels()[self.depth - 1].block(node) {
-            Some(block) => self.look(block),
-            None => return Step::End,
-        }
-        Step::Block
+    fn of(self, node: Node) -> u32 {
+        u32::from((self.0 >> (PathPacket::LEN * node as usize)) as u16)
     }
 }
 
-/// Finds the first hits of some lanes, whose rays have nothing to do with each other.
-#[inline(always)]
-pub(super) fn search<V: Vector>(
-    v: V,
-    hierarchy: &Hierarchy,
-    rays: &Rays<V>,
-    lanes: u32,
-    hits: &mut CellHits<V>,
-) {
-    let mut strays = [const { None }; PathPacket::LEN];
-    for lane in lanes_of(lanes) {
-        let ray = rays[lane / V::F64_LANES].lane(lane % V::F64_LANES);
-        strays[lane] = Some(Stray::new(hierarchy, &ray));
+impl Stray {
+    /// Begins with a ray: looks at its window.
+    #[inline(always)]
+    fn begin(&mut self, hierarchy: &Hierarchy, ray: &TileRay) {
+        let kind = Straight { falls: ray.height[1] < 0.0, crosswise: is_crosswise(ray) };
+        self.line = Line::new(hierarchy, ray, kind);
+        self.depths = 0;
+        let Line { start_level, window, .. } = self.line;
+        self.look(&hierarchy.levels()[start_level].window(window), start_level + 1, window);
     }
-    hits.count(lanes, BLOCK_BYTES);
-    let mut patches = Patches::default();
-    let mut left = lanes;
-    while left != 0 {
-        let (mut blocks, mut tiles, mut cells) = (0, 0, 0);
-        for lane in lanes_of(left) {
-            let Some(stray) = &mut strays[lane] else { continue };
-            match stray.step(hierarchy) {
-                Step::Block => blocks |= 1 << lane,
-                Step::Tile => tiles |= 1 << lane,
-                Step::Cell(cell, corners) => {
-                    cells |= 1 << lane;
-                    patches.set(lane, Patch::new(cell, corners));
+
+    /// Finds which of 4 x 4 nodes it touches.
+    #[inline(always)]
+    fn look(&mut self, maxima: &[Vec4; BLOCK], depth: usize, corner: [u32; 2]) {
+        let edges = corner.map(|at| (at << (2 * depth)) as i32);
+        let nodes = self.line.touched(maxima, edges, (1u32 << (2 * depth)) as f32);
+        self.left[depth % MAX_LEVELS] = Left { corner, nodes };
+        self.depths |= u32::from(nodes != 0) << depth;
+    }
+
+    /// Goes to the next node. There is no branch on its kind, which the processor could not foresee.
+    #[inline(always)]
+    fn advance(&mut self) -> Node {
+        if self.depths == 0 {
+            return Node::End;
+        }
+        self.depth = self.depths.trailing_zeros() as usize;
+        let left = &mut self.left[self.depth % MAX_LEVELS];
+        let [column, row] = self.line.take_first(&mut left.nodes);
+        self.depths ^= u32::from(left.nodes == 0) << self.depth;
+        self.node = [left.corner[0] + column, left.corner[1] + row];
+        match self.depth {
+            0 => Node::Cell,
+            1 => Node::Tile,
+            _ => Node::Block,
+        }
+    }
+
+    /// Looks at the nodes of the block that it has come to.
+    #[inline(always)]
+    fn block(&mut self, hierarchy: &Hierarchy) {
+        let depth = self.depth - 1;
+        if let Some(block) = hierarchy.levels()[depth - 1].block(self.node) {
+            self.look(block, depth, self.corner());
+        }
+    }
+
+    /// Looks at the cells of the tile that it has come to.
+    #[inline(always)]
+    fn tile(&mut self, hierarchy: &Hierarchy) {
+        if let Some(tile) = hierarchy.tile(self.node) {
+            self.look(&tile.cell_maxima(), 0, self.corner());
+        }
+    }
+
+    /// The first column and row inside its node.
+    #[inline(always)]
+    fn corner(&self) -> [u32; 2] {
+        self.node.map(|at| at * BLOCK as u32)
+    }
+}
+
+/// The rays, by lanes, and the cells that they have come to.
+pub(super) struct Strays {
+    strays: [Stray; PathPacket::LEN],
+    patches: Patches,
+}
+
+impl Strays {
+    // Inlined, so that it is made in its place: to copy it takes a twentieth of a packet's time.
+    #[inline(always)]
+    pub fn new() -> Self {
+        Self { strays: [Stray::default(); PathPacket::LEN], patches: Patches::default() }
+    }
+
+    /// Finds the first hits of some lanes, whose rays have nothing to do with each other.
+    #[inline(always)]
+    pub fn run<V: Vector>(
+        &mut self,
+        v: V,
+        hierarchy: &Hierarchy,
+        rays: &Rays<V>,
+        lanes: u32,
+        hits: &mut CellHits<V>,
+    ) {
+        let Self { strays, patches } = self;
+        for lane in lanes_of(lanes) {
+            let ray = rays[lane / V::F64_LANES].lane(lane % V::F64_LANES);
+            strays[lane].begin(hierarchy, &ray);
+        }
+        hits.count(lanes, BLOCK_BYTES);
+        let mut left = lanes;
+        while left != 0 {
+            let (mut going, mut cells) = (left, 0);
+            while going != 0 {
+                let mut turns = Turns::default();
+                for lane in lanes_of(going) {
+                    turns.add(strays[lane].advance(), lane);
                 }
-                Step::End => left &= !(1 << lane),
+                let (blocks, tiles) = (turns.of(Node::Block), turns.of(Node::Tile));
+                for lane in lanes_of(blocks) {
+                    strays[lane].block(hierarchy);
+                }
+                for lane in lanes_of(tiles) {
+                    strays[lane].tile(hierarchy);
+                }
+                hits.count(blocks, BLOCK_BYTES);
+                hits.count(tiles, TILE_BYTES);
+                going = blocks | tiles;
+                cells |= turns.of(Node::Cell);
             }
-        }
-        if blocks != 0 {
-            hits.count(blocks, BLOCK_BYTES);
-        }
-        if tiles != 0 {
-            hits.count(tiles, TILE_BYTES);
-        }
-        if cells != 0 {
+            for lane in lanes_of(cells) {
+                let cell = strays[lane].node;
+                patches.set(lane, Patch::new(cell, hierarchy.corners(cell)));
+            }
             hits.count(cells, CELL_BYTES);
-            left &= !hits.cells(v, rays, &patches, cells);
+            left = cells & !hits.cells(v, rays, patches, cells);
         }
     }
 }

@@ -6,8 +6,9 @@ use pulp::x86::{V3, V4};
 use super::cell::CellHits;
 use super::search::{Group, MOST_NODES, Search, Singles, Stack};
 use super::setup::{HalfRays, half_rays};
+use super::strays::Strays;
 use super::vector::{Double, Mask, Single, Vector};
-use super::{FastTracer, HitPacket, PathPacket, strays};
+use super::{FastTracer, HitPacket, PathPacket};
 use crate::Lanes;
 use crate::exact::fast::hierarchy::BLOCK;
 use crate::exact::fast::traverse::size;
@@ -74,11 +75,11 @@ impl<V: Vector> NullaryFnOnce for Trace<'_, V> {
     #[inline(always)]
     fn call(self) {
         let Self { v, tracer, paths, answers } = self;
-        let mut stack = Stack::new();
+        let mut memory = Memory::new();
         for (paths, answers) in paths.iter().zip(answers) {
             (answers.found, answers.exhausted) = (0, 0);
             for first in (0..PathPacket::LEN).step_by(V::F32_LANES) {
-                let Found { rays, hits, alone } = search(v, tracer, paths, first, &mut stack);
+                let Found { rays, hits, alone } = search(v, tracer, paths, first, &mut memory);
                 answers.found |= (hits.found << first) as u16;
                 for (half, rays) in rays.iter().enumerate() {
                     let first = first + half * V::F64_LANES;
@@ -100,11 +101,11 @@ impl<V: Vector> NullaryFnOnce for Blocked<'_, V> {
     #[inline(always)]
     fn call(self) {
         let Self { v, tracer, paths, blocked } = self;
-        let mut stack = Stack::new();
+        let mut memory = Memory::new();
         for (paths, blocked) in paths.iter().zip(blocked) {
             *blocked = 0;
             for first in (0..PathPacket::LEN).step_by(V::F32_LANES) {
-                let Found { hits, alone, .. } = search(v, tracer, paths, first, &mut stack);
+                let Found { hits, alone, .. } = search(v, tracer, paths, first, &mut memory);
                 *blocked |= (hits.found << first) as u16;
                 for lane in lanes_of(alone) {
                     *blocked |= u16::from(tracer.is_blocked(&paths.path(first + lane))) << (first + lane);
@@ -123,6 +124,19 @@ pub(super) fn lanes_of(mut set: u32) -> impl Iterator<Item = usize> {
     })
 }
 
+/// What searches write to on their way. It is made once for many packets.
+struct Memory {
+    stack: Stack,
+    /// None before the first ray that has no neighbours: most packets have none, and it is large.
+    strays: Option<Strays>,
+}
+
+impl Memory {
+    fn new() -> Self {
+        Self { stack: Stack::new(), strays: None }
+    }
+}
+
 /// What a search knows of as many paths as a vector has lanes.
 struct Found<V: Vector> {
     rays: [HalfRays<V>; 2],
@@ -138,7 +152,7 @@ fn search<V: Vector>(
     tracer: &FastTracer,
     paths: &PathPacket,
     first: usize,
-    stack: &mut Stack,
+    memory: &mut Memory,
 ) -> Found<V> {
     let low = half_rays(v, tracer, paths, first);
     let high = half_rays(v, tracer, paths, first + V::F64_LANES);
@@ -157,6 +171,7 @@ fn search<V: Vector>(
     let falls = both(low.falls, high.falls);
     let backward = [both(low.backward[0], high.backward[0]), both(low.backward[1], high.backward[1])];
     let singles = Singles::new(v, &rays);
+    let stack = &mut memory.stack;
     let (mut strays, mut groups) = (0, 0);
     while left != 0 {
         let first = left.trailing_zeros();
@@ -180,7 +195,8 @@ fn search<V: Vector>(
         }
     }
     if strays != 0 {
-        strays::search(v, &tracer.hierarchy, &rays, strays, &mut hits);
+        let search = memory.strays.get_or_insert_with(Strays::new);
+        search.run(v, &tracer.hierarchy, &rays, strays, &mut hits);
     }
     Found { rays, hits, alone }
 }
