@@ -1,4 +1,5 @@
-//! Which flag mends what a library refuses. The libraries say what is wrong; they know no flags.
+//! Which flag, or key of a scene file, mends what a library refuses. The libraries say what is wrong; they
+//! know no flags.
 
 use std::io::ErrorKind;
 
@@ -13,35 +14,70 @@ pub fn with(error: &impl ToString, advice: Option<&str>) -> String {
     advice.map_or(text.clone(), |advice| format!("{text}: {advice}"))
 }
 
-/// What lets a height map be read.
-pub fn of_read(problem: &ReadProblem) -> Option<&'static str> {
-    match problem {
-        ReadProblem::Unrecognised => {
-            Some("headerless 16-bit samples are read with --raw 1024x1024,le (or be)")
-        }
-        ReadProblem::NeedsRawLayout => Some("--raw 1024x1024,le (or be) gives them"),
-        ReadProblem::RawSize { .. } => Some("--raw gives them"),
-        ReadProblem::ChooseChannel { .. } | ReadProblem::NotGrey { .. } => Some("--channel NAME does"),
-        ReadProblem::Holes { .. } => Some("--fill does"),
-        _ => of_picture(problem),
+/// An error's text, with the flag that mends it.
+pub fn with_flag(error: &impl ToString, mend: Option<Mend>) -> String {
+    with(error, mend.map(|mend| mend.flag))
+}
+
+/// An error's text, with the key of a scene file that mends it.
+pub fn with_key(error: &impl ToString, mend: Option<Mend>) -> String {
+    with(error, mend.map(|mend| mend.key))
+}
+
+/// What mends an error: a flag, or a key where a command takes only a scene file.
+#[derive(Clone, Copy)]
+pub struct Mend {
+    /// For commands with flags of their own for what a scene says.
+    pub flag: &'static str,
+    /// For others.
+    pub key: &'static str,
+}
+
+impl Mend {
+    /// What all commands have a flag for.
+    const fn everywhere(flag: &'static str) -> Self {
+        Self { flag, key: flag }
     }
 }
 
+/// What lets a height map be read.
+pub fn of_read(problem: &ReadProblem) -> Option<Mend> {
+    Some(match problem {
+        ReadProblem::Unrecognised => Mend {
+            flag: "headerless 16-bit samples are read with --raw 1024x1024,le (or be)",
+            key: "headerless 16-bit samples are read with the key raw = \"1024x1024,le\" (or be)",
+        },
+        ReadProblem::NeedsRawLayout => Mend {
+            flag: "--raw 1024x1024,le (or be) gives them",
+            key: "the key raw = \"1024x1024,le\" (or be) gives them",
+        },
+        ReadProblem::RawSize { .. } => Mend { flag: "--raw gives them", key: "the key 'raw' gives them" },
+        ReadProblem::ChooseChannel { .. } | ReadProblem::NotGrey { .. } => {
+            Mend { flag: "--channel NAME does", key: "the key 'channel' does" }
+        }
+        ReadProblem::Holes { .. } => Mend { flag: "--fill does", key: "the key fill = true does" },
+        _ => return of_picture(problem),
+    })
+}
+
 /// What lets a picture or a normal map be read. How their files are read cannot be chosen.
-pub fn of_picture(problem: &ReadProblem) -> Option<&'static str> {
+pub fn of_picture(problem: &ReadProblem) -> Option<Mend> {
     match problem {
-        ReadProblem::TooMuchMemory { .. } => Some("--max-memory raises it"),
+        ReadProblem::TooMuchMemory { .. } => Some(Mend::everywhere("--max-memory raises it")),
         ReadProblem::Mask { problem, .. } => of_picture(problem),
         _ => None,
     }
 }
 
 /// What lets a mesh be read.
-pub fn of_mesh(problem: &ReadProblem) -> Option<&'static str> {
+pub fn of_mesh(problem: &ReadProblem) -> Option<Mend> {
     match problem {
-        ReadProblem::MeshMemory { .. } => Some("--max-memory raises it"),
+        ReadProblem::MeshMemory { .. } => Some(Mend::everywhere("--max-memory raises it")),
         ReadProblem::Mesh(FramingError::NoTextureCoordinates { .. } | FramingError::NoTextureArea { .. }) => {
-            Some("--project box, cylinder or sphere makes texture coordinates")
+            Some(Mend {
+                flag: "--project box, cylinder or sphere makes texture coordinates",
+                key: "the key project = \"box\", \"cylinder\" or \"sphere\" makes texture coordinates",
+            })
         }
         ReadProblem::Part { problem, .. } => of_mesh(problem),
         _ => None,
@@ -49,19 +85,25 @@ pub fn of_mesh(problem: &ReadProblem) -> Option<&'static str> {
 }
 
 /// What mends a scene.
-pub fn of_scene(error: &SceneError) -> Option<&'static str> {
+pub fn of_scene(error: &SceneError) -> Option<Mend> {
     match error {
-        SceneError::NoHeightMap(_) => Some("give --height FILE, or the key in the scene file"),
+        SceneError::NoHeightMap(_) => Some(Mend {
+            flag: "give --height FILE, or the key in the scene file",
+            key: "as in height = \"wall.png\"",
+        }),
         SceneError::TooMuchMemory { .. }
         | SceneError::TooMuchToTrace { .. }
-        | SceneError::TooMuchForLights { .. } => Some("--max-memory raises it"),
+        | SceneError::TooMuchForLights { .. } => Some(Mend::everywhere("--max-memory raises it")),
         SceneError::Read(error) => of_read(&error.problem),
         SceneError::Picture(error) => of_picture(&error.problem),
         SceneError::Mesh(error) => of_mesh(&error.problem),
         SceneError::Io { source, .. }
             if matches!(source.kind(), ErrorKind::InvalidData | ErrorKind::FileTooLarge) =>
         {
-            Some("a height map is given with --height")
+            Some(Mend {
+                flag: "a height map is given with --height",
+                key: "write a scene file that names the height map by the key 'height'",
+            })
         }
         _ => None,
     }

@@ -31,17 +31,17 @@ impl Failure {
 
     /// A height map that cannot be read.
     pub fn of_map(error: ReadError) -> Self {
-        Failure::Work(advice::with(&error, advice::of_read(&error.problem)))
+        Failure::Work(advice::with_flag(&error, advice::of_read(&error.problem)))
     }
 
     /// A picture or a normal map that cannot be read.
     pub fn of_picture(error: ReadError) -> Self {
-        Failure::Work(advice::with(&error, advice::of_picture(&error.problem)))
+        Failure::Work(advice::with_flag(&error, advice::of_picture(&error.problem)))
     }
 
     /// A mesh that cannot be read.
     pub fn of_mesh(error: ReadError) -> Self {
-        Failure::Work(advice::with(&error, advice::of_mesh(&error.problem)))
+        Failure::Work(advice::with_flag(&error, advice::of_mesh(&error.problem)))
     }
 
     /// A command line that clap refused: what is wrong, without the advice on how the command is used.

@@ -61,3 +61,27 @@ fn what_has_no_shells_is_refused() {
         assert_eq!(entries(&folder.path(OUT)), Vec::<String>::new(), "{line}");
     }
 }
+
+#[test]
+fn advice_is_on_keys_where_a_command_has_no_flags_for_scenes() {
+    let folder = folder();
+    let texels = [10, 20, 30].repeat(16);
+    relief_io::write_png8(&folder.path("colour.png"), 4, 4, relief_io::PngColour::Rgb, &texels)
+        .expect("writable");
+    folder.write("heights.r16", [1; 32]);
+    folder.write("colour.toml", "height = 'colour.png'\n");
+    folder.write("raw.toml", "height = 'heights.r16'\n");
+    folder.write("none.toml", "mesh = 'torus'\n");
+    for (line, key) in [
+        ("slices colour.toml -o out/a.glb", "'channel'"),
+        ("capture colour.toml -o out/a", "'channel'"),
+        ("slices raw.toml -o out/a.glb", "raw = "),
+        ("capture raw.toml -o out/a", "raw = "),
+        ("slices none.toml -o out/a.glb", "height = "),
+        ("slices h.png -o out/a.glb", "'height'"),
+    ] {
+        let ran = folder.relief(line);
+        assert_refused(&folder, &ran, 1, &[key]);
+        assert!(!ran.stderr.contains("--"), "{line}: {}", ran.stderr);
+    }
+}

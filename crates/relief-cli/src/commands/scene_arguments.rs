@@ -409,7 +409,12 @@ pub fn of_scene(error: SceneError) -> Failure {
         }
         // A flag holds for every surface: which of them it fails by first says nothing.
         SceneError::Value(ValueError { key, problem, .. }) => Failure::Usage(format!("--{key}: {problem}")),
-        SceneError::NoHeightMap(_) => Failure::Usage(advice::with(&error, advice::of_scene(&error))),
-        other => Failure::Work(advice::with(&other, advice::of_scene(&other))),
+        SceneError::NoHeightMap(_) => Failure::Usage(advice::with_flag(&error, advice::of_scene(&error))),
+        other => Failure::Work(advice::with_flag(&other, advice::of_scene(&other))),
     }
+}
+
+/// The same for commands that take a scene file alone, and no flags for what stands in it.
+pub fn of_scene_file(error: SceneError) -> Failure {
+    Failure::Work(advice::with_key(&error, advice::of_scene(&error)))
 }

@@ -13,7 +13,7 @@ use relief_render::scene::{SceneSpec, Surface, read_scene};
 use serde_json::json;
 
 use super::numbered::{Numbering, ONE_FRAME};
-use super::scene_arguments::of_scene;
+use super::scene_arguments::of_scene_file;
 use super::staged::{Staged, format_of};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -112,7 +112,7 @@ impl Arguments {
     /// The only surface of the scene, which is no object of images.
     fn surface(&self) -> Result<Surface, Failure> {
         let refused = |what: &str| Failure::Work(format!("{}: {what}", self.scene.display()));
-        let spec = read_scene(&self.scene).map_err(of_scene)?;
+        let spec = read_scene(&self.scene).map_err(of_scene_file)?;
         Numbering::of(Some(&self.scene)).refuse(&spec, ONE_FRAME)?;
         // Nothing is rendered.
         let spec = SceneSpec {
@@ -121,7 +121,7 @@ impl Arguments {
             samples: Some(1),
             ..spec
         };
-        let scene = spec.load().map_err(of_scene)?;
+        let scene = spec.load().map_err(of_scene_file)?;
         match scene.surfaces() {
             [surface] if surface.object().is_some() => {
                 Err(refused("its surface is an object of images, which has no base for shells"))

@@ -13,7 +13,7 @@ use relief_render::scene::{MeshChoice, SceneSpec, SurfaceSpec, read_scene};
 
 use super::Arguments;
 use crate::commands::numbered::{Numbering, ONE_FRAME};
-use crate::commands::scene_arguments::of_scene;
+use crate::commands::scene_arguments::of_scene_file;
 use crate::failure::Failure;
 
 /// A mesh and its colours.
@@ -33,7 +33,7 @@ impl Subject {
     pub fn read(arguments: &Arguments) -> Result<Self, Failure> {
         let is_scene = arguments.input.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
         let surface = if is_scene {
-            let spec = read_scene(&arguments.input).map_err(of_scene)?;
+            let spec = read_scene(&arguments.input).map_err(of_scene_file)?;
             Numbering::of(Some(&arguments.input)).refuse(&spec, ONE_FRAME)?;
             let surface = only_surface(&spec, &arguments.input)?;
             if surface.height.is_some() {
@@ -98,7 +98,7 @@ fn displaced(spec: SceneSpec, surface: &SurfaceSpec, arguments: &Arguments) -> R
     let max_memory = Some(ByteSize(arguments.max_bytes()));
     // Nothing is rendered.
     let spec = SceneSpec { max_memory, size: Some([1, 1]), samples: Some(1), ..spec };
-    let scene = spec.load().map_err(of_scene)?;
+    let scene = spec.load().map_err(of_scene_file)?;
     let [shown] = scene.surfaces() else { return Err(Failure::work("it has several surfaces")) };
     let settings = MeshSettings { max_bytes: arguments.max_bytes(), ..MeshSettings::default() };
     let at = |error: &dyn std::fmt::Display| {

@@ -199,8 +199,9 @@ impl Arguments {
 
 fn read_photo(lights: &Lights, photo: usize, max_bytes: u64) -> Result<Picture, Failure> {
     let file = &lights.photos[photo].file;
-    read_picture_as(file, lights.curve, max_bytes)
-        .map_err(|error| lights.of_photo(photo, &advice::with(&error, advice::of_picture(&error.problem))))
+    read_picture_as(file, lights.curve, max_bytes).map_err(|error| {
+        lights.of_photo(photo, &advice::with_flag(&error, advice::of_picture(&error.problem)))
+    })
 }
 
 /// The size of all photographs, and each one's brightness.
