@@ -14,8 +14,9 @@ mod procedure;
 use clap::{Args, Subcommand};
 use relief_bake::from_normals::{FromNormalsError, IntegratedHeights, Integration};
 use relief_bake::photometric::PhotometricError;
+use relief_core::mesh::FramingError;
 use relief_core::{ByteSize, Wrap};
-use relief_io::{DEFAULT_MAX_BYTES, HeightNote};
+use relief_io::{DEFAULT_MAX_BYTES, HeightNote, ReadError, ReadProblem};
 use serde_json::{Value, json};
 
 use self::described::{Described, SURVEYED};
@@ -142,6 +143,19 @@ fn check_memory([width, height]: [u32; 2], bytes_per_texel: u64, limit: u64) -> 
         needed.div_ceil(1 << 20),
         limit >> 20
     )))
+}
+
+/// A mesh that cannot be read, and whose places must lie nowhere on each other in the map: no flag makes such
+/// texture coordinates.
+fn of_unwrapped(error: ReadError) -> Failure {
+    match &error.problem {
+        ReadProblem::Mesh(FramingError::NoTextureCoordinates { .. } | FramingError::NoTextureArea { .. }) => {
+            Failure::Work(format!(
+                "{error}: unwrap it in a program for meshes, so that each place has its own"
+            ))
+        }
+        _ => Failure::of_mesh(error),
+    }
 }
 
 impl Arguments {

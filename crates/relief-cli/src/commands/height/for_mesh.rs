@@ -11,9 +11,9 @@ use relief_io::{DEFAULT_MAX_BYTES, HeightNote, MeshOptions, read_height, read_me
 use relief_render::scene::{MeshChoice, Surface};
 use serde_json::json;
 
-use super::check_memory;
 use super::described::Described;
 use super::output::{Content, Format, Output};
+use super::{check_memory, of_unwrapped};
 use crate::commands::maps::HeightArguments;
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
@@ -99,7 +99,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let mesh = match &arguments.mesh {
             MeshChoice::File(file) => {
                 let options = MeshOptions { max_bytes, ..MeshOptions::default() };
-                read_mesh(file, &options).map_err(Failure::of_mesh)?.mesh
+                read_mesh(file, &options).map_err(of_unwrapped)?.mesh
             }
             MeshChoice::Builtin(builtin) => builtin.build(map.proportions()).map_err(Failure::work)?,
         };

@@ -9,18 +9,16 @@ use relief_bake::Progress as BakeProgress;
 use relief_bake::from_meshes::{
     FromMeshesError, Layer, MeshPair, PairedHeights, heights_from_meshes, normals_from_meshes,
 };
-use relief_core::mesh::{FramingError, Mesh, UvProjection};
+use relief_core::mesh::{Mesh, UvProjection};
 use relief_core::raycast::RayCaster;
 use relief_core::{ByteSize, HeightMap, Wrap};
-use relief_io::{
-    DEFAULT_MAX_BYTES, HeightNote, MeshOptions, ReadError, ReadProblem, read_mesh, read_raw_mesh,
-};
+use relief_io::{DEFAULT_MAX_BYTES, HeightNote, MeshOptions, read_mesh, read_raw_mesh};
 use relief_render::scene::MeshChoice;
 use serde_json::json;
 
-use super::check_memory;
 use super::described::{Described, SURVEYED};
 use super::output::{Content, Format, NORMAL_SPACE, Output, check_distinct, coded, metadata};
+use super::{check_memory, of_unwrapped};
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::interrupt::{self, cancelled};
@@ -216,7 +214,7 @@ impl Arguments {
         let low = match &self.low {
             MeshChoice::File(file) => {
                 let options = MeshOptions { max_bytes: left, ..MeshOptions::default() };
-                read_mesh(file, &options).map_err(of_low)?.mesh
+                read_mesh(file, &options).map_err(of_unwrapped)?.mesh
             }
             MeshChoice::Builtin(builtin) => builtin.build(proportions).map_err(Failure::work)?,
         };
@@ -363,16 +361,4 @@ impl Arguments {
 /// So many texels, and what part of all that is.
 fn share(count: u64, all: u64) -> String {
     format!("{count} texels ({:.3} %)", 100.0 * count as f64 / all.max(1) as f64)
-}
-
-/// A simple mesh that cannot be read: no flag here makes texture coordinates.
-fn of_low(error: ReadError) -> Failure {
-    match &error.problem {
-        ReadProblem::Mesh(FramingError::NoTextureCoordinates { .. } | FramingError::NoTextureArea { .. }) => {
-            Failure::Work(format!(
-                "{error}: unwrap it in a program for meshes, so that each place has its own"
-            ))
-        }
-        _ => Failure::of_mesh(error),
-    }
 }
