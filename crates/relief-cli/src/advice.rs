@@ -24,17 +24,17 @@ pub fn with_key(error: &impl ToString, mend: Option<Mend>) -> String {
     with(error, mend.map(|mend| mend.key))
 }
 
-/// What mends an error: a flag, or a key where a command takes only a scene file.
+/// What mends an error.
 #[derive(Clone, Copy)]
 pub struct Mend {
-    /// For commands with flags of their own for what a scene says.
-    pub flag: &'static str,
-    /// For others.
-    pub key: &'static str,
+    /// The flag, for commands that have flags for what a scene file says.
+    flag: &'static str,
+    /// The key of the scene file, for commands that take a scene file alone.
+    key: &'static str,
 }
 
 impl Mend {
-    /// What all commands have a flag for.
+    /// A flag that all commands have.
     const fn everywhere(flag: &'static str) -> Self {
         Self { flag, key: flag }
     }
@@ -69,16 +69,22 @@ pub fn of_picture(problem: &ReadProblem) -> Option<Mend> {
     }
 }
 
+/// Whether a mesh is refused for its texture coordinates alone.
+pub fn has_no_texture(problem: &ReadProblem) -> bool {
+    matches!(
+        problem,
+        ReadProblem::Mesh(FramingError::NoTextureCoordinates { .. } | FramingError::NoTextureArea { .. })
+    )
+}
+
 /// What lets a mesh be read.
 pub fn of_mesh(problem: &ReadProblem) -> Option<Mend> {
     match problem {
         ReadProblem::MeshMemory { .. } => Some(Mend::everywhere("--max-memory raises it")),
-        ReadProblem::Mesh(FramingError::NoTextureCoordinates { .. } | FramingError::NoTextureArea { .. }) => {
-            Some(Mend {
-                flag: "--project box, cylinder or sphere makes texture coordinates",
-                key: "the key project = \"box\", \"cylinder\" or \"sphere\" makes texture coordinates",
-            })
-        }
+        problem if has_no_texture(problem) => Some(Mend {
+            flag: "--project box, cylinder or sphere makes texture coordinates",
+            key: "the key project = \"box\", \"cylinder\" or \"sphere\" makes texture coordinates",
+        }),
         ReadProblem::Part { problem, .. } => of_mesh(problem),
         _ => None,
     }

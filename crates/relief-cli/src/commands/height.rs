@@ -14,9 +14,8 @@ mod procedure;
 use clap::{Args, Subcommand};
 use relief_bake::from_normals::{FromNormalsError, IntegratedHeights, Integration};
 use relief_bake::photometric::PhotometricError;
-use relief_core::mesh::FramingError;
 use relief_core::{ByteSize, Wrap};
-use relief_io::{DEFAULT_MAX_BYTES, HeightNote, ReadError, ReadProblem};
+use relief_io::{DEFAULT_MAX_BYTES, HeightNote, ReadError};
 use serde_json::{Value, json};
 
 use self::described::{Described, SURVEYED};
@@ -24,7 +23,7 @@ use self::output::{Content, Format, Output};
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
 use crate::streams::Files;
-use crate::{units, values};
+use crate::{advice, units, values};
 
 /// What `relief height` is given.
 #[derive(Args)]
@@ -145,17 +144,15 @@ fn check_memory([width, height]: [u32; 2], bytes_per_texel: u64, limit: u64) -> 
     )))
 }
 
-/// A mesh that cannot be read, and whose places must lie nowhere on each other in the map: no flag makes such
-/// texture coordinates.
+/// An error in reading a mesh of which each place needs its own part of the map. No flag makes such texture
+/// coordinates.
 fn of_unwrapped(error: ReadError) -> Failure {
-    match &error.problem {
-        ReadProblem::Mesh(FramingError::NoTextureCoordinates { .. } | FramingError::NoTextureArea { .. }) => {
-            Failure::Work(format!(
-                "{error}: unwrap it in a program for meshes, so that each place has its own"
-            ))
-        }
-        _ => Failure::of_mesh(error),
+    if advice::has_no_texture(&error.problem) {
+        return Failure::Work(format!(
+            "{error}: unwrap it in a program for meshes, so that each place has its own"
+        ));
     }
+    Failure::of_mesh(error)
 }
 
 impl Arguments {

@@ -4,14 +4,13 @@ use std::path::Path;
 
 use glam::Vec2;
 use relief_core::ByteSize;
-use relief_core::mesh::{FramingError, Mesh, Placement, UvProjection, Vertex};
-use relief_io::{
-    MeshColors, MeshFile, MeshOptions, Picture, ReadError, ReadProblem, read_mesh, read_picture,
-};
+use relief_core::mesh::{Mesh, Placement, UvProjection, Vertex};
+use relief_io::{MeshColors, MeshFile, MeshOptions, Picture, ReadError, read_mesh, read_picture};
 use relief_mesh::{MeshSettings, Mesher};
 use relief_render::scene::{MeshChoice, SceneSpec, SurfaceSpec, read_scene};
 
 use super::Arguments;
+use crate::advice;
 use crate::commands::numbered::{Numbering, ONE_FRAME};
 use crate::commands::scene_arguments::of_scene_file;
 use crate::failure::Failure;
@@ -133,7 +132,7 @@ fn of_mesh_file(
 ) -> Result<(Mesh, Option<MeshColors>), Failure> {
     let options = MeshOptions { projection, colors: true, max_bytes };
     let MeshFile { mesh, colors, .. } = match read_mesh(path, &options) {
-        Err(ReadError { problem, .. }) if has_no_texture(&problem) && projection.is_none() => {
+        Err(ReadError { problem, .. }) if advice::has_no_texture(&problem) && projection.is_none() => {
             // No picture lies on it by coordinates that it has not, and nothing else needs them.
             notes.push(format!("{}: it has no texture coordinates for a picture of colours", path.display()));
             let projected = MeshOptions { projection: Some(UvProjection::Box), ..options };
@@ -142,12 +141,4 @@ fn of_mesh_file(
         other => other.map_err(Failure::of_mesh)?,
     };
     Ok((mesh, colors))
-}
-
-/// Whether a mesh is refused for its texture coordinates alone.
-fn has_no_texture(problem: &ReadProblem) -> bool {
-    matches!(
-        problem,
-        ReadProblem::Mesh(FramingError::NoTextureCoordinates { .. } | FramingError::NoTextureArea { .. })
-    )
 }

@@ -52,8 +52,9 @@ struct Left {
 #[derive(Clone, Copy, Default)]
 struct Stray {
     line: Line<Straight>,
-    /// What is left, depth by depth, and the depths at which something is, as bits.
+    /// The nodes left, depth by depth.
     left: [Left; MAX_LEVELS],
+    /// The depths that have nodes left, as bits.
     depths: u32,
     /// The node that it has come to, and its depth.
     node: [u32; 2],
