@@ -3,6 +3,7 @@
 mod common;
 
 use common::command::{Folder, json_of};
+use common::files::foreign;
 use common::maps::Map;
 use common::meshes::obj;
 use common::refused::{assert_refused, entries, with_out};
@@ -70,6 +71,11 @@ fn bytes_are_the_same_whatever_the_threads_and_the_views_come_from() {
     let first = bytes("--threads 1", "a");
     assert!(first == bytes("--threads 3", "b"));
     assert!(first == bytes("--views out/a/object.toml", "c"));
+    let list = std::fs::read_to_string(folder.path("out/a/object.toml")).expect("it was written");
+    for (name, text) in foreign(&list) {
+        folder.write("views.toml", text);
+        assert!(first == bytes("--views views.toml", &name.replace(" ", "-")), "{name}");
+    }
     assert!(first != bytes("--views out/a/object.toml --perspective 30", "d"));
 }
 

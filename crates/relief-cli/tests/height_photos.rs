@@ -3,7 +3,7 @@
 mod common;
 
 use common::command::{Folder, json_of};
-use common::files::exr;
+use common::files::{exr, foreign};
 use common::maps::{Map, encoded};
 use image::{DynamicImage, ImageBuffer, ImageFormat, Rgb};
 use relief_io::{HeightOptions, linear_to_srgb, read_height, read_metadata, read_picture};
@@ -128,6 +128,13 @@ fn heights_normals_and_colours_come_back() {
                 }
             }
         }
+    }
+    // The list may come from other systems.
+    let list = std::fs::read_to_string(folder.path("shots/lights.toml")).expect("it was written");
+    for (name, bytes) in foreign(&list) {
+        folder.write("shots/lights.toml", bytes);
+        folder.relief("height from-photos shots/lights.toml -o h.exr --wrap repeat --damping 0").fine();
+        assert!(error(&folder, "h.exr") < 1e-6, "{name}");
     }
     for (name, space) in [("n.exr", "up"), ("a.exr", "linear"), ("a.png", "sRGB")] {
         let metadata = read_metadata(&folder.path(name)).expect("it has metadata");

@@ -8,6 +8,7 @@ use std::path::Path;
 use std::process::{Output, Stdio};
 
 use common::command::{Folder, Ran};
+use common::files::foreign;
 use serde_json::Value;
 
 fn shipped() -> Vec<u8> {
@@ -69,7 +70,18 @@ fn a_scene_from_a_pipe_starts_in_the_current_folder() {
     assert!(folder.path("a.png").exists());
     let printed = ran(&folder, "scene - --samples 3 -o -", scene).fine().stdout;
     assert!(printed.contains("\nsamples = 3 ") && printed.contains("maps/map.png"), "{printed}");
-    let wrong = ran(&folder, "render - -o b.png", b"size = [12, 9]\nsamples = 0\n");
+    // However its text is written.
+    let picture = fs::read(folder.path("a.png")).expect("it was written");
+    for (name, bytes) in foreign(std::str::from_utf8(scene).expect("text")) {
+        folder.write("scene.toml", &bytes);
+        folder.relief("render scene.toml -o b.png").fine();
+        assert!(fs::read(folder.path("b.png")).expect("it was written") == picture, "{name}");
+        ran(&folder, "render - -o c.png", &bytes).fine();
+        assert!(fs::read(folder.path("c.png")).expect("it was written") == picture, "{name}");
+    }
+    folder.write("scene.toml", b"height = 'gr\xfcn.png'\n");
+    assert_eq!(folder.relief("render scene.toml -o d.png").code, Some(1));
+    let wrong = ran(&folder, "render - -o d.png", b"size = [12, 9]\nsamples = 0\n");
     assert_eq!(wrong.code, Some(1));
     assert!(wrong.stderr.contains("standard input") && wrong.stderr.contains("line 2"), "{wrong:?}");
 }

@@ -1,7 +1,7 @@
 //! A file that has been recognised and whose header has been checked: what it holds, and its samples row by
 //! row.
 
-use std::io::{Read, Seek};
+use std::io::{Read, Seek, SeekFrom};
 
 use crate::exr::ExrFile;
 use crate::hdr::HdrFile;
@@ -11,6 +11,7 @@ use crate::layout::{Format, Layout, Sink};
 use crate::pgm::PgmFile;
 use crate::png::PngFile;
 use crate::raw::RawFile;
+use crate::text::MARK;
 use crate::tiff::TiffFile;
 use crate::{RawLayout, ReadProblem, Source};
 
@@ -47,7 +48,12 @@ impl<'a> ImageFile<'a> {
         if let Some(layout) = raw {
             return Ok(Self::Raw(RawFile::open(input, layout)?));
         }
-        match recognise(&signature) {
+        // A plain map is a text, which may begin with a byte order mark.
+        let text = signature.strip_prefix(MARK).filter(|text| matches!(text, [b'P', b'2' | b'3', ..]));
+        if text.is_some() {
+            input.file.seek(SeekFrom::Start(MARK.len() as u64))?;
+        }
+        match recognise(text.unwrap_or(&signature)) {
             Some(Format::Png) => Ok(Self::Png(Box::new(PngFile::open(input)?))),
             Some(Format::Jpeg) => Ok(Self::Jpeg(JpegFile::open(input)?)),
             Some(Format::Exr) => Ok(Self::Exr(ExrFile::open(input)?)),

@@ -55,6 +55,7 @@ mod raw;
 mod raw_layout;
 mod samples;
 mod source;
+mod text;
 mod texture;
 mod tiff;
 mod write;
@@ -78,6 +79,7 @@ pub use picture::{Curve, Picture, linear_to_srgb, read_picture, read_picture_as,
 pub use picture_file::{PictureFormat, PictureSink, write_picture};
 pub use raw_layout::{BadRawLayout, ByteOrder, RawLayout};
 pub use source::Source;
+pub use text::decode_text;
 pub use texture::{
     LineSink, Metadata, PngTexture, Row, RowSource, read_metadata, write_exr_lines, write_exr_rows,
     write_png_rows,

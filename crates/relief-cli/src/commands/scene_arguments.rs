@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use relief_core::ByteSize;
-use relief_io::GreenSign;
+use relief_io::{GreenSign, decode_text};
 use relief_render::depth_buffer::Clip;
 use relief_render::scene::{
     BackendChoice, LightSpec, MaterialSpec, ProjectionChoice, Sampling, SceneError, SceneSpec, SurfaceSpec,
@@ -396,7 +396,11 @@ impl SceneArguments {
 
 /// The scene file that came by the standard input: its paths start at the current folder.
 fn scene_of_input(copy: &Path) -> Result<SceneSpec, SceneError> {
-    let text = std::fs::read_to_string(copy);
+    let text = std::fs::read(copy).and_then(|bytes| {
+        let no_text =
+            || std::io::Error::new(std::io::ErrorKind::InvalidData, "it holds no text, which scenes are");
+        decode_text(bytes).ok_or_else(no_text)
+    });
     let text = text.map_err(|source| SceneError::Io { path: INPUT.into(), source })?;
     parse_scene(&text, Path::new(INPUT))
 }

@@ -226,3 +226,15 @@ fn crc32(bytes: &[u8]) -> u32 {
     let step = |crc: u32, _| if crc & 1 == 1 { 0xedb8_8320 ^ (crc >> 1) } else { crc >> 1 };
     !bytes.iter().fold(!0, |crc, &byte| (0..8).fold(crc ^ u32::from(byte), step))
 }
+
+/// A text as programs on other systems write it: with a byte order mark, in UTF-16, with old line ends.
+pub fn foreign(text: &str) -> Vec<(&'static str, Vec<u8>)> {
+    let units: Vec<u16> = std::iter::once(0xfeff).chain(text.encode_utf16()).collect();
+    vec![
+        ("marked", [b"\xef\xbb\xbf", text.as_bytes()].concat()),
+        ("utf-16 le", units.iter().flat_map(|unit| unit.to_le_bytes()).collect()),
+        ("utf-16 be", units.iter().flat_map(|unit| unit.to_be_bytes()).collect()),
+        ("crlf", text.replace('\n', "\r\n").into_bytes()),
+        ("cr", text.replace('\n', "\r").into_bytes()),
+    ]
+}

@@ -9,6 +9,7 @@ use relief_core::mesh::RawCorner;
 use super::builder::Builder;
 use super::text::{number, shown};
 use crate::ReadProblem;
+use crate::text::{line_len, without_mark};
 
 const FORMAT: &str = "OBJ";
 
@@ -19,7 +20,11 @@ struct Others {
     curves: bool,
 }
 
+/// Statements whose words are names, in which `#` begins no comment.
+const NAMING: [&[u8]; 5] = [b"usemtl", b"mtllib", b"o", b"g", b"usemap"];
+
 pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), ReadProblem> {
+    let bytes = without_mark(bytes)?;
     let totals = totals(bytes);
     let mut corners = Vec::new();
     let (mut faces, mut others) = (0usize, Others::default());
@@ -90,7 +95,8 @@ fn totals(bytes: &[u8]) -> [usize; 3] {
     totals
 }
 
-/// The lines with their numbers, counted from 1, as words. One that ends in a backslash goes on in the next.
+/// The lines with their numbers, counted from 1, as words. One that ends in a backslash goes on in the next;
+/// a comment begins with `#` and ends with its line.
 fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, impl Iterator<Item = &[u8]>)> {
     let (mut rest, mut number) = (bytes, 1);
     std::iter::from_fn(move || {
@@ -100,18 +106,25 @@ fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, impl Iterator<Item = &[u8
         let (mut end, first) = (0, number);
         loop {
             let from = end;
-            end += rest[from..].iter().position(|&byte| byte == b'\n').map_or(rest.len() - from, |at| at + 1);
+            end += line_len(&rest[from..]);
             number += 1;
-            if end == rest.len() || !rest[..end].trim_ascii_end().ends_with(b"\\") {
+            if end == rest.len() || !without_comment(&rest[from..end]).trim_ascii_end().ends_with(b"\\") {
                 break;
             }
         }
         let (line, after) = rest.split_at(end);
         rest = after;
         // Backslashes stand in names of files, too, which are not read.
-        let words = line.split(|byte| byte.is_ascii_whitespace() || *byte == b'\\');
+        let words = without_comment(line).split(|byte| byte.is_ascii_whitespace() || *byte == b'\\');
         Some((first, words.filter(|word| !word.is_empty())))
     })
+}
+
+/// A line up to its comment.
+fn without_comment(line: &[u8]) -> &[u8] {
+    let Some(comment) = line.iter().position(|&byte| byte == b'#') else { return line };
+    let statement = line.trim_ascii_start().split(u8::is_ascii_whitespace).next().unwrap_or_default();
+    if NAMING.contains(&statement) { line } else { &line[..comment] }
 }
 
 /// Three numbers, of which so many have to be there. What follows them, such as colours, is not read.

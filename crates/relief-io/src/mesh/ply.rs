@@ -13,6 +13,7 @@ use self::header::{Element, Header, Property};
 use self::values::Values;
 use super::builder::Builder;
 use crate::ReadProblem;
+use crate::text::without_mark;
 
 const FORMAT: &str = "PLY";
 
@@ -35,18 +36,31 @@ const VERTICES: [&str; 2] = ["vertex_indices", "vertex_index"];
 const TEXTURE: &str = "texcoord";
 
 pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), ReadProblem> {
+    let bytes = without_mark(bytes)?;
     let header = Header::read(bytes)?;
     let mut values = Values::new(&header, bytes);
     let mut vertices = None;
+    // Faces that come before the vertices that they name, and their numbers.
+    let mut waiting: Vec<(&Element, Values<'_>)> = Vec::new();
     let mut faces = 0;
     for element in &header.elements {
         values.check_element(element)?;
         match element.name.as_slice() {
-            b"vertex" if vertices.is_none() => vertices = Some(read_vertices(element, &mut values, builder)?),
+            b"vertex" if vertices.is_none() => {
+                let read = *vertices.insert(read_vertices(element, &mut values, builder)?);
+                for (element, mut values) in waiting.drain(..) {
+                    read_faces(element, &mut values, read, builder)?;
+                }
+            }
             b"face" => {
-                let vertices = vertices.ok_or_else(|| damaged("its faces come before its vertices"))?;
-                read_faces(element, &mut values, vertices, builder)?;
                 faces += element.count;
+                match vertices {
+                    Some(vertices) => read_faces(element, &mut values, vertices, builder)?,
+                    None => {
+                        waiting.push((element, values.clone()));
+                        skip(element, &mut values)?;
+                    }
+                }
             }
             b"tristrips" => {
                 let what = "triangle strips".to_owned();
@@ -57,6 +71,9 @@ pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), ReadProble
     }
     if faces == 0 {
         return Err(damaged("it has no faces, only points"));
+    }
+    if vertices.is_none() {
+        return Err(damaged("it has no vertices"));
     }
     Ok(())
 }

@@ -14,6 +14,7 @@ use relief_core::mesh::RawCorner;
 use super::builder::Builder;
 use super::text::{Words, number, shown};
 use crate::ReadProblem;
+use crate::text::without_mark;
 
 const FORMAT: &str = "STL";
 
@@ -60,12 +61,15 @@ pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), ReadProble
     let mut triangles = Triangles { builder, places: HashMap::new() };
     let count = bytes.get(HEADER - 4..HEADER).and_then(|count| count.try_into().ok()).map(u32::from_le_bytes);
     let binary_len = count.map(|count| HEADER as u64 + TRIANGLE as u64 * u64::from(count));
-    let is_text = bytes.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
-    match binary_len {
-        Some(len) if len == bytes.len() as u64 || !is_text => binary(bytes, len, &mut triangles),
-        _ if is_text => text(bytes, &mut triangles),
-        _ => Err(ReadProblem::damaged(FORMAT, "it is shorter than its header")),
+    if let Some(len) = binary_len.filter(|&len| len == bytes.len() as u64) {
+        return binary(bytes, len, &mut triangles);
     }
+    let unmarked = without_mark(bytes)?;
+    if unmarked.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid")) {
+        return text(unmarked, &mut triangles);
+    }
+    let len = binary_len.ok_or_else(|| ReadProblem::damaged(FORMAT, "it is shorter than its header"))?;
+    binary(bytes, len, &mut triangles)
 }
 
 fn binary(bytes: &[u8], len: u64, triangles: &mut Triangles<'_>) -> Result<(), ReadProblem> {

@@ -20,6 +20,15 @@ pub(super) fn shown(word: &[u8]) -> String {
     if cut.len() < word.len() { format!("{text}...") } else { text }
 }
 
+/// How many lines end in white space: by a line feed, a carriage return, or both.
+fn line_ends(space: &[u8]) -> usize {
+    let ends = |at: usize| match space[at] {
+        b'\n' => true,
+        byte => byte == b'\r' && space.get(at + 1) != Some(&b'\n'),
+    };
+    (0..space.len()).filter(|&at| ends(at)).count()
+}
+
 /// The words of a text one by one, and the line that the last one stands on, counted from 1.
 #[derive(Clone, Debug)]
 pub(super) struct Words<'a> {
@@ -45,8 +54,8 @@ impl<'a> Words<'a> {
 
     /// What is left of the line is no word.
     pub fn skip_line(&mut self) {
-        let end = self.rest.iter().position(|&byte| byte == b'\n').unwrap_or(self.rest.len());
-        self.rest = &self.rest[end..];
+        let end = self.rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
+        self.rest = &self.rest[end.unwrap_or(self.rest.len())..];
     }
 }
 
@@ -55,7 +64,7 @@ impl<'a> Iterator for Words<'a> {
 
     fn next(&mut self) -> Option<&'a [u8]> {
         let start = self.rest.iter().position(|byte| !byte.is_ascii_whitespace())?;
-        self.line += self.rest[..start].iter().filter(|&&byte| byte == b'\n').count();
+        self.line += line_ends(&self.rest[..start]);
         let rest = &self.rest[start..];
         let end = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
         let (word, rest) = rest.split_at(end);

@@ -9,6 +9,7 @@ use glam::DVec3;
 use relief_core::HeightMap;
 use relief_core::object::{JumpCells, MAX_VIEWS};
 use relief_core::registry::UnknownName;
+use relief_io::decode_text;
 use serde::Deserialize;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer};
@@ -187,8 +188,8 @@ fn read_text(path: &Path) -> Result<String, ObjectFileError> {
         if bytes.len() as u64 > MAX_FILE_BYTES {
             return Err(io::Error::new(io::ErrorKind::FileTooLarge, "it is too long for an object"));
         }
-        let no_text = |_| io::Error::new(io::ErrorKind::InvalidData, "it holds no text, which objects do");
-        String::from_utf8(bytes).map_err(no_text)
+        let no_text = || io::Error::new(io::ErrorKind::InvalidData, "it holds no text, which objects do");
+        decode_text(bytes).ok_or_else(no_text)
     };
     read().map_err(|source| ObjectFileError::Io { path: path.to_owned(), source })
 }

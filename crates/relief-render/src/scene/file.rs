@@ -6,6 +6,7 @@
 use super::keys::keys_of;
 use super::{SceneError, SceneSpec, SurfaceSpec};
 use relief_core::registry::UnknownName;
+use relief_io::decode_text;
 use relief_shaders::{AMBIENT, STAGES};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -73,7 +74,7 @@ fn read_text(path: &Path) -> io::Result<String> {
         let what = "it is too long for a scene";
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, what));
     }
-    String::from_utf8(bytes).map_err(|_| {
+    decode_text(bytes).ok_or_else(|| {
         let what = "it holds no text, which scenes are";
         io::Error::new(io::ErrorKind::InvalidData, what)
     })

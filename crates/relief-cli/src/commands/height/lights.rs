@@ -6,7 +6,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use relief_bake::photometric::{Exposure, PhotometricError, check_lights};
-use relief_io::Curve;
+use relief_io::{Curve, decode_text};
 use serde::Deserialize;
 use toml::Spanned;
 
@@ -152,5 +152,5 @@ fn read_text(path: &Path) -> Result<String, String> {
     if bytes.len() as u64 > MAX_FILE_BYTES {
         return Err(format!("is too long: {no_list}"));
     }
-    String::from_utf8(bytes).map_err(|_| format!("holds no text: {no_list}"))
+    decode_text(bytes).ok_or_else(|| format!("holds no text: {no_list}"))
 }

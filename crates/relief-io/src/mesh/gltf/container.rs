@@ -2,6 +2,7 @@
 
 use super::damaged;
 use crate::ReadProblem;
+use crate::text::without_mark;
 
 const HEADER: usize = 12;
 const CHUNK_HEADER: usize = 8;
@@ -9,7 +10,7 @@ const CHUNK_HEADER: usize = 8;
 /// The JSON of a file, and the buffer inside of a GLB.
 pub(super) fn split(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), ReadProblem> {
     if !bytes.starts_with(b"glTF") {
-        return Ok((bytes, None));
+        return Ok((without_mark(bytes)?, None));
     }
     let version = word(bytes, 4)?;
     if version != 2 {

@@ -3,6 +3,7 @@
 use super::damaged;
 use crate::ReadProblem;
 use crate::mesh::text::shown;
+use crate::text::line_len;
 
 /// The most elements of a header, and properties of an element. Files have a few.
 const MOST: usize = 256;
@@ -85,9 +86,14 @@ impl Header {
     pub fn read(bytes: &[u8]) -> Result<Self, ReadProblem> {
         let (mut encoding, mut elements) = (None, Vec::<Element>::new());
         let (mut at, mut lines) = (0, 0);
+        // The first line says how all end: behind the last one binary numbers may begin with any byte.
+        let line_end = match bytes[..line_len(bytes)] {
+            [.., b'\r'] => b'\r',
+            _ => b'\n',
+        };
         loop {
             let rest = &bytes[at..];
-            let Some(end) = rest.iter().position(|&byte| byte == b'\n') else {
+            let Some(end) = rest.iter().position(|&byte| byte == line_end) else {
                 return Err(damaged(if lines == 0 {
                     "it does not begin with ply"
                 } else {

@@ -6,6 +6,7 @@ use crate::ReadProblem;
 use crate::mesh::text::{Words, shown};
 
 /// The numbers that are left.
+#[derive(Clone)]
 pub(super) enum Values<'a> {
     Text(Words<'a>),
     Binary { rest: &'a [u8], big_endian: bool },
