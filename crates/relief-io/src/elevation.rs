@@ -13,6 +13,39 @@ pub struct Georeference {
     /// turned over in reading, so that column 0 is in the west and row 0 in the north. Of a grid that is
     /// turned by some angle the rows are turned over where it would be mirrored else.
     pub turned_over: [bool; 2],
+    /// Where the texels lie in the file's coordinates; none where the file does not say it.
+    pub transform: Option<GridTransform>,
+    /// Metres in one unit of the file's coordinates, along x and y, at the middle of the map; none where they
+    /// are not known.
+    pub metres_per_unit: Option<[f64; 2]>,
+    /// The shortest and the longest row, as parts of the middle one: 1 and 1 but for coordinates whose metres
+    /// depend on the latitude.
+    pub row_lengths: [f64; 2],
+}
+
+/// Where the texels of a map lie in the coordinates of its file. The map is the one that is read: its rows are
+/// those of the file turned over where [`Georeference::turned_over`] says so.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GridTransform {
+    /// The outer corner of the first texel, x and y.
+    pub origin: [f64; 2],
+    /// The way from a column to the next one, along x and y.
+    pub column: [f64; 2],
+    /// The way from a row to the next one, along x and y.
+    pub row: [f64; 2],
+}
+
+impl GridTransform {
+    /// The coordinates of a point of the map, in texels from the outer corner of the first one.
+    pub fn at(&self, [columns, rows]: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| self.origin[axis] + columns * self.column[axis] + rows * self.row[axis])
+    }
+
+    /// The six numbers `a b c d e f` of `x = a column + b row + c` and `y = d column + e row + f`.
+    pub fn affine(&self) -> [f64; 6] {
+        let Self { origin: [c, f], column: [a, d], row: [b, e] } = *self;
+        [a, b, c, d, e, f]
+    }
 }
 
 /// A kind of coordinate system, by how its units become metres.

@@ -36,6 +36,7 @@ mod error;
 mod exr;
 pub mod file_set;
 mod fill;
+mod ground;
 mod hdr;
 mod height;
 mod height_note;
@@ -63,8 +64,9 @@ mod write_whole;
 
 pub use self::ktx2::{Ktx2File, Ktx2Level, Ktx2Texture, TexelFormat, read_ktx2, write_ktx2};
 pub use convention::{Detection, Guess, detect, guess_by_name};
-pub use elevation::{CoordinateSystem, Elevation, Georeference};
+pub use elevation::{CoordinateSystem, Elevation, Georeference, GridTransform};
 pub use error::{ReadError, ReadProblem, WriteError, WriteProblem};
+pub use ground::{Ground, read_ground};
 pub use height::{Convention, DEFAULT_MAX_BYTES, Fill, HeightOptions, read_height, read_stored_heights};
 pub use height_note::HeightNote;
 pub use inspect::{HISTOGRAM_BINS, SEAM_LIMIT, SourceInfo, Tiling, Values, inspect};

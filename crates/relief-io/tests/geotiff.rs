@@ -10,7 +10,7 @@ use common::tiff_file::{Tiff, Value};
 use common::{Folder, default};
 use relief_core::{HeightMap, Wrap};
 use relief_io::{
-    CoordinateSystem, Fill, HeightOptions, ReadProblem, Source, SourceInfo, inspect, read_height,
+    CoordinateSystem, Fill, HeightOptions, ReadProblem, Source, SourceInfo, inspect, read_ground, read_height,
 };
 
 const WIDTH: u32 = 24;
@@ -364,6 +364,56 @@ fn a_tent_on_a_grid_that_is_turned() {
 
 fn projected_by(rows: [[f64; 4]; 2]) -> Tags {
     vec![matrix(rows), keys(&[[1024, 1], [3072, 32617], [3076, 9001]])]
+}
+
+#[test]
+fn the_corners_of_a_map_are_where_its_file_places_them() {
+    let folder = Folder::new();
+    let [width, height] = [f64::from(WIDTH), f64::from(HEIGHT)];
+    let keys = |raster_type| keys(&[[1024, 1], [1025, raster_type], [3072, 32617], [3076, 9001]]);
+    let scaled = |raster_type, at: [f64; 6]| {
+        vec![scale(2.0, 3.0), (33922, Value::Double(at.to_vec())), keys(raster_type)]
+    };
+    let by_matrix = |raster_type, x: [f64; 3], y: [f64; 3]| {
+        let row = |[column, row, at]: [f64; 3]| [column, row, 0.0, at];
+        vec![matrix([row(x), row(y)]), keys(raster_type)]
+    };
+    let (turned_x, turned_y) = ([4.8, 1.2, 5e5], [3.6, -1.6, 4e6]);
+    // The corners in the north-west and in the south-east of a map that is upright.
+    let [west, east] = [5e5, 5e5 + 2.0 * width];
+    let [north, south] = [4e6, 4e6 - 3.0 * height];
+    for (ground, corners) in [
+        (scaled(1, [0.0, 0.0, 0.0, west, north, 0.0]), [[west, north], [east, south]]),
+        (scaled(2, [0.0, 0.0, 0.0, west + 1.0, north - 1.5, 0.0]), [[west, north], [east, south]]),
+        (scaled(1, [4.0, 2.0, 0.0, west + 8.0, north - 6.0, 0.0]), [[west, north], [east, south]]),
+        (by_matrix(1, [2.0, 0.0, west], [0.0, 3.0, south]), [[west, north], [east, south]]),
+        (by_matrix(1, [-2.0, 0.0, east], [0.0, -3.0, north]), [[west, north], [east, south]]),
+        (by_matrix(2, [-2.0, 0.0, east - 1.0], [0.0, 3.0, south + 1.5]), [[west, north], [east, south]]),
+        (
+            by_matrix(1, turned_x, turned_y),
+            [[5e5, 4e6], [5e5 + 4.8 * width + 1.2 * height, 4e6 + 3.6 * width - 1.6 * height]],
+        ),
+    ] {
+        let path = write(&folder, &grey(32, 3, ground), &tent([2.0, 3.0], 70.0));
+        let found = read_ground(&path, &default()).unwrap_or_else(|error| panic!("{error}"));
+        let georeference = found.georeference.expect("it is georeferenced");
+        let transform = georeference.transform.expect("the file places its grid");
+        assert_eq!([transform.at([0.0, 0.0]), transform.at([width, height])], corners);
+        assert_eq!((georeference.metres_per_unit, georeference.row_lengths), (Some([1.0; 2]), [1.0; 2]));
+        let map = read(&path, &default());
+        assert_eq!((found.tile_m, found.size), (map.stated_tile_m(), [map.width(), map.height()]));
+    }
+    // Rows of a degree each, the first from 60 to 59 degrees north, the last from 43 to 42.
+    let keys = self::keys(&[[1024, 2], [2048, 4326]]);
+    let degrees = vec![scale(1.0, 1.0), tie(7.0, 60.0), keys];
+    let path = write(&folder, &grey(32, 3, degrees), &tent([1.0; 2], 70.0));
+    let found = look(&path).georeference.expect("it is georeferenced");
+    // On a sphere, which is nearly as round.
+    let cosine = |degrees: f64| degrees.to_radians().cos();
+    for (found, latitude) in found.row_lengths.into_iter().zip([60.0, 42.0]) {
+        assert!((found - cosine(latitude) / cosine(51.0)).abs() < 1e-3, "{found} at {latitude}");
+    }
+    assert_eq!(found.transform.map(|transform| transform.at([1.0, 18.0])), Some([8.0, 42.0]));
 }
 
 #[test]

@@ -8,6 +8,7 @@ const TAG_KEYS: u16 = 34735;
 const TAG_KEY_DOUBLES: u16 = 34736;
 
 pub(super) const KEY_MODEL_TYPE: u16 = 1024;
+pub(super) const KEY_RASTER_TYPE: u16 = 1025;
 pub(super) const KEY_GEOGRAPHIC_TYPE: u16 = 2048;
 pub(super) const KEY_ANGULAR_UNIT: u16 = 2054;
 pub(super) const KEY_ANGULAR_UNIT_SIZE: u16 = 2055;
