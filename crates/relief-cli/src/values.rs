@@ -4,6 +4,7 @@ use std::fmt::Display;
 use std::str::FromStr;
 
 use relief_core::registry::UnknownName;
+use relief_io::HeightRange;
 use relief_render::scene::{LightSpec, MaterialSpec};
 use relief_shaders::{Selection, SelectionError};
 
@@ -39,9 +40,18 @@ pub fn pair(text: &str) -> Result<[f64; 2], String> {
     numbers(text, "U,V").and_then(finite)
 }
 
-/// A range `A,B`.
-pub fn range(text: &str) -> Result<[f64; 2], String> {
-    numbers(text, "A,B").and_then(finite)
+/// A range `A,B`, or `auto`.
+pub fn range(text: &str) -> Result<HeightRange, String> {
+    text.parse()
+}
+
+/// A value that marks texels without one.
+pub fn nodata(text: &str) -> Result<f64, String> {
+    let number: f64 = text.trim().parse().map_err(|_| "write it as a number, as in -9999".to_owned())?;
+    if number.is_finite() {
+        return Ok(number);
+    }
+    Err("texels that are NaN or infinite never have a value: leave it out".to_owned())
 }
 
 /// A number above 0.
@@ -146,6 +156,13 @@ mod tests {
             ["", "1,2", "1,2,3,4", "1,2,inf", "1,2,3,4,5,6,7"].iter().all(|bad| point_light(bad).is_err())
         );
         assert_eq!(setting("search.steps=64"), Ok(("search.steps".to_owned(), 64.0)));
+        assert_eq!(range(" -1, 2.5"), Ok(HeightRange::Between([-1.0, 2.5])));
+        assert_eq!(range("auto"), Ok(HeightRange::Extremes));
+        for bad in ["", "1", "1,2,3", "1,inf", "nan,1", "all"] {
+            assert!(range(bad).is_err(), "{bad}");
+        }
+        assert_eq!((nodata("-9999"), nodata("-3.4e38")), (Ok(-9999.0), Ok(-3.4e38)));
+        assert!(["", "nan", "-inf", "none", "1,2"].iter().all(|bad| nodata(bad).is_err()));
         for bad in ["", "1,2", "1,2,3,4", "a,b,c", "1,2,nan", "1,2,inf"] {
             assert!(point(bad).is_err(), "{bad}");
         }

@@ -213,7 +213,7 @@ fn normals_with_faults_are_refused_mended_or_counted() {
     let planes = ["x", "y", "z"].map(|channel| {
         let options = HeightOptions {
             channel: Some(channel.to_owned()),
-            range: Some([-1.0, 1.0]),
+            range: Some([-1.0, 1.0].into()),
             ..HeightOptions::default()
         };
         let map = read_height(&folder.path(&normals), &options).expect("a channel");

@@ -10,7 +10,7 @@ use crate::fill::fill_holes;
 use crate::image_file::ImageFile;
 use crate::layout::{Layout, Terrain};
 use crate::samples::{Samples, Selection};
-use crate::{HeightNote, RawLayout, ReadError, ReadProblem, Source};
+use crate::{HeightNote, HeightRange, RawLayout, ReadError, ReadProblem, Source};
 
 /// What white means in a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -54,17 +54,18 @@ pub enum Fill {
     /// They are an error.
     #[default]
     Never,
-    /// In elevation models, which have them often, they are filled; in other files they are an error.
+    /// In elevation models, which have them often, and in files whose nodata value is given by
+    /// [`HeightOptions::nodata`] they are filled; in other files they are an error.
     Elevation,
     /// They are filled.
     Always,
 }
 
 impl Fill {
-    fn fills(self, is_elevation: bool) -> bool {
+    fn fills(self, is_expected: bool) -> bool {
         match self {
             Fill::Never => false,
-            Fill::Elevation => is_elevation,
+            Fill::Elevation => is_expected,
             Fill::Always => true,
         }
     }
@@ -83,9 +84,11 @@ pub struct HeightOptions {
     pub channel: Option<String>,
     /// Whether white is high or deep.
     pub convention: Convention,
-    /// The raw values that become 0 and 1, in the file's own units: sample values, not fractions. None: see
-    /// [`read_height`].
-    pub range: Option<[f64; 2]>,
+    /// The raw values that become 0 and 1. None: see [`read_height`].
+    pub range: Option<HeightRange>,
+    /// A raw value, as stored in the file, that marks texels without a value, beside the one that the file
+    /// itself declares. It must be finite.
+    pub nodata: Option<f64>,
     /// Read the file as headerless samples of this layout, whatever it holds.
     pub raw: Option<RawLayout>,
     /// What becomes of texels without a value.
@@ -102,6 +105,7 @@ impl Default for HeightOptions {
             channel: None,
             convention: Convention::Height,
             range: None,
+            nodata: None,
             raw: None,
             fill: Fill::Never,
             wrap: None,
@@ -120,7 +124,7 @@ pub(crate) const BYTES_PER_TEXEL: u64 = 8;
 /// file's content. Samples are taken as stored: no gamma or colour profile is applied. Which raw values
 /// become 0 and 1:
 ///
-/// * the ends of [`HeightOptions::range`] where it is given;
+/// * the ends of [`HeightOptions::range`] where they are given;
 /// * the least and the greatest value for elevation models, for floats, and for signed and 32 and 64-bit
 ///   integers, whose type's maximum says nothing of what they hold. A constant map becomes 0;
 /// * 0 and the type's maximum for other unsigned integers of up to 16 bit (255, 65535, a PGM's maxval).
@@ -161,7 +165,7 @@ pub fn read_height<'a>(
 }
 
 fn read(source: Source<'_>, options: &HeightOptions) -> Result<HeightMap, ReadProblem> {
-    if let Some(range) = options.range
+    if let Some(range) = options.range.and_then(HeightRange::between)
         && !(range[0] < range[1] && (range[1] - range[0]).is_finite())
     {
         return Err(ReadProblem::BadRange { range });
@@ -172,7 +176,8 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<HeightMap, ReadPr
     let terrain = layout.terrain()?;
     let elevation = terrain.map(|terrain| &terrain.channels[selection.first()]);
     let note = HeightNote::of_file(source, layout.format);
-    let samples = Samples::read(file, &selection).map_err(|problem| with_alpha(problem, source, options))?;
+    let samples = Samples::read(file, &selection, options.nodata)
+        .map_err(|problem| with_alpha(problem, source, options))?;
     let (holes, nearly_grey) = (samples.holes(), samples.nearly_grey);
     let full_scale = layout.height_full_scale();
     let range = range(&samples, full_scale, options)?;
@@ -216,7 +221,7 @@ pub fn read_stored_heights<'a>(
     let read_as_stored = || {
         let full_scale =
             ImageFile::open(source, None, BYTES_PER_TEXEL, max_bytes)?.layout().height_full_scale();
-        let range = full_scale.is_none().then_some([0.0, 1.0]);
+        let range = full_scale.is_none().then_some(HeightRange::Between([0.0, 1.0]));
         let wrap = Some(Wrap::Clamp);
         read(source, &HeightOptions { range, wrap, max_bytes, ..HeightOptions::default() })
     };
@@ -229,7 +234,7 @@ fn with_alpha(problem: ReadProblem, source: Source<'_>, options: &HeightOptions)
     let read = || {
         let file = ImageFile::open(source, options.raw, BYTES_PER_TEXEL, options.max_bytes).ok()?;
         let alpha = file.layout().channel("a")?;
-        Samples::read(file, &Selection::Channel(alpha)).ok()
+        Samples::read(file, &Selection::Channel(alpha), None).ok()
     };
     let alpha_varies = read().is_some_and(|alpha| alpha.extremes[0] < alpha.extremes[1]);
     ReadProblem::NotGrey { channels, column, row, alpha_varies }
@@ -246,12 +251,12 @@ fn range(
         return Err(ReadProblem::AllHoles);
     }
     match (options.range, full_scale) {
-        (Some(range), _) if actual[0] < range[0] || actual[1] > range[1] => {
+        (Some(HeightRange::Between(range)), _) if actual[0] < range[0] || actual[1] > range[1] => {
             Err(ReadProblem::OutsideRange { range, actual })
         }
-        (Some(range), _) => Ok(range),
+        (Some(HeightRange::Between(range)), _) => Ok(range),
         (None, Some(full_scale)) => Ok([0.0, full_scale]),
-        (None, None) => Ok(actual),
+        (Some(HeightRange::Extremes), _) | (None, None) => Ok(actual),
     }
 }
 
@@ -265,7 +270,7 @@ fn height_map(
     let wrap = options.wrap.unwrap_or(if is_elevation { Wrap::Clamp } else { Wrap::Repeat });
     let mut holes = None;
     if let Some(hole) = samples.first_hole {
-        if !options.fill.fills(is_elevation) {
+        if !options.fill.fills(is_elevation || options.nodata.is_some()) {
             let (column, row) = ((hole % width as usize) as u32, (hole / width as usize) as u32);
             let Samples { not_finite, nodata, masked, .. } = samples;
             return Err(ReadProblem::Holes { not_finite, nodata, masked, column, row });

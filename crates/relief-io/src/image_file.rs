@@ -91,11 +91,19 @@ impl<'a> ImageFile<'a> {
         }
     }
 
-    /// The same file, whose elevations are numbers and no shades: they are not inverted where white is
-    /// stored as 0.
-    pub(crate) fn of_heights(mut self) -> Self {
+    /// The sample of white of a channel, where the raw value of a height is this less the stored number:
+    /// where shades are stored with 0 as white. Elevations are numbers and no shades.
+    pub(crate) fn white_of_heights(&self, channel: usize) -> Option<f64> {
+        match self {
+            Self::Tiff(file) => file.white_of_heights(channel),
+            _ => None,
+        }
+    }
+
+    /// The same file, whose samples come as they are stored, with 0 as white, too.
+    pub(crate) fn into_stored(mut self) -> Self {
         if let Self::Tiff(file) = &mut self {
-            file.keep_elevations();
+            file.keep_stored();
         }
         self
     }

@@ -77,7 +77,7 @@ pub struct Tiling {
 pub const SEAM_LIMIT: f64 = 1.25;
 
 /// Reads a file, or the bytes of one, and says what it holds. Options are used as in [`crate::read_height`]:
-/// `channel`, `raw` and `max_bytes`.
+/// `channel`, `nodata`, `raw` and `max_bytes`.
 ///
 /// Texels without a value are counted, not an error; nor is a picture in colour, of which `values` are not
 /// given.
@@ -100,7 +100,7 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<SourceInfo, ReadP
         Ok(selection) => {
             let channel = selection.first();
             let elevation = terrain.as_ref().map(|terrain| terrain.channels[channel].clone());
-            match Samples::read(file, &selection) {
+            match Samples::read(file, &selection, options.nodata) {
                 Ok(samples) => {
                     let name = &layout.channels[channel].name;
                     Some(values(samples, name, layout.height_full_scale(), elevation))

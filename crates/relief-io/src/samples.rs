@@ -2,7 +2,8 @@
 
 use crate::ReadProblem;
 use crate::image_file::ImageFile;
-use crate::layout::{Layout, Span};
+use crate::layout::{Layout, SampleType, Span};
+use crate::nodata::Marker;
 
 /// How far apart red, green and blue of a grey may be, as a part of the greatest value: what lossy
 /// compression does to it.
@@ -23,14 +24,19 @@ pub(crate) struct Samples {
     pub extremes: [f64; 2],
     /// Texels that are NaN, infinite or beyond `f32`.
     pub not_finite: u64,
-    /// Texels that hold the file's nodata value.
+    /// Texels that hold a nodata value: the file's, or one that was given.
     pub nodata: u64,
+    /// Those of them that hold the one that was given.
+    pub given_nodata: u64,
     /// Texels that the file's mask leaves out, whatever they hold.
     pub masked: u64,
     /// The first texel without a value, in rows from the top.
     pub first_hole: Option<usize>,
     /// Texels whose red, green and blue were nearly, but not quite, equal.
     pub nearly_grey: u64,
+    /// The sample of white where samples are stored with 0 as white: the raw value is this less the stored
+    /// number.
+    pub white: Option<f64>,
 }
 
 /// Where the samples come from.
@@ -52,8 +58,14 @@ impl Selection {
 }
 
 impl Samples {
-    pub(crate) fn read(file: ImageFile<'_>, selection: &Selection) -> Result<Self, ReadProblem> {
-        let file = file.of_heights();
+    /// Reads the texels of a selection. Those that store the file's nodata value or `nodata` have none.
+    pub(crate) fn read(
+        file: ImageFile<'_>,
+        selection: &Selection,
+        nodata: Option<f64>,
+    ) -> Result<Self, ReadProblem> {
+        let white = file.white_of_heights(selection.first());
+        let file = file.into_stored();
         let layout = file.layout();
         let names = layout.channel_names();
         let channels = match selection {
@@ -61,7 +73,7 @@ impl Samples {
             Selection::Grey(channels) => channels.to_vec(),
         };
         let sample = layout.channels[selection.first()].sample;
-        let mut collector = Collector::new(layout, sample.fits_f32())?;
+        let mut collector = Collector::new(layout, sample, white, nodata)?;
         // Floats come from no lossy compression.
         let most_apart = layout.height_full_scale().map_or(0.0, |full| NEARLY_GREY * full);
         let mut means = Vec::new();
@@ -110,12 +122,18 @@ fn differ(a: f64, b: f64) -> bool {
 
 struct Collector {
     samples: Samples,
-    nodata: Option<f64>,
+    /// The file's nodata value, and the one that was given.
+    nodata: [Option<Marker>; 2],
     exact: bool,
 }
 
 impl Collector {
-    fn new(layout: &Layout, exact: bool) -> Result<Self, ReadProblem> {
+    fn new(
+        layout: &Layout,
+        sample: SampleType,
+        white: Option<f64>,
+        nodata: Option<f64>,
+    ) -> Result<Self, ReadProblem> {
         let texels = layout.width as usize * layout.height as usize;
         let mut values = Vec::new();
         let needed = 4 * texels as u64;
@@ -128,11 +146,14 @@ impl Collector {
             extremes: [f64::INFINITY, f64::NEG_INFINITY],
             not_finite: 0,
             nodata: 0,
+            given_nodata: 0,
             masked: 0,
             first_hole: None,
             nearly_grey: 0,
+            white,
         };
-        Ok(Self { samples, nodata: layout.nodata, exact })
+        let nodata = [layout.nodata, nodata].map(|number| Some(Marker::new(number?, sample)));
+        Ok(Self { samples, nodata, exact: sample.fits_f32() })
     }
 
     /// The texel where a span begins, with room for all of the span. Memory is touched only as far as the
@@ -160,13 +181,17 @@ impl Collector {
     fn take(&mut self, span: &Span<'_>, channels: usize) {
         let (first, end) = self.make_room(span, channels);
         let samples = &mut self.samples;
-        let stored = samples.values[first..end].iter_mut().step_by(span.step as usize);
-        for (index, (stored, texel)) in stored.zip(span.samples.chunks_exact(channels)).enumerate() {
-            let value = texel[0];
-            let is_masked = stored.is_nan();
-            let is_nodata = self.nodata == Some(value);
+        let slots = samples.values[first..end].iter_mut().step_by(span.step as usize);
+        for (index, (slot, texel)) in slots.zip(span.samples.chunks_exact(channels)).enumerate() {
+            let stored = texel[0];
+            let value = samples.white.map_or(stored, |white| white - stored);
+            let is_masked = slot.is_nan();
+            let [is_declared, is_given] =
+                self.nodata.map(|marker| marker.is_some_and(|marker| marker.marks(stored)));
+            let is_nodata = is_declared || is_given;
             if is_masked || is_nodata || value.is_nan() || value.abs() > f64::from(f32::MAX) {
-                *stored = f32::NAN;
+                *slot = f32::NAN;
+                samples.given_nodata += u64::from(is_given);
                 *match (is_masked, is_nodata) {
                     (true, _) => &mut samples.masked,
                     (false, true) => &mut samples.nodata,
@@ -180,7 +205,7 @@ impl Collector {
                 samples.offset = value;
             }
             samples.extremes = [samples.extremes[0].min(value), samples.extremes[1].max(value)];
-            *stored = (value - samples.offset) as f32;
+            *slot = (value - samples.offset) as f32;
         }
     }
 }

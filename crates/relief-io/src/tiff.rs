@@ -29,6 +29,9 @@ const WHITE_IS_ZERO: u16 = 0;
 const BLACK_IS_ZERO: u16 = 1;
 const RGB: u16 = 2;
 
+/// The only channel that is stored with 0 as white where a picture says so. The others are opacity or more.
+const GREY: usize = 0;
+
 /// The extension of a file's name under which GDAL puts its mask beside it.
 const MASK_EXTENSION: &str = "msk";
 
@@ -80,11 +83,16 @@ impl<'a> TiffFile<'a> {
         &self.layout
     }
 
-    /// Leaves the samples of an elevation model as they are stored, with 0 as white, too.
-    pub(crate) fn keep_elevations(&mut self) {
-        if matches!(self.layout.terrain, Ok(Some(_))) {
-            self.raster.inverted_white = None;
-        }
+    /// The sample of white of a channel of shades that are stored with 0 as white. Those of an elevation
+    /// model are numbers, and channels beside the grey are none.
+    pub(crate) fn white_of_heights(&self, channel: usize) -> Option<f64> {
+        let is_elevation = matches!(self.layout.terrain, Ok(Some(_)));
+        self.raster.inverted_white.filter(|_| channel == GREY && !is_elevation)
+    }
+
+    /// Leaves the samples as they are stored, with 0 as white, too.
+    pub(crate) fn keep_stored(&mut self) {
+        self.raster.inverted_white = None;
     }
 
     pub(crate) fn decode(self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {

@@ -207,7 +207,7 @@ fn a_tent_with_scale_and_offset() {
     let map = read(&path, &default());
     assert_tent(&map, [3.0; 2], 150.0, nowhere);
     // A range is one of raw values, and becomes metres.
-    let ranged = read(&path, &HeightOptions { range: Some([-2000.0, 2000.0]), ..default() });
+    let ranged = read(&path, &HeightOptions { range: Some([-2000.0, 2000.0].into()), ..default() });
     assert_eq!(ranged.physical_range(), Some([0.0, 1000.0]));
     assert_tent(&ranged, [3.0; 2], 150.0, nowhere);
 

@@ -34,8 +34,9 @@ fn floats_map_their_extremes_unless_a_range_is_given() {
     let map = read_height(&path, &HeightOptions::default()).expect("a valid map");
     assert_eq!(map.texels(), [0.0, 1.0, 0.5, 0.25]);
     assert_eq!(map.physical_range(), Some([-50.0, 150.0]));
-    let ranged =
-        |range| read_height(&path, &HeightOptions { range: Some(range), ..HeightOptions::default() });
+    let ranged = |range: [f64; 2]| {
+        read_height(&path, &HeightOptions { range: Some(range.into()), ..HeightOptions::default() })
+    };
     let map = ranged([-250.0, 150.0]).expect("a range around the values");
     assert_eq!(map.texels(), [0.5, 1.0, 0.75, 0.625]);
     assert_eq!(map.physical_range(), Some([-250.0, 150.0]));
@@ -59,7 +60,7 @@ fn a_range_is_in_sample_values() {
     let folder = Folder::new();
     let bytes = png(3, 1, ColorType::Grayscale, BitDepth::Sixteen, &big_endian(&[1000.0, 2000.0, 3000.0]));
     let path = folder.file("range.png", &bytes);
-    let options = HeightOptions { range: Some([1000.0, 3000.0]), ..HeightOptions::default() };
+    let options = HeightOptions { range: Some([1000.0, 3000.0].into()), ..HeightOptions::default() };
     assert_eq!(read_height(&path, &options).expect("a valid map").texels(), [0.0, 0.5, 1.0]);
 }
 

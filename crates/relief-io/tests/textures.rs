@@ -95,7 +95,7 @@ fn texels_come_back() {
     write_exr_rows(&path, 300, 40, &["slope", "height", "a"], &metadata(), &mut fill)
         .expect("it is writable");
     for (at, name) in ["slope", "height", "a"].into_iter().enumerate() {
-        let options = HeightOptions { range: Some([0.0, 1.0]), ..channel(name) };
+        let options = HeightOptions { range: Some([0.0, 1.0].into()), ..channel(name) };
         let map = read_height(&path, &options).expect("it is a map");
         for (place, &texel) in map.texels().iter().enumerate() {
             let row = Row { level: 0, slice: 0, channel: at, row: place as u32 / 300 };

@@ -60,6 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let options = HeightOptions {
         channel: arguments.reading.channel.clone(),
         raw: arguments.reading.raw,
+        nodata: arguments.reading.nodata,
         fill: arguments.reading.fill(),
         max_bytes: arguments.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0),
         ..HeightOptions::default()

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use clap::Args;
 use relief_core::{ByteSize, HeightMap, Wrap};
-use relief_io::{Convention, DEFAULT_MAX_BYTES, Fill, HeightOptions, RawLayout, guess_by_name};
+use relief_io::{Convention, DEFAULT_MAX_BYTES, Fill, HeightOptions, HeightRange, RawLayout, guess_by_name};
 use relief_render::scene::{Scene, SceneSpec};
 
 use crate::values;
@@ -21,8 +21,17 @@ pub struct FileArguments {
     /// Size and byte order of a headerless 16-bit file, as in 403x344,le
     #[arg(long, value_name = "WxH,le|be", hide_short_help = true)]
     pub raw: Option<RawLayout>,
+    /// Value of texels without one, as the file stores it, beside the value that the file declares
+    #[arg(
+        long,
+        value_name = "V",
+        value_parser = values::nodata,
+        allow_hyphen_values = true,
+        hide_short_help = true,
+    )]
+    pub nodata: Option<f64>,
     /// Fill texels without a value (nodata, masked, NaN, infinite) from their surroundings
-    /// [default: they are an error; render fills those of elevation models]
+    /// [default: they are an error; render and mesh fill those of elevation models and of --nodata]
     #[arg(long, hide_short_help = true)]
     pub fill: bool,
 }
@@ -37,16 +46,16 @@ pub struct HeightArguments {
     /// The file holds depth: white is deep
     #[arg(long)]
     pub depth: bool,
-    /// Values of the file that become heights 0 and 1 [default: of integers 0 and their type's maximum, of
-    /// floats and elevation models their least and greatest]
+    /// Values of the file that become heights 0 and 1; auto takes the least and the greatest [default: of
+    /// integers 0 and their type's maximum, of floats and elevation models auto]
     #[arg(
         long,
-        value_name = "A,B",
+        value_name = "A,B|auto",
         value_parser = values::range,
         allow_hyphen_values = true,
         hide_short_help = true,
     )]
-    pub range: Option<[f64; 2]>,
+    pub range: Option<HeightRange>,
     /// How the maps go on beyond their edges: repeat, clamp or mirror
     /// [default: of elevation models clamp, else repeat]
     #[arg(long, value_name = "WRAP")]
@@ -67,6 +76,7 @@ impl HeightArguments {
             channel: self.file.channel.clone(),
             convention: if self.depth { Convention::Depth } else { Convention::Height },
             range: self.range,
+            nodata: self.file.nodata,
             raw: self.file.raw,
             fill: self.file.fill(),
             wrap: self.wrap,

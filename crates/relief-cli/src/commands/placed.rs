@@ -67,6 +67,7 @@ impl PlacedArguments {
             channel: reading.file.channel.clone(),
             depth: given(reading.depth),
             range: reading.range,
+            nodata: reading.file.nodata,
             raw: reading.file.raw,
             fill: given(reading.file.fill),
             wrap: reading.wrap,

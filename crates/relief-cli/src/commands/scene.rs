@@ -113,6 +113,7 @@ fn of_key(key: &Key) -> Value {
         Form::Whole => json!({ "type": "integer" }),
         Form::Numbers(count) => numbers("number", *count),
         Form::Wholes(count) => numbers("integer", *count),
+        Form::Range => json!({ "oneOf": [numbers("number", 2), { "const": "auto" }] }),
         Form::Memory => json!({ "type": ["integer", "string"] }),
         Form::Settings => json!({
             "type": "object",

@@ -3,7 +3,7 @@
 use tiff_reader::{Ifd, OpenOptions, ParseBudgets};
 
 use super::stored::Stored;
-use super::{problem, unsupported};
+use super::{GREY, problem, unsupported};
 use crate::ReadProblem;
 use crate::input::Input;
 use crate::layout::{Format, SampleKind, SampleType, Sink, Span};
@@ -35,7 +35,7 @@ pub(super) struct Raster<'a> {
     blocks: Blocks,
     /// The value of a block that a sparse file leaves out; 0 if none.
     pub nodata: Option<f64>,
-    /// The sample of white where samples are stored with 0 as white.
+    /// The sample of white where the grey is stored with 0 as white and handed over with 0 as black.
     pub inverted_white: Option<f64>,
     /// Whether columns, and whether rows, come in the other order.
     pub turned_over: [bool; 2],
@@ -146,10 +146,10 @@ impl<'a> Raster<'a> {
             let bytes = self.stored.lending(read).map_err(problem)?;
             spread(self.sample, &bytes, slots)?;
         }
-        if let Some(white) = self.inverted_white {
-            for sample in samples.iter_mut().filter(|sample| Some(**sample) != self.nodata) {
-                *sample = white - *sample;
-            }
+        if let (Some(white), Some(slot)) =
+            (self.inverted_white, channels.iter().position(|&channel| channel == GREY))
+        {
+            samples[slot..].iter_mut().step_by(channels.len()).for_each(|sample| *sample = white - *sample);
         }
         let [width, height] = self.size;
         let [columns_turned, rows_turned] = self.turned_over;

@@ -157,7 +157,7 @@ impl Tiff {
                     };
                     let mut bytes = Vec::new();
                     for j in top..top + rows {
-                        if self.bits == 1 {
+                        if self.bits < 8 {
                             bytes.extend(self.packed_row(samples, j.min(self.height - 1), [left, columns]));
                             continue;
                         }
@@ -175,13 +175,17 @@ impl Tiff {
         blocks
     }
 
-    /// A row of single bits, the first one highest.
+    /// A row of samples of less than a byte, the first one highest.
     fn packed_row(&self, samples: &[f64], row: u32, [left, columns]: [u32; 2]) -> Vec<u8> {
-        let mut bytes = vec![0; columns.div_ceil(8) as usize];
+        let bits = u32::from(self.bits);
+        let mut bytes = vec![0; (columns * bits).div_ceil(8) as usize];
         for column in 0..columns {
             let at = row * self.width + (left + column).min(self.width - 1);
-            let bit = u8::from(samples[at as usize] != 0.0) << (7 - column % 8);
-            bytes[(column / 8) as usize] |= bit;
+            // Any number but 0 is a single bit.
+            let sample = samples[at as usize] as u8;
+            let sample = if bits == 1 { sample.min(1) } else { sample };
+            let first = column * bits;
+            bytes[(first / 8) as usize] |= sample << (8 - bits - first % 8);
         }
         bytes
     }

@@ -1,7 +1,9 @@
 //! Values of a scene file's keys, and which keys there are.
 
 use relief_core::ByteSize;
-use serde::de::{self, Visitor};
+use relief_io::HeightRange;
+use serde::de::value::SeqAccessDeserializer;
+use serde::de::{self, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, forward_to_deserialize_any};
 use std::fmt::{self, Display};
 use std::str::FromStr;
@@ -22,11 +24,42 @@ where
     D: Deserializer<'de>,
     T: Deserialize<'de>,
 {
+    numbers_of(deserializer).map(Some)
+}
+
+fn numbers_of<'de, D, T, const N: usize>(deserializer: D) -> Result<[T; N], D::Error>
+where
+    D: Deserializer<'de>,
+    T: Deserialize<'de>,
+{
     let numbers = Vec::<T>::deserialize(deserializer)?;
     let given = numbers.len();
-    let array =
-        numbers.try_into().map_err(|_| de::Error::invalid_length(given, &format!("{N} numbers").as_str()));
-    array.map(Some)
+    numbers.try_into().map_err(|_| de::Error::invalid_length(given, &format!("{N} numbers").as_str()))
+}
+
+/// Reads which values become heights 0 and 1: two numbers, or `auto`.
+pub fn range<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<HeightRange>, D::Error> {
+    struct Range;
+
+    impl<'de> Visitor<'de> for Range {
+        type Value = HeightRange;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("two numbers, or \"auto\"")
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, numbers: A) -> Result<HeightRange, A::Error> {
+            let both = numbers_of::<_, f64, 2>(SeqAccessDeserializer::new(numbers))?;
+            Ok(HeightRange::Between(both))
+        }
+
+        fn visit_str<E: de::Error>(self, text: &str) -> Result<HeightRange, E> {
+            let range = text.parse().ok().filter(|range| *range == HeightRange::Extremes);
+            range.ok_or_else(|| E::invalid_value(de::Unexpected::Str(text), &self))
+        }
+    }
+
+    deserializer.deserialize_any(Range).map(Some)
 }
 
 /// Reads an amount of memory: a number of bytes, or a text such as `4GiB`.

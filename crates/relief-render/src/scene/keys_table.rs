@@ -4,6 +4,7 @@
 use std::fmt::Write;
 
 use relief_core::Wrap;
+use relief_io::HeightRange;
 
 use super::{BackendChoice, ProjectionChoice, Sampling, SceneSpec, SurfaceSpec, UvProjection, View};
 use crate::depth_buffer::Clip;
@@ -30,6 +31,8 @@ pub enum Form {
     Numbers(usize),
     /// So many whole numbers.
     Wholes(usize),
+    /// Two numbers, or `"auto"`.
+    Range,
     /// A number of bytes, or a text such as `"512MiB"`.
     Memory,
     /// A table of numbers for each stage.
@@ -77,13 +80,14 @@ pub fn keys() -> Vec<Key> {
         ),
         surface("channel", Form::Text, "", "channel of that file; else the only one, or the grey"),
         surface("depth", Form::Flag, "false", "whether white is deep"),
-        surface("range", Form::Numbers(2), "", "values of the file that become heights 0 and 1"),
+        surface("range", Form::Range, "", "values of the file that become heights 0 and 1, or \"auto\""),
+        surface("nodata", Form::Number, "", "value of texels without one, beside what the file declares"),
         surface("raw", Form::Text, "", "size and byte order of a headerless file, as in \"403x344,le\""),
         surface(
             "fill",
             Form::Flag,
             "",
-            "whether texels without a value are filled; of elevation models they are",
+            "whether texels without a value are filled; of elevation models and with nodata they are",
         ),
         surface("holes", Form::Flag, "false", "whether texels without a value are holes to be seen through"),
         surface(
@@ -236,7 +240,11 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
         "transmission" => spec.transmission.map(|part| format!("{part:?}")),
         "ior" => spec.ior.map(|ior| format!("{ior:?}")),
         "two-sided" => spec.two_sided.map(|flag| flag.to_string()),
-        "range" => spec.range.map(|range| list(&range)),
+        "range" => spec.range.map(|range| match range {
+            HeightRange::Between(range) => list(&range),
+            auto @ HeightRange::Extremes => quoted(&auto.to_string()),
+        }),
+        "nodata" => spec.nodata.map(|nodata| format!("{nodata:?}")),
         "raw" => spec.raw.map(|raw| quoted(&raw.to_string())),
         "wrap" => spec.wrap.map(|wrap| quoted(wrap.name())),
         "scale" => spec.scale.map(|scale| format!("{scale:?}")),

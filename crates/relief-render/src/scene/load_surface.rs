@@ -11,7 +11,7 @@ use crate::mesh::{Builtin, Mesh, Placement, UvProjection, square};
 use glam::{Vec2, Vec3};
 use relief_core::object::ImageObject;
 use relief_core::{ByteSize, HeightMap};
-use relief_io::{Convention, Fill, HeightOptions, MeshOptions, Picture, ReadError, ReadProblem};
+use relief_io::{Convention, Fill, HeightOptions, HeightRange, MeshOptions, Picture, ReadError, ReadProblem};
 use relief_object::{ObjectFile, ObjectOptions};
 use relief_shaders::{AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
 use std::path::{Path, PathBuf};
@@ -214,12 +214,16 @@ impl SurfaceSpec {
         if let Some(&value) = self.tile_size.iter().flatten().find(|length| !LENGTHS_M.contains(length)) {
             return Err(ValueProblem::Number { value, must: "from 1e-9 to 1e9 metres" }.of("tile-size"));
         }
-        if let Some([low, high]) = self.range
+        if let Some([low, high]) = self.range.and_then(HeightRange::between)
             && !(low.is_finite() && high.is_finite() && low < high)
         {
             let (value, must) =
                 if low.is_finite() { (high, "finite and above the first") } else { (low, "finite") };
             return Err(ValueProblem::Number { value, must }.of("range"));
+        }
+        if let Some(value) = self.nodata.filter(|value| !value.is_finite()) {
+            let must = "finite, as texels that are NaN or infinite never have a value";
+            return Err(ValueProblem::Number { value, must }.of("nodata"));
         }
         if self.project.is_some() && !matches!(self.mesh, Some(MeshChoice::File(_))) {
             return Err(ValueProblem::Needs(MESH_OF_FILE).of("project"));
@@ -345,6 +349,7 @@ impl SurfaceSpec {
             channel: self.channel.clone(),
             convention: if self.depth == Some(true) { Convention::Depth } else { Convention::Height },
             range: self.range,
+            nodata: self.nodata,
             raw: self.raw,
             fill: match self.fill {
                 None if parts.holes => Fill::Always,

@@ -1,11 +1,11 @@
 //! Descriptions of surfaces, with gaps.
 
 use super::MeshChoice;
-use super::keys::{numbers, parsed};
+use super::keys::{numbers, parsed, range};
 use super::settings::settings;
 use relief_core::Wrap;
 use relief_core::mesh::UvProjection;
-use relief_io::{GreenSign, RawLayout};
+use relief_io::{GreenSign, HeightRange, RawLayout};
 use relief_shaders::{
     AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES,
 };
@@ -29,16 +29,20 @@ pub struct SurfaceSpec {
     pub channel: Option<String>,
     /// Whether the file holds depth: white is deep. By default it holds height.
     pub depth: Option<bool>,
-    /// The file's values that become heights 0 and 1. By default integers take 0 and their type's maximum,
-    /// floats and elevation models their least and greatest value.
-    #[serde(deserialize_with = "numbers")]
-    pub range: Option<[f64; 2]>,
+    /// The file's values that become heights 0 and 1: two numbers, or `auto` for the least and the greatest
+    /// value. By default integers take 0 and their type's maximum, floats and elevation models `auto`.
+    #[serde(deserialize_with = "range")]
+    pub range: Option<HeightRange>,
+    /// The value of texels without one, as the file stores it, beside the value that the file declares. By
+    /// default that one alone.
+    pub nodata: Option<f64>,
     /// Size and byte order of a headerless file, as in `"403x344,le"`.
     #[serde(deserialize_with = "parsed")]
     pub raw: Option<RawLayout>,
     /// Whether texels without a value are filled from their surroundings. By default those of elevation
-    /// models are, and [`HeightMap::filled_texels`](relief_core::HeightMap::filled_texels) counts them; those
-    /// of other files are an error.
+    /// models and of maps with `nodata` are, and
+    /// [`HeightMap::filled_texels`](relief_core::HeightMap::filled_texels) counts them; those of other files
+    /// are an error.
     pub fill: Option<bool>,
     /// Whether texels without a value are holes, which show what is behind them: rays pass dual cells with
     /// such a texel. By default they are not. Where they are, texels without a value are filled in files of
@@ -139,14 +143,15 @@ impl SurfaceSpec {
     /// This description with everything that `over` says in place of what it said itself.
     ///
     /// What belongs to something replaced goes with it: another height file drops how the old one was to be
-    /// read (`channel`, `depth`, `range`, `raw`, `fill`), another normal map drops `green`, another mesh
+    /// read (`channel`, `depth`, `range`, `nodata`, `raw`, `fill`), another normal map drops `green`, another mesh
     /// `project`, another method or stage its own settings, another shadow its search, another ambient light
     /// than `environment` what is refracted and what is refracted another ambient light, and a scale without
     /// a bias the old bias.
     #[must_use]
     pub fn overridden_by(mut self, over: SurfaceSpec) -> SurfaceSpec {
         if over.height.is_some() {
-            (self.channel, self.depth, self.range, self.raw, self.fill) = (None, None, None, None, None);
+            (self.channel, self.depth, self.raw, self.fill) = (None, None, None, None);
+            (self.range, self.nodata) = (None, None);
         }
         if over.object.is_some() {
             self.forget_relief();
@@ -177,6 +182,7 @@ impl SurfaceSpec {
             channel: over.channel.or(self.channel),
             depth: over.depth.or(self.depth),
             range: over.range.or(self.range),
+            nodata: over.nodata.or(self.nodata),
             raw: over.raw.or(self.raw),
             fill: over.fill.or(self.fill),
             holes: over.holes.or(self.holes),
@@ -249,6 +255,7 @@ impl SurfaceSpec {
             ("channel", self.channel.is_some()),
             ("depth", self.depth.is_some()),
             ("range", self.range.is_some()),
+            ("nodata", self.nodata.is_some()),
             ("raw", self.raw.is_some()),
             ("fill", self.fill.is_some()),
             ("holes", self.holes.is_some()),

@@ -54,6 +54,7 @@ height = "maps/a.exr"
 channel = "height"
 depth = true
 range = [236, 1076.5]
+nodata = -9999
 raw = "403x344,le"
 fill = true
 holes = true
@@ -118,7 +119,8 @@ fn every_key_is_read() {
         height: Some(folder.path().join("maps/a.exr")),
         channel: Some("height".to_owned()),
         depth: Some(true),
-        range: Some([236.0, 1076.5]),
+        range: Some([236.0, 1076.5].into()),
+        nodata: Some(-9999.0),
         raw: "403x344,le".parse().ok(),
         fill: Some(true),
         holes: Some(true),
@@ -243,6 +245,8 @@ fn mistakes_in_a_file_are_reported_with_their_line() {
         ("bias = nan", "bias"),
         ("range = [5, 5]", "range"),
         ("range = [-inf, 5]", "range"),
+        ("nodata = nan", "nodata"),
+        ("nodata = -inf", "nodata"),
         ("tile = [0, 1]", "tile"),
         ("tile-size = [0, 1]", "tile-size"),
         ("size = [0, 5]", "size"),

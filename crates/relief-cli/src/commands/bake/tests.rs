@@ -113,7 +113,7 @@ fn each_format_holds_the_texels_and_what_they_mean() {
         for key in ["source", "key", "convention", "units", "generator", "decode", "guarantee", "stored_as"] {
             assert!(metadata.get(&format!("relief.{key}")).is_some_and(|value| !value.is_empty()), "{key}");
         }
-        let range = Some(if format == "exr" { [0.0, 2.0] } else { [0.0, 65535.0] });
+        let range = Some(if format == "exr" { [0.0, 2.0] } else { [0.0, 65535.0] }.into());
         let options = relief_io::HeightOptions { range, ..Default::default() };
         let expected: Vec<f32> = room.heights().texels().iter().map(|&texel| shade(texel)).collect();
         let found: Vec<f32> = match format {
@@ -254,7 +254,7 @@ fn slices_that_one_picture_cannot_hold_go_into_several() {
     let room = Room::of([1, tall]);
     room.bake("--kind volume --format exr");
     assert_eq!(room.files(), ["map.volume.slices0-1.exr", "map.volume.slices2-2.exr"]);
-    let options = relief_io::HeightOptions { range: Some([0.0, 2.0]), ..Default::default() };
+    let options = relief_io::HeightOptions { range: Some([0.0, 2.0].into()), ..Default::default() };
     for (name, slices, first) in [("slices0-1", 0..2u32, "0"), ("slices2-2", 2..3, "2")] {
         let path = room.path(&format!("map.volume.{name}.exr"));
         let found = read_height(&path, &options).expect("it is a map");
