@@ -133,7 +133,7 @@ fn inspect_says_what_is_known_of_it() {
     let about = json_of(&folder.relief("inspect dem.tif --json").fine().stdout);
     let ground = json!({
         "system": "projected", "epsg": 32617, "turned_over": { "columns": false, "rows": true },
-        "size_unknown": null,
+        "unit": "m", "unit_by": "EPSG:32617", "placed_by": null, "size_unknown": null,
     });
     assert_eq!((&about["georeference"], &about["texel_m"]), (&ground, &json!([30.0, 30.0])));
     let elevation = &about["values"]["elevation"];
@@ -171,4 +171,134 @@ fn real_models_of_unsigned_integers_are_seen() {
         assert_eq!(about["surfaces"][0]["filled_texels"], json!(filled), "{name}");
         assert!(about["covered"].as_u64().is_some_and(|covered| covered > 100), "{name}: {about}");
     }
+}
+
+/// A ramp of 40x24 texels of 10 units in a projected system with these keys, its values from `low` in steps.
+fn ramp(numbers: &[[u16; 2]], [low, step]: [f32; 2]) -> Vec<u8> {
+    let mut tags = georeference();
+    tags[0].2 = [10.0f64, 10.0, 0.0].iter().flat_map(|value| value.to_le_bytes()).collect();
+    let keys = [[1024, 1]].iter().chain(numbers).flat_map(|[key, value]| [*key, 0, 1, *value]);
+    let directory: Vec<u16> = [1, 1, 1, numbers.len() as u16 + 1].into_iter().chain(keys).collect();
+    tags[2].2 = directory.iter().flat_map(|key| key.to_le_bytes()).collect();
+    let data: Vec<u8> = (0..40 * 24).flat_map(|at| (low + step * (at % 40) as f32).to_le_bytes()).collect();
+    tiff([40, 24], Samples::Float, &data, &tags)
+}
+
+#[test]
+fn inspect_says_where_metres_come_from() {
+    let folder = Folder::new();
+    for (numbers, parts) in [
+        (
+            &[[3072u16, 2271], [4096, 6360]] as &[_],
+            &["EPSG:2271) in us-ft of 0.3048", "(by EPSG:2271)", "texel       3.048006 m", "(by EPSG:6360)"]
+                as &[_],
+        ),
+        (&[[3072, 2222], [4099, 9001]], &["texel       3.048000 m", "by EPSG:2222", "in m (by key 4099)"]),
+        (&[[3072, 2263], [3076, 9001]], &["in m (by key 3076)", "in m, that of the ground"]),
+        (&[[3072, 31000], [4096, 5703]], &["that of EPSG:31000", "not known", "--unit"]),
+        (&[[3072, 32617], [4096, 9999]], &["that of EPSG:9999", "no known length", "--unit"]),
+        (&[[3072, 32767]], &["names no unit", "metres are not known", "--unit"]),
+        (&[[3072, 32767], [4099, 9002]], &["in ft of 0.3048 m each, that of the heights", "--unit"]),
+        (&[[3072, 2263]], &["that of the ground", "--unit"]),
+        (&[[3072, 32617], [4096, 5715]], &["counted downward: -110 m to -90.5 m", "convention  depth"]),
+    ] {
+        folder.write("dem.tif", ramp(numbers, [90.5, 0.5]));
+        let text = folder.relief("inspect dem.tif").fine().stdout;
+        for part in parts {
+            assert!(text.contains(part), "{numbers:?}: '{part}' is missing:\n{text}");
+        }
+    }
+    folder.write("dem.tif", ramp(&[[3072, 2271], [4096, 6360]], [90.0, 10.0]));
+    let about = json_of(&folder.relief("inspect dem.tif --json").fine().stdout);
+    let [ground, heights] = [&about["georeference"], &about["values"]["elevation"]];
+    assert_eq!([&ground["unit"], &ground["unit_by"]], [&json!("us-ft"), &json!("EPSG:2271")]);
+    assert_eq!([&heights["unit_by"], &heights["downward"]], [&json!("EPSG:6360"), &json!(false)]);
+    assert_eq!(heights["doubt"], Value::Null);
+}
+
+#[test]
+fn heights_that_are_no_metres_are_doubted_and_make_no_mesh() {
+    let folder = common::refused::with_out();
+    let utm = [[3072, 32617]];
+    // Heights of eight made maps that are none, and the unit in which they are.
+    for (numbers, values, unit) in [
+        (utm.as_slice(), [29_332.0, 40.0], "cm"),
+        (&utm, [0.0, 250.0], "cm"),
+        (&utm, [10_000.0, 1.0], "dm"),
+        (&utm, [0.0, 8.0], "dm"),
+        (&utm, [9_500.0, 5.0], "ft"),
+        (&utm, [-15_000.0, 2.0], "cm"),
+        (&[[3072, 32617], [4099, 9001]], [9_100.0, 1.0], "dm"),
+        (&[[3072, 2263]], [40_000.0, 20.0], "cm"),
+    ] {
+        folder.write("dem.tif", ramp(numbers, values));
+        let text = folder.relief("inspect dem.tif").fine().stdout;
+        assert!(text.contains("doubtful") && text.contains("--unit") && text.contains(unit), "{text}");
+        let ran = folder.relief("mesh dem.tif -o out/dem.glb");
+        common::refused::assert_refused(&folder, &ran, 1, &["dem.tif", "--unit", unit]);
+        folder.relief(&format!("mesh dem.tif --unit {unit} -o dem.glb")).fine();
+        let text = folder.relief(&format!("inspect dem.tif --unit {unit}")).fine().stdout;
+        assert!(text.contains("by --unit") && !text.contains("doubtful"), "{text}");
+        let ran = folder.relief("render --backend cpu --size 32x24 -o out.png --height dem.tif");
+        assert!(ran.code == Some(0) && ran.stderr.contains("--unit"), "{}", ran.stderr);
+    }
+    // Whoever says that they are metres is believed, and ground of all kinds is none of it.
+    folder.write("dem.tif", ramp(&utm, [9_500.0, 5.0]));
+    folder.relief("mesh dem.tif --unit m -o dem.glb").fine();
+    for (numbers, values) in [
+        (utm.as_slice(), [0.0, 5.0]),
+        (&utm, [-11_000.0, 5.0]),
+        (&utm, [8_600.0, 5.0]),
+        (&utm, [0.0, 0.0]),
+        (&[[3072, 2263], [4096, 6360]], [29_000.0, 0.5]),
+        (&[[3072, 2271], [4096, 6360]], [500.0, 10.0]),
+        (&[[3072, 32617], [4099, 9001]], [0.0, 9.5]),
+        (&[[3072, 32767], [4099, 9001]], [0.0, 5.0]),
+    ] {
+        folder.write("dem.tif", ramp(numbers, values));
+        let text = folder.relief("inspect dem.tif").fine().stdout;
+        assert!(!text.contains("doubtful"), "{text}");
+        let ran = folder.relief("mesh dem.tif -o dem.glb");
+        assert!(ran.code == Some(0) && !ran.stderr.contains("would"), "{}", ran.stderr);
+    }
+    for bad in ["kelvin", "", "m,", "m,m,m"] {
+        let words = ["mesh", "dem.tif", "-o", "out/dem.glb", "--unit", bad];
+        let ran = folder.with("", words);
+        assert_eq!(ran.code, Some(2), "{bad}: {}", ran.stderr);
+    }
+}
+
+#[test]
+fn notes_say_which_unit_is_taken() {
+    let folder = Folder::new();
+    let line = "mesh dem.tif -o dem.glb";
+    for (numbers, part) in [
+        (&[[3072u16, 2263]] as &[_], "that of the ground is taken, us-ft"),
+        (&[[3072, 2222]], "that of the ground is taken, ft"),
+        (&[[3072, 32767], [4099, 9002]], "that of the heights is taken, ft"),
+        (&[[3072, 32767]], "their metres are not known"),
+        (&[[3072, 31000], [4096, 5703]], "(that of EPSG:31000)"),
+        (&[[3072, 32617], [3076, 9999]], "(EPSG:9999)"),
+        (&[[3072, 32617], [4096, 9999]], "no known length"),
+        (&[[3072, 32617], [4099, 9102]], "EPSG:9102"),
+    ] {
+        folder.write("dem.tif", ramp(numbers, [90.0, 0.5]));
+        let ran = folder.relief(line);
+        assert_eq!(ran.code, Some(0), "{numbers:?}: {}", ran.stderr);
+        assert!(ran.stderr.contains(part) && ran.stderr.contains("--unit"), "{numbers:?}: {}", ran.stderr);
+        folder.relief(&format!("{line} --unit ft,ft")).fine();
+    }
+    for numbers in
+        [&[[3072u16, 32617]] as &[_], &[[3072, 2263], [4096, 6360]], &[[3072, 32617], [4096, 5715]]]
+    {
+        folder.write("dem.tif", ramp(numbers, [90.0, 0.5]));
+        folder.relief(line).fine();
+    }
+    // Depths that are turned inside out are heights again.
+    let heights = |line: &str| {
+        folder.relief(line).fine();
+        std::fs::read(folder.path("dem.glb")).expect("it is written")
+    };
+    let [depth, inverted] = ["", " --invert"].map(|flag| heights(&format!("{line}{flag}")));
+    assert_ne!(depth, inverted);
 }

@@ -329,8 +329,11 @@ fn normal_maps_of_other_programs_give_their_heights() {
         assert_eq!(said["green"]["way"], green, "{normals}");
         assert!(said["green"]["confidence"].as_f64() > Some(0.4), "{normals}: {said}");
         let convention = if depth { relief_io::Convention::Depth } else { relief_io::Convention::Height };
-        let options =
-            HeightOptions { channel: channel.map(str::to_owned), convention, ..HeightOptions::default() };
+        let options = HeightOptions {
+            channel: channel.map(str::to_owned),
+            convention: Some(convention),
+            ..HeightOptions::default()
+        };
         let theirs = metres(&read_height(&data.join(heights), &options).expect("a height map"), [0.0, 1.0]);
         let correlation = correlation(&noted_metres(&folder.path("h.exr")), &theirs);
         println!("{normals}: correlation {correlation:.4}");

@@ -39,6 +39,8 @@ pub struct HeightMap {
     bias_m: f64,
     texel_size_m: Option<[f64; 2]>,
     physical_range: Option<[f64; 2]>,
+    /// Whether texel size and physical range are in one unit that is not known, in place of metres.
+    unnamed_unit: bool,
     stated_displacement_m: Option<[f64; 2]>,
     filled_texels: u64,
     holes: Option<Arc<TexelMask>>,
@@ -147,6 +149,7 @@ impl HeightMap {
             bias_m: 0.0,
             texel_size_m: None,
             physical_range: None,
+            unnamed_unit: false,
             stated_displacement_m: None,
             filled_texels: 0,
             holes: None,
@@ -228,7 +231,16 @@ impl HeightMap {
             return Err(HeightMapError::BadNumber { what: "the texel size", value, must });
         }
         self.texel_size_m = Some(size_m);
+        self.unnamed_unit = false;
         Ok(self)
+    }
+
+    /// The same map, whose texel size and physical range are in one unit that is not known, in place of
+    /// metres. Its proportions are known, its lengths are not. A new texel size in metres makes them known.
+    #[must_use]
+    pub fn with_unnamed_unit(mut self) -> Self {
+        self.unnamed_unit = true;
+        self
     }
 
     /// The same map with the physical values that texel 0 and texel 1 stand for (metres for elevation
@@ -384,13 +396,23 @@ impl HeightMap {
     /// The world lengths that the source states: of the tile along `u` and `v`, and from height 0 to height
     /// 1, in metres. `None` where it does not state both, or the relief is level.
     pub fn stated_lengths_m(&self) -> Option<([f64; 2], f64)> {
-        let (tile_m, [zero, one]) = (self.stated_tile_m()?, self.physical_range?);
-        let span_m = (one - zero).abs();
-        (span_m > 0.0).then_some((tile_m, span_m))
+        self.stated_lengths().filter(|_| !self.unnamed_unit)
+    }
+
+    /// The same lengths in one unit: metres, unless the source [names none](Self::with_unnamed_unit). Their
+    /// ratio is known either way.
+    pub fn stated_lengths(&self) -> Option<([f64; 2], f64)> {
+        let (tile, [zero, one]) = (self.stated_tile()?, self.physical_range?);
+        let span = (one - zero).abs();
+        (span > 0.0).then_some((tile, span))
     }
 
     /// Length of the tile along `u` and `v` in metres, where the source states it.
     pub fn stated_tile_m(&self) -> Option<[f64; 2]> {
+        self.stated_tile().filter(|_| !self.unnamed_unit)
+    }
+
+    fn stated_tile(&self) -> Option<[f64; 2]> {
         let [u, v] = self.texel_size_m?;
         Some([u * f64::from(self.width), v * f64::from(self.height)])
     }
@@ -398,7 +420,7 @@ impl HeightMap {
     /// Length of the tile along `u` and `v`, the longer one 1: as the source states them, else of square
     /// texels.
     pub fn proportions(&self) -> [f64; 2] {
-        let tile = self.stated_tile_m().unwrap_or([f64::from(self.width), f64::from(self.height)]);
+        let tile = self.stated_tile().unwrap_or([f64::from(self.width), f64::from(self.height)]);
         tile.map(|length| length / tile[0].max(tile[1]))
     }
 
@@ -417,7 +439,7 @@ impl HeightMap {
     /// Size of a texel along `u` and `v` in metres, where the file said so.
     #[inline]
     pub fn texel_size_m(&self) -> Option<[f64; 2]> {
-        self.texel_size_m
+        self.texel_size_m.filter(|_| !self.unnamed_unit)
     }
 
     /// The physical values of texel 0 and texel 1, where they are known.

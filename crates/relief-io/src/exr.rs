@@ -65,6 +65,10 @@ impl<'a> ExrFile<'a> {
         &self.layout
     }
 
+    pub(crate) fn layout_mut(&mut self) -> &mut Layout {
+        &mut self.layout
+    }
+
     pub(crate) fn decode(mut self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
         let (index, chosen) = self.part_of(channels)?;
         let part = &self.header.parts[index];

@@ -67,6 +67,10 @@ impl<'a> HdrFile<'a> {
         &self.layout
     }
 
+    pub(crate) fn layout_mut(&mut self) -> &mut Layout {
+        &mut self.layout
+    }
+
     pub(crate) fn decode(mut self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
         let (width, height) = (self.layout.width as usize, self.layout.height);
         let mut texels = zeros::<[u8; 4]>(width)?;

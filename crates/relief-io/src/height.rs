@@ -6,11 +6,12 @@ use std::str::FromStr;
 use relief_core::registry::UnknownName;
 use relief_core::{HeightMap, TexelMask, Wrap};
 
+use crate::elevation::UnitOrigin;
 use crate::fill::fill_holes;
 use crate::image_file::ImageFile;
 use crate::layout::{Layout, Terrain};
 use crate::samples::{Samples, Selection};
-use crate::{HeightNote, HeightRange, RawLayout, ReadError, ReadProblem, Source};
+use crate::{GivenUnits, HeightNote, HeightRange, RawLayout, ReadError, ReadProblem, Source};
 
 /// What white means in a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -82,13 +83,17 @@ pub struct HeightOptions {
     /// green and blue that are equal everywhere that grey, and of those that are nearly equal their mean, of
     /// which [`HeightMap::nearly_grey_texels`] tells.
     pub channel: Option<String>,
-    /// Whether white is high or deep.
-    pub convention: Convention,
+    /// Whether white is high or deep. None: deep where the file names a vertical system that counts downward,
+    /// else high.
+    pub convention: Option<Convention>,
     /// The raw values that become 0 and 1. None: see [`read_height`].
     pub range: Option<HeightRange>,
     /// A raw value, as stored in the file, that marks texels without a value, beside the one that the file
     /// itself declares. It must be finite.
     pub nodata: Option<f64>,
+    /// The units of heights and ground, where the file does not say them or says them wrong. A file that says
+    /// nothing of either becomes an elevation model by it.
+    pub unit: Option<GivenUnits>,
     /// Read the file as headerless samples of this layout, whatever it holds.
     pub raw: Option<RawLayout>,
     /// What becomes of texels without a value.
@@ -103,9 +108,10 @@ impl Default for HeightOptions {
     fn default() -> Self {
         Self {
             channel: None,
-            convention: Convention::Height,
+            convention: None,
             range: None,
             nodata: None,
+            unit: None,
             raw: None,
             fill: Fill::Never,
             wrap: None,
@@ -140,7 +146,9 @@ pub(crate) const BYTES_PER_TEXEL: u64 = 8;
 /// A TIFF with a georeference, or with a scale, an offset or a unit of its values, is an elevation model. Its
 /// physical range is in metres (see [`Elevation`](crate::Elevation)), and unknown where its unit is no length
 /// that is known here; the size of its texels is that on the ground (see
-/// [`Georeference`](crate::Georeference)). Its row 0 lies in the north, however the file stores it. Texels
+/// [`Georeference`](crate::Georeference)). Units are those that it names, or those of the coordinate systems
+/// whose numbers it names. Where one of ground and heights has no unit, it has that of the other; where
+/// neither has, only their proportions are known. Heights that count downward are depths. Its row 0 lies in the north, however the file stores it. Texels
 /// that its mask leaves out, in the file or in one beside it with `.msk` after its name, have no value.
 ///
 /// Texels without a value are an error unless [`HeightOptions::fill`] says otherwise. They are filled
@@ -171,6 +179,7 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<HeightMap, ReadPr
         return Err(ReadProblem::BadRange { range });
     }
     let file = ImageFile::open(source, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
+    let file = file.in_units(options.unit);
     let layout = file.layout().clone();
     let selection = select(&layout, options.channel.as_deref())?;
     let terrain = layout.terrain()?;
@@ -181,13 +190,17 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<HeightMap, ReadPr
     let (holes, nearly_grey) = (samples.holes(), samples.nearly_grey);
     let full_scale = layout.height_full_scale();
     let range = range(&samples, full_scale, options)?;
-    let map = height_map(samples, range, elevation.is_some(), options)?;
-    let range = match options.convention {
+    let downward = elevation.is_some_and(|elevation| elevation.downward);
+    let of_file = if downward { Convention::Depth } else { Convention::Height };
+    let convention = options.convention.unwrap_or(of_file);
+    let map = height_map(samples, range, elevation.is_some(), convention, options)?;
+    let range = match convention {
         Convention::Height => range,
         Convention::Depth => [range[1], range[0]],
     };
     let physical_range = match (note, elevation) {
         (Some(note), _) => Some(range.map(|raw| note.metres(raw / full_scale.unwrap_or(1.0)))),
+        (None, Some(elevation)) if elevation.origin == UnitOrigin::Unnamed => Some(elevation.units(range)),
         (None, Some(elevation)) => elevation.metres(range),
         (None, None) => Some(range),
     };
@@ -203,6 +216,8 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<HeightMap, ReadPr
     }
     if let Some(size_m) = noted_size.or(terrain.and_then(Terrain::texel_size_m)) {
         map = map.with_texel_size_m(size_m)?;
+    } else if let Some(size) = terrain.and_then(|terrain| terrain.relative_texel_size) {
+        map = map.with_texel_size_m(size)?.with_unnamed_unit();
     }
     Ok(map)
 }
@@ -264,6 +279,7 @@ fn height_map(
     mut samples: Samples,
     range: [f64; 2],
     is_elevation: bool,
+    convention: Convention,
     options: &HeightOptions,
 ) -> Result<HeightMap, ReadProblem> {
     let (width, height) = (samples.width, samples.height);
@@ -282,7 +298,7 @@ fn height_map(
     }
     let span = range[1] - range[0];
     let start = samples.offset - range[0];
-    let (sign, zero) = match options.convention {
+    let (sign, zero) = match convention {
         Convention::Height => (1.0, 0.0),
         Convention::Depth => (-1.0, 1.0),
     };

@@ -13,7 +13,7 @@ use crate::png::PngFile;
 use crate::raw::RawFile;
 use crate::text::MARK;
 use crate::tiff::TiffFile;
-use crate::{RawLayout, ReadProblem, Source};
+use crate::{GivenUnits, RawLayout, ReadProblem, Source};
 
 /// A recognised file. Its header is checked; no memory has been taken for samples.
 pub(crate) enum ImageFile<'a> {
@@ -80,6 +80,24 @@ impl<'a> ImageFile<'a> {
             Self::Pgm(file) => file.layout(),
             Self::Raw(file) => file.layout(),
         }
+    }
+
+    fn layout_mut(&mut self) -> &mut Layout {
+        match self {
+            Self::Png(file) => file.layout_mut(),
+            Self::Jpeg(file) => file.layout_mut(),
+            Self::Exr(file) => file.layout_mut(),
+            Self::Tiff(file) => file.layout_mut(),
+            Self::Hdr(file) => file.layout_mut(),
+            Self::Pgm(file) => file.layout_mut(),
+            Self::Raw(file) => file.layout_mut(),
+        }
+    }
+
+    /// The same file with the units that a user gives, if any, in place of its own.
+    pub(crate) fn in_units(mut self, units: Option<GivenUnits>) -> Self {
+        self.layout_mut().give_units(units);
+        self
     }
 
     /// Gives the numbers that say which texels of a channel have a value, if the file has such a mask: 0

@@ -77,7 +77,7 @@ pub struct Tiling {
 pub const SEAM_LIMIT: f64 = 1.25;
 
 /// Reads a file, or the bytes of one, and says what it holds. Options are used as in [`crate::read_height`]:
-/// `channel`, `nodata`, `raw` and `max_bytes`.
+/// `channel`, `nodata`, `unit`, `raw` and `max_bytes`.
 ///
 /// Texels without a value are counted, not an error; nor is a picture in colour, of which `values` are not
 /// given.
@@ -93,6 +93,7 @@ pub fn inspect<'a>(source: impl Into<Source<'a>>, options: &HeightOptions) -> Re
 
 fn read(source: Source<'_>, options: &HeightOptions) -> Result<SourceInfo, ReadProblem> {
     let file = ImageFile::open(source, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
+    let file = file.in_units(options.unit);
     let layout = file.layout().clone();
     let terrain = layout.terrain()?.cloned();
     let note = HeightNote::of_file(source, layout.format);

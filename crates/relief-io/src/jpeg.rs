@@ -40,6 +40,10 @@ impl<'a> JpegFile<'a> {
         &self.layout
     }
 
+    pub(crate) fn layout_mut(&mut self) -> &mut Layout {
+        &mut self.layout
+    }
+
     pub(crate) fn decode(self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
         let decoder = JpegDecoder::new(self.file).map_err(problem)?;
         let per_texel = self.layout.channels.len();

@@ -3,6 +3,7 @@
 
 use crate::ReadProblem;
 use crate::elevation::{Elevation, Georeference};
+use crate::georeference::{Facts, GivenUnits};
 
 /// A file format that is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -112,6 +113,8 @@ pub(crate) struct Layout {
     /// What the file says of the ground and of the metres of its values. An error, with the reason, where
     /// what it says cannot be; that stops who reads heights, not who reads a picture.
     pub terrain: Result<Option<Terrain>, String>,
+    /// What that follows from.
+    pub facts: Facts,
 }
 
 /// What makes a file an elevation model.
@@ -121,6 +124,8 @@ pub(crate) struct Terrain {
     pub georeference: Option<Georeference>,
     /// What the values of each channel stand for.
     pub channels: Vec<Elevation>,
+    /// Size of a texel along `u` and `v` in the unit that ground and heights share, where nobody names it.
+    pub relative_texel_size: Option<[f64; 2]>,
 }
 
 impl Terrain {
@@ -140,7 +145,26 @@ impl Layout {
             _ => None,
         };
         let channels = names.iter().map(channel).collect();
-        Self { format, width, height, channels, full_scale, nodata: None, terrain: Ok(None) }
+        let (terrain, facts) = (Ok(None), Facts::default());
+        Self { format, width, height, channels, full_scale, nodata: None, terrain, facts }
+    }
+
+    /// Takes what is said of ground and heights.
+    pub(crate) fn set_facts(&mut self, facts: Result<Facts, String>) {
+        match facts {
+            Ok(facts) => {
+                self.terrain = facts.terrain(self.channels.len(), None);
+                self.facts = facts;
+            }
+            Err(what) => self.terrain = Err(what),
+        }
+    }
+
+    /// Takes the units that a user gives, if any, for those of the file.
+    pub(crate) fn give_units(&mut self, units: Option<GivenUnits>) {
+        if units.is_some() && self.terrain.is_ok() {
+            self.terrain = self.facts.terrain(self.channels.len(), units);
+        }
     }
 
     /// What the file says as an elevation model; none where it is none.

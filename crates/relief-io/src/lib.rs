@@ -36,6 +36,7 @@ mod error;
 mod exr;
 pub mod file_set;
 mod fill;
+mod georeference;
 mod ground;
 mod hdr;
 mod height;
@@ -66,8 +67,9 @@ mod write_whole;
 
 pub use self::ktx2::{Ktx2File, Ktx2Level, Ktx2Texture, TexelFormat, read_ktx2, write_ktx2};
 pub use convention::{Detection, Guess, detect, guess_by_name};
-pub use elevation::{CoordinateSystem, Elevation, Georeference, GridTransform};
+pub use elevation::{CoordinateSystem, Doubt, Elevation, Georeference, GridTransform, UnitOrigin};
 pub use error::{ReadError, ReadProblem, WriteError, WriteProblem};
+pub use georeference::{GivenUnits, LengthUnit, epsg};
 pub use ground::{Ground, read_ground};
 pub use height::{Convention, DEFAULT_MAX_BYTES, Fill, HeightOptions, read_height, read_stored_heights};
 pub use height_note::HeightNote;

@@ -44,6 +44,10 @@ impl<'a> PgmFile<'a> {
         &self.layout
     }
 
+    pub(crate) fn layout_mut(&mut self) -> &mut Layout {
+        &mut self.layout
+    }
+
     pub(crate) fn decode(mut self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
         let per_row = self.layout.width as usize * self.layout.channels.len();
         let wide = self.maxval > 255;

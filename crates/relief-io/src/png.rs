@@ -70,6 +70,10 @@ impl<'a> PngFile<'a> {
         &self.layout
     }
 
+    pub(crate) fn layout_mut(&mut self) -> &mut Layout {
+        &mut self.layout
+    }
+
     pub(crate) fn decode(mut self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
         let (width, height) = (self.layout.width, self.layout.height);
         let passes: &[[u32; 4]] = if self.reader.info().interlaced { &ADAM7 } else { &[[0, 0, 1, 1]] };

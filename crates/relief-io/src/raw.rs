@@ -29,6 +29,10 @@ impl<'a> RawFile<'a> {
         &self.layout
     }
 
+    pub(crate) fn layout_mut(&mut self) -> &mut Layout {
+        &mut self.layout
+    }
+
     pub(crate) fn decode(mut self, sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
         let mut bytes = zeros::<u8>(2 * self.layout.width as usize)?;
         let mut samples = Vec::with_capacity(self.layout.width as usize);

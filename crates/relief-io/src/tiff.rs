@@ -10,12 +10,12 @@ mod geo;
 mod keys;
 mod raster;
 mod stored;
-mod units;
 
 use tiff_reader::{Ifd, TiffError};
 
 use self::raster::{PARSE_BUDGETS, Raster};
 use self::stored::Stored;
+use crate::georeference::Grid;
 use crate::input::Input;
 use crate::layout::{Channel, Format, Layout, SampleKind, Sink};
 use crate::{ReadProblem, Source};
@@ -63,16 +63,12 @@ impl<'a> TiffFile<'a> {
             SampleKind::Unsigned if sample.bits <= 16 => Some(f64::from((1u32 << sample.bits) - 1)),
             _ => None,
         };
-        layout.terrain = geo::terrain(header, raster.bands);
+        layout.set_facts(geo::facts(header, raster.bands));
         match gdal::nodata(header, sample) {
             Ok(nodata) => layout.nodata = nodata,
             Err(what) => layout.terrain = Err(what),
         }
-        if let Ok(Some(terrain)) = &layout.terrain
-            && let Some(georeference) = &terrain.georeference
-        {
-            raster.turned_over = georeference.turned_over;
-        }
+        raster.turned_over = layout.facts.grid.as_ref().map_or([false; 2], Grid::turned_over);
         raster.nodata = layout.nodata;
         raster.inverted_white = layout.full_scale.filter(|_| photometric == WHITE_IS_ZERO);
         let Input { source, bytes_per_texel, max_bytes, .. } = input;
@@ -81,6 +77,10 @@ impl<'a> TiffFile<'a> {
 
     pub(crate) fn layout(&self) -> &Layout {
         &self.layout
+    }
+
+    pub(crate) fn layout_mut(&mut self) -> &mut Layout {
+        &mut self.layout
     }
 
     /// The sample of white of a channel of shades that are stored with 0 as white. Those of an elevation

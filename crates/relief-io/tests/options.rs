@@ -68,7 +68,7 @@ fn a_range_is_in_sample_values() {
 fn depth_is_turned_over() {
     let folder = Folder::new();
     let path = float_file(&folder, 2, &[10.0, 30.0, 15.0, 20.0]);
-    let options = HeightOptions { convention: Convention::Depth, ..HeightOptions::default() };
+    let options = HeightOptions { convention: Some(Convention::Depth), ..HeightOptions::default() };
     let map = read_height(&path, &options).expect("a valid map");
     assert_eq!(map.texels(), [1.0, 0.0, 0.75, 0.5]);
     assert_eq!(map.physical_range(), Some([30.0, 10.0]), "texel 0 stands for the deepest");

@@ -112,7 +112,7 @@ fn textures_and_their_notes_give_the_same_as_their_bytes() {
         assert_eq!([low, high - low], [map.bias_m(), map.scale_m()]);
         let metres = map.displacement_m(f64::from(map.texel(4, 2)));
         assert!((metres - (-0.1 + 0.25 * 10.0 / 64.0)).abs() < 1e-5, "{}: {metres}", path.display());
-        let depth = HeightOptions { convention: Convention::Depth, ..HeightOptions::default() };
+        let depth = HeightOptions { convention: Some(Convention::Depth), ..HeightOptions::default() };
         let map = read_height(path, &depth).expect("a valid map");
         assert_eq!(map.stated_displacement_m(), None, "what is deep is no displacement outward");
     }

@@ -25,7 +25,7 @@ use relief_bake::{BakeError, KINDS, Kind, Progress as BakeProgress, Settings, Sh
 use relief_core::registry::UnknownName;
 use relief_core::{ByteSize, HeightMap, Metric, Wrap};
 use relief_io::file_set::is_same_file;
-use relief_io::read_height;
+use relief_io::{read_ground, read_height};
 
 use self::files::{FilesError, Packing};
 use self::identity::Identity;
@@ -33,7 +33,8 @@ use self::outputs::{Earlier, Outputs};
 use self::report::Baked;
 use self::spool::Spool;
 use self::storage::{FileFormat, Storage, TexelChoice};
-use super::maps::{HeightArguments, inside_out, nearly_grey};
+use super::lengths;
+use super::maps::{HeightArguments, inside_out, is_depth, nearly_grey};
 use crate::failure::Failure;
 use crate::interrupt::{self, cancelled};
 use crate::progress::Progress;
@@ -251,8 +252,11 @@ impl<'a> Job<'a> {
         let map = read_height(&arguments.height, &options).map_err(Failure::of_map)?;
         if !arguments.json {
             let name = arguments.height.display().to_string();
-            let turned = inside_out(&arguments.height).filter(|_| !arguments.reading.depth);
-            nearly_grey(&name, &map).into_iter().chain(turned).for_each(say::note);
+            let ground = read_ground(&arguments.height, &options).map_err(Failure::of_map)?;
+            let is_depth = arguments.reading.depth || is_depth(&ground);
+            let turned = inside_out(&arguments.height).filter(|_| !is_depth);
+            let of_units = lengths::of_map(&ground, &map).into_iter().map(|note| format!("{name}: {note}"));
+            nearly_grey(&name, &map).into_iter().chain(turned).chain(of_units).for_each(say::note);
         }
         let metric = metric(arguments, &map)?;
         let map = map.with_displacement(metric.scale_m, -metric.scale_m).map_err(Failure::usage)?;
@@ -404,6 +408,10 @@ fn bits(settings: &Settings) -> u32 {
 /// relief.
 fn metric(arguments: &Arguments, map: &HeightMap) -> Result<Metric, Failure> {
     let tile = arguments.tile_size.or(map.stated_tile_m()).unwrap_or_else(|| map.proportions());
-    let span = map.stated_lengths_m().map(|(_, span)| span);
+    // Of a map whose unit is not known the tile is 1 m long, or as long as is given.
+    let span = map.stated_lengths().map(|(stated, span)| match map.stated_tile_m() {
+        None if arguments.tile_size.is_none() => span / stated[0].max(stated[1]),
+        _ => span,
+    });
     Metric::new(tile, arguments.scale.or(span).unwrap_or(DEFAULT_SCALE_M)).map_err(Failure::usage)
 }

@@ -9,12 +9,13 @@ use clap::Args;
 use relief_core::ByteSize;
 use relief_core::mesh::UvProjection;
 use relief_io::{
-    Convention, DEFAULT_MAX_BYTES, Detection, Elevation, Georeference, GreenSign, HISTOGRAM_BINS, HeightNote,
-    HeightOptions, MeshFormat, SourceInfo, Tiling, Values, detect, guess_by_name, inspect, read_height,
-    read_normal_map,
+    Convention, CoordinateSystem, DEFAULT_MAX_BYTES, Detection, Elevation, Georeference, GreenSign, Ground,
+    HISTOGRAM_BINS, HeightNote, HeightOptions, MeshFormat, SourceInfo, Tiling, UnitOrigin, Values, detect,
+    guess_by_name, inspect, read_height, read_normal_map,
 };
 use serde_json::{Value, json};
 
+use super::lengths;
 use super::maps::FileArguments;
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -59,6 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let options = HeightOptions {
         channel: arguments.reading.channel.clone(),
+        unit: arguments.reading.unit,
         raw: arguments.reading.raw,
         nodata: arguments.reading.nodata,
         fill: arguments.reading.fill(),
@@ -111,7 +113,7 @@ fn print(
         writeln!(out, "  channel     and {more} more")?;
     }
     if let Some(georeference) = &info.georeference {
-        writeln!(out, "  ground      {}", ground(georeference))?;
+        writeln!(out, "  ground      {}", ground_text(georeference))?;
         if let Some(turned) = turned_over(georeference) {
             writeln!(
                 out,
@@ -130,8 +132,11 @@ fn print(
         writeln!(out, "  nodata      {nodata}")?;
     }
     match &info.values {
-        Some(values) => print_values(out, values)?,
+        Some(values) => print_values(out, info, values)?,
         None => writeln!(out, "  Several channels may hold the height: choose one with --channel.")?,
+    }
+    for note in lengths::notes(&ground_of(info)) {
+        writeln!(out, "  units       {note}")?;
     }
     if let (None, Some(guess)) = (detection, guess_by_name(&arguments.file)) {
         let (kind, hint) = match guess.convention {
@@ -159,15 +164,47 @@ fn print(
 }
 
 /// The coordinate system, and why the size of a texel is not known.
-fn ground(georeference: &Georeference) -> String {
+fn ground_text(georeference: &Georeference) -> String {
     let mut text = format!("{} coordinates", georeference.system.name());
     if let Some(epsg) = georeference.epsg {
         text += &format!(" (EPSG:{epsg})");
+    }
+    let metres = georeference.metres_per_unit.filter(|_| georeference.system != CoordinateSystem::Geographic);
+    if let Some(unit) = &georeference.unit {
+        let per_unit = metres.filter(|_| georeference.system == CoordinateSystem::Projected);
+        text += &format!(" in {}", lengths::with_metres(unit, per_unit.map(|[x, _]| x)));
+        text += &match (&georeference.unit_origin, lengths::by(&georeference.unit_origin)) {
+            (UnitOrigin::Shared, _) => ", that of the heights".to_owned(),
+            (_, by) if by.is_empty() => by,
+            (_, by) => format!(" ({by})"),
+        };
+    }
+    if let Some(file) = &georeference.grid_file {
+        text += &format!(", placed by {file}");
     }
     if let Err(reason) = &georeference.texel_size_m {
         text += &format!("; the size of a texel is not known: {reason}");
     }
     text
+}
+
+/// What its header says of the ground.
+fn ground_of(info: &SourceInfo) -> Ground {
+    let elevation = info.values.as_ref().filter(|_| info.note.is_none());
+    let [width, height] = [info.width, info.height].map(f64::from);
+    Ground {
+        size: [info.width, info.height],
+        tile_m: info.texel_size_m.map(|[u, v]| [u * width, v * height]),
+        georeference: info.georeference.clone(),
+        elevation: elevation.and_then(|values| values.elevation.clone()),
+        format: info.format,
+    }
+}
+
+/// Why its values are no metres of ground. What Relief notes of a map is not doubted.
+fn doubt(info: &SourceInfo, elevation: &Elevation, range: Option<[f64; 2]>) -> Option<String> {
+    let is_ground = info.note.is_none();
+    lengths::doubt(elevation, range.filter(|_| is_ground), [info.width, info.height], info.texel_size_m)
 }
 
 /// What of the file is turned over.
@@ -188,27 +225,43 @@ fn elevation_text(elevation: &Elevation, range: Option<[f64; 2]>) -> String {
     } else {
         format!("value * {scale} + {offset}")
     };
+    let by = match (&elevation.origin, lengths::by(&elevation.origin)) {
+        (UnitOrigin::Shared, _) => ", that of the ground".to_owned(),
+        (UnitOrigin::Assumed, by) => format!(", {by}"),
+        (_, by) if by.is_empty() => by,
+        (_, by) => format!(" ({by})"),
+    };
+    let downward = if elevation.downward { ", counted downward" } else { "" };
     let text = match (&elevation.unit, elevation.metres_per_unit) {
-        (None, _) => format!("{value} in metres, as no unit is named"),
-        (Some(unit), Some(1.0)) => format!("{value} in {unit}"),
-        (Some(unit), Some(metres)) => format!("{value} in {unit}, of {metres} m each"),
-        (Some(unit), None) => {
-            return format!("{value} in {unit}, which is no known length: metres are not known");
+        (None, _) => {
+            return format!("{value} in the ground's unit, as none is named{downward}: metres are not known");
         }
+        (Some(unit), None) => {
+            return format!(
+                "{value} in {unit}{by}, which is no known length{downward}: metres are not known"
+            );
+        }
+        (Some(unit), metres) => format!("{value} in {}{by}{downward}", lengths::with_metres(unit, metres)),
     };
     match range.and_then(|range| elevation.metres(range)) {
-        Some([least, greatest]) => format!("{text}: {least} m to {greatest} m"),
+        Some([a, b]) => format!("{text}: {} m to {} m", a.min(b), a.max(b)),
         None => text,
     }
 }
 
-fn print_values(out: &mut impl Write, values: &Values) -> io::Result<()> {
+fn print_values(out: &mut impl Write, info: &SourceInfo, values: &Values) -> io::Result<()> {
     writeln!(out, "  height from {}", values.channel)?;
     if let Some([least, greatest]) = values.range {
         writeln!(out, "  range       {least} to {greatest}, {} levels used", values.levels)?;
     }
     if let Some(elevation) = &values.elevation {
         writeln!(out, "  elevation   {}", elevation_text(elevation, values.range))?;
+        if let Some(doubt) = doubt(info, elevation, values.range) {
+            writeln!(out, "  doubtful    {doubt}")?;
+        }
+        if elevation.downward {
+            writeln!(out, "  convention  depth, by its vertical system: it is read so")?;
+        }
     }
     if let Some([zero, one]) = values.normalised_range {
         writeln!(out, "  heights     0 stands for {zero}, 1 for {one}")?;
@@ -262,7 +315,10 @@ fn as_json(arguments: &Arguments, info: &SourceInfo, detection: Option<&Detectio
         let elevation = values.elevation.as_ref().map(|elevation| {
             json!({
                 "unit": elevation.unit, "metres_per_unit": elevation.metres_per_unit, "scale": elevation.scale,
-                "offset": elevation.offset, "range_m": values.range.and_then(|range| elevation.metres(range)),
+                "offset": elevation.offset, "downward": elevation.downward,
+                "unit_by": elevation.origin.to_string(),
+                "range_m": values.range.and_then(|range| elevation.metres(range)).map(|[a, b]| [a.min(b), a.max(b)]),
+                "doubt": doubt(info, elevation, values.range),
             })
         });
         json!({
@@ -275,6 +331,7 @@ fn as_json(arguments: &Arguments, info: &SourceInfo, detection: Option<&Detectio
         let [columns, rows] = found.turned_over;
         json!({
             "system": found.system.name(), "epsg": found.epsg, "turned_over": { "columns": columns, "rows": rows },
+            "unit": found.unit, "unit_by": found.unit_origin.to_string(), "placed_by": found.grid_file,
             "size_unknown": found.texel_size_m.as_ref().err(),
         })
     });

@@ -5,9 +5,13 @@ use std::path::Path;
 
 use clap::Args;
 use relief_core::{ByteSize, HeightMap, Wrap};
-use relief_io::{Convention, DEFAULT_MAX_BYTES, Fill, HeightOptions, HeightRange, RawLayout, guess_by_name};
-use relief_render::scene::{Scene, SceneSpec};
+use relief_io::{
+    Convention, DEFAULT_MAX_BYTES, Fill, GivenUnits, Ground, HeightOptions, HeightRange, RawLayout,
+    guess_by_name, read_ground,
+};
+use relief_render::scene::{Scene, SceneSpec, SurfaceSpec};
 
+use super::lengths;
 use crate::values;
 
 /// How the height map's file is read.
@@ -30,6 +34,11 @@ pub struct FileArguments {
         hide_short_help = true,
     )]
     pub nodata: Option<f64>,
+    /// Unit of the heights where the file does not say it or says it wrong: m, dm, cm, mm, km, ft, us-ft and
+    /// so on; with that of the ground's coordinates as in cm,ft
+    /// [default: as the file or those beside it say]
+    #[arg(long, value_name = "UNIT[,GROUND]", hide_short_help = true)]
+    pub unit: Option<GivenUnits>,
     /// Fill texels without a value (nodata, masked, NaN, infinite) from their surroundings
     /// [default: they are an error; render and mesh fill those of elevation models and of --nodata]
     #[arg(long, hide_short_help = true)]
@@ -74,9 +83,10 @@ impl HeightArguments {
     pub fn options(&self, max_memory: Option<ByteSize>) -> HeightOptions {
         HeightOptions {
             channel: self.file.channel.clone(),
-            convention: if self.depth { Convention::Depth } else { Convention::Height },
+            convention: self.depth.then_some(Convention::Depth),
             range: self.range,
             nodata: self.file.nodata,
+            unit: self.file.unit,
             raw: self.file.raw,
             fill: self.file.fill(),
             wrap: self.wrap,
@@ -107,12 +117,30 @@ pub fn inside_out(path: &Path) -> Option<String> {
     ))
 }
 
+/// What the header of a surface's height map says of the ground; none where there is no such file.
+pub fn ground_of(surface: &SurfaceSpec) -> Option<Ground> {
+    let options = HeightOptions {
+        channel: surface.channel.clone(),
+        unit: surface.unit,
+        raw: surface.raw,
+        ..HeightOptions::default()
+    };
+    read_ground(surface.height.as_ref()?, &options).ok()
+}
+
+/// Whether a file itself says that it holds depths.
+pub fn is_depth(ground: &Ground) -> bool {
+    ground.elevation.as_ref().is_some_and(|elevation| elevation.downward)
+}
+
 /// Of each height map how it was read where that was not asked for, once.
 pub fn of_reading(spec: &SceneSpec, scene: &Scene) -> BTreeSet<String> {
     let surfaces = spec.each_surface().into_iter().zip(scene.surfaces());
     let notes = surfaces.flat_map(|(described, surface)| {
+        let ground = ground_of(&described);
         let path = described.height.unwrap_or_default();
-        let turned = inside_out(&path).filter(|_| described.depth.is_none());
+        let is_depth = ground.as_ref().is_some_and(is_depth);
+        let turned = inside_out(&path).filter(|_| described.depth.is_none() && !is_depth);
         let name = path.display().to_string();
         let count = surface.height_map().filled_texels();
         let filled = match (surface.has_holes(), described.fill.is_none(), count) {
@@ -123,7 +151,9 @@ pub fn of_reading(spec: &SceneSpec, scene: &Scene) -> BTreeSet<String> {
             )),
             _ => None,
         };
-        filled.into_iter().chain(nearly_grey(&name, surface.height_map())).chain(turned)
+        let of_units = ground.iter().flat_map(|ground| lengths::of_map(ground, surface.height_map()));
+        let of_units: Vec<String> = of_units.map(|note| format!("{name}: {note}")).collect();
+        filled.into_iter().chain(nearly_grey(&name, surface.height_map())).chain(turned).chain(of_units)
     });
     notes.collect()
 }

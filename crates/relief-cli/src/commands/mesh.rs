@@ -23,6 +23,7 @@ use relief_render::scene::{MeshChoice, Scene, SceneSpec, Surface, SurfaceSpec, r
 use self::accuracy::Tolerance;
 use self::refused::{COARSER, of_mesher};
 use self::seen::{LevelFilter, Seen};
+use super::lengths;
 use super::maps::{self, HeightArguments};
 use super::placed::PlacedArguments;
 use super::scene_arguments::of_scene;
@@ -311,11 +312,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let _reading = Progress::spinner("reading", arguments.json);
         spec.load().map_err(of_scene)?
     };
+    let surface = scene.surfaces()[0].clone();
+    if let Some(ground) = spec.each_surface().first().and_then(maps::ground_of)
+        && let Some(doubt) = lengths::doubt_of(&ground, surface.height_map())
+    {
+        return Err(Failure::Work(format!("{}: {doubt}", arguments.height.display())));
+    }
     if !arguments.json {
         maps::of_reading(&spec, &scene).into_iter().for_each(say::note);
     }
     let view = arguments.view_of(&spec, &scene);
-    let surface = scene.surfaces()[0].clone();
     if surface.object().is_some() {
         return Err(Failure::usage("the surface is an object of images, which has no height map on a mesh"));
     }
@@ -501,7 +507,12 @@ impl Arguments {
     /// pictures.
     fn spec(&self) -> Result<SceneSpec, Failure> {
         let surface = self.placed.surface(&self.reading);
-        let depth = if self.invert { Some(!self.reading.depth) } else { surface.depth };
+        // A file may say itself that it holds depths.
+        let of_file = || {
+            let surface = SurfaceSpec { height: Some(self.height.clone()), ..surface.clone() };
+            maps::ground_of(&surface).is_some_and(|ground| maps::is_depth(&ground))
+        };
+        let depth = if self.invert { Some(!(self.reading.depth || of_file())) } else { surface.depth };
         let holes = self.holes.then_some(true);
         let surface = SurfaceSpec { height: Some(self.height.clone()), depth, holes, ..surface };
         let seen = match &self.view {

@@ -8,6 +8,7 @@ pub mod completions;
 pub mod contest;
 pub mod height;
 pub mod inspect;
+mod lengths;
 pub mod man;
 pub mod maps;
 pub mod mesh;

@@ -68,6 +68,7 @@ impl PlacedArguments {
             depth: given(reading.depth),
             range: reading.range,
             nodata: reading.file.nodata,
+            unit: reading.file.unit,
             raw: reading.file.raw,
             fill: given(reading.file.fill),
             wrap: reading.wrap,

@@ -2,6 +2,8 @@
 
 use tiff_reader::Ifd;
 
+use crate::elevation::UnitOrigin;
+use crate::georeference::{Band, Unit};
 use crate::layout::{SampleKind, SampleType};
 
 const TAG_METADATA: u16 = 42112;
@@ -26,14 +28,6 @@ pub(super) fn nodata(ifd: &Ifd, sample: SampleType) -> Result<Option<f64>, Strin
     Ok(Some(stored).filter(|stored| possible && !stored.is_nan()))
 }
 
-/// What the metadata say of one band.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Band {
-    pub scale: Option<f64>,
-    pub offset: Option<f64>,
-    pub unit: Option<String>,
-}
-
 /// What the metadata say of each band; none where they say nothing of any.
 pub(super) fn bands(ifd: &Ifd, count: usize) -> Result<Option<Vec<Band>>, String> {
     let Some(xml) = ifd.tag(TAG_METADATA).and_then(|tag| tag.value.as_str()) else { return Ok(None) };
@@ -48,7 +42,9 @@ pub(super) fn bands(ifd: &Ifd, count: usize) -> Result<Option<Vec<Band>>, String
             Some("offset") => band.offset = Some(item.number("offset", f64::is_finite)?),
             Some("unittype") => {
                 let unit = unescaped(item.text.trim());
-                band.unit = Some(unit).filter(|unit| !unit.is_empty());
+                if !unit.is_empty() {
+                    band.unit = Unit::named(unit, UnitOrigin::Metadata);
+                }
             }
             _ => {}
         }

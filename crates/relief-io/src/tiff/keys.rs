@@ -2,38 +2,31 @@
 
 use tiff_reader::Ifd;
 
-use super::units;
+use crate::elevation::{CoordinateSystem, UnitOrigin};
+use crate::georeference::{Crs, USER_DEFINED, Unit, Vertical, WEB_MERCATOR, epsg};
 
 const TAG_KEYS: u16 = 34735;
 const TAG_KEY_DOUBLES: u16 = 34736;
 
-pub(super) const KEY_MODEL_TYPE: u16 = 1024;
+const KEY_MODEL_TYPE: u16 = 1024;
 pub(super) const KEY_RASTER_TYPE: u16 = 1025;
-pub(super) const KEY_GEOGRAPHIC_TYPE: u16 = 2048;
-pub(super) const KEY_ANGULAR_UNIT: u16 = 2054;
-pub(super) const KEY_ANGULAR_UNIT_SIZE: u16 = 2055;
-pub(super) const KEY_PROJECTED_TYPE: u16 = 3072;
+const KEY_GEOGRAPHIC_TYPE: u16 = 2048;
+const KEY_ANGULAR_UNIT: u16 = 2054;
+const KEY_ANGULAR_UNIT_SIZE: u16 = 2055;
+const KEY_PROJECTED_TYPE: u16 = 3072;
 const KEY_LINEAR_UNIT: u16 = 3076;
 const KEY_LINEAR_UNIT_SIZE: u16 = 3077;
 const KEY_VERTICAL_TYPE: u16 = 4096;
 const KEY_VERTICAL_UNIT: u16 = 4099;
 
-/// The number that stands for what the keys themselves define.
-pub(super) const USER_DEFINED: u16 = 32767;
+const MODEL_PROJECTED: u16 = 1;
+const MODEL_GEOGRAPHIC: u16 = 2;
 
-/// Vertical systems whose unit is not the metre, with the number of that unit: heights and depths over NGVD29,
-/// NAVD88 and mean sea level in feet.
-const VERTICAL_IN_FEET: [(u16, u16); 9] = [
-    (5702, 9003),
-    (6358, 9003),
-    (6359, 9003),
-    (6360, 9003),
-    (8050, 9002),
-    (8051, 9002),
-    (8052, 9003),
-    (8053, 9003),
-    (8228, 9002),
-];
+/// Degrees, as the EPSG's list numbers them.
+const DEGREE: u16 = 9122;
+
+/// Numbers of vertical systems of GeoTIFF 1.0, which are those of an ellipsoid or a datum and name no unit.
+const WITHOUT_UNIT: [std::ops::RangeInclusive<u16>; 2] = [5001..=5033, 5101..=5106];
 
 /// The keys of a file.
 pub(super) struct Keys {
@@ -71,7 +64,7 @@ impl Keys {
     }
 
     /// The value of a key that is the size of a unit.
-    pub(super) fn unit_size(&self, key: u16) -> Result<Option<f64>, String> {
+    fn unit_size(&self, key: u16) -> Result<Option<f64>, String> {
         let Some([_, TAG_KEY_DOUBLES, _, index]) = self.entry(key) else { return Ok(None) };
         let size = self.doubles.get(usize::from(index)).copied();
         let size = size.ok_or_else(|| format!("the number of its key {key} is missing"))?;
@@ -82,26 +75,86 @@ impl Keys {
         }
     }
 
-    /// Metres in one unit of a projected system; none where the unit is not known.
-    pub(super) fn metres_per_unit(&self) -> Result<Result<f64, String>, String> {
-        let Some(unit) = self.short(KEY_LINEAR_UNIT) else { return Ok(Ok(1.0)) };
-        let metres = match unit {
-            USER_DEFINED => self.unit_size(KEY_LINEAR_UNIT_SIZE)?,
-            number => units::by_number(number).map(|(_, metres)| metres),
-        };
-        Ok(metres.ok_or_else(|| format!("the unit of its coordinates is not known (EPSG:{unit})")))
+    /// The value of such a key, where it says anything.
+    fn code(&self, key: u16) -> Option<u16> {
+        self.short(key).filter(|&number| number != 0)
     }
 
-    /// Name and metres of the unit of heights, where the keys say it.
-    pub(super) fn vertical_unit(&self) -> Option<(String, Option<f64>)> {
-        let of_system = || {
-            let system = self.short(KEY_VERTICAL_TYPE)?;
-            VERTICAL_IN_FEET.iter().find(|(known, _)| *known == system).map(|(_, unit)| *unit)
+    /// The unit that a key names, if it names one: by its number, or by a size in another key.
+    fn unit(
+        &self,
+        key: u16,
+        size_key: u16,
+        by_code: fn(u16, UnitOrigin) -> Unit,
+    ) -> Result<Option<Unit>, String> {
+        let origin = UnitOrigin::Key(key);
+        Ok(match self.code(key) {
+            None => None,
+            Some(USER_DEFINED) => {
+                let name = format!("EPSG:{USER_DEFINED}");
+                Some(match self.unit_size(size_key)? {
+                    Some(size) => {
+                        let name = "a unit of its own".to_owned();
+                        Unit::Known { name, size, origin: UnitOrigin::Key(size_key) }
+                    }
+                    None => Unit::Unknown { name, origin },
+                })
+            }
+            Some(number) => Some(by_code(number, origin)),
+        })
+    }
+
+    /// The coordinate system. Its unit is the one that a key names, else that of its number.
+    pub(super) fn system(&self) -> Result<Crs, String> {
+        let (projected, geographic) = (self.code(KEY_PROJECTED_TYPE), self.code(KEY_GEOGRAPHIC_TYPE));
+        let implied = || match (projected, geographic) {
+            (Some(_), _) => Some(MODEL_PROJECTED),
+            (None, Some(_)) => Some(MODEL_GEOGRAPHIC),
+            (None, None) => None,
         };
-        let number = self.short(KEY_VERTICAL_UNIT).filter(|&number| number != 0).or_else(of_system)?;
-        Some(match units::by_number(number) {
-            Some((name, metres)) => (name.to_owned(), Some(metres)),
-            None => (format!("EPSG:{number}"), None),
+        let (system, number) = match self.code(KEY_MODEL_TYPE).or_else(implied) {
+            Some(MODEL_PROJECTED) if projected.is_some_and(|number| WEB_MERCATOR.contains(&number)) => {
+                (CoordinateSystem::WebMercator, projected)
+            }
+            Some(MODEL_PROJECTED) => (CoordinateSystem::Projected, projected),
+            Some(MODEL_GEOGRAPHIC) => (CoordinateSystem::Geographic, geographic),
+            _ => (CoordinateSystem::Unknown, None),
+        };
+        let epsg = number.filter(|&number| number != USER_DEFINED);
+        let of_number = || epsg.map(|number| Unit::of_system(system, number));
+        let unit = match system {
+            CoordinateSystem::Geographic => {
+                let named = self.unit(KEY_ANGULAR_UNIT, KEY_ANGULAR_UNIT_SIZE, Unit::angle)?;
+                let degrees = || Unit::angle(DEGREE, UnitOrigin::Assumed);
+                named.or_else(of_number).unwrap_or_else(degrees)
+            }
+            CoordinateSystem::Projected | CoordinateSystem::WebMercator => {
+                let named = self.unit(KEY_LINEAR_UNIT, KEY_LINEAR_UNIT_SIZE, Unit::length)?;
+                named.or_else(of_number).unwrap_or_default()
+            }
+            CoordinateSystem::Unknown => Unit::Unnamed,
+        };
+        Ok(Crs { system, epsg, unit, vertical: self.vertical(geographic)? })
+    }
+
+    /// Whether the keys name a vertical system, or its unit.
+    pub(super) fn has_heights(&self) -> bool {
+        self.code(KEY_VERTICAL_TYPE).or_else(|| self.code(KEY_VERTICAL_UNIT)).is_some()
+    }
+
+    /// The heights, where the keys say anything of them.
+    fn vertical(&self, geographic: Option<u16>) -> Result<Option<Vertical>, String> {
+        let is_system = |number: &u16| {
+            *number != USER_DEFINED && !WITHOUT_UNIT.iter().any(|numbers| numbers.contains(number))
+        };
+        let above_ellipsoid = || geographic.filter(|&number| epsg::vertical(number).is_some());
+        let number = self.code(KEY_VERTICAL_TYPE).filter(is_system);
+        let of_number = number.or_else(above_ellipsoid).map(Vertical::of_system);
+        Ok(match self.unit(KEY_VERTICAL_UNIT, USER_DEFINED, Unit::length)? {
+            Some(unit) => {
+                Some(Vertical { unit, downward: of_number.is_some_and(|vertical| vertical.downward) })
+            }
+            None => of_number,
         })
     }
 }

@@ -82,6 +82,12 @@ pub fn keys() -> Vec<Key> {
         surface("depth", Form::Flag, "false", "whether white is deep"),
         surface("range", Form::Range, "", "values of the file that become heights 0 and 1, or \"auto\""),
         surface("nodata", Form::Number, "", "value of texels without one, beside what the file declares"),
+        surface(
+            "unit",
+            Form::Text,
+            "",
+            "unit of the heights, or those of heights and ground, as in \"cm\" or \"cm,ft\"",
+        ),
         surface("raw", Form::Text, "", "size and byte order of a headerless file, as in \"403x344,le\""),
         surface(
             "fill",
@@ -245,6 +251,7 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
             auto @ HeightRange::Extremes => quoted(&auto.to_string()),
         }),
         "nodata" => spec.nodata.map(|nodata| format!("{nodata:?}")),
+        "unit" => spec.unit.map(|unit| quoted(&unit.to_string())),
         "raw" => spec.raw.map(|raw| quoted(&raw.to_string())),
         "wrap" => spec.wrap.map(|wrap| quoted(wrap.name())),
         "scale" => spec.scale.map(|scale| format!("{scale:?}")),

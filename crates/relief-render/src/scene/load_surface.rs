@@ -347,9 +347,10 @@ impl SurfaceSpec {
         };
         let options = HeightOptions {
             channel: self.channel.clone(),
-            convention: if self.depth == Some(true) { Convention::Depth } else { Convention::Height },
+            convention: self.depth.map(|depth| if depth { Convention::Depth } else { Convention::Height }),
             range: self.range,
             nodata: self.nodata,
+            unit: self.unit,
             raw: self.raw,
             fill: match self.fill {
                 None if parts.holes => Fill::Always,
@@ -520,7 +521,7 @@ fn check_scale(scale_m: f64) -> Result<(), ValueError> {
 /// states: as deep to a tile of the mesh as to one of its own, on the mean of both directions. On a plane
 /// both are the same.
 pub(super) fn stated_scale_m(map: &HeightMap, mesh: &Mesh) -> Option<f64> {
-    let (tile_m, span_m) = map.stated_lengths_m()?;
+    let (tile, span) = map.stated_lengths()?;
     let [u, v] = mesh.tile_m();
-    Some(span_m * (u / tile_m[0] * (v / tile_m[1])).sqrt())
+    Some(span * (u / tile[0] * (v / tile[1])).sqrt())
 }

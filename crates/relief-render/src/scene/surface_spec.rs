@@ -5,7 +5,7 @@ use super::keys::{numbers, parsed, range};
 use super::settings::settings;
 use relief_core::Wrap;
 use relief_core::mesh::UvProjection;
-use relief_io::{GreenSign, HeightRange, RawLayout};
+use relief_io::{GivenUnits, GreenSign, HeightRange, RawLayout};
 use relief_shaders::{
     AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES,
 };
@@ -36,6 +36,10 @@ pub struct SurfaceSpec {
     /// The value of texels without one, as the file stores it, beside the value that the file declares. By
     /// default that one alone.
     pub nodata: Option<f64>,
+    /// The unit of the heights, as in `"cm"`, or that of the heights and that of the ground, as in `"cm,ft"`.
+    /// By default the units that the file says.
+    #[serde(deserialize_with = "parsed")]
+    pub unit: Option<GivenUnits>,
     /// Size and byte order of a headerless file, as in `"403x344,le"`.
     #[serde(deserialize_with = "parsed")]
     pub raw: Option<RawLayout>,
@@ -143,7 +147,7 @@ impl SurfaceSpec {
     /// This description with everything that `over` says in place of what it said itself.
     ///
     /// What belongs to something replaced goes with it: another height file drops how the old one was to be
-    /// read (`channel`, `depth`, `range`, `nodata`, `raw`, `fill`), another normal map drops `green`, another mesh
+    /// read (`channel`, `depth`, `range`, `nodata`, `unit`, `raw`, `fill`), another normal map drops `green`, another mesh
     /// `project`, another method or stage its own settings, another shadow its search, another ambient light
     /// than `environment` what is refracted and what is refracted another ambient light, and a scale without
     /// a bias the old bias.
@@ -151,7 +155,7 @@ impl SurfaceSpec {
     pub fn overridden_by(mut self, over: SurfaceSpec) -> SurfaceSpec {
         if over.height.is_some() {
             (self.channel, self.depth, self.raw, self.fill) = (None, None, None, None);
-            (self.range, self.nodata) = (None, None);
+            (self.range, self.nodata, self.unit) = (None, None, None);
         }
         if over.object.is_some() {
             self.forget_relief();
@@ -183,6 +187,7 @@ impl SurfaceSpec {
             depth: over.depth.or(self.depth),
             range: over.range.or(self.range),
             nodata: over.nodata.or(self.nodata),
+            unit: over.unit.or(self.unit),
             raw: over.raw.or(self.raw),
             fill: over.fill.or(self.fill),
             holes: over.holes.or(self.holes),
@@ -256,6 +261,7 @@ impl SurfaceSpec {
             ("depth", self.depth.is_some()),
             ("range", self.range.is_some()),
             ("nodata", self.nodata.is_some()),
+            ("unit", self.unit.is_some()),
             ("raw", self.raw.is_some()),
             ("fill", self.fill.is_some()),
             ("holes", self.holes.is_some()),

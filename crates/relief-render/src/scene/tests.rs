@@ -55,6 +55,7 @@ channel = "height"
 depth = true
 range = [236, 1076.5]
 nodata = -9999
+unit = "cm,us-ft"
 raw = "403x344,le"
 fill = true
 holes = true
@@ -121,6 +122,7 @@ fn every_key_is_read() {
         depth: Some(true),
         range: Some([236.0, 1076.5].into()),
         nodata: Some(-9999.0),
+        unit: "cm,us-ft".parse().ok(),
         raw: "403x344,le".parse().ok(),
         fill: Some(true),
         holes: Some(true),
@@ -157,7 +159,7 @@ fn every_key_is_read() {
         ior: Some(1.33),
         two_sided: Some(true),
     };
-    assert!(surface.raw.is_some() && surface.green.is_some());
+    assert!(surface.raw.is_some() && surface.unit.is_some() && surface.green.is_some());
     let expected = SceneSpec {
         surface,
         surfaces: Vec::new(),
@@ -218,6 +220,7 @@ fn mistakes_in_a_file_are_reported_with_their_line() {
         "material = { diffuse = [1, 1] }",
         "tile = [1, 2, 3]",
         "raw = '0x0'",
+        "unit = 'kelvin'",
         "max-memory = -5",
         "lights = [{ direction = [1, 2, 3], colour = [1, 1, 1] }]",
         "size = [-1, 5]",
