@@ -302,3 +302,38 @@ fn notes_say_which_unit_is_taken() {
     let [depth, inverted] = ["", " --invert"].map(|flag| heights(&format!("{line}{flag}")));
     assert_ne!(depth, inverted);
 }
+
+#[test]
+fn feet_by_code_alone_are_as_high_as_they_are_long() {
+    let folder = Folder::new();
+    for code in [2271, 6597, 2263, 3089] {
+        // 10 feet up for 10 feet along: as high as the plane is long, less one texel.
+        folder.write("dem.tif", ramp(&[[3072, code], [4096, 6360]], [500.0, 10.0]));
+        let about = json_of(&folder.relief("mesh dem.tif -o dem.glb --print-size 1m --json").fine().stdout);
+        let size: Vec<f64> = serde_json::from_value(about["size_m"].clone()).expect("three numbers");
+        assert!((size[1] / size[0] - 0.975).abs() < 1e-6, "EPSG:{code}: {size:?}");
+    }
+}
+
+#[test]
+fn files_beside_a_map_say_where_it_lies() {
+    let folder = common::refused::with_out();
+    let data: Vec<u8> = (0..40 * 24).flat_map(|at| (at as f32 * 0.05).to_le_bytes()).collect();
+    folder.write("dem.tif", tiff([40, 24], Samples::Float, &data, &[]));
+    folder.write("dem.tfw", b"10\n0\n0\n-10\n500005\n4999995\n");
+    let ran = folder.relief("mesh dem.tif -o dem.glb");
+    assert!(ran.code == Some(0) && ran.stderr.contains("--unit"), "{}", ran.stderr);
+    folder.write("dem.prj", b"EPSG:2222");
+    let text = folder.relief("inspect dem.tif").fine().stdout;
+    for part in ["(by EPSG:2222), placed by dem.tfw", "texel       3.048000 m", "that of the ground"] {
+        assert!(text.contains(part), "'{part}' is missing:\n{text}");
+    }
+    folder.write("dem.prj", b"LOCAL_CS[\"site\",UNIT[\"metre\",1]]");
+    assert!(folder.relief("inspect dem.tif").fine().stdout.contains("in m (by dem.prj), placed by dem.tfw"));
+    folder.relief("mesh dem.tif -o dem.glb").fine();
+    for (name, bytes) in [("dem.tfw", "1\n2\n3\n4\n5\n"), ("dem.tif.aux.xml", "<PAMDataset>")] {
+        folder.write(name, bytes.as_bytes());
+        let ran = folder.relief("mesh dem.tif -o out/dem.glb");
+        common::refused::assert_refused(&folder, &ran, 1, &[name]);
+    }
+}

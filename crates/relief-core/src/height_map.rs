@@ -41,6 +41,8 @@ pub struct HeightMap {
     physical_range: Option<[f64; 2]>,
     /// Whether texel size and physical range are in one unit that is not known, in place of metres.
     unnamed_unit: bool,
+    /// Whether the source, or who reads it, names the unit of the heights.
+    named_heights: bool,
     stated_displacement_m: Option<[f64; 2]>,
     filled_texels: u64,
     holes: Option<Arc<TexelMask>>,
@@ -150,6 +152,7 @@ impl HeightMap {
             texel_size_m: None,
             physical_range: None,
             unnamed_unit: false,
+            named_heights: false,
             stated_displacement_m: None,
             filled_texels: 0,
             holes: None,
@@ -241,6 +244,18 @@ impl HeightMap {
     pub fn with_unnamed_unit(mut self) -> Self {
         self.unnamed_unit = true;
         self
+    }
+
+    /// The same map, whose source names the unit of its heights, so that they need no doubt.
+    #[must_use]
+    pub fn with_named_heights(mut self) -> Self {
+        self.named_heights = true;
+        self
+    }
+
+    /// Whether the source names the unit of the heights.
+    pub fn has_named_heights(&self) -> bool {
+        self.named_heights
     }
 
     /// The same map with the physical values that texel 0 and texel 1 stand for (metres for elevation

@@ -148,6 +148,12 @@ impl Elevation {
         raw.map(|raw| sign * (raw * self.scale + self.offset))
     }
 
+    /// Whether the file, one beside it or the user names the unit of the heights, and it is known.
+    pub fn is_named(&self) -> bool {
+        let is_guess = matches!(self.origin, UnitOrigin::Shared | UnitOrigin::Assumed | UnitOrigin::Unnamed);
+        !is_guess && self.metres_per_unit.is_some()
+    }
+
     /// Why the least and the greatest of its values are no metres of ground, if they are none. `ground_m` is
     /// the longer side of the whole map. Units that the user gives are not doubted, and of those that the
     /// file itself names only heights that no ground has.
@@ -160,8 +166,7 @@ impl Elevation {
         if range_m[0] < GROUND_M[0] || range_m[1] > GROUND_M[1] {
             return Some(Doubt::Heights { range_m });
         }
-        let is_named = !matches!(self.origin, UnitOrigin::Shared | UnitOrigin::Assumed);
-        let (ground_m, relief_m) = (ground_m.filter(|_| !is_named)?, range_m[1] - range_m[0]);
+        let (ground_m, relief_m) = (ground_m.filter(|_| !self.is_named())?, range_m[1] - range_m[0]);
         let deepest = if ground_m < SHORT_GROUND_M { DEEPEST_OF_SHORT } else { DEEPEST };
         (relief_m > deepest * ground_m).then_some(Doubt::Relief { relief_m, ground_m })
     }

@@ -6,7 +6,7 @@ use std::str::FromStr;
 use relief_core::registry::UnknownName;
 use relief_core::{HeightMap, TexelMask, Wrap};
 
-use crate::elevation::UnitOrigin;
+use crate::elevation::{Elevation, UnitOrigin};
 use crate::fill::fill_holes;
 use crate::image_file::ImageFile;
 use crate::layout::{Layout, Terrain};
@@ -143,13 +143,18 @@ pub(crate) const BYTES_PER_TEXEL: u64 = 8;
 ///
 /// # Elevation models
 ///
-/// A TIFF with a georeference, or with a scale, an offset or a unit of its values, is an elevation model. Its
-/// physical range is in metres (see [`Elevation`](crate::Elevation)), and unknown where its unit is no length
-/// that is known here; the size of its texels is that on the ground (see
-/// [`Georeference`](crate::Georeference)). Units are those that it names, or those of the coordinate systems
-/// whose numbers it names. Where one of ground and heights has no unit, it has that of the other; where
-/// neither has, only their proportions are known. Heights that count downward are depths. Its row 0 lies in the north, however the file stores it. Texels
-/// that its mask leaves out, in the file or in one beside it with `.msk` after its name, have no value.
+/// A TIFF, PNG or JPEG file with a georeference, or with a scale, an offset or a unit of its values, is an
+/// elevation model. All of that may stand in files beside it, as GDAL writes and reads them: `.aux.xml`,
+/// world files (`.tfw`, `.pgw`, `.jgw`, `.wld`) and `.prj`. Its physical range is in metres (see
+/// [`Elevation`](crate::Elevation)), and unknown where its unit is no length that is known here; the size of
+/// its texels is that on the ground (see [`Georeference`](crate::Georeference)).
+///
+/// Units are those that it names, or those of the coordinate systems whose numbers it names. Where one of
+/// ground and heights has no unit, it has that of the other; where neither has, only their proportions are
+/// known. Heights that count downward are depths.
+///
+/// Its row 0 lies in the north, however the file stores it. Texels that its mask leaves out, in the file or
+/// in one beside it with `.msk` after its name, have no value.
 ///
 /// Texels without a value are an error unless [`HeightOptions::fill`] says otherwise. They are filled
 /// smoothly from their surroundings; [`HeightMap::filled_texels`] counts them, and [`HeightMap::holes`] says
@@ -208,6 +213,9 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<HeightMap, ReadPr
     let mut map = map.with_filled_texels(holes).with_nearly_grey_texels(nearly_grey);
     if let Some(range) = physical_range {
         map = map.with_physical_range(range)?;
+    }
+    if note.is_none() && elevation.is_some_and(Elevation::is_named) {
+        map = map.with_named_heights();
     }
     if let (Some(HeightNote { of_mesh: true, .. }), Some(range)) = (note, physical_range)
         && range[0] <= range[1]

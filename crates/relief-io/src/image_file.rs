@@ -4,10 +4,11 @@
 use std::io::{Read, Seek, SeekFrom};
 
 use crate::exr::ExrFile;
+use crate::georeference::{Grid, apply_sidecars};
 use crate::hdr::HdrFile;
 use crate::input::Input;
 use crate::jpeg::JpegFile;
-use crate::layout::{Format, Layout, Sink};
+use crate::layout::{Format, Layout, Sink, Span};
 use crate::pgm::PgmFile;
 use crate::png::PngFile;
 use crate::raw::RawFile;
@@ -54,10 +55,14 @@ impl<'a> ImageFile<'a> {
             input.file.seek(SeekFrom::Start(MARK.len() as u64))?;
         }
         match recognise(text.unwrap_or(&signature)) {
-            Some(Format::Png) => Ok(Self::Png(Box::new(PngFile::open(input)?))),
-            Some(Format::Jpeg) => Ok(Self::Jpeg(JpegFile::open(input)?)),
+            Some(Format::Png) => {
+                Ok(Self::Png(Box::new(PngFile::open(input)?)).with_sidecars(source, max_bytes))
+            }
+            Some(Format::Jpeg) => Ok(Self::Jpeg(JpegFile::open(input)?).with_sidecars(source, max_bytes)),
             Some(Format::Exr) => Ok(Self::Exr(ExrFile::open(input)?)),
-            Some(Format::Tiff) => Ok(Self::Tiff(Box::new(TiffFile::open(input)?))),
+            Some(Format::Tiff) => {
+                Ok(Self::Tiff(Box::new(TiffFile::open(input)?)).with_sidecars(source, max_bytes))
+            }
             Some(Format::Hdr) => Ok(Self::Hdr(HdrFile::open(input)?)),
             Some(Format::Pgm) => Ok(Self::Pgm(PgmFile::open(input)?)),
             Some(Format::Raw) | None => {
@@ -126,8 +131,48 @@ impl<'a> ImageFile<'a> {
         self
     }
 
+    /// The same file with what those beside it say.
+    fn with_sidecars(mut self, source: Source<'a>, max_bytes: u64) -> Self {
+        apply_sidecars(source, max_bytes, self.layout_mut());
+        if let Self::Tiff(file) = &mut self {
+            file.follow_layout();
+        }
+        self
+    }
+
+    /// Whether columns, and whether rows, come in the other order than the map's: a file beside the picture
+    /// may say so. TIFF turns them over itself.
+    fn turned_over(&self) -> [bool; 2] {
+        match self {
+            Self::Tiff(_) => [false; 2],
+            _ => self.layout().facts.grid.as_ref().map_or([false; 2], Grid::turned_over),
+        }
+    }
+
     /// Decodes the chosen channels and gives every texel once.
     pub(crate) fn decode(self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
+        let turned = self.turned_over();
+        if turned == [false; 2] {
+            return self.decode_as_stored(channels, sink);
+        }
+        let (width, height) = (self.layout().width, self.layout().height);
+        let mut reversed = Vec::new();
+        self.decode_as_stored(channels, &mut |span| {
+            let row = if turned[1] { height - 1 - span.row } else { span.row };
+            if !turned[0] {
+                return sink(Span { row, ..span });
+            }
+            let count = channels.len().max(1);
+            reversed.clear();
+            span.samples.rchunks_exact(count).for_each(|texel| reversed.extend_from_slice(texel));
+            let texels = (span.samples.len() / count) as u32;
+            let Some(more) = texels.checked_sub(1) else { return Ok(()) };
+            let column = width - 1 - (span.column + more * span.step);
+            sink(Span { row, column, step: span.step, samples: &reversed })
+        })
+    }
+
+    fn decode_as_stored(self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
         match self {
             Self::Png(file) => file.decode(channels, sink),
             Self::Jpeg(file) => file.decode(channels, sink),

@@ -57,6 +57,14 @@ impl<'a> Source<'a> {
         Some(self.name.with_file_name(name)).filter(|path| path.is_file())
     }
 
+    /// The path of the file that lies beside this one under its name with another extension, if there is one.
+    pub(crate) fn in_place(&self, extension: &str) -> Option<PathBuf> {
+        if self.bytes.is_some() {
+            return None;
+        }
+        Some(self.name.with_extension(extension)).filter(|path| path != self.name && path.is_file())
+    }
+
     /// The folder that it lies in, empty for the current one. Bytes in memory have none.
     pub(crate) fn folder(&self) -> Option<&'a Path> {
         if self.bytes.is_some() { None } else { Some(self.name.parent().unwrap_or(Path::new(""))) }

@@ -68,7 +68,6 @@ impl<'a> TiffFile<'a> {
             Ok(nodata) => layout.nodata = nodata,
             Err(what) => layout.terrain = Err(what),
         }
-        raster.turned_over = layout.facts.grid.as_ref().map_or([false; 2], Grid::turned_over);
         raster.nodata = layout.nodata;
         raster.inverted_white = layout.full_scale.filter(|_| photometric == WHITE_IS_ZERO);
         let Input { source, bytes_per_texel, max_bytes, .. } = input;
@@ -77,6 +76,13 @@ impl<'a> TiffFile<'a> {
 
     pub(crate) fn layout(&self) -> &Layout {
         &self.layout
+    }
+
+    /// Turns columns and rows over, and fills what a sparse file leaves out, as the layout says.
+    pub(crate) fn follow_layout(&mut self) {
+        let grid = self.layout.facts.grid.as_ref();
+        self.raster.turned_over = grid.map_or([false; 2], Grid::turned_over);
+        self.raster.nodata = self.layout.nodata;
     }
 
     pub(crate) fn layout_mut(&mut self) -> &mut Layout {

@@ -4,10 +4,15 @@ pub mod epsg;
 mod grid;
 mod length_unit;
 mod metres;
+mod pam;
+mod sidecars;
+mod wkt;
+mod world_file;
 
 pub(crate) use self::grid::Grid;
 pub use self::length_unit::{GivenUnits, LengthUnit};
 use self::metres::{GroundMetres, NoSize, ground_metres};
+pub(crate) use self::sidecars::apply as apply_sidecars;
 use crate::elevation::{CoordinateSystem, Elevation, Georeference, UnitOrigin};
 use crate::layout::Terrain;
 
@@ -296,4 +301,9 @@ impl Facts {
         };
         ground_metres(system, size, grid?)
     }
+}
+
+/// A text of a file as messages show it: not too long, and without control characters.
+fn shown(text: &str) -> String {
+    text.chars().filter(|character| !character.is_control()).take(40).collect()
 }

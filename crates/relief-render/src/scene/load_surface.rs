@@ -53,6 +53,9 @@ const DEFAULT_SCALE_M: f64 = 0.05;
 /// nearly as deep. A model that is states no unit, or another than it has.
 const DEEPEST_GROUND: f64 = 0.75;
 
+/// The same where the unit of the heights is named: cliffs are that steep.
+const DEEPEST_NAMED: f64 = 2.0;
+
 /// The depth at which such a model is shown, as a part of the shorter side of a tile: nobody sees into a much
 /// deeper one.
 const DEPTH_OF_NO_GROUND: f64 = 0.25;
@@ -299,7 +302,8 @@ impl SurfaceSpec {
         let scale_m = parts.scale_m.or(stated_m.map(|[low, high]| high - low)).or_else(|| {
             let stated = stated_scale_m(&map, &mesh)?;
             let [u, v] = mesh.tile_m();
-            let is_ground = stated <= DEEPEST_GROUND * u.max(v);
+            let deepest = if map.has_named_heights() { DEEPEST_NAMED } else { DEEPEST_GROUND };
+            let is_ground = stated <= deepest * u.max(v);
             Some(if is_ground { stated } else { DEPTH_OF_NO_GROUND * u.min(v) })
         });
         let scale_m = scale_m.unwrap_or(DEFAULT_SCALE_M);
