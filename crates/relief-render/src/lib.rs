@@ -24,6 +24,7 @@ mod prepare;
 mod renderer;
 mod samples;
 pub mod scene;
+mod shadow_map_size;
 mod shellcast;
 mod sliced;
 mod tessellation;

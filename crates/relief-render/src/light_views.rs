@@ -15,6 +15,7 @@ use crate::camera::Camera;
 use crate::job::JobSurface;
 use crate::light::Light;
 use crate::scene::{Scene, Surface};
+use crate::shadow_map_size::{filter_texels, shadow_map_side};
 
 /// Texels at a picture's border besides half a filter: what rounding may need.
 const BORDER: f64 = 2.0;
@@ -50,14 +51,34 @@ pub struct LightViews {
 }
 
 impl LightViews {
-    /// The views of lights that surfaces look up their shadows in; none where none does.
-    pub(crate) fn new(lights: &[Light], camera: &Camera, aspect: f64, surfaces: &[JobSurface]) -> Self {
-        let Some(Asked { picture, cascades, .. }) =
-            Asked::by(surfaces.iter().map(|surface| &surface.selection))
-        else {
-            return Self::default();
-        };
-        let size = picture.size;
+    /// The views of lights that surfaces look up their shadows in; none where none does. They are as fine as
+    /// a frame of these columns and rows asks for, and the surfaces are told the width of their filters.
+    pub(crate) fn new(
+        lights: &[Light],
+        camera: &Camera,
+        frame: [u32; 2],
+        surfaces: &mut [JobSurface],
+    ) -> Self {
+        let asked = Asked::by(surfaces.iter().map(|surface| &surface.selection), frame);
+        asked.map_or_else(Self::default, |asked| Self::asked(&asked, lights, camera, frame, surfaces))
+    }
+
+    fn asked(
+        asked: &Asked,
+        lights: &[Light],
+        camera: &Camera,
+        frame: [u32; 2],
+        surfaces: &mut [JobSurface],
+    ) -> Self {
+        let Asked { picture, most, cascades, .. } = *asked;
+        for JobSurface { settings, selection, .. } in surfaces.iter_mut() {
+            if selection.light_views().is_some() {
+                let texels = selection.choices[SHADOW].params[2];
+                settings.choices[SHADOW].params.z = filter_texels(texels, most, picture.size);
+            }
+        }
+        let (size, aspect) = (picture.size, f64::from(frame[0]) / f64::from(frame[1]));
+        let surfaces = &*surfaces;
         let points: Vec<DVec3> = surfaces.iter().flat_map(relief_points).collect();
         let mut made = Self { size, ..Self::default() };
         for light in lights {
@@ -80,6 +101,21 @@ impl LightViews {
         made
     }
 
+    /// The views with shadow maps of that side, whatever the frame asks for.
+    #[cfg(test)]
+    pub(crate) fn of_side(
+        side: u32,
+        lights: &[Light],
+        camera: &Camera,
+        frame: [u32; 2],
+        surfaces: &mut [JobSurface],
+    ) -> Self {
+        let selections = || surfaces.iter().map(|surface| &surface.selection);
+        let Asked { most, cascades, .. } = Asked::by(selections(), frame).expect("shadows are looked up");
+        let asked = Asked::of_side(selections(), side, most, cascades);
+        Self::asked(&asked, lights, camera, frame, surfaces)
+    }
+
     /// Tells a frame of the views.
     pub(crate) fn tell(&self, frame: &mut Frame) {
         for (light, [first, count]) in frame.lights.iter_mut().zip(&self.of_lights) {
@@ -94,30 +130,43 @@ impl LightViews {
 /// What surfaces ask of the pictures that lights see.
 struct Asked {
     picture: Picture,
+    /// The most texels of a side that they allow.
+    most: u32,
     cascades: u32,
     /// Texels beside a point's own that may be looked up for it.
     beside: f64,
 }
 
 impl Asked {
-    /// What these ask together; none where none does.
-    fn by<'a>(selections: impl Iterator<Item = &'a Selection> + Clone) -> Option<Self> {
+    /// What these ask together for a frame of these columns and rows; none where none does.
+    fn by<'a>(selections: impl Iterator<Item = &'a Selection> + Clone, frame: [u32; 2]) -> Option<Self> {
         let asked = selections.clone().filter_map(Selection::light_views);
-        let [size, cascades] = asked.reduce(|[a, b], [c, d]| [a.max(c), b.max(d)])?;
+        let [most, cascades] = asked.reduce(|[a, b], [c, d]| [a.max(c), b.max(d)])?;
+        Some(Self::of_side(selections, shadow_map_side(most, frame), most, cascades))
+    }
+
+    /// The same with maps of that side.
+    fn of_side<'a>(
+        selections: impl Iterator<Item = &'a Selection>,
+        size: u32,
+        most: u32,
+        cascades: u32,
+    ) -> Self {
         let filters = selections.filter(|selection| selection.light_views().is_some());
-        let filter = filters.map(|selection| selection.choices[SHADOW].params[2]).fold(0.0, f32::max);
+        let filters = filters.map(|selection| selection.choices[SHADOW].params[2]);
+        let filter = filters.map(|texels| filter_texels(texels, most, size)).fold(0.0, f32::max);
         let beside = 0.5 * f64::from(filter) + BORDER;
         let inside = (f64::from(size) - 2.0 * beside) / f64::from(size);
         let picture = Picture { size, inside: inside.max(LEAST_INSIDE) };
-        Some(Self { picture, cascades, beside })
+        Self { picture, most, cascades, beside }
     }
 }
 
 /// How far from the way between what is seen and a light something may be that its shadows are looked up in,
 /// in metres; 0 where none are.
 pub fn beside_m(scene: &Scene) -> f64 {
-    let Some(Asked { picture, beside, .. }) = Asked::by(scene.surfaces().iter().map(Surface::selection))
-    else {
+    let selections = scene.surfaces().iter().map(Surface::selection);
+    let Some(Asked { picture, beside, .. }) = Asked::by(selections, scene.size()) else {
         return 0.0;
     };
     // All of the scene, with room: directions of displacement are at most twice as long as normals.

@@ -127,11 +127,10 @@ impl Preparer {
                 two_sided: surface.two_sided() || surface.selection().paths().is_sliced(),
             }
         });
-        let surfaces: Vec<JobSurface> = surfaces.collect();
+        let mut surfaces: Vec<JobSurface> = surfaces.collect();
         (self.triangles, self.pictures) = (triangles, pictures);
         let [width, height] = scene.size();
-        let aspect = f64::from(width) / f64::from(height);
-        let light_views = LightViews::new(scene.lights(), scene.camera(), aspect, &surfaces);
+        let light_views = LightViews::new(scene.lights(), scene.camera(), [width, height], &mut surfaces);
         let mut frame = frame(scene, &surfaces);
         light_views.tell(&mut frame);
         Ok(Job { width, height, samples: scene.samples(), frame, light_views, surfaces })

@@ -12,6 +12,7 @@ use crate::camera::{Camera, CameraError, Projection};
 use crate::depth_buffer::DepthBuffer;
 use crate::environment::Environment;
 use crate::light::{Light, LightError, SUN_DEG};
+use crate::shadow_map_size::shadow_map_side;
 use glam::{DVec3, Vec3};
 use relief_core::ByteSize;
 use relief_shaders::LIGHT_FACES;
@@ -110,15 +111,16 @@ impl SceneSpec {
     /// Bytes of what lights see at most, where surfaces look up shadows there.
     fn lights_see_bytes(&self, each: &[(Option<usize>, SurfaceSpec, Parts)]) -> Result<u64, ValueError> {
         let asked = each.iter().filter_map(|(.., parts)| parts.selection().light_views());
-        let Some([size, cascades]) = asked.reduce(|[a, b], [c, d]| [a.max(c), b.max(d)]) else {
+        let Some([most, cascades]) = asked.reduce(|[a, b], [c, d]| [a.max(c), b.max(d)]) else {
             return Ok(0);
         };
+        let side = shadow_map_side(most, self.size.unwrap_or(super::builder::DEFAULT_SIZE));
         let views = self.lights()?.into_iter().map(|light| match light {
             Light::Directional { .. } => u64::from(cascades),
             Light::Point { .. } => LIGHT_FACES as u64,
         });
         // One more is the depth that a GPU draws them with.
-        Ok((views.sum::<u64>() + 1) * u64::from(size) * u64::from(size) * size_of::<f32>() as u64)
+        Ok((views.sum::<u64>() + 1) * u64::from(side) * u64::from(side) * size_of::<f32>() as u64)
     }
 
     fn builder(&self, surfaces: Vec<super::Surface>) -> Result<SceneBuilder, ValueError> {

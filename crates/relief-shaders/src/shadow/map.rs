@@ -14,7 +14,7 @@ pub const ENTRY: Entry = Entry {
     params: &[
         Param {
             name: "size",
-            summary: "texels of a side of what a light sees at once; of several surfaces the most count",
+            summary: "most texels of a shadow map's side, small frames take fewer; of several surfaces the most count",
             unit: "",
             min: 16.0,
             max: 16_384.0,
@@ -34,7 +34,7 @@ pub const ENTRY: Entry = Entry {
         },
         Param {
             name: "filter",
-            summary: "width of the square in which texels are compared and their results averaged",
+            summary: "width of the square in which texels are compared and averaged, for a map of the full size",
             unit: "texels",
             min: 0.0,
             max: 16.0,
