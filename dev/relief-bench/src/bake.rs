@@ -52,9 +52,9 @@ pub struct Arguments {
     /// takes longer than the limit is the last one
     #[arg(long, value_enum, value_delimiter = ',')]
     ground: Vec<Ground>,
-    /// How these maps go on beyond their edges
-    #[arg(long, default_value_t = Wrap::Repeat)]
-    wrap: Wrap,
+    /// How these maps go on beyond their edges: a table for each
+    #[arg(long, value_delimiter = ',', default_values_t = Wrap::ALL)]
+    wrap: Vec<Wrap>,
     /// A Python with numpy, edt and topocalc: times distance and horizon beside these two
     #[arg(long, value_name = "PYTHON")]
     beside_python: Option<PathBuf>,

@@ -95,6 +95,12 @@ pub(crate) trait Look {
         None
     }
 
+    /// Those of the lanes, a bit each, to which a node may matter by more than its highest vertex tells. Its
+    /// first and last columns and rows are counted from the group's first texel.
+    fn may_matter_to(&self, _level: u32, _at: [u32; 2], _spans: [[f32; 2]; 2], lanes: u64) -> u64 {
+        lanes
+    }
+
     /// Looks at a vertex of that height for the lanes whose excess is positive.
     fn look<S: Simd>(
         &mut self,
@@ -253,6 +259,13 @@ impl<'a> Walk<'a> {
                     {
                         lanes &= self.above_profile(simd, group, &image, &node, (axis, hull));
                     }
+                }
+                for (excess, bit) in excess.iter().zip(LANE_BITS) {
+                    lanes &= if *excess > 0.0 { !0 } else { !bit };
+                }
+                if lanes != 0 {
+                    let spans = [sight.columns, self.span(&image, 1, at[1], level)];
+                    lanes = look.may_matter_to(level, at, spans, lanes);
                 }
                 let mut any = false;
                 for (excess, bit) in excess.iter_mut().zip(LANE_BITS) {

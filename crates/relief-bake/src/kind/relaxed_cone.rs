@@ -8,6 +8,7 @@
 //! Relief's own.
 
 mod directions;
+mod extrusions;
 mod fall;
 mod falling;
 mod hulls;

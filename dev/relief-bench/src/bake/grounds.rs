@@ -16,6 +16,14 @@ pub enum Ground {
     Plane,
     /// Inclined along one axis
     Ramp,
+    /// Inclined along the other axis
+    Down,
+    /// Inclined as much along both axes
+    Diagonal,
+    /// Inclined towards the middle along one axis
+    Valley,
+    /// A ramp of 64 heights
+    Staircase,
     /// A ramp of 256 heights
     Levels,
     /// Sixteen level steps
@@ -40,6 +48,10 @@ impl Ground {
                 Ground::Natural | Ground::Constant => 0.5,
                 Ground::Plane => (2.0 * x + y) / 3.0,
                 Ground::Ramp => x,
+                Ground::Down => y,
+                Ground::Diagonal => 0.5 * (x + y),
+                Ground::Valley => (2.0 * x - 1.0).abs(),
+                Ground::Staircase => (63.0 * x).floor() / 63.0,
                 Ground::Levels => (255.0 * x).round() / 255.0,
                 Ground::Terraces => f64::from(16 * i / side) / 15.0,
                 Ground::Pyramid => 1.0 - (2.0 * x - 1.0).abs().max((2.0 * y - 1.0).abs()),
@@ -58,8 +70,12 @@ impl Ground {
     }
 }
 
-/// Prints a table of all grounds that are asked for.
+/// Prints a table of all grounds that are asked for, for each wrap.
 pub fn run(arguments: &Arguments, variants: &[Variant]) -> Result<(), String> {
+    arguments.wrap.iter().try_for_each(|wrap| table_of(arguments, variants, *wrap))
+}
+
+fn table_of(arguments: &Arguments, variants: &[Variant], wrap: Wrap) -> Result<(), String> {
     let mut sizes = arguments.sizes.clone();
     sizes.sort_unstable();
     let pool = pool(1)?;
@@ -74,8 +90,8 @@ pub fn run(arguments: &Arguments, variants: &[Variant]) -> Result<(), String> {
         for ground in std::iter::once(Ground::Natural).chain(others) {
             let mut found: Vec<f64> = Vec::new();
             for &side in &sizes {
-                eprintln!("{} {} {side}²", variant.name, ground.name());
-                let map = ground.map(side, arguments.wrap)?;
+                eprintln!("{} {} {side}² {wrap}", variant.name, ground.name());
+                let map = ground.map(side, wrap)?;
                 let (kind, settings) = (variant.kind, &variant.settings);
                 let once_s = 0.1 * arguments.limit;
                 let measured =
@@ -104,6 +120,6 @@ pub fn run(arguments: &Arguments, variants: &[Variant]) -> Result<(), String> {
             times.add_row(cells);
         }
     }
-    println!("Wrap {}; processor time of the bake on one thread.\n\n{times}", arguments.wrap);
+    println!("Wrap {wrap}; processor time of the bake on one thread.\n\n{times}\n");
     Ok(())
 }

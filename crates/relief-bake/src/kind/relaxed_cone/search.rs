@@ -4,6 +4,7 @@ use pulp::Simd;
 use relief_core::{HeightMap, Wrap};
 
 use super::directions::Directions;
+use super::extrusions::{Extrusions, Found};
 use super::fall::{ROUNDING, falls};
 use super::falling::falling_slope2;
 use super::hulls::FallingHulls;
@@ -26,6 +27,7 @@ pub(super) struct Relaxed {
     tiles: [i64; 2],
     directions: Directions,
     hulls: FallingHulls,
+    extrusions: Extrusions,
     /// The longest way inside of a texel's square.
     diagonal_m: f64,
 }
@@ -37,6 +39,7 @@ impl Relaxed {
             tiles,
             directions: Directions::new(map),
             hulls: FallingHulls::new(map),
+            extrusions: Extrusions::new(map),
             diagonal_m: texel_m[0].hypot(texel_m[1]),
         };
         if map.wrap() == Wrap::Clamp {
@@ -49,6 +52,12 @@ impl Relaxed {
         let tiles = tile_m.map(|side| ((diagonal / side).ceil() + 1.0).min(1e6) as i64);
         let images: i64 = tiles.iter().map(|tiles| 2 * tiles + 1).product();
         (images <= MOST_IMAGES).then(|| of(tiles))
+    }
+
+    /// The same, which looks at all cells of ground that is alike along an axis.
+    #[cfg(test)]
+    pub fn without_extrusions(map: &HeightMap, texel_m: [f64; 2]) -> Option<Self> {
+        Self::new(map, texel_m).map(|relaxed| Self { extrusions: Extrusions::none(), ..relaxed })
     }
 
     /// Two squared slopes: what the four cells around the centre, which hold the apexes, ask for, by the
@@ -192,6 +201,17 @@ impl Sort for Relaxed {
     }
 }
 
+#[cfg(test)]
+thread_local! {
+    static LOOKS: std::cell::Cell<u64> = const { std::cell::Cell::new(0) };
+}
+
+/// Vertices that this thread has looked at.
+#[cfg(test)]
+pub(super) fn looks() -> u64 {
+    LOOKS.get()
+}
+
 /// Looks for what is steepest for each lane.
 struct Falling<'a, 'b> {
     relaxed: &'b Relaxed,
@@ -277,6 +297,12 @@ impl Look for Falling<'_, '_> {
     }
 
     #[inline(always)]
+    fn may_matter_to(&self, level: u32, at: [u32; 2], spans: [[f32; 2]; 2], lanes: u64) -> u64 {
+        let Some(node) = self.relaxed.extrusions.node(level, at, spans) else { return lanes };
+        node.may_matter(self.search, &Found { apexes: self.apexes, best: self.best }, lanes)
+    }
+
+    #[inline(always)]
     fn look<S: Simd>(
         &mut self,
         simd: S,
@@ -285,6 +311,8 @@ impl Look for Falling<'_, '_> {
         vertex: [i64; 2],
         height: f64,
     ) {
+        #[cfg(test)]
+        LOOKS.set(LOOKS.get() + 1);
         let first = self.apexes[0].texel;
         let by = [vertex[0] - first[0], vertex[1] - first[1]];
         let wanted =
