@@ -95,6 +95,12 @@ const BYTES_PER_RAY: u64 = 512;
 const BYTES_PER_PIXEL: u64 = 768;
 const BYTES_PER_SHOWN_PIXEL: u64 = 16;
 
+/// The most texels that a ray may cross on its way through the displacement: searches step through them.
+const MOST_TEXELS: f64 = (1 << 18) as f64;
+
+/// The deepest displacement, in longer sides of a tile.
+const MOST_TILES: f64 = 1000.0;
+
 /// How frames are timed. All methods take turns, so that what slows the machine for a while slows all of
 /// them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -201,6 +207,7 @@ impl Comparison {
                 }
             }
         }
+        self.check_ways()?;
         if self.scene.camera().is_orthographic() && !self.distances_m.is_empty() {
             return Err(CompareError::Orthographic);
         }
@@ -213,6 +220,33 @@ impl Comparison {
         }
         let (needed, limit) = (self.bytes(levels)?, self.max_memory);
         if needed <= limit.0 { Ok(()) } else { Err(CompareError::TooMuchMemory { needed, limit }) }
+    }
+
+    /// Whether rays come through the displacement in a number of steps that ends.
+    fn check_ways(&self) -> Result<(), CompareError> {
+        for surface in self.scene.surfaces() {
+            let (map, [u, v]) = (surface.height_map(), surface.metric().tile_m);
+            let deepest = MOST_TILES * u.max(v);
+            if let Some(&value) = self.scales_m.iter().find(|scale| **scale > deepest) {
+                let must = "at most 1,000 times the longer side of a tile";
+                return Err(CompareError::Value { what: "a scale", value, must });
+            }
+            // Of several surfaces no rays are compared.
+            if self.rays == 0 || self.scene.surfaces().len() > 1 {
+                continue;
+            }
+            let texel_m = (u / f64::from(map.width())).min(v / f64::from(map.height()));
+            let own = [map.scale_m()];
+            let scales: &[f64] = if self.scales_m.is_empty() { &own } else { &self.scales_m };
+            let deepest = scales.iter().fold(0.0f64, |most, scale| most.max(scale.abs()));
+            let is_too_long = |angle: &&f64| deepest * angle.to_radians().tan() > MOST_TEXELS * texel_m;
+            if let Some(&value) = self.angles_deg.iter().find(is_too_long) {
+                let must = "so small that a ray crosses at most 262,144 texels of the map on its way through \
+                            the displacement, or that must be less deep";
+                return Err(CompareError::Value { what: "an angle", value, must });
+            }
+        }
+        Ok(())
     }
 
     /// What rays and pictures take, of so many levels of the map.

@@ -68,12 +68,15 @@ const BOUNCES: Param = Param {
     names: &[],
 };
 
+/// The most looks of a bake, one for each texel, direction and bounce: several hours of work.
+const MOST_LOOKS: u64 = 1 << 36;
+
 /// What every texel receives, row by row from the top, of a sky of radiance 1 after so many bounces off
 /// texels of that albedo. `azimuths` times `elevations` directions are looked along for each, within `tiles`
 /// tiles.
 ///
 /// The working set is that of [`visibility::views`] and two maps of `f32`: what is seen is found again for
-/// each bounce.
+/// each bounce, until a bounce changes no texel.
 ///
 /// # Errors
 ///
@@ -104,9 +107,30 @@ pub fn light(
             });
             Ok(())
         })?;
-        sent.par_iter_mut().zip(&received).for_each(|(sent, received)| *sent = albedo * received);
+        let is_other = sent.par_iter_mut().zip(&received).map(|(sent, received)| {
+            let before = std::mem::replace(sent, albedo * received);
+            before.to_bits() != sent.to_bits()
+        });
+        if !is_other.reduce(|| false, |a, b| a | b) {
+            // All further bounces send the same.
+            break;
+        }
     }
     Ok(received)
+}
+
+/// Whether so many looks end within hours.
+fn check_looks(texels: usize, [azimuths, elevations]: [u32; 2], bounces: u32) -> Result<(), BakeError> {
+    let looks = [texels as u64, azimuths.into(), elevations.into(), u64::from(bounces) + 1];
+    let looks = looks.into_iter().fold(1, u64::saturating_mul);
+    if looks <= MOST_LOOKS {
+        return Ok(());
+    }
+    let reason = format!(
+        "{azimuths} x {elevations} directions and {bounces} bounces of {texels} texels are {looks} looks, of \
+         which at most {MOST_LOOKS} are made: choose fewer azimuths, elevations or bounces, or a smaller map"
+    );
+    Err(BakeError::Impossible { kind: KIND.name, reason })
 }
 
 fn bake(
@@ -117,6 +141,7 @@ fn bake(
 ) -> Result<(), BakeError> {
     let [azimuths, elevations, tiles] = [0, 1, 2].map(|place| settings.count(place));
     let (albedo, bounces, bits) = (settings.get(ALBEDO_PLACE), settings.count(4), settings.count(5));
+    check_looks(source.map.texels().len(), [azimuths, elevations], bounces)?;
     let channels = [Channel { name: "light", unit: "1", range: [0.0, 1.0], rounding: Rounding::Nearest }];
     let mut texture = texture(source, azimuths, 1, channels.to_vec());
     texture.notes.push(("elevations", elevations.to_string()));
@@ -126,4 +151,59 @@ fn bake(
     let directions = [azimuths, elevations];
     let mut light = light(source.map, source.metric, directions, tiles, (albedo, bounces), progress)?;
     Ok(to_nearest(sink, &channels, bits, &mut [&mut light])?)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+    use relief_core::Wrap;
+
+    use super::*;
+
+    fn pits(side: u32) -> HeightMap {
+        let height = |i: u32, j: u32| ((i * 7 + j * j * 3) % 11) as f32 / 10.0;
+        HeightMap::from_fn(side, side, Wrap::Repeat, height).expect("a valid map")
+    }
+
+    /// The light, and how often progress was told.
+    fn of(map: &HeightMap, albedo: f32, bounces: u32) -> (Vec<f32>, usize) {
+        let (told, cancel) = (AtomicUsize::new(0), AtomicBool::new(false));
+        let report = |_: f32| {
+            told.fetch_add(1, Ordering::Relaxed);
+        };
+        let progress = Progress::new(&report, &cancel);
+        let light = light(map, Metric::UNIT, [8, 2], 1, (albedo, bounces), &progress);
+        (light.expect("memory"), told.into_inner())
+    }
+
+    #[test]
+    fn more_looks_than_end_are_refused() {
+        let texels = |side: usize| side * side;
+        for (side, directions, bounces) in
+            [(256, [256, 64], 256), (512, [256, 64], 16), (16_384, [256, 64], 0), (8192, [16, 4], 16)]
+        {
+            let refused = check_looks(texels(side), directions, bounces);
+            let said = refused.expect_err("too many").to_string();
+            assert!(said.contains("bounces") && said.contains(&texels(side).to_string()), "{said}");
+        }
+        // By default, and small maps at the maxima.
+        for (side, directions, bounces) in [(8192, [16, 4], 4), (64, [256, 64], 256), (2048, [64, 16], 4)] {
+            assert!(check_looks(texels(side), directions, bounces).is_ok(), "{side}");
+        }
+    }
+
+    #[test]
+    fn bounces_that_change_nothing_are_not_made() {
+        let map = pits(16);
+        for albedo in [0.0, 0.25, 0.5] {
+            let [(once, one), (many, told)] = [0, 256].map(|bounces| of(&map, albedo, bounces));
+            assert!(told < 60 * one, "{told} reports with albedo {albedo}, {one} for a bounce");
+            assert!(many.iter().zip(&once).all(|(many, once)| many >= once));
+            // What is left out would have changed nothing.
+            assert_eq!(many, of(&map, albedo, 250).0);
+        }
+        let (few, most) = (of(&map, 0.5, 4).1, of(&map, 0.5, 256).1);
+        assert!(most < 12 * few, "{most} reports, {few} for 4 bounces");
+    }
 }
