@@ -148,7 +148,7 @@ fn a_noted_size_is_that_of_the_map_that_is_read() {
     write_exr_rows(&exr, 5, 2, &["height"], &metadata, &mut ramp).expect("the folder is writable");
     for path in [&png, &exr] {
         let read = |convention| {
-            let options = HeightOptions { convention, ..HeightOptions::default() };
+            let options = HeightOptions { convention: Some(convention), ..HeightOptions::default() };
             read_height(path, &options).expect("it is a map")
         };
         let map = read(Convention::Height);
