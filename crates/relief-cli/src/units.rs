@@ -2,6 +2,8 @@
 
 use relief_core::registry::UnknownName;
 
+use crate::values::six_digits;
+
 /// Units and their metres (the international foot and what is made of it).
 const UNITS: [(&str, f64); 9] = [
     ("m", 1.0),
@@ -14,6 +16,35 @@ const UNITS: [(&str, f64); 9] = [
     ("yd", 0.9144),
     ("mi", 1609.344),
 ];
+
+/// A length, and whether its unit was written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Length {
+    pub metres: f64,
+    pub has_unit: bool,
+}
+
+/// A length, with whether its unit was written.
+pub fn length_as_written(text: &str) -> Result<Length, String> {
+    let has_unit = text.trim().parse::<f64>().is_err();
+    length(text).map(|metres| Length { metres, has_unit })
+}
+
+/// A length in the unit that fits it, and how many of that unit a metre is: millimetres below 1 m, kilometres
+/// from 10 km on.
+pub fn fitting(metres: f64) -> (&'static str, f64) {
+    match metres.abs() {
+        length if length < 1.0 => ("mm", 1e3),
+        length if length < 1e4 => ("m", 1.0),
+        _ => ("km", 1e-3),
+    }
+}
+
+/// A length as people read it, of at most six digits that count.
+pub fn in_words(metres: f64) -> String {
+    let (unit, factor) = fitting(metres);
+    format!("{} {unit}", six_digits(metres * factor))
+}
 
 /// Metres: a number of them, or one with its unit, as in `5cm` or `3ft`.
 pub fn length(text: &str) -> Result<f64, String> {
@@ -93,6 +124,10 @@ mod tests {
         assert!(length("5fe").is_err_and(|error| error.contains("did you mean")));
         assert_eq!([millimetres("120"), millimetres("12cm")], [Ok(120.0), Ok(120.0)]);
         assert!(["", "inf", "wide", "mm"].iter().all(|bad| millimetres(bad).is_err()));
+        let written = ["0.1", "0.1m"].map(|text| length_as_written(text).map(|length| length.has_unit));
+        assert_eq!(written, [Ok(false), Ok(true)]);
+        let words = [0.000_05, 0.999, -1.0, 9999.0, 1e4, 0.0].map(in_words);
+        assert_eq!(words, ["0.05 mm", "999 mm", "-1 m", "9999 m", "10 km", "0 mm"]);
         assert_eq!(two_lengths("1ft, 2"), Ok([0.3048, 2.0]));
         assert_eq!((one_or_two_lengths("5cm"), one_or_two_lengths("1,2")), (Ok([0.05; 2]), Ok([1.0, 2.0])));
         assert!(["", "1", "1,2,3", "1,x"].iter().all(|bad| two_lengths(bad).is_err()));

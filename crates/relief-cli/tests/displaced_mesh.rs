@@ -47,7 +47,9 @@ fn every_format_holds_the_mesh_that_is_answered() {
         // In words, too.
         let text = folder.relief(&line).fine().stdout;
         assert!(text.contains("closed") && text.contains(&output), "{text}");
-        assert!(text.contains(if ending == "stl" { " mm" } else { " m\n" }), "{text}");
+        let longest = about["size_m"].as_array().expect("three").iter().filter_map(Value::as_f64);
+        let unit = if longest.fold(0.0, f64::max) < 1.0 { " mm\n" } else { " m\n" };
+        assert!(text.contains(unit), "{text}");
     }
     assert_eq!(entries(&folder.path("out")).len(), 4);
 }

@@ -65,7 +65,7 @@ pub use folds::{FoldedBase, Folds};
 pub use interior::{INTERIORS, Interior, check_pair, interior};
 pub use mesher::Mesher;
 pub use relief_core::Watch;
-pub use settings::{MeshSettings, Part};
+pub use settings::{MeshSettings, Part, Put};
 pub use slices::{
     BoxSlice, BoxSlicer, SliceAnchor, SliceBlock, SliceDirection, SliceError, SliceSettings, SliceVertex,
     Slicer,

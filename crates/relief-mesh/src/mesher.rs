@@ -27,8 +27,8 @@ use crate::smooth::{self, Normals};
 use crate::surface::Relief;
 use crate::triangles::{self, Triangles};
 use crate::{
-    Bounds, Certificate, MeshSettings, MesherError, Part, Rounded, Shading, Spacing, Stream, StreamError,
-    Streamed, Watch, Weights, check_pair,
+    Bounds, Certificate, MeshSettings, MesherError, Part, Put, Rounded, Shading, Spacing, Stream,
+    StreamError, Streamed, Watch, Weights, check_pair,
 };
 
 /// Bytes of a vertex and a triangle of a block, whichever takes more, while it is made and looked at.
@@ -44,6 +44,7 @@ pub struct Mesher {
     solid: Option<Solid>,
     relief: Relief,
     shading: Shading,
+    put: Put,
     blocks: Vec<Work>,
     /// What of the triangles that are made is left out, as a camera does not see it.
     unseen: Option<(Sight, Cull)>,
@@ -273,6 +274,7 @@ impl Mesher {
             solid,
             relief,
             shading,
+            put: settings.put,
             blocks,
             unseen,
             kept: None,
@@ -374,7 +376,8 @@ impl Mesher {
             bounds_m = [bounds_m[0].min(least), bounds_m[1].max(greatest)];
             for (folds, all) in [(&mut folds, &made.folds), (&mut folds_below, &made.folds_below)] {
                 for found in all {
-                    folds.add(FoldedBase { middle_m: found.middle_m * how.size, ..*found });
+                    let middle_m = self.put.position(found.middle_m, how.size);
+                    folds.add(FoldedBase { middle_m, ..*found });
                 }
             }
             rounded = rounded.with(made.rounded);

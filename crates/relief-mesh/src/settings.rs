@@ -1,5 +1,7 @@
 //! How a mesh is made.
 
+use glam::DVec3;
+
 use crate::{
     BaseSurface, Cull, Directions, EdgeRule, Fit, Interior, Judge, Seams, Shading, Side, View, Weights, edge,
     interior,
@@ -53,6 +55,44 @@ pub struct MeshSettings {
     /// interior `adapt` there are points around holes, so that their outlines are within a texel; with others
     /// they are as fine as the triangles are.
     pub holes: bool,
+    /// Where the mesh that was made is put.
+    pub put: Put,
+}
+
+/// Where a mesh is put when it was made: turned about `y`, then moved along it. A factor on its size comes after
+/// both (see [`Stream`](crate::Stream)).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Put {
+    /// Cosine and sine of the angle about `y`, from `+x` toward `-z`.
+    pub turn: [f64; 2],
+    /// Metres along `y`.
+    pub lift_m: f64,
+}
+
+impl Put {
+    /// Where it was made.
+    pub const STAY: Self = Self { turn: [1.0, 0.0], lift_m: 0.0 };
+
+    /// A direction, turned.
+    pub(crate) fn turned(&self, of: DVec3) -> DVec3 {
+        let [cos, sin] = self.turn;
+        if self.turn == Self::STAY.turn {
+            return of;
+        }
+        DVec3::new(cos * of.x + sin * of.z, of.y, cos * of.z - sin * of.x)
+    }
+
+    /// A position, made larger by a factor in the end.
+    pub(crate) fn position(&self, of: DVec3, size: f64) -> DVec3 {
+        (self.turned(of) + DVec3::Y * self.lift_m) * DVec3::splat(size)
+    }
+}
+
+impl Default for Put {
+    /// Where it was made.
+    fn default() -> Self {
+        Self::STAY
+    }
 }
 
 /// A part of a plane that is cut into columns and rows: a mesh of its own. Parts meet at centres of texels,
@@ -117,6 +157,7 @@ impl Default for MeshSettings {
             shading: Shading::default(),
             seams: Seams::default(),
             holes: false,
+            put: Put::STAY,
         }
     }
 }

@@ -1,5 +1,5 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
-//! `embree`, `frame`, `impostors`, `judge`, `lanes`, `levels`, `mesh`, `object-slices`, `probe`, `pyramid`,
+//! `embree`, `frame`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `mesh`, `object-slices`, `probe`, `pyramid`,
 //! `quadrics`, `remesh`, `shadow`, `sheet`, `slices`, `surfaces`, `tessellate` and `trace`. Results are kept
 //! in `docs/`.
 
@@ -18,6 +18,7 @@ mod detail;
 mod embree;
 mod fit;
 mod frame;
+mod ground;
 mod impostors;
 mod judge;
 mod lanes;
@@ -71,6 +72,8 @@ enum Command {
     Embree(embree::Arguments),
     /// Time of a second frame beside a whole rendering, and what it uploads and compiles
     Frame(frame::Arguments),
+    /// Whether meshes of maps lie where the maps do, judged by trimesh and pyproj: fails where one does not
+    Ground(ground::Arguments),
     /// The exact judge of displaced meshes beside a tessellation: fails where they disagree
     Judge(judge::Arguments),
     /// What the machine's vectors bring the CPU, beside the same work without them
@@ -117,6 +120,7 @@ fn main() -> ExitCode {
         Command::Detail(arguments) => detail::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Embree(arguments) => embree::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Frame(arguments) => frame::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Ground(arguments) => ground::run(&arguments),
         Command::Judge(arguments) => judge::run(&arguments),
         Command::Lanes(arguments) => lanes::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Levels(arguments) => levels::run(&arguments).map(|()| ExitCode::SUCCESS),

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use glam::{DVec3, Vec3};
 use relief_core::mesh::{Mesh, MeshBlock, PositionGrid, cube, cylinder, rectangle, sphere, square, torus};
 use relief_core::{HeightMap, Wrap};
-use relief_io::{GlbLayout, GlbLevel, MeshCounts, Quantization, read_raw_mesh, write_glb};
+use relief_io::{GlbLayout, GlbLevel, GlbNode, MeshCounts, Quantization, read_raw_mesh, write_glb};
 use relief_mesh::{
     CrackTest, Directions, Folds, MeshSettings, Mesher, Part, Seams, Shading, Stream, Streamed, Watch,
     cache_misses,
@@ -186,7 +186,12 @@ fn integers_are_read_as_the_lattice_and_open_no_crack() {
             // The file holds these floats, from rounded positions and from others.
             let uvs = bounds.uvs[0].min_element() >= 0.0 && bounds.uvs[1].max_element() <= 1.0;
             let quantization = Some(Quantization { grid, uvs });
-            let layout = GlbLayout { levels: vec![level(&mesher, 0.0)], quantization, strips: false };
+            let layout = GlbLayout {
+                levels: vec![level(&mesher, 0.0)],
+                quantization,
+                strips: false,
+                node: GlbNode::default(),
+            };
             let paths = [(&blocks, "a.glb"), (&exact, "b.glb")].map(|(blocks, name)| {
                 let path = folder.path().join(name);
                 write_glb(&path, &layout, |sink| blocks.iter().try_for_each(&mut *sink)).expect("written");
@@ -242,7 +247,12 @@ fn a_file_of_integers_that_would_be_wrong_is_not_written() {
     for (around, uvs) in [(small, false), (bounds_m, true)] {
         let grid = PositionGrid::around(&[around], 12).expect("finite")[0];
         let quantization = Some(Quantization { grid, uvs });
-        let layout = GlbLayout { levels: vec![level(&mesher, 0.0)], quantization, strips: false };
+        let layout = GlbLayout {
+            levels: vec![level(&mesher, 0.0)],
+            quantization,
+            strips: false,
+            node: GlbNode::default(),
+        };
         let written = write_glb(&path, &layout, |sink| blocks.iter().try_for_each(&mut *sink));
         let problem = written.expect_err("it lies beyond").problem.to_string();
         assert!(problem.contains("beyond"), "{problem}");
@@ -266,7 +276,8 @@ fn levels_of_detail_are_meshes_of_one_file() {
     let around = bounds[0].with(&bounds[1]).with(&bounds[2]).positions_m;
     let grid = PositionGrid::around(&[around], 14).expect("finite")[0];
     for quantization in [None, Some(Quantization { grid, uvs: true })] {
-        let layout = GlbLayout { levels: levels.clone(), quantization, strips: false };
+        let layout =
+            GlbLayout { levels: levels.clone(), quantization, strips: false, node: GlbNode::default() };
         let grid = quantization.map(|how| how.grid);
         let blocks = meshers.each_ref().map(|mesher| rounded(mesher, grid).0);
         write_glb(&path, &layout, |sink| blocks.iter().flatten().try_for_each(&mut *sink)).expect("written");
@@ -327,9 +338,14 @@ fn levels_of_detail_are_meshes_of_one_file() {
         levels: vec![level(&meshers[0], 0.1), level(&meshers[1], 0.1)],
         quantization: None,
         strips: false,
+        node: GlbNode::default(),
     };
     assert!(same.check().is_err());
-    assert!(GlbLayout { levels: Vec::new(), quantization: None, strips: false }.check().is_err());
+    assert!(
+        GlbLayout { levels: Vec::new(), quantization: None, strips: false, node: GlbNode::default() }
+            .check()
+            .is_err()
+    );
 }
 
 #[test]

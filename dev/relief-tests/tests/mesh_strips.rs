@@ -5,7 +5,7 @@ use glam::DVec3;
 use relief_core::camera::Camera;
 use relief_core::mesh::{Mesh, MeshBlock, PositionGrid, cube, rectangle, torus};
 use relief_core::{HeightMap, Wrap};
-use relief_io::{GlbLayout, GlbLevel, MeshCounts, Quantization, read_raw_mesh, write_glb};
+use relief_io::{GlbLayout, GlbLevel, GlbNode, MeshCounts, Quantization, read_raw_mesh, write_glb};
 use relief_mesh::{MeshSettings, Mesher, Stream, View, Watch};
 use relief_tests::{glb, maps};
 
@@ -73,7 +73,8 @@ fn strips_decode_to_the_very_triangles() {
         for quantization in [None, Some(Quantization { grid, uvs: false })] {
             let blocks = blocks(&mesher, quantization.map(|how| how.grid));
             let level = GlbLevel { counts: counts(&mesher), coverage: 0.0 };
-            let plain = GlbLayout { levels: vec![level], quantization, strips: false };
+            let plain =
+                GlbLayout { levels: vec![level], quantization, strips: false, node: GlbNode::default() };
             let layout = GlbLayout { strips: true, ..plain.clone() };
             let written = |layout: &GlbLayout, file: &str| {
                 let path = folder.path().join(file);
@@ -126,7 +127,7 @@ fn levels_have_strips_of_their_own() {
     let meshers = [0, 1, 2]
         .map(|level| Mesher::new(&base, &map(), &MeshSettings::default().coarser(level)).expect("a mesh"));
     let levels = GlbLevel::of(&meshers.each_ref().map(counts));
-    let layout = GlbLayout { levels, quantization: None, strips: true };
+    let layout = GlbLayout { levels, quantization: None, strips: true, node: GlbNode::default() };
     let blocks = meshers.each_ref().map(|mesher| blocks(mesher, None));
     let written = write_glb(&path, &layout, |sink| blocks.iter().flatten().try_for_each(&mut *sink));
     let bytes = std::fs::read(&path).expect("written");

@@ -1,6 +1,7 @@
 //! `relief mesh`: a height map and a mesh to displaced triangles in a file.
 
 mod accuracy;
+mod ground;
 mod made;
 mod parts;
 mod refused;
@@ -21,6 +22,7 @@ use relief_mesh::{
 use relief_render::scene::{MeshChoice, Scene, SceneSpec, Surface, SurfaceSpec, read_scene};
 
 use self::accuracy::Tolerance;
+use self::ground::Metres;
 use self::refused::{COARSER, of_mesher};
 use self::seen::{LevelFilter, Seen};
 use super::lengths;
@@ -31,6 +33,7 @@ use super::staged::{Staged, format_of};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::streams::{Files, Written, answer};
+use crate::units::Length;
 use crate::{interrupt, say, units, values};
 
 /// Memory for what is held of blocks between making and writing them.
@@ -128,7 +131,7 @@ pub struct Arguments {
     side: Option<Side>,
     /// Close an open mesh with walls and an underside, at least so many millimetres of the file thick, or
     /// with a unit, as in 1cm: under a plane a flat bottom, elsewhere the mesh itself, displaced by the same
-    /// everywhere
+    /// everywhere. A mesh longer than 2 m needs --print-size
     #[arg(
         long,
         value_name = "MM",
@@ -187,7 +190,7 @@ pub struct Arguments {
     #[arg(long, help_heading = "Triangles")]
     holes: bool,
     /// Make the mesh as large as this along its longest side, in millimetres, or with a unit, as in 12cm
-    /// [default: as large as the base mesh is]
+    /// [default: as large as the base mesh is, a plane as large as the ground where the map says its metres]
     #[arg(
         long,
         value_name = "MM",
@@ -222,6 +225,10 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     lods: Option<u32>,
+    /// Move the node of a GLB to where its map lies, x east and z south, in metres. Programs that reckon in
+    /// 32 bits show it shaking: without it the file says in its extras where it lies
+    #[arg(long, help_heading = "Triangles", hide_short_help = true)]
+    place: bool,
     /// Turn the relief inside out: what is high is low
     #[arg(long, help_heading = "Triangles")]
     invert: bool,
@@ -239,7 +246,8 @@ pub struct Arguments {
 
 const AFTER_HELP: &str = "Examples:\n  \
     relief mesh dem.tif -o dem.glb                                    # as fine as half a percent asks\n  \
-    relief mesh dem.tif --error 2m --tiles 4x4 -o dem.glb             # to 2 m, in 16 files\n  \
+    relief mesh dem.tif --error 2m --tiles 4x4 -o dem.glb             # to 2 m of the ground, in 16 files\n  \
+    relief mesh dem.tif --exaggerate 2 -o dem.glb                     # twice as high\n  \
     relief mesh dem.tif --print-size 150 --solid 3 -o dem.stl         # 15 cm long, to print\n  \
     relief mesh bark.png --mesh panel.obj --scale 1mm --solid 2 -o panel.stl  # a curved sheet, to print\n  \
     relief mesh dem.tif --texels 1 -o dem.glb                         # every texel of it\n  \
@@ -251,8 +259,11 @@ const AFTER_HELP: &str = "Examples:\n  \
     relief mesh bark.png --mesh tree.obj --scale 2cm --error 1% -o tree.glb   # with few triangles\n  \
     relief mesh wall.png --mesh sphere --tile 8,4 --base lift -o ball.ply\n\n\
     The triangles are the relief that `relief render` shows, with the same --scale and --bias: carved into \
-    the mesh unless a bias lifts it, --bias 0 puts it on top. A plane has the proportions of the height map, \
-    its longer side 1 m. On it, and with --error elsewhere, triangles are as large as that allows: no point \
+    the mesh unless a bias lifts it, --bias 0 puts it on top. A plane whose map \
+    knows its metres (by its file or --tile-size) is as long as the ground in place of that: its lowest height \
+    is at y = 0, x is east and z south, --scale, --bias and --error are lengths of it, and --exaggerate N \
+    makes heights N times as high. Other planes are 1 m long. On planes, and with --error elsewhere, \
+    triangles are as large as that allows: no point \
     of the relief is farther from them, measured from the same point of the mesh, and the answer says how \
     far it is and where. --shading mesh smooths what texels much finer than the triangles do to normals. \
     Without \
@@ -307,7 +318,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let started = Instant::now();
     let (_, format) = format_of("--output", &arguments.output, &FORMATS, &arguments.inputs())?;
     arguments.check(format)?;
-    let spec = arguments.spec()?;
+    let metres = Metres::of(arguments);
+    let spec = arguments.spec(&metres)?;
     let scene = {
         let _reading = Progress::spinner("reading", arguments.json);
         spec.load().map_err(of_scene)?
@@ -326,6 +338,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::usage("the surface is an object of images, which has no height map on a mesh"));
     }
     drop(scene);
+    let surface = metres.applied(arguments, surface)?;
+    if !arguments.json {
+        arguments.notes(&metres, &surface).into_iter().for_each(say::note);
+    }
     let cancel = interrupt::catch()?;
     let files = parts::files(&arguments.output, arguments.tiles)?;
     let paths: Vec<&Path> = files.iter().map(|file| file.path.as_path()).collect();
@@ -338,11 +354,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
         None => Vec::new(),
     };
-    let seen = Seen { surface: &surface, view, coarser };
+    let seen = Seen { surface: &surface, view, coarser, metres: &metres };
     let written = made::write(arguments, &seen, format, &files, &mut staged, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
-    let about = report::About { format, written: &written, seconds, surface: &surface };
+    let about = report::About { format, written: &written, seconds, surface: &surface, metres: &metres };
     answer(|out| about.tell(arguments, out))
 }
 
@@ -422,10 +438,15 @@ impl Arguments {
             ("--quantize", self.quantize.is_some(), "has no integers that are scaled"),
             ("--lods", self.lods.is_some(), "has no levels of detail"),
             ("--strips", self.strips, "has no triangle strips"),
+            ("--place", self.place, "has no node to move"),
         ];
         let asked = for_glb.into_iter().find(|(_, is_asked, _)| *is_asked && format != MeshFormat::Gltf);
         if let Some((flag, _, why)) = asked {
             return Err(Failure::Usage(format!("{flag}: {} {why}: only a GLB has", format.name())));
+        }
+        if self.place && self.print_size.is_some() {
+            let why = "a mesh that is smaller or larger than the ground has no place on it";
+            return Err(Failure::Usage(format!("--place: --print-size cannot be used with it: {why}")));
         }
         if self.quantize.is_none() {
             return Ok(());
@@ -466,7 +487,7 @@ impl Arguments {
     }
 
     /// How the mesh of a surface is made: `size` is the factor on lengths.
-    fn settings(&self, Seen { surface, view, .. }: &Seen, size: f64) -> MeshSettings {
+    fn settings(&self, Seen { surface, view, metres, .. }: &Seen, size: f64) -> MeshSettings {
         let usual = MeshSettings::default();
         let is_plane = Mesher::is_plane(surface.mesh());
         let (edges, interior) = self.rules(self.is_measured() || (is_plane && self.texels.is_none()));
@@ -489,6 +510,7 @@ impl Arguments {
             shading: self.shading.unwrap_or_default(),
             seams: self.seams.unwrap_or_default(),
             holes: self.holes,
+            put: metres.put(self, surface),
             ..usual
         }
     }
@@ -505,8 +527,13 @@ impl Arguments {
 
     /// The height map on its mesh, as scenes have it, seen by the camera of the view, or in the smallest of
     /// pictures.
-    fn spec(&self) -> Result<SceneSpec, Failure> {
+    ///
+    /// A scene's plane is 1 m long: lengths of the mesh that is written become lengths of that.
+    fn spec(&self, metres: &Metres) -> Result<SceneSpec, Failure> {
         let surface = self.placed.surface(&self.reading);
+        let in_scene = |length_m: Option<f64>| length_m.map(|length_m| length_m / metres.factor);
+        let (scale, bias) = (in_scene(surface.scale), in_scene(surface.bias));
+        let surface = SurfaceSpec { scale, bias, ..surface };
         // A file may say itself that it holds depths.
         let of_file = || {
             let surface = SurfaceSpec { height: Some(self.height.clone()), ..surface.clone() };
@@ -534,6 +561,36 @@ impl Arguments {
             max_memory: self.max_memory,
             ..SceneSpec::of_surface(surface)
         })
+    }
+
+    /// What may not be meant, of lengths.
+    fn notes(&self, metres: &Metres, surface: &Surface) -> Vec<String> {
+        let map = surface.height_map();
+        let [low, high] = map.extremes();
+        let relief_m = f64::from(high - low) * map.scale_m() * metres.factor;
+        let mut notes = Vec::new();
+        if let Some(Tolerance::Metres(error_m)) = self.error
+            && self.print_size.is_none()
+            && error_m > relief_m
+        {
+            notes.push(format!(
+                "--error {}: the whole relief is {} high, so that it may be left out",
+                units::in_words(error_m),
+                units::in_words(relief_m)
+            ));
+        }
+        if let Some(Length { metres: scale_m, has_unit: false }) = self.placed.scale
+            && metres.is_known()
+        {
+            let plane = units::in_words(metres.factor);
+            notes.push(format!(
+                "--scale {scale_m}: taken for {scale_m} m of the mesh, which is {plane} long; a factor on \
+                 heights is --exaggerate N, and `relief render` shows the same with --scale {}, as its plane \
+                 is 1 m long (with its unit, as in --scale {scale_m}m, this is not said)",
+                values::six_digits(scale_m / metres.factor)
+            ));
+        }
+        notes
     }
 
     /// From where the mesh is looked at.

@@ -4,6 +4,7 @@ use clap::Args;
 use relief_render::scene::{MeshChoice, SurfaceSpec, UvProjection};
 
 use super::maps::HeightArguments;
+use crate::units::Length;
 use crate::{units, values};
 
 /// The mesh, and how the height map lies on it.
@@ -22,11 +23,11 @@ pub struct PlacedArguments {
     #[arg(
         long,
         value_name = "M",
-        value_parser = units::length,
+        value_parser = units::length_as_written,
         allow_hyphen_values = true,
         help_heading = "Maps and mesh",
     )]
-    pub scale: Option<f64>,
+    pub scale: Option<Length>,
     /// Displacement of height 0 in metres [default: -scale, carved into the surface; of a map made for a mesh
     /// without --scale what its file says]
     #[arg(
@@ -38,6 +39,15 @@ pub struct PlacedArguments {
         hide_short_help = true,
     )]
     pub bias: Option<f64>,
+    /// Make heights N times as high [default: 1]
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = values::positive,
+        allow_hyphen_values = true,
+        help_heading = "Maps and mesh",
+    )]
+    pub exaggerate: Option<f64>,
     /// Tiles along u and v [default: 1,1]
     #[arg(
         long,
@@ -72,8 +82,9 @@ impl PlacedArguments {
             raw: reading.file.raw,
             fill: given(reading.file.fill),
             wrap: reading.wrap,
-            scale: self.scale,
+            scale: self.scale.map(|scale| scale.metres),
             bias: self.bias,
+            exaggerate: self.exaggerate,
             mesh: self.mesh.clone(),
             project: self.project,
             tile: self.tile.map(|tile| tile.map(|count| count as f32)),

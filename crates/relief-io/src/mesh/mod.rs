@@ -16,8 +16,8 @@ use std::path::{Path, PathBuf};
 use relief_core::mesh::{Framed, Mesh, RawMesh, UvProjection};
 
 pub use self::write::{
-    GlbLayout, GlbLevel, MAX_SHELLS, MeshCounts, MeshSink, Quantization, Shells, write_glb, write_mesh,
-    write_shells,
+    GlbLayout, GlbLevel, GlbNode, MAX_SHELLS, MeshCounts, MeshSink, Quantization, Shells, write_glb,
+    write_mesh, write_shells,
 };
 
 use self::builder::Builder;

@@ -20,7 +20,7 @@ use crate::plane::{Adapted, Faces, Grid, Tile};
 use crate::smooth::Normals;
 use crate::surface::Relief;
 use crate::triangles::{self, EdgeVertices, Inside, Numbered, PatchBorder, Triangles};
-use crate::{Rounded, Shading, Stream};
+use crate::{Put, Rounded, Shading, Stream};
 
 /// A block that was made.
 pub struct Made {
@@ -53,7 +53,7 @@ impl Mesher {
             making.order();
         }
         let Making { mut block, smooth, folds, folds_below, .. } = making;
-        scale(&mut block, how.size);
+        put(&mut block, &self.put, how.size);
         let rounded = how.grid.map(|grid| round(&mut block, &grid)).unwrap_or_default();
         let (mut bounds_m, mut is_finite) = (EMPTY, true);
         for Vertex { position, .. } in &block.vertices {
@@ -511,19 +511,21 @@ fn ordered<T: Copy>(list: &[T], order: &[u32]) -> Vec<T> {
     order.iter().map(|&at| list[at as usize]).collect()
 }
 
-/// Makes a block larger or smaller. Equal positions stay equal.
-fn scale(block: &mut MeshBlock, size: f64) {
-    if size == 1.0 {
+/// Puts a block where it belongs, and makes it larger or smaller. Equal positions stay equal.
+fn put(block: &mut MeshBlock, put: &Put, size: f64) {
+    if size == 1.0 && *put == Put::STAY {
         return;
     }
-    let scaled = |vector: Vec3| -> Vec3 { (vector.as_dvec3() * DVec3::splat(size)).as_vec3() };
+    let position = |of: Vec3| put.position(of.as_dvec3(), size).as_vec3();
+    let direction = |of: Vec3, size: f64| (put.turned(of.as_dvec3()) * DVec3::splat(size)).as_vec3();
     for vertex in &mut block.vertices {
-        vertex.position = scaled(vertex.position);
-        vertex.tangent = scaled(vertex.tangent);
-        vertex.bitangent = scaled(vertex.bitangent);
+        vertex.position = position(vertex.position);
+        vertex.normal = direction(vertex.normal, 1.0);
+        vertex.tangent = direction(vertex.tangent, size);
+        vertex.bitangent = direction(vertex.bitangent, size);
     }
     for point in &mut block.points {
-        *point = scaled(*point);
+        *point = position(*point);
     }
 }
 

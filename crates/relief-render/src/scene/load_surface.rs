@@ -67,6 +67,9 @@ const MAX_TILES: f32 = 1e6;
 /// Lengths of a tile, in metres.
 const LENGTHS_M: std::ops::RangeInclusive<f64> = 1e-9..=MAX_METRES;
 
+/// Factors on the scale.
+const EXAGGERATIONS: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
+
 /// The largest factor on a mesh, and its inverse the smallest: its metres stay within what `f32` can reckon
 /// with.
 const MAX_SIZE: f64 = 1e6;
@@ -80,6 +83,8 @@ pub struct Parts {
     scale_m: Option<f64>,
     /// Minus the scale if none.
     bias_m: Option<f64>,
+    /// A factor on the scale, and on the bias where it is not given.
+    exaggerate: f64,
     two_sided: bool,
     holes: bool,
     creases: bool,
@@ -214,6 +219,9 @@ impl SurfaceSpec {
         }
         self.scale.map_or(Ok(()), check_scale)?;
         check_metres("bias", self.bias.as_slice())?;
+        if let Some(value) = self.exaggerate.filter(|factor| !EXAGGERATIONS.contains(factor)) {
+            return Err(ValueProblem::Number { value, must: "from 1e-6 to 1e6" }.of("exaggerate"));
+        }
         if let Some(&value) = self.tile_size.iter().flatten().find(|length| !LENGTHS_M.contains(length)) {
             return Err(ValueProblem::Number { value, must: "from 1e-9 to 1e9 metres" }.of("tile-size"));
         }
@@ -237,6 +245,7 @@ impl SurfaceSpec {
             selection: self.selection(samples, surrounded)?,
             scale_m: self.scale,
             bias_m: self.bias,
+            exaggerate: self.exaggerate.unwrap_or(1.0),
             two_sided: self.two_sided.unwrap_or_default(),
             holes: self.holes.unwrap_or_default(),
             creases: self.creases.unwrap_or_default(),
@@ -306,10 +315,11 @@ impl SurfaceSpec {
             let is_ground = stated <= deepest * u.max(v);
             Some(if is_ground { stated } else { DEPTH_OF_NO_GROUND * u.min(v) })
         });
-        let scale_m = scale_m.unwrap_or(DEFAULT_SCALE_M);
+        let scale_m = parts.exaggerate * scale_m.unwrap_or(DEFAULT_SCALE_M);
         check_scale(scale_m)?;
+        let low_m = stated_m.map_or(-scale_m, |[low, _]| parts.exaggerate * low);
         let map = map
-            .with_displacement(scale_m, parts.bias_m.unwrap_or(stated_m.map_or(-scale_m, |[low, _]| low)))
+            .with_displacement(scale_m, parts.bias_m.unwrap_or(low_m))
             .map_err(|error| ValueProblem::from(error).of("scale"))?;
         Ok(Surface::new(mesh, map)
             .with_material(parts.material)

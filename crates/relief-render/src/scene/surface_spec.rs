@@ -63,6 +63,9 @@ pub struct SurfaceSpec {
     pub scale: Option<f64>,
     /// Displacement of height 0 in metres. By default minus the scale: the relief is carved into the surface.
     pub bias: Option<f64>,
+    /// Factor on the scale, whether that is given or not, and on a bias that is not given. From 1e-6 to 1e6,
+    /// by default 1.
+    pub exaggerate: Option<f64>,
     /// Whether normals that are derived from the heights end at creases, where heights change from slope to
     /// slope at once, and are not smeared over them. By default they are smooth.
     pub creases: Option<bool>,
@@ -194,6 +197,7 @@ impl SurfaceSpec {
             wrap: over.wrap.or(self.wrap),
             scale: over.scale.or(self.scale),
             bias: over.bias.or(self.bias),
+            exaggerate: over.exaggerate.or(self.exaggerate),
             creases: over.creases.or(self.creases),
             color: over.color.or(self.color),
             normal: over.normal.or(self.normal),
@@ -268,6 +272,7 @@ impl SurfaceSpec {
             ("wrap", self.wrap.is_some()),
             ("scale", self.scale.is_some()),
             ("bias", self.bias.is_some()),
+            ("exaggerate", self.exaggerate.is_some()),
             ("color", self.color.is_some()),
             ("normal", self.normal.is_some()),
             ("green", self.green.is_some()),

@@ -62,6 +62,7 @@ holes = true
 wrap = "mirror"
 scale = 0.2
 bias = -0.1
+exaggerate = 1.5
 creases = true
 color = "/somewhere/b.png"
 normal = "c.png"
@@ -129,6 +130,7 @@ fn every_key_is_read() {
         wrap: Some(Wrap::Mirror),
         scale: Some(0.2),
         bias: Some(-0.1),
+        exaggerate: Some(1.5),
         creases: Some(true),
         color: Some(PathBuf::from("/somewhere/b.png")),
         normal: Some(folder.path().join("c.png")),

@@ -1,18 +1,21 @@
 //! Makes the mesh while it is written.
 
+use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::Vec3;
 use relief_core::mesh::PositionGrid;
-use relief_io::{GlbLayout, GlbLevel, MeshCounts, MeshFormat, MeshSink, Quantization, write_glb, write_mesh};
+use relief_io::{
+    GlbLayout, GlbLevel, GlbNode, MeshCounts, MeshFormat, MeshSink, Quantization, write_glb, write_mesh,
+};
 use relief_mesh::{Bounds, Certificate, Mesher, Stream, StreamError, Streamed, Watch};
 
-use super::Arguments;
 use super::parts::PartFile;
-use super::refused::{COARSER, of_mesher};
+use super::refused::{COARSER, of_larger};
 use super::seen::Seen;
+use super::{Arguments, ground};
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
@@ -29,6 +32,8 @@ pub struct WrittenPart {
     pub coarser: Vec<WrittenLevel>,
     /// How its vertices are stored in integers, if they are.
     pub quantization: Option<Quantization>,
+    /// How much larger it is than in the scene.
+    pub size: f64,
     /// Of the file.
     pub bytes: u64,
 }
@@ -70,8 +75,10 @@ pub fn write(
 ) -> Result<Vec<WrittenPart>, Failure> {
     let making = Making { arguments, seen, format, cancel };
     let print_m = arguments.print_size.map(|mm| mm / 1000.0);
+    let factor = seen.metres.factor;
     let Some(print_m) = print_m else {
-        return making.all_written(files, staged, [1.0, 1.0]);
+        ground::check_solid(arguments, making.expected_length() * factor)?;
+        return making.all_written(files, staged, [factor; 2]);
     };
     // How long it is follows from the mesh, and the mesh from the tolerance, which may follow from that.
     let mut expected = print_m / making.expected_length();
@@ -144,7 +151,7 @@ impl Making<'_> {
             None if seen.coarser.is_empty() => Mesher::watched(mesh, map, &settings, &watch),
             None => Mesher::with_levels(mesh, map, &seen.coarser, &settings, &watch),
         };
-        mesher.map_err(of_mesher)
+        mesher.map_err(|error| of_larger(error, size))
     }
 
     /// Makes and writes all parts. Of the sizes the first is the one that tolerances are meant for, the
@@ -187,7 +194,8 @@ impl Making<'_> {
         let counts =
             |mesher: &Mesher| MeshCounts { vertices: mesher.vertices(), triangles: mesher.triangles() };
         let levels = GlbLevel::of(&meshers.iter().map(counts).collect::<Vec<_>>());
-        let layout = GlbLayout { levels, quantization, strips: self.arguments.strips };
+        let node = self.node(size)?;
+        let layout = GlbLayout { levels, quantization, strips: self.arguments.strips, node };
         let is_storable = match self.format {
             MeshFormat::Gltf => layout.check(),
             format => format.check(layout.counts()),
@@ -210,7 +218,23 @@ impl Making<'_> {
             WrittenLevel { counts: level.counts, indices, streamed, certificate, coverage: level.coverage }
         });
         let finest = levels.next().ok_or_else(|| nothing_written(&name))?;
-        Ok(WrittenPart { finest, coarser: levels.collect(), name, quantization, bytes })
+        Ok(WrittenPart { finest, coarser: levels.collect(), name, quantization, size, bytes })
+    }
+
+    /// Where a mesh lies that is larger than the scene's by a factor.
+    fn node(&self, size: f64) -> Result<GlbNode, Failure> {
+        let Self { arguments, seen: Seen { surface, metres, .. }, .. } = self;
+        let Some(place) = &metres.place else {
+            if arguments.place {
+                let why = "the height map's file does not say where its plane lies";
+                return Err(Failure::Work(format!("--place: {why}: --json says what it says")));
+            }
+            return Ok(GlbNode::default());
+        };
+        let heights = metres.heights(arguments, surface);
+        let translation_m = if arguments.place { place.translation_m(heights)? } else { [0.0; 3] };
+        let said = place.as_json(heights, size / metres.factor).to_string();
+        Ok(GlbNode { translation_m, extras: BTreeMap::from([(ground::EXTRAS, said)]) })
     }
 
     /// Hands all levels of detail over to the file, and gives the indices of each, if the format tells.

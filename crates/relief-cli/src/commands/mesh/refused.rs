@@ -9,6 +9,21 @@ use crate::interrupt;
 /// What helps where a mesh is too large.
 pub const COARSER: &str = "a larger --error, --texels or --pixels makes the mesh coarser, --tiles cuts it";
 
+/// What there can be no mesh of, with lengths of one that is larger by a factor.
+pub fn of_larger(error: MesherError, size: f64) -> Failure {
+    of_mesher(match error {
+        MesherError::BadTolerance { error_m } => MesherError::BadTolerance { error_m: error_m * size },
+        MesherError::TooFine { error_m, least_m } => {
+            MesherError::TooFine { error_m: error_m * size, least_m: least_m * size }
+        }
+        MesherError::NotReached { error_m, reached_m } => {
+            MesherError::NotReached { error_m: error_m * size, reached_m: reached_m * size }
+        }
+        MesherError::BadSolid { solid_m } => MesherError::BadSolid { solid_m: solid_m * size },
+        other => other,
+    })
+}
+
 /// What there can be no mesh of.
 pub fn of_mesher(error: MesherError) -> Failure {
     match error {

@@ -9,9 +9,11 @@ use relief_render::scene::Surface;
 use serde_json::json;
 
 use super::Arguments;
+use super::ground::Metres;
 use super::made::{WrittenLevel, WrittenPart};
 use crate::failure::Failure;
 use crate::say;
+use crate::units::{fitting, in_words};
 use crate::values::six_digits;
 
 /// A mesh that was made.
@@ -20,6 +22,7 @@ pub struct About<'a> {
     pub written: &'a [WrittenPart],
     pub seconds: f64,
     pub surface: &'a Surface,
+    pub metres: &'a Metres,
 }
 
 /// What seams are off by is told from this part of the error on.
@@ -53,10 +56,10 @@ impl LevelAbout {
         })
     }
 
-    fn in_words(&self, unit: &str, factor: f64) -> String {
+    fn in_words(&self) -> String {
         let Self { triangles, open, error_m, coverage, .. } = self;
         let error = match error_m {
-            Some(error_m) => format!(", error at most {} {unit}", six_digits(error_m * factor)),
+            Some(error_m) => format!(", error at most {}", in_words(*error_m)),
             None => String::new(),
         };
         let down_to = six_digits(100.0 * coverage);
@@ -130,7 +133,11 @@ impl About<'_> {
 
     /// Says it.
     pub fn tell(&self, arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
-        let Self { format, written, seconds, surface } = self;
+        let Self { format, written, seconds, surface, metres } = self;
+        let size = written.first().map_or(1.0, |part| part.size);
+        // Of the mesh that is written beside the ground.
+        let of_ground = size / metres.factor;
+        let heights = metres.heights(arguments, surface);
         let cracks =
             |of: fn(&Cracks) -> u64| self.sum(|part| of(&part.finest.streamed.cracks.unwrap_or_default()));
         let [open, branching, pieces] =
@@ -144,7 +151,9 @@ impl About<'_> {
         let [least, greatest] = bounds
             .fold([Vec3::INFINITY, Vec3::NEG_INFINITY], |[low, high], [a, b]| [low.min(a), high.max(b)]);
         let size_m = (greatest - least).to_array().map(|length| six_digits(f64::from(length)));
-        let (scale_m, bias_m) = (surface.height_map().scale_m(), surface.height_map().bias_m());
+        let (map, put) = (surface.height_map(), metres.put(arguments, surface));
+        let lifted_m = if put.lift_m == 0.0 { map.bias_m() } else { 0.0 };
+        let [scale_m, bias_m] = [map.scale_m(), lifted_m].map(|of_scene| of_scene * metres.factor);
         let certificate = self.certificate();
         if arguments.json {
             let mesh = arguments.placed.mesh.clone().unwrap_or_default();
@@ -158,9 +167,17 @@ impl About<'_> {
             if let Some(Certificate { error_m, uv, mean_m, seams_m, judge }) = certificate {
                 about["error"] = json!({
                     "greatest_m": error_m, "at_uv": uv, "mean_m": mean_m, "seams_m": seams_m,
-                    "judge": judge.name(),
+                    "judge": judge.name(), "on_ground_m": metres.is_known().then_some(error_m / of_ground),
                 });
             }
+            about["metres"] = json!({
+                "from": metres.source_name(), "ground_m": metres.is_known().then_some(metres.factor),
+                "size": of_ground, "exaggeration": heights.exaggeration,
+            });
+            about["georeference"] = metres
+                .place
+                .as_ref()
+                .map_or_else(|| serde_json::Value::Null, |place| place.as_json(heights, of_ground));
             if let Some(rounded) = self.rounded() {
                 about["quantized"] = json!({
                     "bits": rounded.bits, "step_m": rounded.step_m, "greatest_m": rounded.of.greatest_m,
@@ -200,37 +217,53 @@ impl About<'_> {
             let files = written.len();
             writeln!(out, "{files} files: {triangles} triangles, {bytes} bytes in {seconds:.2} s")?;
         }
-        // Printers count in millimetres.
-        let is_print = arguments.print_size.is_some() || *format == MeshFormat::Stl;
-        let (unit, factor) = if is_print { ("mm", 1000.0) } else { ("m", 1.0) };
+        let (unit, factor) = fitting(size_m.into_iter().fold(0.0, f64::max));
         let [x, y, z] = size_m.map(|length| six_digits(length * factor));
         writeln!(out, "  size        {x} x {y} x {z} {unit}")?;
+        if let Some(unknown) = metres.unknown() {
+            writeln!(out, "  metres      {unknown}")?;
+        }
+        if let Some(place) = &metres.place {
+            writeln!(out, "  ground      {}", place.in_words(heights))?;
+            if let Some(rows) = place.rows_in_words() {
+                writeln!(out, "  rows        {rows}")?;
+            }
+        }
+        if let Some(times) = heights.exaggeration.filter(|times| (times - 1.0).abs() > 1e-6) {
+            writeln!(out, "  heights     {} times as high as on the ground", six_digits(times))?;
+        }
+        if metres.is_known() && arguments.print_size.is_some() {
+            let (times, of_what) =
+                if of_ground < 1.0 { (1.0 / of_ground, "1 to") } else { (of_ground, "times") };
+            write!(out, "  print       {of_what} {}", six_digits(times))?;
+            match certificate {
+                Some(Certificate { error_m, .. }) => {
+                    writeln!(out, ", error at most {} on the ground", in_words(error_m / of_ground))?;
+                }
+                None => writeln!(out)?,
+            }
+        }
         let [scale, bias] = [scale_m, bias_m].map(six_digits);
         writeln!(out, "  relief      --scale {scale} --bias {bias}")?;
         if let Some(Certificate { error_m, uv, mean_m, seams_m, judge }) = certificate {
-            let [greatest, mean, seams] =
-                [error_m, mean_m, seams_m].map(|metres| six_digits(metres * factor));
+            let [greatest, mean, seams] = [error_m, mean_m, seams_m].map(in_words);
             let [u, v] = uv.map(six_digits);
             let rounded = if self.rounded().is_some() { ", its rounding counted" } else { "" };
             let at = format!("at uv {u},{v}, judged at the {judge}{rounded}");
-            writeln!(out, "  error       at most {greatest} {unit} {at}; {mean} {unit} on average")?;
+            writeln!(out, "  error       at most {greatest} {at}; {mean} on average")?;
             if seams_m > error_m * TOLD {
                 let why = "where the two sides of a seam see other heights";
-                writeln!(out, "  seams       up to {seams} {unit} more in triangles at seams, {why}")?;
+                writeln!(out, "  seams       up to {seams} more in triangles at seams, {why}")?;
             }
         }
         if let Some(rounded) = self.rounded() {
-            let [greatest, step] =
-                [rounded.of.greatest_m, rounded.step_m].map(|metres| six_digits(metres * factor));
+            let [greatest, step] = [rounded.of.greatest_m, rounded.step_m].map(in_words);
             let bits = rounded.bits;
-            write!(
-                out,
-                "  quantised   to {bits} bits, steps of {step} {unit}: vertices moved {greatest} {unit} "
-            )?;
+            write!(out, "  quantised   to {bits} bits, steps of {step}: vertices moved {greatest} ")?;
             writeln!(out, "at most, {} triangles without an area", rounded.of.without_area)?;
         }
         for (number, level) in self.levels().iter().enumerate().filter(|_| arguments.lods.is_some()) {
-            writeln!(out, "  level {number}     {}", level.in_words(unit, factor))?;
+            writeln!(out, "  level {number}     {}", level.in_words())?;
         }
         if arguments.strips {
             let (indices, of_each) = self.strips();

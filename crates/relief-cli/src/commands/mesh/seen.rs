@@ -9,6 +9,7 @@ use relief_core::{ByteSize, HeightMap};
 use relief_mesh::View;
 use relief_render::scene::Surface;
 
+use super::ground::Metres;
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
 use crate::progress::Progress;
@@ -19,6 +20,8 @@ pub struct Seen<'a> {
     pub view: Option<View>,
     /// Coarser levels of the height map, which are seen where voxels are wider than its texels.
     pub coarser: Vec<HeightMap>,
+    /// The metres that it is written in.
+    pub metres: &'a Metres,
 }
 
 /// How coarser levels are made, if they are.

@@ -106,11 +106,18 @@ impl Picture<'_> {
                 continue;
             }
             let [scale_m, exact_m] = [shown, exact].map(values::six_digits);
+            let factor = described.exaggerate.unwrap_or(1.0);
             if shown == exact {
                 writeln!(
                     out,
                     "scale {scale_m} m: true to the metres that the height map's file states; \
-                     --scale exaggerates"
+                     --exaggerate N makes heights N times as high"
+                )?;
+            } else if shown == factor * exact {
+                writeln!(
+                    out,
+                    "scale {scale_m} m: {factor} times as high as the metres that the height map's file \
+                     states"
                 )?;
             } else {
                 writeln!(

@@ -12,7 +12,7 @@ use std::path::Path;
 
 use relief_core::mesh::MeshBlock;
 
-pub use glb::{GlbLayout, GlbLevel, Quantization};
+pub use glb::{GlbLayout, GlbLevel, GlbNode, Quantization};
 pub use shells::{MAX_SHELLS, Shells, write_shells};
 
 use super::MeshFormat;

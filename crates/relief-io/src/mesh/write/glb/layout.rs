@@ -1,5 +1,7 @@
 //! What a GLB holds, and where.
 
+use std::collections::BTreeMap;
+
 use glam::Vec3;
 
 use super::super::{MeshCounts, check_counts};
@@ -31,6 +33,17 @@ pub struct GlbLayout {
     /// strip or joins two, so that readers find triangles without an area between them. A strip decodes to
     /// the triangles of the blocks, each as it turns, without those that name a vertex twice.
     pub strips: bool,
+    /// What is said of the mesh as a whole.
+    pub node: GlbNode,
+}
+
+/// Where the mesh of a GLB lies, and what else is said of it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct GlbNode {
+    /// Metres by which the node moves it.
+    pub translation_m: [f64; 3],
+    /// Extras of the node by their names, each a text of JSON.
+    pub extras: BTreeMap<&'static str, String>,
 }
 
 /// The most indices that a strip takes for a triangle: three, and two to join it to what is before.
@@ -70,7 +83,8 @@ impl GlbLevel {
 impl GlbLayout {
     /// One mesh, in floats.
     pub fn of(counts: MeshCounts) -> Self {
-        Self { levels: vec![GlbLevel { counts, coverage: 0.0 }], quantization: None, strips: false }
+        let levels = vec![GlbLevel { counts, coverage: 0.0 }];
+        Self { levels, quantization: None, strips: false, node: GlbNode::default() }
     }
 
     /// The bytes of the file: exactly, but of strips at most.
@@ -225,24 +239,47 @@ impl GlbLayout {
 
     /// A node for each level.
     fn nodes(&self) -> String {
-        let place = self.quantization.map(|Quantization { grid, .. }| {
-            let (step, [x, y, z]) = (grid.step_m(), grid.origin_m().to_array());
-            format!(r#","scale":[{step:e},{step:e},{step:e}],"translation":[{x:e},{y:e},{z:e}]"#)
-        });
-        let place = place.unwrap_or_default();
+        let moved = self.node.translation_m;
+        let is_moved = moved != [0.0; 3];
+        let place = match self.quantization {
+            Some(Quantization { grid, .. }) => {
+                let (step, origin) = (grid.step_m(), grid.origin_m().to_array());
+                let at = match is_moved {
+                    true => [0, 1, 2].map(|axis| format!("{:e}", f64::from(origin[axis]) + moved[axis])),
+                    false => origin.map(|number| format!("{number:e}")),
+                };
+                format!(r#","scale":[{step:e},{step:e},{step:e}],"translation":[{}]"#, at.join(","))
+            }
+            None if is_moved => {
+                format!(r#","translation":[{}]"#, moved.map(|number| format!("{number:e}")).join(","))
+            }
+            None => String::new(),
+        };
         let node = |at: usize| {
-            let more = if at == 0 && self.levels.len() > 1 { self.lods() } else { String::new() };
-            format!(r#"{{"mesh":{at}{place}{more}}}"#)
+            let lods = if at == 0 && self.levels.len() > 1 { self.lods() } else { String::new() };
+            format!(r#"{{"mesh":{at}{place}{lods}{}}}"#, self.extras(at))
         };
         (0..self.levels.len()).map(node).collect::<Vec<_>>().join(",")
+    }
+
+    /// The extras of a level's node: what is said of the mesh, and down to which part of the picture each
+    /// level is shown.
+    fn extras(&self, level: usize) -> String {
+        // What stands for numbers that are known later must not be in them.
+        let clean = |text: &String| text.replace(PLACE, "\\u0040");
+        let said = self.node.extras.iter().map(|(name, text)| format!(r#""{name}":{}"#, clean(text)));
+        let coverages = || {
+            let each: Vec<String> = self.levels.iter().map(|level| format!("{:e}", level.coverage)).collect();
+            format!(r#""MSFT_screencoverage":[{}]"#, each.join(","))
+        };
+        let of_lods = (level == 0 && self.levels.len() > 1).then(coverages);
+        let all: Vec<String> = said.chain(of_lods).collect();
+        if all.is_empty() { String::new() } else { format!(r#","extras":{{{}}}"#, all.join(",")) }
     }
 
     /// What names the other levels.
     fn lods(&self) -> String {
         let ids: Vec<String> = (1..self.levels.len()).map(|level| level.to_string()).collect();
-        let coverages: Vec<String> =
-            self.levels.iter().map(|level| format!("{:e}", level.coverage)).collect();
-        format!(r#","extensions":{{"MSFT_lod":{{"ids":[{}]}}}},"#, ids.join(","))
-            + &format!(r#""extras":{{"MSFT_screencoverage":[{}]}}"#, coverages.join(","))
+        format!(r#","extensions":{{"MSFT_lod":{{"ids":[{}]}}}}"#, ids.join(","))
     }
 }

@@ -13,7 +13,7 @@ use relief_core::mesh::MeshBlock;
 use super::{MeshCounts, Regions};
 
 use self::strips::Strip;
-pub use layout::{GlbLayout, GlbLevel};
+pub use layout::{GlbLayout, GlbLevel, GlbNode};
 pub use vertex::{Quantization, tangent};
 
 /// Bytes of an index.

@@ -1,0 +1,245 @@
+//! The metres that a mesh is written in, and where on the ground it lies.
+
+use std::fmt::Write as _;
+
+use relief_core::mesh::Builtin;
+use relief_io::{CoordinateSystem, GridTransform, Ground, read_ground};
+use relief_mesh::Put;
+use relief_render::scene::{MeshChoice, Surface};
+use serde_json::{Value, json};
+
+use super::Arguments;
+use crate::failure::Failure;
+use crate::units::in_words;
+use crate::values::six_digits;
+
+/// The name of what a GLB's extras say of the ground.
+pub const EXTRAS: &str = "georeference";
+
+/// The longest mesh that is made solid without being asked for a size, in metres.
+pub const LONGEST_SOLID_M: f64 = 2.0;
+
+/// The metres of a mesh that is written.
+#[derive(Clone, Debug)]
+pub struct Metres {
+    /// Metres of the written mesh in a metre of the scene, whose planes are 1 m long.
+    pub factor: f64,
+    pub source: Source,
+    /// Where the map lies, where its file says it and the mesh is that map once.
+    pub place: Option<Place>,
+}
+
+/// From where metres are known.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Source {
+    /// The mesh is no plane: it has metres of its own.
+    Mesh,
+    /// The height map's file.
+    File,
+    /// The flag for the size of a tile.
+    TileSize,
+    /// Nothing: a plane is 1 m long. With the reason, where the file gives one.
+    Nothing(Option<String>),
+}
+
+/// Where a map lies in the coordinates of its file.
+#[derive(Clone, Debug)]
+pub struct Place {
+    system: CoordinateSystem,
+    epsg: Option<u16>,
+    transform: GridTransform,
+    /// Metres in a unit of the coordinates, along x and y.
+    metres_per_unit: [f64; 2],
+    row_lengths: [f64; 2],
+    /// The coordinates of the map's middle.
+    middle: [f64; 2],
+}
+
+/// The heights of a mesh that is written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Heights {
+    /// The file's height in metres where the mesh's `y` is 0; none where that is not known.
+    pub zero_m: Option<f64>,
+    /// Times as high as the ground is, beside its lengths.
+    pub exaggeration: Option<f64>,
+}
+
+impl Metres {
+    /// What the arguments and the height map's header say.
+    pub fn of(arguments: &Arguments) -> Self {
+        let placed = &arguments.placed;
+        if !matches!(placed.mesh, None | Some(MeshChoice::Builtin(Builtin::Plane))) {
+            return Self { factor: 1.0, source: Source::Mesh, place: None };
+        }
+        let tiles = placed.tile.unwrap_or([1.0; 2]);
+        // What cannot be is refused with the scene.
+        let factor = |[u, v]: [f64; 2]| {
+            let factor = u.max(v) * (tiles[0] * tiles[1]).abs().sqrt();
+            if factor.is_normal() && factor > 0.0 { factor } else { 1.0 }
+        };
+        if let Some(tile_m) = placed.tile_size {
+            return Self { factor: factor(tile_m), source: Source::TileSize, place: None };
+        }
+        // A file that cannot be read is refused when its texels are.
+        let ground = read_ground(&arguments.height, &arguments.reading.options(arguments.max_memory)).ok();
+        let reason = |ground: &Ground| ground.georeference.as_ref()?.texel_size_m.clone().err();
+        let Some((ground, tile_m)) = ground.as_ref().and_then(|ground| Some((ground, ground.tile_m?))) else {
+            let source = Source::Nothing(ground.as_ref().and_then(reason));
+            return Self { factor: 1.0, source, place: None };
+        };
+        let place = Place::of(ground).filter(|_| tiles == [1.0; 2]);
+        Self { factor: factor(tile_m), source: Source::File, place }
+    }
+
+    /// Whether the height map says how many metres the plane is long.
+    pub fn is_known(&self) -> bool {
+        matches!(self.source, Source::File | Source::TileSize)
+    }
+
+    /// The surface with the displacement that its file states in metres, where these are not the scene's.
+    pub fn applied(&self, arguments: &Arguments, surface: Surface) -> Result<Surface, Failure> {
+        let map = surface.height_map();
+        let is_stated = map.stated_displacement_m().is_some() && arguments.placed.scale.is_none();
+        if !self.is_known() || !is_stated {
+            return Ok(surface);
+        }
+        let bias_m = if arguments.placed.bias.is_some() { map.bias_m() } else { map.bias_m() / self.factor };
+        let map = map.as_ref().clone().with_displacement(map.scale_m() / self.factor, bias_m);
+        Ok(surface.with_height_map(map.map_err(Failure::work)?))
+    }
+
+    /// Where the mesh of a surface is put: turned so that `x` is east, and with its lowest height at 0 where
+    /// nothing says how high it lies.
+    pub fn put(&self, arguments: &Arguments, surface: &Surface) -> Put {
+        let map = surface.height_map();
+        let says = arguments.placed.bias.is_some()
+            || (map.stated_displacement_m().is_some() && arguments.placed.scale.is_none());
+        // The very number that the lowest vertex has.
+        let lift_m = if self.is_known() && !says { -f64::from(map.bias_m() as f32) } else { 0.0 };
+        let turn = self.place.as_ref().map_or(Put::STAY.turn, Place::turn);
+        Put { turn, lift_m }
+    }
+
+    /// The heights of a mesh of that surface.
+    pub fn heights(&self, arguments: &Arguments, surface: &Surface) -> Heights {
+        let map = surface.height_map();
+        let none = Heights { zero_m: None, exaggeration: None };
+        let (Some([zero, one]), true) = (map.physical_range(), self.is_known()) else { return none };
+        let span_m = (one - zero).abs();
+        let ground_scale_m = map.scale_m() * self.factor;
+        let exaggeration = if span_m > 0.0 { ground_scale_m / span_m } else { 1.0 };
+        if exaggeration <= 0.0 || arguments.invert {
+            return none;
+        }
+        // Depths that count downward are heights below.
+        let zero_m = if zero > one { -zero } else { zero };
+        let low_m = (map.bias_m() + self.put(arguments, surface).lift_m) * self.factor;
+        let low_m = if low_m.abs() <= f64::from(f32::EPSILON) * ground_scale_m { 0.0 } else { low_m };
+        Heights { zero_m: Some(zero_m - low_m / exaggeration), exaggeration: Some(exaggeration) }
+    }
+
+    /// Where metres are from, in a word.
+    pub fn source_name(&self) -> Option<&'static str> {
+        match self.source {
+            Source::Mesh => Some("mesh"),
+            Source::File => Some("file"),
+            Source::TileSize => Some("tile-size"),
+            Source::Nothing(_) => None,
+        }
+    }
+
+    /// That they are not known, with the flag that names them.
+    pub fn unknown(&self) -> Option<String> {
+        let Source::Nothing(reason) = &self.source else { return None };
+        let reason = reason.as_ref().map(|reason| format!(": {reason}")).unwrap_or_default();
+        Some(format!("not known{reason}; the plane is 1 m long, unless --tile-size U,V names its length"))
+    }
+}
+
+impl Place {
+    fn of(ground: &Ground) -> Option<Self> {
+        let georeference = ground.georeference.as_ref()?;
+        let transform = georeference.transform?;
+        Some(Self {
+            system: georeference.system,
+            epsg: georeference.epsg,
+            transform,
+            metres_per_unit: georeference.metres_per_unit?,
+            row_lengths: georeference.row_lengths,
+            middle: transform.at(ground.size.map(|side| f64::from(side) / 2.0)),
+        })
+    }
+
+    /// Cosine and sine of the angle from east to the map's columns, toward north.
+    fn turn(&self) -> [f64; 2] {
+        let [x, y] = [0, 1].map(|axis| self.transform.column[axis] * self.metres_per_unit[axis]);
+        let length = x.hypot(y);
+        [x / length, y / length]
+    }
+
+    /// The coordinate system as programs name it.
+    fn crs(&self) -> Option<String> {
+        self.epsg.map(|number| format!("EPSG:{number}"))
+    }
+
+    /// What a program needs to know to place the mesh that is larger than the ground by a factor.
+    pub fn as_json(&self, heights: Heights, size: f64) -> Value {
+        let [x, y] = self.middle;
+        json!({
+            "crs": self.crs(), "system": self.system.name(),
+            "origin": [Some(x), Some(y), heights.zero_m],
+            "transform": self.transform.affine(),
+            "metres_per_unit": self.metres_per_unit, "row_lengths": self.row_lengths,
+            "size": size, "exaggeration": heights.exaggeration,
+        })
+    }
+
+    /// Where the mesh's origin lies, in words.
+    pub fn in_words(&self, heights: Heights) -> String {
+        let [x, y] = self.middle;
+        let mut text = self.crs().unwrap_or_else(|| format!("{} coordinates", self.system.name()));
+        let _ = write!(text, ", the mesh's 0,0,0 at x {x}, y {y}");
+        if let Some(zero_m) = heights.zero_m {
+            let _ = write!(text, ", height {} m", six_digits(zero_m));
+        }
+        text
+    }
+
+    /// How long rows are beside the one whose metres the mesh has, where they differ.
+    pub fn rows_in_words(&self) -> Option<String> {
+        let [least, greatest] = self.row_lengths;
+        if least == 1.0 && greatest == 1.0 {
+            return None;
+        }
+        let [least, greatest] = self.row_lengths.map(six_digits);
+        Some(format!("metres of the middle row; on the ground rows are {least} to {greatest} times as long"))
+    }
+
+    /// Metres from the origin of the coordinates to that of a mesh as large as the ground: x east, y up, z
+    /// south.
+    pub fn translation_m(&self, heights: Heights) -> Result<[f64; 3], Failure> {
+        if self.system != CoordinateSystem::Projected {
+            let crs = self.crs().unwrap_or_else(|| self.system.name().to_owned());
+            return Err(Failure::Work(format!(
+                "--place: the metres of {crs} depend on the latitude, so that the mesh has no place in \
+                 metres: bring the map into a projected system first, as with gdalwarp -t_srs EPSG:32633"
+            )));
+        }
+        let [x, y] = [0, 1].map(|axis| self.middle[axis] * self.metres_per_unit[axis]);
+        Ok([x, heights.zero_m.unwrap_or(0.0), -y])
+    }
+}
+
+/// Refuses a solid that no printer prints, where nobody said how large it is to be.
+pub fn check_solid(arguments: &Arguments, length_m: f64) -> Result<(), Failure> {
+    if arguments.solid.is_none() || arguments.print_size.is_some() || length_m <= LONGEST_SOLID_M {
+        return Ok(());
+    }
+    let longest = in_words(LONGEST_SOLID_M);
+    Err(Failure::Work(format!(
+        "--solid: the mesh is {} long, and solids for printers are at most {longest}: --print-size MM makes \
+         it as long as that, and --print-size {}m keeps its size",
+        in_words(length_m),
+        six_digits(length_m)
+    )))
+}
