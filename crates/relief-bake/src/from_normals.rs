@@ -27,6 +27,8 @@
 //!   were painted, scanned or compressed, and takes 0.25 % of a wave of four texels.
 //! * *Overhangs*. A normal at or below the horizon is no relief's; it is taken for one of the steepest
 //!   accepted slope and counted.
+//! * *Holes*. Black, white and transparent texels are background, and middle grey has no direction
+//!   ([`NormalFaults`]). They do not count ([`heights_from_known_slopes`]), so heights beside them are right.
 //!
 //! # Accuracy
 //!
@@ -48,16 +50,21 @@
 //! confidence of 0.49 to 1.
 
 mod error;
+mod evidence;
 mod green;
+mod holes;
 mod integrate;
+mod known;
 mod slopes;
 mod spectrum;
 
 use rayon::prelude::*;
 
 pub use self::error::{FromNormalsError, SHORTEST};
+pub use self::evidence::{Evidence, NormalSource};
 pub use self::green::{GreenFit, heights_from_either_green};
 pub use self::integrate::{IntegratedHeights, Integration, heights_from_slopes};
+pub use self::known::heights_from_known_slopes;
 pub use self::slopes::{NormalFaults, NormalSlopes, UNIT_TOLERANCE};
 use crate::Progress;
 

@@ -287,10 +287,10 @@ fn faults_of_normals_are_counted_and_mended() {
     let found = slopes(&broken).expect("others have directions");
     let expected = NormalFaults {
         without_direction: 3,
-        first_without_direction: Some([30, 20]),
+        first_hole: Some([30, 20]),
         below_horizon: 1,
         too_steep: 1,
-        not_unit: 0,
+        ..NormalFaults::default()
     };
     assert_eq!(found.faults, expected);
     assert_eq!([found.along[0][5], found.along[0][6]], [-32.0, -32.0]);

@@ -73,6 +73,9 @@ pub const SHORTEST: f32 = 0.1;
 
 const NORMAL_BYTES_PER_TEXEL: u64 = 12;
 
+/// While opacity is parted from the vectors there are both.
+const BYTES_PER_TEXEL_WITH_OPACITY: u64 = 32;
+
 /// What the texels of a normal map's file stand for, before anything is made of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NormalVectors {
@@ -82,6 +85,9 @@ pub struct NormalVectors {
     pub height: u32,
     /// `x`, `y` and `z` of each texel, of any length and perhaps not finite, row by row from the top.
     pub vectors: Vec<[f32; 3]>,
+    /// Opacity of each texel from 0 to 1, where the file has it. What it holds is not known: some files mark
+    /// texels without a normal by it, others keep heights or the normals' `x` there.
+    pub opacity: Option<Vec<f32>>,
     /// The greatest integer, 255 say, that components are stored in; none of floats.
     pub most: Option<u32>,
 }
@@ -157,11 +163,12 @@ pub fn read_normal_map<'a>(
 }
 
 /// Reads what the texels of a normal map stand for, from a file or from the bytes of one: from the channels
-/// red, green and blue, or `x`, `y` and `z`.
+/// red, green and blue, or `x`, `y` and `z`, and opacity.
 ///
 /// Unsigned integers of up to 16 bit stand for `2 s / maximum - 1` (glTF 2.0, 3.9.3). Floats are taken as
 /// they are where the channels are `x`, `y` and `z` or any value is negative; otherwise as they are or as
-/// `2 s - 1`, whichever gives lengths nearer to 1. At most `max_bytes` of memory are taken, 12 bytes a texel.
+/// `2 s - 1`, whichever gives lengths nearer to 1. At most `max_bytes` of memory are taken, 12 bytes a texel, and 32 of
+/// files with opacity.
 ///
 /// # Errors
 ///
@@ -175,17 +182,30 @@ pub fn read_normal_vectors<'a>(
 }
 
 fn read(source: Source<'_>, max_bytes: u64) -> Result<NormalVectors, ReadProblem> {
-    let file = ImageFile::open(source, None, NORMAL_BYTES_PER_TEXEL, max_bytes)?;
+    let mut file = ImageFile::open(source, None, NORMAL_BYTES_PER_TEXEL, max_bytes)?;
     let layout = file.layout().clone();
     let (channels, are_vectors) = normal_channels(&layout)?;
     let scale = layout.full_scale.unwrap_or(1.0);
-    let mut vectors =
-        collect(file, &channels, [0.0f32; 3], |s| [0, 1, 2].map(|axis| (s[axis] / scale) as f32))?;
+    let (mut vectors, opacity) = match layout.channel("a") {
+        None => {
+            let texel = |s: &[f64]| [0, 1, 2].map(|axis| (s[axis] / scale) as f32);
+            (collect(file, &channels, [0.0; 3], texel)?, None)
+        }
+        Some(opacity) => {
+            file = ImageFile::open(source, None, BYTES_PER_TEXEL_WITH_OPACITY, max_bytes)?;
+            let [x, y, z] = channels;
+            let texel = |s: &[f64]| [0, 1, 2, 3].map(|channel| (s[channel] / scale) as f32);
+            let texels = collect(file, &[x, y, z, opacity], [0.0; 4], texel)?;
+            let opacity = texels.iter().map(|texel| texel[3]).collect();
+            let vectors: Vec<[f32; 3]> = texels.iter().map(|&[x, y, z, _]| [x, y, z]).collect();
+            (vectors, Some(opacity))
+        }
+    };
     if layout.full_scale.is_some() || !(are_vectors || is_signed(&vectors)) {
         vectors.iter_mut().for_each(|vector| *vector = unpacked(*vector));
     }
     let most = layout.full_scale.map(|full_scale| full_scale as u32);
-    Ok(NormalVectors { width: layout.width, height: layout.height, vectors, most })
+    Ok(NormalVectors { width: layout.width, height: layout.height, vectors, opacity, most })
 }
 
 fn length(vector: [f32; 3]) -> f32 {

@@ -1,7 +1,8 @@
 //! Which way green points, by which of both ways the normals are more nearly a relief's.
 
 use super::error::FromNormalsError;
-use super::integrate::{IntegratedHeights, Integration, heights_from_slopes};
+use super::integrate::{IntegratedHeights, Integration};
+use super::known::heights_from_known_slopes;
 use super::slopes::NormalSlopes;
 use crate::Progress;
 
@@ -47,18 +48,15 @@ impl GreenFit {
 ///
 /// # Errors
 ///
-/// As [`heights_from_slopes`].
+/// As [`heights_from_known_slopes`].
 pub fn heights_from_either_green(
     slopes: NormalSlopes,
     how: &Integration,
     progress: &Progress,
 ) -> Result<(IntegratedHeights, NormalSlopes, GreenFit), FromNormalsError> {
-    let integrate = |slopes: &NormalSlopes, progress: &Progress| {
-        heights_from_slopes(slopes.size, [&slopes.along[0], &slopes.along[1]], how, progress)
-    };
-    let up = integrate(&slopes, &progress.piece(0.0, 0.5))?;
+    let up = heights_from_known_slopes(&slopes, how, &progress.piece(0.0, 0.5))?;
     let slopes = slopes.turned_over();
-    let down = integrate(&slopes, &progress.piece(0.5, 1.0))?;
+    let down = heights_from_known_slopes(&slopes, how, &progress.piece(0.5, 1.0))?;
     let fit = GreenFit::new([up.misfit, down.misfit], slopes.steepness());
     Ok(if fit.is_down { (down, slopes, fit) } else { (up, slopes.turned_over(), fit) })
 }

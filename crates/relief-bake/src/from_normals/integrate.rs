@@ -75,32 +75,58 @@ pub fn heights_from_slopes(
     progress: &Progress,
 ) -> Result<IntegratedHeights, FromNormalsError> {
     check(size, &slopes, how)?;
-    let [width, height] = size.map(|side| side as usize);
-    let border = if how.wrap == Wrap::Repeat { Border::Tiled } else { Border::Mirrored };
-    let transforms = [LineTransform::new(width, border), LineTransform::new(height, border)];
-    let mut plane = steepness(slopes, width, how);
+    let width = size[0] as usize;
+    let mut plane = divergence(slopes, width, how);
     let mut turned = vec![0.0; plane.len()];
-    transforms[0].lines(&mut plane, false, &progress.piece(0.0, 0.25))?;
-    transpose(&plane, width, &mut turned);
-    transforms[1].lines(&mut turned, false, &progress.piece(0.25, 0.5))?;
-    let [along_u, along_v] =
-        [(0, width), (1, height)].map(|(axis, side)| eigenvalues(&transforms[axis], side, how.texel_m[axis]));
-    turned.par_chunks_mut(height).zip(&along_u).for_each(|(column, u)| {
-        for (wave, v) in column.iter_mut().zip(&along_v) {
-            let seen = u.seen + v.seen;
-            // These waves are not seen: the least that fits is 0.
-            *wave =
-                if seen > 0.0 { *wave / (seen + how.damping.powi(2) * (u.damped + v.damped)) } else { 0.0 };
-        }
-    });
-    transforms[1].lines(&mut turned, true, &progress.piece(0.5, 0.75))?;
-    transpose(&turned, height, &mut plane);
-    transforms[0].lines(&mut plane, true, &progress.piece(0.75, 1.0))?;
+    Waves::new(size, how).solve(&mut plane, &mut turned, progress)?;
     drop(turned);
     let heights_m: Vec<f32> = plane.par_iter().map(|&h| h as f32).collect();
     drop(plane);
-    let misfit = misfit(&heights_m, slopes, width, how);
+    let misfit = misfit(&heights_m, slopes, None, width, how);
     Ok(IntegratedHeights { size, heights_m, misfit, too_steep: 0 })
+}
+
+/// The normal equations in waves, where they are diagonal.
+pub(super) struct Waves {
+    transforms: [LineTransform; 2],
+    eigenvalues: [Vec<Eigenvalue>; 2],
+    damping: f64,
+}
+
+impl Waves {
+    pub fn new(size: [u32; 2], how: &Integration) -> Self {
+        let border = if how.wrap == Wrap::Repeat { Border::Tiled } else { Border::Mirrored };
+        let sides = size.map(|side| side as usize);
+        let transforms = sides.map(|side| LineTransform::new(side, border));
+        let eigenvalues = [0, 1].map(|axis| eigenvalues(&transforms[axis], sides[axis], how.texel_m[axis]));
+        Self { transforms, eigenvalues, damping: how.damping }
+    }
+
+    /// Puts the heights in the place of the right-hand side. The other plane is scratch, as large.
+    pub fn solve(
+        &self,
+        plane: &mut [f64],
+        turned: &mut [f64],
+        progress: &Progress,
+    ) -> Result<(), FromNormalsError> {
+        let Self { transforms, eigenvalues: [along_u, along_v], damping } = self;
+        let [width, height] = [along_u.len(), along_v.len()];
+        transforms[0].lines(plane, false, &progress.piece(0.0, 0.25))?;
+        transpose(plane, width, turned);
+        transforms[1].lines(turned, false, &progress.piece(0.25, 0.5))?;
+        turned.par_chunks_mut(height).zip(along_u).for_each(|(column, u)| {
+            for (wave, v) in column.iter_mut().zip(along_v) {
+                let seen = u.seen + v.seen;
+                // These waves are not seen: the least that fits is 0.
+                *wave =
+                    if seen > 0.0 { *wave / (seen + damping.powi(2) * (u.damped + v.damped)) } else { 0.0 };
+            }
+        });
+        transforms[1].lines(turned, true, &progress.piece(0.5, 0.75))?;
+        transpose(turned, height, plane);
+        transforms[0].lines(plane, true, &progress.piece(0.75, 1.0))?;
+        Ok(())
+    }
 }
 
 /// Whether planes and numbers can be integrated.
@@ -147,12 +173,12 @@ fn eigenvalues(transform: &LineTransform, side: usize, texel_m: f64) -> Vec<Eige
 }
 
 /// The neighbours of a texel along a side.
-fn neighbours(wrap: Wrap, at: usize, side: usize) -> [usize; 2] {
+pub(super) fn neighbours(wrap: Wrap, at: usize, side: usize) -> [usize; 2] {
     [-1, 1].map(|step| wrap.index(at as i64 + step, side as u32) as usize)
 }
 
 /// `Dᵀs`: what the central differences' transpose makes of the slopes.
-fn steepness(slopes: [&[f32]; 2], width: usize, how: &Integration) -> Vec<f64> {
+pub(super) fn divergence(slopes: [&[f32]; 2], width: usize, how: &Integration) -> Vec<f64> {
     let height = slopes[0].len() / width;
     let halves = how.texel_m.map(|texel| 0.5 / texel);
     // Beyond an edge that is mirrored, slopes go on with the other sign.
@@ -176,8 +202,14 @@ fn steepness(slopes: [&[f32]; 2], width: usize, how: &Integration) -> Vec<f64> {
     out
 }
 
-/// Root mean square of `D h - s`, row by row so that threads do not change it.
-fn misfit(heights: &[f32], slopes: [&[f32]; 2], width: usize, how: &Integration) -> f64 {
+/// Root mean square of `D h - s` at known texels, row by row so that threads do not change it.
+pub(super) fn misfit(
+    heights: &[f32],
+    slopes: [&[f32]; 2],
+    known: Option<&[bool]>,
+    width: usize,
+    how: &Integration,
+) -> f64 {
     let height = heights.len() / width;
     let halves = how.texel_m.map(|texel| 0.5 / texel);
     let rows: Vec<f64> = (0..height)
@@ -186,6 +218,7 @@ fn misfit(heights: &[f32], slopes: [&[f32]; 2], width: usize, how: &Integration)
             let [above, below] = neighbours(how.wrap, j, height).map(|j| &heights[j * width..]);
             let here = &heights[j * width..(j + 1) * width];
             (0..width)
+                .filter(|i| known.is_none_or(|known| known[j * width + i]))
                 .map(|i| {
                     let [before, after] = neighbours(how.wrap, i, width);
                     let slope = |before: f32, after: f32| f64::from(after) - f64::from(before);
@@ -197,5 +230,6 @@ fn misfit(heights: &[f32], slopes: [&[f32]; 2], width: usize, how: &Integration)
                 .sum()
         })
         .collect();
-    (rows.iter().sum::<f64>() / heights.len() as f64).sqrt()
+    let count = known.map_or(heights.len(), |known| known.iter().filter(|known| **known).count());
+    (rows.iter().sum::<f64>() / count as f64).sqrt()
 }

@@ -218,9 +218,10 @@ struct Relief {
 
 impl Relief {
     /// Of integrated heights, with metadata `more` beside those of every height map. `steepness` is the root
-    /// mean square of the slopes that they were made from.
+    /// mean square of the slopes that they were made from. Texels that are not `known` stay without a height.
     fn new(
-        heights: IntegratedHeights,
+        mut heights: IntegratedHeights,
+        known: Option<&[bool]>,
         steepness: f64,
         how: Integration,
         output: &Output,
@@ -228,8 +229,18 @@ impl Relief {
     ) -> Result<Self, Failure> {
         let misfit = (steepness > 0.0).then(|| heights.misfit / steepness);
         let [width, height] = heights.size;
+        if let Some(known) = known {
+            // The range is that of the known heights.
+            let seen = heights.heights_m.iter().zip(known).filter(|(_, known)| **known);
+            let [low, high] =
+                seen.fold([f32::MAX, f32::MIN], |[low, high], (&h, _)| [low.min(h), high.max(h)]);
+            heights.heights_m.iter_mut().for_each(|h| *h = h.max(low).min(high));
+        }
         let map = heights.to_map(how.wrap).map_err(Failure::work)?;
         drop(heights);
+        let mut texels = map.texels().to_vec();
+        let known = known.into_iter().flatten();
+        texels.iter_mut().zip(known).filter(|(_, known)| !**known).for_each(|(texel, _)| *texel = f32::NAN);
         let tile_m = [how.texel_m[0] * f64::from(width), how.texel_m[1] * f64::from(height)];
         let note = HeightNote { tile_m, scale_m: map.scale_m(), bias_m: map.bias_m(), of_mesh: false };
         let Integration { damping, steepest, .. } = how;
@@ -240,7 +251,7 @@ impl Relief {
         };
         let described = Described {
             size: [width, height],
-            texels: map.texels().to_vec(),
+            texels,
             wrap: how.wrap,
             note,
             origin: vec![("settings", format!("damping={damping} steepest={steepest}"))],

@@ -7,7 +7,8 @@ use std::time::Instant;
 use clap::{Args, ValueEnum};
 use relief_bake::Progress as BakeProgress;
 use relief_bake::from_normals::{
-    GreenFit, Integration, NormalFaults, NormalSlopes, heights_from_either_green, heights_from_slopes,
+    Evidence, FromNormalsError, GreenFit, Integration, NormalFaults, NormalSlopes, NormalSource,
+    heights_from_either_green, heights_from_known_slopes,
 };
 use relief_bake::kind::normal::Axes;
 use relief_io::{Metadata, NormalVectors, read_metadata, read_normal_vectors};
@@ -19,10 +20,14 @@ use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::progress::Progress;
+use crate::say;
 use crate::streams::{Files, Written, answer};
 
 /// Bytes a texel that reading and integrating take at their peak.
 const BYTES_PER_TEXEL: u64 = 32;
+
+/// The same where some texels hold no normal.
+const BYTES_PER_TEXEL_WITH_HOLES: u64 = 72;
 
 /// The damping for normals that come from elsewhere: those that `relief bake` made are inverted as they were
 /// made.
@@ -42,10 +47,21 @@ pub struct Arguments {
     /// the normals fit a relief better
     #[arg(long, value_enum, value_name = "up|down|auto", default_value = "auto", allow_hyphen_values = true)]
     green: Green,
-    /// Fill texels without a direction (NaN, or shorter than 0.1) from their surroundings
-    /// [default: they are an error]
+    /// Fill texels that hold no normal from their surroundings: black, white, middle grey, transparent, NaN
+    /// [default: they are holes of the height map, which EXR can hold and PNG cannot]
     #[arg(long)]
     fill: bool,
+    /// Refuse a map of which more than this part of the slopes fits no relief: it is no tangent-space normal
+    /// map then. 100 takes any
+    #[arg(
+        long,
+        value_name = "PERCENT",
+        value_parser = percent,
+        default_value = "60",
+        allow_hyphen_values = true,
+        help_heading = "Integration"
+    )]
+    max_misfit: f64,
     #[command(flatten)]
     pub(super) common: Common,
 }
@@ -54,10 +70,21 @@ fn after_help() -> String {
     format!(
         "Example:\n  relief height from-normals rock_normal.png -o rock.exr\n  relief bake rock.exr --kind cone,horizon -o .\n\n\
          A file that `relief bake --kind normal` wrote says its own wrap, tile and green; for others --wrap is repeat, and \
-         --damping 0.1. {WRITTEN}\n\n\
+         --damping 0.1. Texels that are black, white, grey or transparent hold no normal: heights beside them do not \
+         depend on them. {WRITTEN}\n\n\
          Normals do not say which way is out: where a relief comes back turned inside out, red and green are both the other \
          way, and the height map is one of depth (--depth in other commands)."
     )
+}
+
+/// A part in percent, with its sign or without.
+fn percent(text: &str) -> Result<f64, String> {
+    let number = text.strip_suffix('%').unwrap_or(text).trim_end().parse::<f64>();
+    let number = number.map_err(|_| "it is no number: give percent, as in 60".to_owned())?;
+    if (0.0..=100.0).contains(&number) {
+        return Ok(number);
+    }
+    Err("it must be from 0 to 100 percent".to_owned())
 }
 
 /// Where green points.
@@ -84,7 +111,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Arguments { normals: path, common, .. } = arguments;
     common.check()?;
     let output = Output::new("--output", &arguments.output, &[path])?;
-    let NormalVectors { width, height, vectors, .. } = {
+    let NormalVectors { width, height, vectors, opacity, .. } = {
         let _reading = Progress::spinner("reading", common.json);
         read_normal_vectors(path, common.max_bytes()).map_err(Failure::of_picture)?.with_zero_centred()
     };
@@ -93,10 +120,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let known = arguments.axes(&from_bake)?;
     let axes = if let Known::Axes(axes, _) = known { axes } else { Axes::Tangent };
     let source = source_hash([width, height], &vectors);
-    let slopes = NormalSlopes::of_normals([width, height], &vectors, axes, common.steepest)
-        .map_err(|error| Failure::Work(format!("{}: {error}", path.display())))?;
-    drop(vectors);
-    arguments.judge(&slopes)?;
+    let suspects =
+        if axes == Axes::World { Vec::new() } else { Evidence::of(&vectors, opacity.as_deref()).sources() };
+    let slopes =
+        NormalSlopes::of_picture([width, height], &vectors, opacity.as_deref(), axes, common.steepest)
+            .map_err(|error| arguments.no_normals(&error, &suspects))?;
+    drop((vectors, opacity));
+    arguments.judge(&slopes, &suspects, output.format)?;
+    if slopes.known.is_some() {
+        common.check_memory([width, height], BYTES_PER_TEXEL_WITH_HOLES)?;
+    }
     let how = Integration {
         axes,
         texel_m: from_bake.texel_m(common.texel_size, [width, height]),
@@ -113,12 +146,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let progress = BakeProgress::new(&report, cancel);
         match known {
             Known::Axes(..) => {
-                let planes = [&slopes.along[0][..], &slopes.along[1]];
-                (
-                    heights_from_slopes(slopes.size, planes, &how, &progress).map_err(of_integration)?,
-                    slopes,
-                    None,
-                )
+                let heights = heights_from_known_slopes(&slopes, &how, &progress).map_err(of_integration)?;
+                (heights, slopes, None)
             }
             Known::Unknown => {
                 let (heights, slopes, fit) =
@@ -128,14 +157,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
     };
     let (steepness, faults) = (slopes.steepness(), slopes.faults);
-    drop(slopes);
+    let with_height = slopes.known.filter(|_| !arguments.fill);
+    drop(slopes.along);
     let green = GreenAnswer::new(&known, fit);
     let more = vec![
         ("source", format!("blake3:{source}")),
         ("source_size", format!("{width} {height}")),
         ("source_green", green.way.to_owned()),
     ];
-    let relief = Relief::new(heights, steepness, how, &output, more)?;
+    let relief = Relief::new(heights, with_height.as_deref(), steepness, how, &output, more)?;
+    arguments.judge_misfit(relief.misfit, &suspects)?;
     output.write(&mut staged, &relief.content, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
@@ -145,14 +176,19 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             about["input"] = path.display().to_string().into();
             about["green"] = green.as_json();
             about["normals"] = faults_as_json(&faults);
+            about["may_be"] = suspects.iter().map(ToString::to_string).collect::<Vec<String>>().into();
             writeln!(out, "{about:#}")?;
             return Ok(());
         }
         relief.print(out, &output, seconds)?;
         writeln!(out, "  green       {}", green.text())?;
-        print_faults(out, &faults)?;
+        print_faults(out, &faults, arguments.fill)?;
         Ok(())
-    })
+    })?;
+    if !common.json {
+        suspects.iter().for_each(|suspect| say::note(format!("the normal map may be {suspect}")));
+    }
+    Ok(())
 }
 
 impl Arguments {
@@ -176,26 +212,61 @@ impl Arguments {
         }
     }
 
-    /// Refuses normals that no relief has.
-    fn judge(&self, slopes: &NormalSlopes) -> Result<(), Failure> {
+    /// Refuses normals that no relief has, and holes where the output has none.
+    fn judge(&self, slopes: &NormalSlopes, suspects: &[NormalSource], format: Format) -> Result<(), Failure> {
         let name = self.normals.display();
-        let NormalFaults { without_direction, first_without_direction, below_horizon, .. } = slopes.faults;
-        if let Some([column, row]) = first_without_direction.filter(|_| !self.fill) {
-            return Err(Failure::Work(format!(
-                "{name}: {without_direction} of its normals have no direction (NaN, infinite or shorter than 0.1), the first \
-                 at ({column}, {row}): give --fill to fill them from their surroundings"
-            )));
-        }
-        let texels = slopes.along[0].len();
-        if 2 * below_horizon > texels {
-            let percent = 100.0 * below_horizon as f64 / texels as f64;
+        let faults = slopes.faults;
+        let texels = slopes.along[0].len() - faults.holes();
+        if 2 * faults.below_horizon > texels {
+            let percent = 100.0 * faults.below_horizon as f64 / texels as f64;
             return Err(Failure::Work(format!(
                 "{name}: {percent:.0} % of its normals point along the surface or into it (blue at or below the middle): give \
-                 a tangent-space normal map with blue, not one in object space or of two channels"
+                 a tangent-space normal map with blue, not one in object space or of two channels{}",
+                may_be(suspects)
             )));
         }
-        Ok(())
+        let Some([column, row]) = faults.first_hole.filter(|_| !self.fill && format == Format::Png) else {
+            return Ok(());
+        };
+        let kinds = hole_kinds(&faults).map(|(count, kind)| format!("{count} {kind}"));
+        Err(Failure::Work(format!(
+            "{name}: {} of its texels hold no normal ({}), the first at ({column}, {row}): give --fill to fill them from their \
+             surroundings, or an EXR file as the output, which keeps them as holes",
+            faults.holes(),
+            kinds.collect::<Vec<String>>().join(", ")
+        )))
     }
+
+    /// Refuses a map whose slopes are hardly those of any relief.
+    fn judge_misfit(&self, misfit: Option<f64>, suspects: &[NormalSource]) -> Result<(), Failure> {
+        let Some(percent) = misfit.map(|misfit| 100.0 * misfit).filter(|percent| *percent > self.max_misfit)
+        else {
+            return Ok(());
+        };
+        let what = if suspects.is_empty() {
+            ". Nothing that was measured says what it is: noise, cliffs everywhere, or no normal map"
+                .to_owned()
+        } else {
+            may_be(suspects)
+        };
+        Err(Failure::Work(format!(
+            "{}: {percent:.0} % of its slopes fit no relief, more than --max-misfit {}{what}. Give a tangent-space normal map, \
+             or --max-misfit 100 to take this one",
+            self.normals.display(),
+            self.max_misfit
+        )))
+    }
+
+    /// The error of a map without any normal.
+    fn no_normals(&self, error: &FromNormalsError, suspects: &[NormalSource]) -> Failure {
+        Failure::Work(format!("{}: {error}{}", self.normals.display(), may_be(suspects)))
+    }
+}
+
+/// What a map may be, as the end of an error.
+fn may_be(suspects: &[NormalSource]) -> String {
+    let suspects: Vec<String> = suspects.iter().map(ToString::to_string).collect();
+    if suspects.is_empty() { String::new() } else { format!(". It may be {}", suspects.join("; or ")) }
 }
 
 /// What a file that `relief bake` wrote says of its normals.
@@ -282,14 +353,29 @@ impl GreenAnswer {
 
 fn faults_as_json(faults: &NormalFaults) -> Value {
     json!({
-        "without_direction": faults.without_direction, "not_unit": faults.not_unit, "below_horizon": faults.below_horizon,
-        "too_steep": faults.too_steep,
+        "without_direction": faults.without_direction, "background": faults.background,
+        "transparent": faults.transparent, "mixed": faults.mixed, "holes": faults.holes(), "not_unit": faults.not_unit,
+        "below_horizon": faults.below_horizon, "too_steep": faults.too_steep,
     })
 }
 
-fn print_faults(out: &mut impl Write, faults: &NormalFaults) -> io::Result<()> {
+/// The kinds of holes that there are, with their numbers.
+fn hole_kinds(faults: &NormalFaults) -> impl Iterator<Item = (usize, &'static str)> {
+    let kinds = [
+        (faults.background, "black, white or of another full colour"),
+        (faults.transparent, "transparent"),
+        (faults.without_direction, "without a direction: grey or NaN"),
+        (faults.mixed, "mixed with those beside them"),
+    ];
+    kinds.into_iter().filter(|(count, _)| *count > 0)
+}
+
+fn print_faults(out: &mut impl Write, faults: &NormalFaults, is_filled: bool) -> io::Result<()> {
+    for (count, kind) in hole_kinds(faults) {
+        let what = if is_filled { "filled from their surroundings" } else { "holes in the height map" };
+        writeln!(out, "  holes       {count} {kind}; {what}")?;
+    }
     for (count, what) in [
-        (faults.without_direction, "without a direction, filled in from their surroundings"),
         (faults.not_unit, "of a length more than 0.1 off from 1, of which the direction was used"),
         (
             faults.below_horizon,

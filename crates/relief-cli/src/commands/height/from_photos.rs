@@ -126,7 +126,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     drop(slopes);
     drop(bar);
     let more = vec![("photographs", lights.photos.len().to_string())];
-    let relief = Relief::new(heights, steepness, how, &outputs.height, more)?;
+    let relief = Relief::new(heights, None, steepness, how, &outputs.height, more)?;
     outputs.height.write(&mut staged, &relief.content, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();

@@ -1,0 +1,163 @@
+//! What a picture may be that is no tangent-space normal map, by what is measured in it.
+
+use std::fmt;
+
+use super::slopes::length;
+
+/// Normals that point into the surface are noise below this part.
+const INWARD: f64 = 0.05;
+
+/// Lengths this far from 1 (root mean square) are no rounding.
+const OFF: f64 = 0.08;
+
+/// Channels with less spread (standard deviation, of 1) are the same everywhere.
+const FLAT: f64 = 0.01;
+
+/// What is measured in a normal map.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Evidence {
+    /// The mean vector.
+    pub mean: [f64; 3],
+    /// The part of the normals that points along the surface or into it.
+    pub inward: f64,
+    /// Root mean square of how far lengths are from 1: as they are, with the picture decoded from sRGB, and
+    /// with it encoded to sRGB.
+    pub lengths_off: [f64; 3],
+    /// Standard deviations of the four channels, from 0 to 1 each. That of opacity is 0 where there is none.
+    pub spreads: [f64; 4],
+    /// Means of the four channels. That of opacity is 1 where there is none.
+    pub levels: [f64; 4],
+}
+
+/// What a normal map may be in place of one in tangent space with red, green and blue.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NormalSource {
+    /// One in object space: its mean normal, and the part that points into the surface.
+    ObjectSpace {
+        /// The mean vector.
+        mean: [f64; 3],
+        /// The part of the normals that points along the surface or into it.
+        inward: f64,
+    },
+    /// One that went through the curve of sRGB, with the errors of its lengths before and after.
+    Srgb {
+        /// Whether it was encoded; decoded else.
+        is_encoded: bool,
+        /// Root mean square of how far lengths are from 1: as they are, and with the curve undone.
+        lengths_off: [f64; 2],
+    },
+    /// One with `x` in opacity: the spreads of red and of opacity.
+    XInOpacity {
+        /// Standard deviations of red and of opacity, as parts of their range.
+        spreads: [f64; 2],
+    },
+    /// One of two channels: the level of blue everywhere.
+    TwoChannels {
+        /// The mean of blue, from 0 to 1.
+        blue: f64,
+    },
+}
+
+impl Evidence {
+    /// Measures vectors and the opacity beside them. Vectors that are not finite are left out.
+    pub fn of(normals: &[[f32; 3]], opacity: Option<&[f32]>) -> Self {
+        let mut sums = [[0.0f64; 2]; 4];
+        let (mut inward, mut off, mut count) = (0usize, [0.0f64; 3], 0usize);
+        for (at, normal) in normals.iter().enumerate().filter(|(_, normal)| length(**normal).is_finite()) {
+            count += 1;
+            let codes = normal.map(|x| 0.5 * f64::from(x) + 0.5);
+            let opacity = opacity.map_or(1.0, |opacity| f64::from(opacity[at]));
+            for (sum, code) in sums.iter_mut().zip(codes.into_iter().chain([opacity])) {
+                sum[0] += code;
+                sum[1] += code * code;
+            }
+            inward += usize::from(normal[2] <= 0.0);
+            for (sum, codes) in off.iter_mut().zip([codes, codes.map(decoded), codes.map(encoded)]) {
+                let length = codes.iter().map(|code| (2.0 * code - 1.0).powi(2)).sum::<f64>().sqrt();
+                *sum += (length - 1.0).powi(2);
+            }
+        }
+        let count = (count as f64).max(1.0);
+        let levels = sums.map(|[sum, _]| sum / count);
+        let spreads = sums.map(|[sum, squares]| (squares / count - (sum / count).powi(2)).max(0.0).sqrt());
+        let [x, y, z, _] = levels.map(|level| 2.0 * level - 1.0);
+        Self {
+            mean: [x, y, z],
+            inward: inward as f64 / count,
+            lengths_off: off.map(|sum| (sum / count).sqrt()),
+            spreads,
+            levels,
+        }
+    }
+
+    /// What the picture may be, the likeliest first.
+    pub fn sources(&self) -> Vec<NormalSource> {
+        let Self { mean: [x, y, z], inward, lengths_off: [plain, as_encoded, as_decoded], spreads, levels } =
+            *self;
+        let mut sources = Vec::new();
+        if spreads[0] < FLAT && spreads[3] > 2.0 * FLAT {
+            sources.push(NormalSource::XInOpacity { spreads: [spreads[0], spreads[3]] });
+            return sources;
+        }
+        let is_grey = x.abs().max(y.abs()).max(z.abs()) < FLAT;
+        if spreads[2] < FLAT
+            && !is_grey
+            && spreads[0].max(spreads[1]) > FLAT
+            && !(0.6..0.99).contains(&levels[2])
+        {
+            sources.push(NormalSource::TwoChannels { blue: levels[2] });
+        }
+        let undone = as_encoded.min(as_decoded);
+        if plain > OFF && undone < 0.5 * plain {
+            let is_encoded = as_encoded < as_decoded;
+            sources.push(NormalSource::Srgb { is_encoded, lengths_off: [plain, undone] });
+        } else if plain < 2.0 * OFF && (x.abs().max(y.abs()) > z || inward > INWARD) {
+            sources.push(NormalSource::ObjectSpace { mean: [x, y, z], inward });
+        }
+        sources
+    }
+}
+
+impl fmt::Display for NormalSource {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ObjectSpace { mean: [x, y, z], inward } => {
+                let inward = 100.0 * inward;
+                write!(
+                    f,
+                    "in object space: {inward:.0} % of its normals point along the surface or into it, and their \
+                     mean is ({x:.2}, {y:.2}, {z:.2})"
+                )
+            }
+            Self::Srgb { is_encoded, lengths_off: [plain, undone] } => {
+                let [plain, undone] = [plain, undone].map(|off| 100.0 * off);
+                let [what, undo] = if *is_encoded { ["encoded", "decoded"] } else { ["decoded", "encoded"] };
+                write!(
+                    f,
+                    "{what} as colours are (sRGB): lengths are {plain:.0} % off from 1, and {undone:.1} % once it \
+                     is {undo}"
+                )
+            }
+            Self::XInOpacity { spreads: [red, opacity] } => {
+                let [red, opacity] = [red, opacity].map(|spread| 100.0 * spread);
+                write!(
+                    f,
+                    "one with x in opacity: red is the same everywhere (spread {red:.1} % of its range), and \
+                     opacity is not ({opacity:.0} %)"
+                )
+            }
+            Self::TwoChannels { blue } => {
+                write!(f, "one of two channels: blue is {:.0} % everywhere", 100.0 * blue)
+            }
+        }
+    }
+}
+
+/// The curve of sRGB (IEC 61966-2-1) undone.
+fn decoded(code: f64) -> f64 {
+    if code <= 0.040_45 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
+}
+
+fn encoded(light: f64) -> f64 {
+    if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 }
+}

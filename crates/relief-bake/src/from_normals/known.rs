@@ -1,0 +1,166 @@
+//! Slopes integrated where only some texels have one.
+
+use rayon::prelude::*;
+use relief_core::Wrap;
+
+use super::error::FromNormalsError;
+use super::integrate::{
+    IntegratedHeights, Integration, Waves, check, divergence, heights_from_slopes, misfit, neighbours,
+};
+use super::slopes::NormalSlopes;
+use crate::Progress;
+
+/// The error of the start, in root mean square of slopes, is reduced to this part.
+const REDUCED: f64 = 1e-6;
+
+/// Steps at most.
+const MOST_STEPS: usize = 100;
+
+/// Heights whose slopes are nearest to those of the texels that hold a normal. Other texels do not count:
+/// their heights go on smoothly.
+///
+/// Where all texels hold one this is [`heights_from_slopes`]. Elsewhere the least squares have weights of 0
+/// in holes, and are no longer diagonal in waves. They are solved by conjugate gradients, with the waves of
+/// the whole map as preconditioner, from the heights of filled slopes on. Each step costs as much as heights
+/// without holes; there are 100 at most. Takes six planes of `f64` beside what is given and returned.
+///
+/// # Errors
+///
+/// As [`heights_from_slopes`].
+pub fn heights_from_known_slopes(
+    slopes: &NormalSlopes,
+    how: &Integration,
+    progress: &Progress,
+) -> Result<IntegratedHeights, FromNormalsError> {
+    let NormalSlopes { size, along: [along_u, along_v], known, .. } = slopes;
+    let along = [&along_u[..], along_v];
+    let Some(known) = known else { return heights_from_slopes(*size, along, how, progress) };
+    check(*size, &along, how)?;
+    let width = size[0] as usize;
+    let waves = Waves::new(*size, how);
+    let equations = Equations { known, width, how };
+    let mut heights = divergence(along, width, how);
+    let mut scratch = vec![0.0; heights.len()];
+    let piece = |step: usize| {
+        let part = |step: usize| step as f32 / (MOST_STEPS + 2) as f32;
+        progress.piece(part(step), part(step + 1))
+    };
+    waves.solve(&mut heights, &mut scratch, &piece(0))?;
+    // What is left of the right-hand side.
+    let mut rest = equations.right(along);
+    let mut image = vec![0.0; heights.len()];
+    equations.left(&heights, &mut image);
+    rest.par_iter_mut().zip(&image).for_each(|(rest, image)| *rest -= image);
+    let mut solved = rest.clone();
+    waves.solve(&mut solved, &mut scratch, &piece(1))?;
+    let mut step = solved.clone();
+    let mut energy = dot(&rest, &solved, width);
+    let enough = REDUCED * REDUCED * energy;
+    for count in 0..MOST_STEPS {
+        if energy <= enough {
+            break;
+        }
+        equations.left(&step, &mut image);
+        let curvature = dot(&step, &image, width);
+        if curvature <= 0.0 {
+            break;
+        }
+        let far = energy / curvature;
+        heights.par_iter_mut().zip(&step).for_each(|(height, step)| *height += far * step);
+        rest.par_iter_mut().zip(&image).for_each(|(rest, image)| *rest -= far * image);
+        solved.copy_from_slice(&rest);
+        waves.solve(&mut solved, &mut scratch, &piece(count + 2))?;
+        let next = dot(&rest, &solved, width);
+        let part = next / energy;
+        step.par_iter_mut().zip(&solved).for_each(|(step, solved)| *step = solved + part * *step);
+        energy = next;
+    }
+    drop((rest, image, step, solved, scratch));
+    let heights_m: Vec<f32> = heights.par_iter().map(|&h| h as f32).collect();
+    drop(heights);
+    let misfit = misfit(&heights_m, along, Some(known), width, how);
+    Ok(IntegratedHeights { size: *size, heights_m, misfit, too_steep: 0 })
+}
+
+/// Summed row by row, so that threads do not change it.
+fn dot(a: &[f64], b: &[f64], width: usize) -> f64 {
+    let rows: Vec<f64> = a
+        .par_chunks(width)
+        .zip(b.par_chunks(width))
+        .map(|(a, b)| a.iter().zip(b).map(|(a, b)| a * b).sum())
+        .collect();
+    rows.iter().sum()
+}
+
+/// `(DᵀWD + damping² PᵀP) h = DᵀW s`, where `W` is 1 at known texels and 0 elsewhere.
+struct Equations<'a> {
+    known: &'a [bool],
+    width: usize,
+    how: &'a Integration,
+}
+
+impl Equations<'_> {
+    /// The right-hand side.
+    fn right(&self, slopes: [&[f32]; 2]) -> Vec<f64> {
+        let mut out = vec![0.0; self.known.len()];
+        self.transposed(|axis, at| f64::from(slopes[axis][at]), |_| 0.0, &mut out);
+        out
+    }
+
+    /// The left-hand side of heights.
+    fn left(&self, heights: &[f64], out: &mut [f64]) {
+        let damping = self.how.damping;
+        let slope = |axis: usize, at: usize| {
+            let [before, after] = self.beside(axis, at);
+            (heights[after] - heights[before]) * 0.5 / self.how.texel_m[axis]
+        };
+        // P is a quarter of the second difference over a texel's side, and symmetric.
+        let bend = |axis: usize, at: usize| {
+            let [before, after] = self.beside(axis, at);
+            0.25 * (2.0 * heights[at] - heights[before] - heights[after]) / self.how.texel_m[axis]
+        };
+        let twice = |axis: usize, at: usize| {
+            let [before, after] = self.beside(axis, at);
+            0.25 * (2.0 * bend(axis, at) - bend(axis, before) - bend(axis, after)) / self.how.texel_m[axis]
+        };
+        let damped =
+            |at: usize| if damping > 0.0 { damping.powi(2) * (twice(0, at) + twice(1, at)) } else { 0.0 };
+        self.transposed(slope, damped, out);
+    }
+
+    /// The texels before and after one along an axis.
+    fn beside(&self, axis: usize, at: usize) -> [usize; 2] {
+        let (width, height) = (self.width, self.known.len() / self.width);
+        let (column, row) = (at % width, at / width);
+        if axis == 0 {
+            neighbours(self.how.wrap, column, width).map(|column| row * width + column)
+        } else {
+            neighbours(self.how.wrap, row, height).map(|row| row * width + column)
+        }
+    }
+
+    /// `DᵀW` of slopes, and what is added to it.
+    fn transposed(
+        &self,
+        slope: impl Fn(usize, usize) -> f64 + Sync,
+        more: impl Fn(usize) -> f64 + Sync,
+        out: &mut [f64],
+    ) {
+        let (width, height) = (self.width, self.known.len() / self.width);
+        let weighed = |axis: usize, at: usize| if self.known[at] { slope(axis, at) } else { 0.0 };
+        let mirrored = self.how.wrap != Wrap::Repeat;
+        out.par_chunks_mut(width).enumerate().for_each(|(row, out)| {
+            for (column, out) in out.iter_mut().enumerate() {
+                let at = row * width + column;
+                *out = more(at);
+                for (axis, place, side) in [(0, column, width), (1, row, height)] {
+                    let [before, after] = self.beside(axis, at).map(|at| weighed(axis, at));
+                    // Beyond an edge that is mirrored, slopes go on with the other sign.
+                    let before = if mirrored && place == 0 { -before } else { before };
+                    let after = if mirrored && place + 1 == side { -after } else { after };
+                    *out += (before - after) * 0.5 / self.how.texel_m[axis];
+                }
+            }
+        });
+    }
+}
