@@ -98,6 +98,7 @@ pub fn of_scene(error: &SceneError) -> Option<Mend> {
             key: "as in height = \"wall.png\"",
         }),
         SceneError::TooMuchMemory { .. }
+        | SceneError::TooManySurfaces { .. }
         | SceneError::TooMuchToTrace { .. }
         | SceneError::TooMuchForLights { .. } => Some(Mend::everywhere("--max-memory raises it")),
         SceneError::Read(error) => of_read(&error.problem),

@@ -221,3 +221,63 @@ fn pictures_of_any_size_take_what_is_counted_for_a_band() {
         assert_within(folder, idle, &render("1200x1000", "--max-memory 60MiB"), 1, 0, FIXED);
     });
 }
+
+#[test]
+fn pictures_take_a_band_in_every_format() {
+    alone(|folder, _| {
+        folder.write("map.png", Map::hills().png());
+        for size in ["3000x2000", "12000x500"] {
+            let taken = |name: &str| {
+                let line = format!(
+                    "render --height map.png --backend cpu --method bump --shadow none --samples 1 --size {size} \
+                     -o {name}"
+                );
+                let (code, peak) = peak(folder, &line);
+                assert_eq!(code, Some(0), "relief {line}");
+                peak
+            };
+            let [png, jpeg] = ["a.png", "a.jpg"].map(taken);
+            println!("{size}: {png} {jpeg}");
+            // The pixels of all of it have 18 MB.
+            assert!(jpeg < png + 8 * MIB, "{size}: {jpeg} bytes where a PNG takes {png}");
+        }
+    });
+}
+
+#[test]
+fn surfaces_take_what_is_counted_for_them() {
+    alone(|folder, idle| {
+        folder.write("n.png", Map::hills().png());
+        let scene = |name: &str, count: usize, more: &str| {
+            folder
+                .write(name, format!("height = 'n.png'\n{}", format!("[[surfaces]]\n{more}").repeat(count)));
+            format!("render {name} --backend cpu --size 16x16 --samples 1 --shadow none --no-cache -o a.png")
+        };
+        for (count, more, of_mesh) in [
+            (1500, "", 2 * 640),
+            (1500, "mesh = 'cube'\n", 12 * 640),
+            (40, "mesh = 'sphere'\n", 16_000 * 640),
+        ] {
+            let counted = count as u64 * ((64 << 10) + of_mesh);
+            let line = scene("s.toml", count, more);
+            assert_within(folder, idle, &line, 0, MIB, FIXED + counted + READ_BYTES * 16 * 12 * count as u64);
+            // What is refused for its memory does not take it.
+            assert_within(
+                folder,
+                idle,
+                &format!("{line} --max-memory 64MiB"),
+                1,
+                0,
+                FIXED + 4096 * count as u64,
+            );
+        }
+        // A scene file is checked before anybody has said how much it may take.
+        let line = scene("s.toml", 600, "mesh = 'torus'\n");
+        assert_within(folder, idle, &line, 1, 0, FIXED + 6000 * 600);
+        let line = format!("{} --max-memory 64MiB", scene("s.toml", 5000, ""));
+        let ran = folder.relief(&line);
+        assert_eq!(ran.code, Some(1));
+        let words = ["5000 surfaces", "64MiB", "--max-memory"];
+        assert!(words.iter().all(|word| ran.stderr.contains(word)), "{}", ran.stderr);
+    });
+}

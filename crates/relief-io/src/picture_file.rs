@@ -3,20 +3,13 @@
 use std::io;
 use std::path::Path;
 
-use image::ExtendedColorType;
-use image::codecs::jpeg::JpegEncoder;
 use png::{BitDepth, ColorType};
 
+use crate::jpeg_write::write_jpeg;
 use crate::texture::{LineSink, unorm_code, write_exr_lines_of};
 use crate::write::write_png;
 use crate::write_whole::write_file;
 use crate::{Metadata, WriteError, WriteProblem};
-
-/// Of 100: higher ones hardly look better and take twice the room.
-const JPEG_QUALITY: u8 = 92;
-
-/// The longest side of a JPEG.
-const JPEG_SIDE: u32 = 65_535;
 
 /// What a picture's file holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -87,27 +80,11 @@ pub fn write_picture(
                 })
             })
         }
-        PictureFormat::Jpeg => {
-            if !size.iter().all(|side| (1..=JPEG_SIDE).contains(side)) {
-                let what = format!("a JPEG has 1 to {JPEG_SIDE} pixels a side, not {width}x{height}");
-                return Err(WriteProblem::NotStorable(what));
-            }
-            // The encoder wants all of it.
-            let mut bytes = Vec::new();
-            let whole = 3 * width as usize * height as usize;
-            bytes
-                .try_reserve_exact(whole)
-                .map_err(|_| WriteProblem::Io(io::ErrorKind::OutOfMemory.into()))?;
+        PictureFormat::Jpeg => write_jpeg(out, size, |sink| {
             counted(size, rows, &mut |row| {
-                bytes.extend(row.as_flattened().iter().map(|sample| unorm_code(*sample, 255) as u8));
-                Ok(())
-            })?;
-            let mut encoder = JpegEncoder::new_with_quality(out, JPEG_QUALITY);
-            encoder.encode(&bytes, width, height, ExtendedColorType::Rgb8).map_err(|error| match error {
-                image::ImageError::IoError(error) => WriteProblem::Io(error),
-                other => WriteProblem::NotStorable(other.to_string()),
+                sink(&mut row.as_flattened().iter().map(|sample| unorm_code(*sample, 255) as u8))
             })
-        }
+        }),
     })
 }
 

@@ -3,6 +3,7 @@
 mod builder;
 mod folder;
 mod gltf;
+mod named;
 mod obj;
 mod ply;
 mod polygon;
@@ -15,6 +16,7 @@ use std::path::{Path, PathBuf};
 
 use relief_core::mesh::{Framed, Mesh, RawMesh, UvProjection};
 
+pub use self::named::files_of_mesh;
 pub use self::write::{
     GlbLayout, GlbLevel, GlbNode, MAX_SHELLS, MeshCounts, MeshSink, Quantization, Shells, write_glb,
     write_mesh, write_shells,

@@ -32,24 +32,32 @@ fn read(source: Source<'_>) -> Result<Metadata, ReadProblem> {
     file.by_ref().take(12).read_to_end(&mut signature)?;
     file.seek(SeekFrom::Start(0))?;
     match signature.as_slice() {
-        [0x89, b'P', b'N', b'G', ..] => of_png(file),
+        [0x89, b'P', b'N', b'G', ..] => of_png(file, MOST_BYTES as usize),
         [0x76, 0x2f, 0x31, 0x01, ..] => of_exr(file, file_len),
         found if found == ::ktx2::MAGIC => ktx2::metadata(&mut file, file_len),
         _ => Err(ReadProblem::Unrecognised),
     }
 }
 
-fn of_png(file: SourceReader<'_>) -> Result<Metadata, ReadProblem> {
+/// The texts of a PNG. Compressed ones are unpacked as far as all texts together have at most so many bytes;
+/// what is longer, or cannot be unpacked, is another program's and is left out.
+fn of_png(file: SourceReader<'_>, most: usize) -> Result<Metadata, ReadProblem> {
     let problem = |error| match error {
         png::DecodingError::IoError(error) => io_problem(Format::Png, error),
         other => ReadProblem::damaged(Format::Png.name(), other),
     };
     let limits = png::Limits { bytes: MOST_BYTES as usize };
-    let reader = png::Decoder::new_with_limits(file, limits).read_info().map_err(problem)?;
-    let mut entries = Vec::new();
-    for chunk in &reader.info().utf8_text {
+    let mut decoder = png::Decoder::new_with_limits(file, limits);
+    decoder.set_ignore_iccp_chunk(true);
+    let reader = decoder.read_info().map_err(problem)?;
+    let (mut entries, mut left) = (Vec::new(), most);
+    for mut chunk in reader.info().utf8_text.iter().cloned() {
+        if chunk.decompress_text_with_limit(left).is_err() {
+            continue;
+        }
         let text = chunk.get_text().map_err(|error| ReadProblem::damaged(Format::Png.name(), error))?;
-        entries.push((chunk.keyword.clone(), text));
+        left = left.saturating_sub(text.len());
+        entries.push((chunk.keyword, text));
     }
     Ok(Metadata::found(entries))
 }
@@ -92,5 +100,55 @@ fn exr_name(file: &mut SourceReader<'_>) -> Result<Vec<u8>, ReadProblem> {
     match name.pop() {
         Some(0) => Ok(name),
         _ => Err(ReadProblem::damaged(Format::Exr.name(), "a name has no end")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use png::text_metadata::ITXtChunk;
+
+    use super::*;
+
+    /// A picture with those texts, compressed or not.
+    fn picture(texts: &[(&str, usize, bool)]) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        let mut writer = png::Encoder::new(&mut bytes, 1, 1).write_header().expect("a header");
+        for &(name, length, compressed) in texts {
+            let mut chunk = ITXtChunk::new(name, "a".repeat(length));
+            chunk.compressed = compressed;
+            writer.write_text_chunk(&chunk).expect("written");
+        }
+        writer.write_image_data(&[0]).expect("written");
+        drop(writer);
+        bytes
+    }
+
+    #[test]
+    fn compressed_texts_of_a_picture_are_unpacked_up_to_a_limit() {
+        let lengths = |texts: &[(&str, usize, bool)], most: usize| -> Vec<(String, usize)> {
+            let bytes = picture(texts);
+            let (file, _) = Source::bytes("a.png", &bytes).open().expect("readable");
+            let found = of_png(file, most).expect("a picture");
+            found.iter().map(|(name, text)| (name.to_owned(), text.len())).collect()
+        };
+        let one = |name: &str, length: usize| (name.to_owned(), length);
+        assert_eq!(lengths(&[("x", 300, true)], 300), [one("x", 300)]);
+        assert!(lengths(&[("x", 301, true)], 300).is_empty());
+        // One that is too long hides no other, and together they have no more than the limit.
+        let many = [("a", 200, false), ("b", 5000, true), ("c", 90, true), ("d", 20, true), ("e", 10, true)];
+        assert_eq!(lengths(&many, 300), [one("a", 200), one("c", 90), one("e", 10)]);
+        // What is not compressed is as long as its part of the file.
+        assert_eq!(lengths(&[("x", 301, false)], 300), [one("x", 301)]);
+        // A text that cannot be unpacked is no other's fault.
+        let mut bytes = picture(&[("a", 10, false), ("b", 50, true)]);
+        let at = bytes.windows(7).position(|part| part == b"iTXtb\0\x01").expect("the chunk") + 9;
+        let length_at = at - 13;
+        let length = u32::from_be_bytes(bytes[length_at..length_at + 4].try_into().expect("four")) as usize;
+        bytes[at + 3..length_at + 8 + length].fill(0xff);
+        let mut crc = flate2::Crc::new();
+        crc.update(&bytes[length_at + 4..length_at + 8 + length]);
+        bytes[length_at + 8 + length..][..4].copy_from_slice(&crc.sum().to_be_bytes());
+        let (file, _) = Source::bytes("a.png", &bytes).open().expect("readable");
+        assert_eq!(of_png(file, 300).expect("a picture").get("a").map(str::len), Some(10));
     }
 }

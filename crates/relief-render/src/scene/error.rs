@@ -107,6 +107,19 @@ pub enum SceneError {
         /// Bytes that may be used.
         limit: ByteSize,
     },
+    /// The surfaces would take more memory than allowed, whatever lies on them.
+    #[error(
+        "{count} surfaces need {} MiB of memory, {limit} are allowed: use fewer surfaces or raise the limit",
+        needed.div_ceil(1 << 20)
+    )]
+    TooManySurfaces {
+        /// How many surfaces.
+        count: usize,
+        /// Bytes that they need.
+        needed: u64,
+        /// What is allowed.
+        limit: ByteSize,
+    },
     /// What lights see would take more memory than allowed.
     #[error(
         "what lights see needs {} MiB of memory, {} MiB of the {limit} allowed are left for it: choose fewer \

@@ -2,17 +2,18 @@
 
 use super::builder::{DEFAULT_EYE, DEFAULT_FOV, DEFAULT_LIGHT};
 use super::error::{SceneError, ValueError, ValueProblem};
-use super::load_surface::{Maps, Parts};
+use super::load_surface::{BYTES_PER_TRIANGLE, Maps, Parts};
 use super::metres::check_metres;
 use super::{
-    DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, LightSpec, MAX_IMAGE_SIDE, ProjectionChoice, Scene, SceneBuilder,
-    SceneSpec, SurfaceSpec,
+    DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, LightSpec, MAX_IMAGE_SIDE, MeshChoice, ProjectionChoice, Scene,
+    SceneBuilder, SceneSpec, SurfaceSpec,
 };
 use crate::camera::{Camera, CameraError, Projection};
 use crate::depth_buffer::DepthBuffer;
 use crate::environment::Environment;
 use crate::light::{Light, LightError, SUN_DEG};
 use crate::shadow_map_size::shadow_map_side;
+use crate::mesh::Builtin;
 use glam::{DVec3, Vec3};
 use relief_core::ByteSize;
 use relief_shaders::LIGHT_FACES;
@@ -21,8 +22,15 @@ use relief_shaders::LIGHT_FACES;
 /// copies, and its part of the picture to be written.
 const BYTES_PER_PIXEL: u64 = 256;
 
+/// Memory that a surface takes besides its maps and its mesh: its description and its settings, and what the
+/// backends make of these. The first one's is among what is taken always.
+const BYTES_PER_SURFACE: u64 = 64 << 10;
+
 /// Pixels of a band of rows; of very wide pictures one row.
 const BAND_PIXELS: u64 = 1 << 18;
+
+/// A surface, its number where there are several, and what of it needs no file.
+type SurfaceParts = (Option<usize>, SurfaceSpec, Parts);
 
 impl SceneSpec {
     /// Whether everything that needs no file is possible. A scene file is checked so before flags are laid
@@ -33,10 +41,12 @@ impl SceneSpec {
     /// When a value is out of range, or keys are given that exclude or need each other.
     pub fn check(&self) -> Result<(), ValueError> {
         // Maps of one texel and a sky stand in for the files, so that the builder's own checks are made as
-        // well.
+        // well; and squares for meshes, so that it takes little memory.
         let mut surfaces = Vec::new();
-        for (number, surface, parts) in self.each_with_parts()? {
-            surfaces.push(surface.stand_in(parts).map_err(|error| error.of_surface(number))?);
+        for part in self.each_with_parts() {
+            let (number, surface, parts) = part?;
+            let made = surface.on_a_square(parts).and_then(|parts| surface.stand_in(parts));
+            surfaces.push(made.map_err(|error| error.of_surface(number))?);
         }
         let mut builder = self.builder(surfaces)?;
         if self.environment.is_some() {
@@ -54,12 +64,13 @@ impl SceneSpec {
     /// When there is no height map, a value is out of range, a method is not available, a file cannot be
     /// read, or maps and picture need more than `max_memory`, which is found out before that memory is taken.
     pub fn load(&self) -> Result<Scene, SceneError> {
+        self.check_surfaces()?;
         self.with_keys_of_meshes()?.load_whole()
     }
 
     /// The same of one that has what the files of its meshes say.
     fn load_whole(&self) -> Result<Scene, SceneError> {
-        let each = self.each_with_parts()?;
+        let each = self.each_with_parts().collect::<Result<Vec<_>, _>>()?;
         // Before anything is read all else is known to be possible.
         self.check()?;
         let limit = self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY);
@@ -87,16 +98,42 @@ impl SceneSpec {
     }
 
     /// Every surface, with its number where there are several, and with what needs no file.
-    fn each_with_parts(&self) -> Result<Vec<(Option<usize>, SurfaceSpec, Parts)>, ValueError> {
+    fn each_with_parts(&self) -> impl Iterator<Item = Result<SurfaceParts, ValueError>> {
         let several = !self.surfaces.is_empty();
-        let numbered = self.each_surface().into_iter().enumerate().map(|(number, surface)| {
+        self.each_surface().into_iter().enumerate().map(move |(number, surface)| {
             let number = several.then_some(number);
             let parts = surface
                 .parts(self.samples.unwrap_or(DEFAULT_SAMPLES), self.environment.is_some())
                 .map_err(|error| error.of_surface(number))?;
             Ok((number, surface, parts))
+        })
+    }
+
+    /// Bytes that surfaces take by themselves and for built-in meshes, of which each has its own.
+    fn surface_bytes(&self) -> u64 {
+        let bytes = Builtin::ALL.map(|builtin| {
+            builtin.build([1.0; 2]).map_or(0, |mesh| BYTES_PER_TRIANGLE * mesh.triangles().len() as u64)
         });
-        numbered.collect()
+        let of_mesh = |choice: Option<&MeshChoice>| match choice {
+            Some(MeshChoice::Builtin(builtin)) => Builtin::ALL
+                .into_iter()
+                .zip(bytes)
+                .find(|(known, _)| known == builtin)
+                .map_or(0, |(_, bytes)| bytes),
+            _ => 0,
+        };
+        let each = self.surfaces.iter().map(|own| own.mesh.as_ref().or(self.surface.mesh.as_ref()));
+        let of_meshes: u64 = each.map(of_mesh).sum();
+        BYTES_PER_SURFACE * (self.surfaces.len() as u64).saturating_sub(1) + of_meshes
+    }
+
+    /// Refuses more surfaces than there is memory for, before anything is made of them.
+    fn check_surfaces(&self) -> Result<(), SceneError> {
+        let (needed, limit) = (self.surface_bytes(), self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY));
+        if needed > limit.0 {
+            return Err(SceneError::TooManySurfaces { count: self.surfaces.len(), needed, limit });
+        }
+        Ok(())
     }
 
     /// What `max_memory` leaves for maps.
@@ -105,11 +142,12 @@ impl SceneSpec {
         let whole = u64::from(width) * u64::from(height);
         let pixels = whole.min(BAND_PIXELS.max(u64::from(width)));
         let needed = pixels.saturating_mul(BYTES_PER_PIXEL);
-        limit.0.checked_sub(needed).ok_or(SceneError::TooMuchMemory { width, height, needed, limit })
+        let left = limit.0.saturating_sub(self.surface_bytes());
+        left.checked_sub(needed).ok_or(SceneError::TooMuchMemory { width, height, needed, limit })
     }
 
     /// Bytes of what lights see at most, where surfaces look up shadows there.
-    fn lights_see_bytes(&self, each: &[(Option<usize>, SurfaceSpec, Parts)]) -> Result<u64, ValueError> {
+    fn lights_see_bytes(&self, each: &[SurfaceParts]) -> Result<u64, ValueError> {
         let asked = each.iter().filter_map(|(.., parts)| parts.selection().light_views());
         let Some([most, cascades]) = asked.reduce(|[a, b], [c, d]| [a.max(c), b.max(d)]) else {
             return Ok(0);

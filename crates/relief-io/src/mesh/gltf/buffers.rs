@@ -90,7 +90,7 @@ fn decoded<'a>(name: &str, data: &str, builder: &mut Builder) -> Result<Cow<'a, 
 }
 
 /// A path that stays in its folder, of a URI that is one.
-fn relative(uri: &str) -> Option<PathBuf> {
+pub(in crate::mesh) fn relative(uri: &str) -> Option<PathBuf> {
     let path = PathBuf::from(percent_decoded(uri)?);
     (!uri.contains([':', '\\']) && stays(&path)).then_some(path)
 }

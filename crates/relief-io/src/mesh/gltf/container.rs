@@ -27,7 +27,7 @@ pub(super) fn split(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), ReadProblem>
 }
 
 /// How long the JSON is of a GLB that begins so, if it follows at once.
-pub(super) fn json_len(beginning: &[u8]) -> Option<u64> {
+pub(in crate::mesh) fn json_len(beginning: &[u8]) -> Option<u64> {
     let is_glb = beginning.starts_with(b"glTF") && word(beginning, 4).ok()? == 2;
     let is_json = beginning.get(HEADER + 4..HEADER + CHUNK_HEADER)? == b"JSON";
     (is_glb && is_json).then_some(u64::from(word(beginning, HEADER).ok()?))

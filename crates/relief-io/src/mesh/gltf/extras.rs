@@ -12,7 +12,7 @@ use crate::mesh::builder::Builder;
 use crate::{ReadProblem, Source};
 
 /// Bytes of a GLB before the text of its JSON, with the length of that and what it is.
-const BEFORE_JSON: usize = 20;
+pub(in crate::mesh) const BEFORE_JSON: usize = 20;
 
 /// The JSON under a name in the extras of the triangles' materials, as a text.
 pub(in crate::mesh) fn read(

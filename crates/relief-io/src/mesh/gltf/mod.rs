@@ -4,9 +4,9 @@
 //! may claim any size, name any path and tie its nodes to any knot.
 
 mod accessor;
-mod buffers;
+pub(super) mod buffers;
 mod colors;
-mod container;
+pub(super) mod container;
 pub(super) mod extras;
 mod nodes;
 

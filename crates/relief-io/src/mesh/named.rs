@@ -1,0 +1,90 @@
+//! The files that a mesh's file names.
+
+use std::fmt;
+use std::fs::File;
+use std::io::{self, BufReader, Cursor, Read};
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+use serde::de::{Deserializer, Error, Visitor};
+
+use super::MeshFormat;
+use super::gltf::buffers::relative;
+use super::gltf::container::json_len;
+use super::gltf::extras::BEFORE_JSON;
+
+/// The files that belong to a mesh's file because it names them: the buffers and pictures of a glTF, whether
+/// they are read or not, and whether they are there or not. A file that cannot be read, is damaged, or holds
+/// all of its parts names none.
+///
+/// Only the names are held in memory.
+///
+/// ```no_run
+/// let files = relief_io::files_of_mesh("tree.gltf".as_ref());
+/// assert!(files.contains(&"bark.png".into()));
+/// ```
+pub fn files_of_mesh(path: &Path) -> Vec<PathBuf> {
+    match MeshFormat::by_name(path) {
+        Some(MeshFormat::Gltf) => of_gltf(path).unwrap_or_default(),
+        _ => Vec::new(),
+    }
+}
+
+fn of_gltf(path: &Path) -> io::Result<Vec<PathBuf>> {
+    // A pipe would block.
+    if !std::fs::metadata(path)?.is_file() {
+        return Ok(Vec::new());
+    }
+    let mut reader = BufReader::new(File::open(path)?);
+    let mut head = Vec::new();
+    reader.by_ref().take(BEFORE_JSON as u64).read_to_end(&mut head)?;
+    let document: Document = match json_len(&head) {
+        Some(json) => serde_json::from_reader(reader.take(json))?,
+        None => serde_json::from_reader(Cursor::new(head).chain(reader))?,
+    };
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let parts = document.buffers.into_iter().chain(document.images);
+    let names = parts.filter_map(|part| relative(&part.uri.0?));
+    Ok(names.map(|name| folder.join(name)).collect())
+}
+
+/// What names files.
+#[derive(Deserialize)]
+struct Document {
+    #[serde(default)]
+    buffers: Vec<Part>,
+    #[serde(default)]
+    images: Vec<Part>,
+}
+
+#[derive(Deserialize)]
+struct Part {
+    #[serde(default)]
+    uri: Uri,
+}
+
+/// A URI, if it is no data itself.
+#[derive(Default)]
+struct Uri(Option<String>);
+
+impl<'de> Deserialize<'de> for Uri {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Text;
+        impl Visitor<'_> for Text {
+            type Value = Uri;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a URI")
+            }
+
+            fn visit_str<E: Error>(self, text: &str) -> Result<Uri, E> {
+                Ok(Uri((!text.starts_with("data:")).then(|| text.to_owned())))
+            }
+
+            fn visit_unit<E: Error>(self) -> Result<Uri, E> {
+                Ok(Uri::default())
+            }
+        }
+        deserializer.deserialize_any(Text)
+    }
+}
