@@ -2,10 +2,11 @@
 
 mod common;
 
+use common::aov::Aov;
 use common::command::{Folder, json_of};
 use common::files::foreign;
 use common::maps::Map;
-use common::meshes::obj;
+use common::meshes::{gltf, obj};
 use common::refused::{assert_refused, entries, with_out};
 use relief_core::mesh::torus;
 use relief_object::{Cover, ObjectOptions, read_object};
@@ -127,6 +128,143 @@ fn relief_of_a_scene_is_captured_displaced() {
     assert!((high - low - 0.09).abs() < 0.02, "{low} {high}");
 }
 
+/// Rectangles between corners that are given in turn, as an OBJ.
+fn cards(corners: &[[[f64; 3]; 4]]) -> String {
+    let mut text = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n".to_owned();
+    for (number, card) in corners.iter().enumerate() {
+        for [x, y, z] in card {
+            text += &format!("v {x} {y} {z}\n");
+        }
+        let [a, b, c, d] = [1, 2, 3, 4].map(|corner| 4 * number + corner);
+        text += &format!("f {a}/1 {b}/2 {c}/3\nf {a}/1 {c}/3 {d}/4\n");
+    }
+    text
+}
+
+#[test]
+fn a_single_card_is_said_to_leave_nothing_and_is_shown_as_an_impostor() {
+    let upright = [[-0.5, 0.0, 0.0], [0.5, 0.0, 0.0], [0.5, 1.0, 0.0], [-0.5, 1.0, 0.0]];
+    let lying = [[-0.5, 0.0, 0.5], [0.5, 0.0, 0.5], [0.5, 0.0, -0.5], [-0.5, 0.0, -0.5]];
+    let across = [[0.0, 0.0, 0.5], [0.0, 0.0, -0.5], [0.0, 1.0, -0.5], [0.0, 1.0, 0.5]];
+    let folder = folder();
+    folder.write("sign.obj", cards(&[upright]));
+    folder.write("leaf.obj", cards(&[lying]));
+    folder.write("fence.obj", cards(&[upright, upright.map(|[x, y, z]| [x + 1.0, y, z])]));
+    folder.write("crossed.obj", cards(&[upright, across, lying.map(|[x, y, z]| [x, y + 0.5, z])]));
+    for (mesh, flags, size, solid) in [
+        ("sign.obj", "", 32, false),
+        ("sign.obj", "--views octahedral --grid 4 --verify 4", 32, false),
+        ("sign.obj", "--views octahedral --grid 6 --verify 0", 32, false),
+        ("sign.obj", "--cover centre", 33, false),
+        ("leaf.obj", "--verify 0", 32, false),
+        ("leaf.obj", "--cover centre --verify 2", 33, false),
+        ("fence.obj", "--views octahedral --grid 4 --cover pixel --verify 2", 32, false),
+        // A row of texels in the middle sees a card through it.
+        ("sign.obj", "--cover pixel --verify 2", 33, true),
+        ("crossed.obj", "--verify 2", 33, true),
+        ("ring.obj", "--verify 0", 32, true),
+        ("cube", "--verify 0 --views octahedral --grid 3", 32, true),
+    ] {
+        let line = format!("capture {mesh} {flags} --size {size} -o o");
+        assert_eq!(json_of(&folder.relief(&format!("{line} --json")).fine())["solid"], solid, "{line}");
+        let ran = folder.relief(&line);
+        assert_eq!(ran.code, Some(0), "{line}: {}", ran.stderr);
+        let said = format!("{}{}", ran.stdout, ran.stderr);
+        assert_eq!(ran.stdout.contains("empty"), !solid, "{line}: {said}");
+        assert_eq!(ran.stderr.contains("impostor-blend"), !solid, "{line}: {said}");
+        // What is taken where nothing is compared is said.
+        let takes_pixel = flags.contains("--verify 0") && !flags.contains("--cover");
+        assert_eq!(ran.stderr.contains("--cover pixel is taken"), takes_pixel, "{line}: {said}");
+        if takes_pixel {
+            assert!(ran.stdout.contains("cover pixel"), "{line}: {said}");
+        }
+    }
+    // From the front the impostor is as large as the card, in the box of the ball around it.
+    for (mesh, eye) in [("sign.obj", "0,0.5,3"), ("leaf.obj", "0,3,0.001")] {
+        let capture = "--views octahedral --grid 12 --size 96 --cover centre --verify 0 -q -o o";
+        folder.relief(&format!("capture {mesh} {capture}")).fine();
+        let target = if mesh == "sign.obj" { "0,0.5,0" } else { "0,0,0" };
+        let look = format!("--size 96x96 --eye {eye} --target {target} --fov 40 --samples 1 --backend cpu");
+        let covered = |shown: &str| {
+            folder.relief(&format!("render {shown} {look} --shadow none -q -o a.png --aov a.exr")).fine();
+            let aov = Aov::read(&folder.path("a.exr"));
+            aov.pixels().filter(|(_, _, pixel)| pixel.hit > 0.0).count() as f64
+        };
+        let blended = covered("--object o/object.toml --method impostor-blend");
+        // A square of 1 m at 3 m.
+        let side = 96.0 / (2.0 * 20.0_f64.to_radians().tan() * 3.0);
+        assert!((blended / (side * side) - 1.0).abs() < 0.05, "{mesh}: {blended} of {}", side * side);
+    }
+}
+
+/// A folder with a mesh whose picture has the name of an object's.
+fn with_picture(picture: &str, buffer: &str) -> Folder {
+    let folder = folder();
+    let (json, bytes) = gltf(picture, buffer);
+    folder.write("m.gltf", json);
+    folder.write(buffer, bytes);
+    folder.write(picture, Map::hills().png());
+    folder
+}
+
+#[test]
+fn objects_replace_nothing_that_they_are_made_from() {
+    for (picture, buffer, line, read) in [
+        ("color.png", "b.bin", "m.gltf -o .", "color.png"),
+        ("normal.png", "b.bin", "m.gltf -o .", "normal.png"),
+        ("p.png", "depth.exr", "m.gltf -o .", "depth.exr"),
+        ("maps/color.png", "b.bin", "m.gltf -o maps", "color.png"),
+        ("color.png", "b.bin", "ring.obj --color color.png -o .", "color.png"),
+        ("color.png", "b.bin", "ring.obj --color color.png --force -o .", "color.png"),
+        ("depth.png", "b.bin", "ring.obj --color depth.png --bits 8 -o .", "depth.png"),
+        ("color.png", "b.bin", "s.toml -o .", "color.png"),
+        ("color.png", "b.bin", "of_file.toml -o .", "color.png"),
+        ("p.png", "b.bin", "ring.obj --views object.toml -o .", "object.toml"),
+    ] {
+        let folder = with_picture(picture, buffer);
+        folder.write("s.toml", format!("mesh = 'ring.obj'\ncolor = '{picture}'\n"));
+        folder.write("of_file.toml", "mesh = 'm.gltf'\n");
+        folder.write("object.toml", "[[view]]\nfrom = [0, 0, 1]\n");
+        let bytes = |name: &str| std::fs::read(folder.path(name)).expect("it is there");
+        let before = [picture, buffer, "object.toml"].map(bytes);
+        let ran = folder.relief(&format!("capture {line} --size 16 --verify 0 --cover centre"));
+        assert_refused(&folder, &ran, 2, &["would replace", read, "which is read"]);
+        assert!(before == [picture, buffer, "object.toml"].map(bytes), "{line}");
+    }
+}
+
+#[test]
+fn files_that_no_capture_has_written_are_replaced_when_asked_to() {
+    let capture = "capture ring.obj --size 16 --verify 0 --cover centre -q -o o";
+    for (name, more) in [
+        ("normal.png", ""),
+        ("depth.exr", ""),
+        ("depth.png", "--bits 8"),
+        ("normal-depth.png", "--views octahedral --grid 2"),
+        ("object.toml", ""),
+    ] {
+        let folder = folder();
+        folder.write(&format!("o/{name}"), "mine");
+        let ran = folder.relief(&format!("{capture} {more}"));
+        assert_refused(&folder, &ran, 1, &[name, "is there already", "--force"]);
+        assert_eq!(entries(&folder.path("o")), [name]);
+        assert_eq!(std::fs::read(folder.path(format!("o/{name}"))).expect("it is there"), b"mine");
+        folder.relief(&format!("{capture} {more} --force")).fine();
+        // What it has written itself it replaces.
+        folder.relief(&format!("{capture} {more}")).fine();
+        read_object(&folder.path("o/object.toml"), &ObjectOptions::default()).expect("an object");
+    }
+    // Of other files of those names none goes, and each that another object had does.
+    let folder = folder();
+    folder.relief(&format!("{capture} --views hemi --grid 2 --bits 16")).fine();
+    folder.write("o/depth.exr", "mine");
+    folder.write("o/color.png", "mine");
+    folder.relief(&format!("{capture} --bits 8")).fine();
+    let mut names = entries(&folder.path("o"));
+    names.sort();
+    assert_eq!(names, ["color.png", "depth.exr", "depth.png", "normal.png", "object.toml"]);
+}
+
 #[test]
 fn what_cannot_be_captured_is_refused() {
     let folder = folder();
@@ -165,7 +303,7 @@ fn what_cannot_be_captured_is_refused() {
         ("ring.obj -o out/a --bits 12", 2, &["--bits"]),
         ("ring.obj -o out/a --perspective 180", 2, &["--perspective", "180"]),
         ("ring.obj -o out/a --cover middle", 2, &["centre"]),
-        ("ring.obj -o out/a --verify 0", 2, &["--cover", "--verify"]),
+        ("ring.obj -o out/a --verify 0 --cover auto", 2, &["--cover", "--verify"]),
         ("ring.obj -o out/a --verify 5000", 2, &["--verify"]),
         ("ring.obj -o out/a --cells highst", 2, &["highest"]),
         ("ring.obj -o out/a --jump -1", 2, &["--jump"]),

@@ -14,7 +14,7 @@ pub use capture::{
     CaptureError, CaptureSettings, Captured, CapturedImage, Capturer, Cover, MAX_IMAGE_SIDE, MIN_IMAGE_SIDE,
 };
 pub use file::{Description, Measured, ObjectFile, ObjectFileError, ObjectFileProblem, ObjectOptions};
-pub use file::{OBJECT_FILE, ObjectWriter, WriteObjectError};
+pub use file::{OBJECT_FILE, ObjectFiles, ObjectWriter, WriteObjectError};
 pub use file::{ViewEntry, parse_description, read_description, read_object, read_views};
 pub use relief_core::object::DEFAULT_JUMP_TEXELS;
 pub use verify::{MAX_PICTURES, Verification, even_directions};

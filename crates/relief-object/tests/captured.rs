@@ -165,7 +165,8 @@ fn what_is_written_is_read_as_it_was() {
             let captured = capturer.capture(Cover::Pixel, &Watch::NOBODY).expect("images");
             let folder = tempfile::tempdir().expect("a folder");
             let place = folder.path().join("made/torus");
-            let writer = ObjectWriter::open(&place, &mut { ALONE }).expect("a folder");
+            let writer =
+                ObjectWriter::open(&place, captured.files(), false, &mut { ALONE }).expect("a folder");
             let files = writer.write(&captured, None).expect("written");
             let names: Vec<_> = files.iter().filter_map(|file| file.file_name()?.to_str()).collect();
             assert_eq!(names.contains(&"normal-depth.png"), captured.grid.is_some());
@@ -201,7 +202,8 @@ fn the_same_bytes_are_written_whatever_the_threads() {
             let capturer = Capturer::new(&mesh, Some(&colors), settings).expect("views");
             let captured = capturer.capture(Cover::Pixel, &Watch::NOBODY).expect("images");
             let folder = tempfile::tempdir().expect("a folder");
-            let writer = ObjectWriter::open(folder.path(), &mut { ALONE }).expect("a folder");
+            let writer =
+                ObjectWriter::open(folder.path(), captured.files(), false, &mut { ALONE }).expect("a folder");
             let files = writer.write(&captured, None).expect("written");
             files.iter().map(|file| fs::read(file).expect("readable")).collect::<Vec<_>>()
         })
@@ -217,7 +219,8 @@ fn another_object_takes_the_place_of_one() {
     let names = |bits: u32| {
         let captured =
             captured(&mesh(Builtin::Cube), CaptureSettings { bits, ..settings(16) }, Cover::Centre);
-        let writer = ObjectWriter::open(folder.path(), &mut { ALONE }).expect("a folder");
+        let writer =
+            ObjectWriter::open(folder.path(), captured.files(), false, &mut { ALONE }).expect("a folder");
         writer.write(&captured, None).expect("written");
         let mut names: Vec<_> = fs::read_dir(folder.path())
             .expect("readable")
@@ -228,8 +231,10 @@ fn another_object_takes_the_place_of_one() {
     };
     // No object was there: what lies there is somebody else's.
     assert_eq!(names(32), ["color.png", "depth.exr", "normal.png", "notes.txt", "object.toml"]);
-    assert_eq!(names(16), ["depth.png", "normal.png", "notes.txt", "object.toml"]);
-    assert_eq!(fs::read(folder.path().join("notes.txt")).expect("readable"), b"mine");
+    assert_eq!(names(16), ["color.png", "depth.png", "normal.png", "notes.txt", "object.toml"]);
+    for name in ["notes.txt", "color.png"] {
+        assert_eq!(fs::read(folder.path().join(name)).expect("readable"), b"mine");
+    }
 }
 
 #[test]

@@ -20,7 +20,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert!(measured.is_some_and(|measured| measured.iou > 0.98));
 
     let folder = std::env::temp_dir().join("relief-captured-torus");
-    ObjectWriter::open(&folder, &mut |_| true)?.write(&captured, measured.as_ref())?;
+    ObjectWriter::open(&folder, captured.files(), false, &mut |_| true)?
+        .write(&captured, measured.as_ref())?;
     let read = read_object(&folder.join(OBJECT_FILE), &ObjectOptions::default())?;
     assert_eq!(read.measured, measured);
 

@@ -14,7 +14,7 @@ use relief_render::{RenderError, Renderer};
 use relief_shaders::{Choice, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SLICES, STAGES, Selection, geometry};
 use tempfile::TempDir;
 
-use super::numbered::{Numbering, ONE_FRAME};
+use super::numbered::{Numbering, ONE_FRAME, files};
 use super::scene_arguments::{SceneArguments, of_scene};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -183,11 +183,7 @@ impl Contest {
 
     /// The files that are read.
     pub fn inputs(&self) -> Vec<PathBuf> {
-        self.spec
-            .each_surface()
-            .iter()
-            .flat_map(|surface| surface.files().cloned().collect::<Vec<_>>())
-            .collect()
+        files(&self.spec)
     }
 }
 
@@ -261,12 +257,19 @@ pub fn compared(
 ) -> Result<Compared, Failure> {
     let progress = Progress::bar(what, quiet);
     let told = |_: &str, part: f32| progress.show(part);
-    let compared = comparison.run(&Watch { progress: &told, cancel }).map_err(of_comparison)?;
+    let mut compared = comparison.run(&Watch { progress: &told, cancel }).map_err(of_comparison)?;
     drop(progress);
     for LeftOut { what, reason } in compared.records.left_out.iter().filter(|_| !quiet) {
         say::note(format_args!("{what} is left out: {reason}"));
     }
+    compared.records.about.command = command();
     Ok(compared)
+}
+
+/// The command line that asked for it.
+fn command() -> String {
+    let words = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned());
+    std::iter::once("relief".to_owned()).chain(words).collect::<Vec<_>>().join(" ")
 }
 
 /// Times once more what a goal hardly decides between, with a bar.

@@ -7,6 +7,7 @@ pub mod compare;
 pub mod completions;
 pub mod contest;
 pub mod height;
+pub mod inputs;
 pub mod inspect;
 mod lengths;
 pub mod man;

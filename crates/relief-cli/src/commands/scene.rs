@@ -8,6 +8,7 @@ use relief_io::write_atomically;
 use relief_render::scene::{Form, Key, SceneSpec, keys, parse_scene};
 use serde_json::{Map, Value, json};
 
+use super::numbered::files;
 use super::scene_arguments::{MachineArguments, SceneArguments};
 use super::staged::format_of;
 use crate::failure::Failure;
@@ -47,8 +48,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Some(path) = arguments.output.as_ref().filter(|path| path.as_os_str() != "-") else {
         return answer(|out| Ok(out.write_all(spec.to_toml().as_bytes())?));
     };
-    let surfaces = spec.each_surface();
-    let inputs: Vec<&Path> = surfaces.iter().flat_map(|surface| surface.files()).map(AsRef::as_ref).collect();
+    let read = files(&spec);
+    let inputs: Vec<&Path> = read.iter().map(AsRef::as_ref).collect();
     format_of("--output", path, &[("toml", ())], &inputs)?;
     // Paths in a scene file start at its folder, those of flags at the current one.
     if path.parent().is_some_and(|folder| !folder.as_os_str().is_empty()) {

@@ -2,7 +2,7 @@
 
 use std::io::Write as _;
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
@@ -12,7 +12,7 @@ use relief_io::{DEFAULT_MAX_BYTES, MAX_SHELLS, MeshCounts, Shells, WriteError, w
 use relief_render::scene::{SceneSpec, Surface, read_scene};
 use serde_json::json;
 
-use super::numbered::{Numbering, ONE_FRAME};
+use super::numbered::{Numbering, ONE_FRAME, files};
 use super::scene_arguments::of_scene_file;
 use super::staged::{Staged, format_of};
 use crate::failure::Failure;
@@ -66,10 +66,13 @@ const BYTES_PER_CORNER: u64 = 32;
 /// Reads and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let started = Instant::now();
-    format_of("--output", &arguments.output, &[("glb", ())], &[&arguments.scene])?;
+    let spec = arguments.spec()?;
+    let read = files(&spec);
+    let inputs: Vec<&Path> = read.iter().map(AsRef::as_ref).chain([arguments.scene.as_path()]).collect();
+    format_of("--output", &arguments.output, &[("glb", ())], &inputs)?;
     let surface = {
         let _reading = Progress::spinner("reading", arguments.json);
-        arguments.surface()?
+        arguments.surface(spec)?
     };
     let shells = Shells {
         base: surface.mesh(),
@@ -109,11 +112,16 @@ impl Arguments {
         self.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0)
     }
 
-    /// The only surface of the scene, which is no object of images.
-    fn surface(&self) -> Result<Surface, Failure> {
-        let refused = |what: &str| Failure::Work(format!("{}: {what}", self.scene.display()));
+    /// The scene's description, of one frame.
+    fn spec(&self) -> Result<SceneSpec, Failure> {
         let spec = read_scene(&self.scene).map_err(of_scene_file)?;
         Numbering::of(Some(&self.scene)).refuse(&spec, ONE_FRAME)?;
+        Ok(spec)
+    }
+
+    /// The only surface of the scene, which is no object of images.
+    fn surface(&self, spec: SceneSpec) -> Result<Surface, Failure> {
+        let refused = |what: &str| Failure::Work(format!("{}: {what}", self.scene.display()));
         // Nothing is rendered.
         let spec = SceneSpec {
             max_memory: Some(ByteSize(self.max_bytes())),

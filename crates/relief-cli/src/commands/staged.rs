@@ -4,14 +4,15 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use relief_core::registry::UnknownName;
-use relief_io::file_set::{FileSet, FileSetError, is_same_file};
+use relief_io::file_set::{FileSet, FileSetError};
 
+use super::inputs::replaced;
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
 use crate::waiting::waiting;
 
 /// The format of the file that a flag names, by the ending of its name, if it can be written and is none of
-/// those that are read.
+/// those that are read, or that belong to them.
 pub fn format_of<F: Copy>(
     flag: &str,
     path: &Path,
@@ -40,7 +41,7 @@ pub fn format_of<F: Copy>(
     if path.is_dir() {
         return Err(Failure::Work(format!("{name}: cannot be written: it is a folder")));
     }
-    match inputs.iter().find(|input| is_same_file(path, input)) {
+    match replaced(path, inputs) {
         Some(input) => {
             let input = input.display();
             Err(Failure::Usage(format!("{flag} {name}: would replace {input}, which is read")))

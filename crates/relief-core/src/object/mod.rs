@@ -78,6 +78,9 @@ pub struct ImageObject {
     jump: f64,
 }
 
+/// The most texels that are asked whether there is a solid.
+const MOST_ASKED: usize = 4096;
+
 /// Why there is no such object.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ObjectError {
@@ -221,6 +224,29 @@ impl ImageObject {
                 .fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |of, at| [of[0].min(at), of[1].max(at)]);
             let bounds = [low.max(least), high.min(most)];
             bounds[0].cmplt(bounds[1]).all().then_some(bounds)
+        })
+    }
+
+    /// Whether anything is left that all images say may be solid: whether the ray of a texel that sees
+    /// something meets it. Of many texels some are asked, evenly over all images.
+    ///
+    /// Of a single sheet nothing is left, since images along it see nothing.
+    pub fn has_solid(&self) -> bool {
+        let texels = self.views.iter().zip(self.layout.places()).flat_map(|(view, place)| {
+            let [columns, rows] = view.size();
+            (0..rows).flat_map(move |y| (0..columns).map(move |x| (view, *place, [x, y])))
+        });
+        let seen: Vec<_> = texels
+            .filter(|(_, place, [x, y])| {
+                let texel = self.heights.texel(i64::from(place[0] + x), i64::from(place[1] + y));
+                f64::from(texel) > EMPTY_HEIGHT
+            })
+            .collect();
+        let step = seen.len().div_ceil(MOST_ASKED).max(1);
+        seen.iter().step_by(step).any(|(view, _, [x, y])| {
+            let [columns, rows] = view.size().map(f64::from);
+            let ray = view.ray((f64::from(*x) + 0.5) / columns, (f64::from(*y) + 0.5) / rows);
+            self.first_hit(&ray).is_some()
         })
     }
 

@@ -40,7 +40,14 @@ fn what_an_image_does_not_see_is_not_there() {
     let full = HeightMap::new(4, 4, vec![1.0; 16], Wrap::Clamp).expect("a map");
     let some = cube_of(&[full.clone(), full.clone()]).expect("an object");
     assert!(some.bounds().is_some());
-    assert_eq!(cube_of(&[full, empty]).expect("an object").bounds(), None);
+    assert!(some.has_solid());
+    assert_eq!(cube_of(&[full.clone(), empty]).expect("an object").bounds(), None);
+    // A sheet in the middle is seen by images from its front and its back, and by none along it.
+    let sheet = HeightMap::new(4, 4, vec![0.5; 16], Wrap::Clamp).expect("a map");
+    let empty = HeightMap::new(4, 4, vec![0.0; 16], Wrap::Clamp).expect("a map");
+    let card = cube_of(&[empty.clone(), empty.clone(), empty.clone(), empty.clone(), sheet.clone(), sheet]);
+    assert!(!card.expect("an object").has_solid());
+    assert!(!cube_of(&[empty.clone(), empty]).expect("an object").has_solid());
 }
 
 #[test]

@@ -23,7 +23,7 @@ use self::looks::Place;
 use crate::arrangement::MAX_GRID;
 use crate::file::check_sheet;
 use crate::verify::{self, Verification};
-use crate::{Arrangement, Measured, ViewKind, ViewSpec};
+use crate::{Arrangement, Measured, ObjectFiles, ViewKind, ViewSpec};
 
 /// The least side of an image, in texels.
 pub const MIN_IMAGE_SIDE: u32 = 8;
@@ -164,6 +164,15 @@ impl<'a> Capturer<'a> {
         self.views.first().map_or((DVec3::ZERO, 1.0), View::ball)
     }
 
+    /// The files that an object of its images has.
+    pub fn files(&self) -> ObjectFiles {
+        ObjectFiles {
+            bits: self.settings.bits,
+            has_colors: self.colors.is_some(),
+            is_grid: self.settings.arrangement.grid().is_some(),
+        }
+    }
+
     /// How many images there are to be.
     pub fn views(&self) -> &[View] {
         &self.views
@@ -295,6 +304,15 @@ impl<'a> Capturer<'a> {
 }
 
 impl Captured {
+    /// The files that an object of these images has.
+    pub fn files(&self) -> ObjectFiles {
+        ObjectFiles {
+            bits: self.bits,
+            has_colors: self.images.iter().all(|image| image.colors.is_some()),
+            is_grid: self.grid.is_some(),
+        }
+    }
+
     /// By which rays the images were made.
     pub fn kind(&self) -> ViewKind {
         self.specs.first().map_or(ViewKind::Orthographic, ViewSpec::kind)

@@ -16,7 +16,7 @@ use relief_io::{
 
 pub use self::description::{Description, ViewEntry, parse_description, read_description, read_views};
 pub use self::error::{ObjectFileError, ObjectFileProblem};
-pub use self::write::{OBJECT_FILE, ObjectWriter, WriteObjectError, check_sheet};
+pub use self::write::{OBJECT_FILE, ObjectFiles, ObjectWriter, WriteObjectError, check_sheet};
 
 /// How to read an object.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,9 +8,12 @@ use std::time::Duration;
 use glam::DVec3;
 use relief_core::HeightMap;
 use relief_io::file_set::{FileSet, FileSetError};
-use relief_io::{Metadata, PngTexture, WriteError, linear_to_srgb, write_exr_rows, write_png_rows};
+use relief_io::{
+    Metadata, PngTexture, WriteError, WriteProblem, linear_to_srgb, read_metadata, write_exr_rows,
+    write_png_rows,
+};
 
-use super::Measured;
+use super::{Measured, read_description};
 use crate::{Captured, CapturedImage, ViewSpec};
 
 /// The name of an object's description.
@@ -28,6 +31,9 @@ pub enum WriteObjectError {
     /// The folder cannot be written into, or a file cannot be replaced.
     #[error(transparent)]
     Set(#[from] FileSetError),
+    /// A file of that name is there that no capture has written.
+    #[error("{}: is there already, and relief has not captured it", .0.display())]
+    Stranger(PathBuf),
     /// A picture cannot be written.
     #[error(transparent)]
     Picture(#[from] WriteError),
@@ -36,11 +42,73 @@ pub enum WriteObjectError {
     Io(#[from] io::Error),
 }
 
+/// All names that files of an object may have.
+const NAMES: [&str; 6] = [DEPTH_EXR, DEPTH_PNG, COLOR, NORMAL, NORMAL_DEPTH, OBJECT_FILE];
+
+/// What a captured picture's metadata say that it holds.
+const MARK: &str = "relief.object";
+
+/// The files of an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ObjectFiles {
+    /// Bits of a depth: 8, 16 or 32.
+    pub bits: u32,
+    /// Whether the mesh has colours.
+    pub has_colors: bool,
+    /// Whether the images are the frames of an octahedral grid.
+    pub is_grid: bool,
+}
+
+impl ObjectFiles {
+    const fn depth(self) -> &'static str {
+        if self.bits == 32 { DEPTH_EXR } else { DEPTH_PNG }
+    }
+
+    fn color(self) -> Option<&'static str> {
+        self.has_colors.then_some(COLOR)
+    }
+
+    /// Their names, in the order in which they are written.
+    pub fn names(self) -> Vec<&'static str> {
+        let grid = self.is_grid.then_some(NORMAL_DEPTH);
+        [Some(self.depth()), self.color(), Some(NORMAL), grid, Some(OBJECT_FILE)]
+            .into_iter()
+            .flatten()
+            .collect()
+    }
+
+    /// The files of a folder that writing these replaces or removes, if they are there: those of these names,
+    /// and what an earlier capture has written into the folder.
+    pub fn changed(self, folder: &Path) -> Vec<PathBuf> {
+        let names = self.names();
+        let is_changed = |name: &&str| names.contains(name) || is_captured(folder, name);
+        NAMES.into_iter().filter(is_changed).map(|name| folder.join(name)).collect()
+    }
+}
+
+/// Whether a capture has written a file of a folder: an object's description, pictures that it names, and
+/// pictures that say so themselves.
+fn is_captured(folder: &Path, name: &str) -> bool {
+    let description = || read_description(&folder.join(OBJECT_FILE)).ok();
+    if name == OBJECT_FILE {
+        return description().is_some();
+    }
+    let says = read_metadata(&folder.join(name)).is_ok_and(|found| found.get(MARK).is_some());
+    says || description().is_some_and(|object| {
+        [Some(&object.depth), object.color.as_ref(), object.normal.as_ref()]
+            .into_iter()
+            .flatten()
+            .any(|named| named == Path::new(name))
+    })
+}
+
 /// A folder that an object is written into, as a whole or not at all.
 #[derive(Debug)]
 pub struct ObjectWriter {
     folder: PathBuf,
+    files: ObjectFiles,
     set: FileSet,
+    force: bool,
 }
 
 /// Where images lie in the pictures: so many side by side.
@@ -78,19 +146,38 @@ impl ObjectWriter {
     /// Begins to write into a folder, which is made if it is missing. While another process writes there,
     /// `wait` is asked every few milliseconds whether to go on waiting, with the time since the beginning.
     ///
+    /// With `force` files are replaced that no capture has written.
+    ///
     /// # Errors
     ///
-    /// When the folder cannot be written into, or `wait` says no.
-    pub fn open(folder: &Path, wait: &mut dyn FnMut(Duration) -> bool) -> Result<Self, WriteObjectError> {
-        let mut set = FileSet::open(folder, "object", wait)?;
-        for name in [OBJECT_FILE, DEPTH_EXR, DEPTH_PNG, COLOR, NORMAL, NORMAL_DEPTH] {
-            set.check(&folder.join(name))?;
+    /// When the folder cannot be written into, when a file of another program would be replaced, or when
+    /// `wait` says no.
+    pub fn open(
+        folder: &Path,
+        files: ObjectFiles,
+        force: bool,
+        wait: &mut dyn FnMut(Duration) -> bool,
+    ) -> Result<Self, WriteObjectError> {
+        let set = FileSet::open(folder, "object", wait)?;
+        let mut writer = Self { folder: folder.to_owned(), files, set, force };
+        for name in files.names() {
+            writer.check(name)?;
         }
-        Ok(Self { folder: folder.to_owned(), set })
+        Ok(writer)
+    }
+
+    /// Whether a file of that name can be written, and is none of another program.
+    fn check(&mut self, name: &str) -> Result<(), WriteObjectError> {
+        let path = self.folder.join(name);
+        self.set.check(&path)?;
+        if self.force || !path.exists() || is_captured(&self.folder, name) {
+            return Ok(());
+        }
+        Err(WriteObjectError::Stranger(path))
     }
 
     /// Writes what was captured, with how far it is from the mesh where that was measured, and returns the
-    /// files. All of them get their names at the end. Of an object that was in the folder nothing is left.
+    /// files. All of them get their names at the end. Files of an earlier capture that are not among them go.
     ///
     /// * `object.toml`, which [`read_object`](crate::read_object) reads;
     /// * `depth.exr` of 32-bit floats, or `depth.png` of 8 or 16 bits;
@@ -105,7 +192,8 @@ impl ObjectWriter {
     ///
     /// # Errors
     ///
-    /// When a file cannot be written or replaced, or the pictures are larger than they may be.
+    /// When a file cannot be written or replaced, when what was captured has other files than were said, or
+    /// when the pictures are larger than they may be.
     pub fn write(
         mut self,
         captured: &Captured,
@@ -115,39 +203,45 @@ impl ObjectWriter {
         let side = images.first().map_or(1, |image| image.heights.width());
         let columns = captured.grid.unwrap_or_else(|| (images.len() as f64).sqrt().ceil() as u32).max(1);
         let sheet = Sheet { images, columns, side };
-        let depth = if captured.bits == 32 { DEPTH_EXR } else { DEPTH_PNG };
-        let color = images.iter().all(|image| image.colors.is_some()).then_some(COLOR);
-        let grid = captured.grid.map(|_| NORMAL_DEPTH);
-        let names = [Some(depth), color, Some(NORMAL), grid];
+        if captured.files() != self.files {
+            let what = io::Error::new(io::ErrorKind::InvalidInput, "it has other files than were said");
+            return Err(what.into());
+        }
+        let names = self.files.names();
+        // What belongs to no object may be anybody's.
+        let others = NAMES.into_iter().filter(|name| !names.contains(name));
+        let left: Vec<&str> = others.filter(|name| is_captured(&self.folder, name)).collect();
         let mut files = Vec::new();
-        for name in names.into_iter().flatten() {
+        for name in names.iter().copied().filter(|name| *name != OBJECT_FILE) {
+            // It may have come since the first look.
+            self.check(name)?;
             let place = self.folder.join(name);
             let aside = self.set.put(&place)?;
             let [width, height] = sheet.size();
             let png = |channels: usize, bits: u32| PngTexture { width, height, channels, bits };
-            let none = Metadata::default();
+            let mark = mark(name).map_err(|problem| WriteError { path: place.clone(), problem })?;
             match name {
-                DEPTH_EXR => write_exr_rows(&aside, width, height, &["Y"], &none, &mut |row, texels| {
+                DEPTH_EXR => write_exr_rows(&aside, width, height, &["Y"], &mark, &mut |row, texels| {
                     sheet.row(row.row, texels, |image, at| images[image].heights.texels()[at]);
                     Ok(())
                 }),
-                DEPTH_PNG => write_png_rows(&aside, &png(1, captured.bits), &none, &mut |row, texels| {
+                DEPTH_PNG => write_png_rows(&aside, &png(1, captured.bits), &mark, &mut |row, texels| {
                     sheet.row(row.row, texels, |image, at| images[image].heights.texels()[at]);
                     Ok(())
                 }),
-                COLOR => write_png_rows(&aside, &png(4, 8), &none, &mut |row, texels| {
+                COLOR => write_png_rows(&aside, &png(4, 8), &mark, &mut |row, texels| {
                     sheet.row(row.row, texels, |image, at| color_of(&images[image], row.channel, at));
                     Ok(())
                 }),
                 NORMAL => {
                     let bits = if captured.bits == 8 { 8 } else { 16 };
-                    write_png_rows(&aside, &png(3, bits), &none, &mut |row, texels| {
+                    write_png_rows(&aside, &png(3, bits), &mark, &mut |row, texels| {
                         let part = |image: usize, at: usize| images[image].normals[at][row.channel];
                         sheet.row(row.row, texels, |image, at| 0.5 * part(image, at) + 0.5);
                         Ok(())
                     })
                 }
-                _ => write_png_rows(&aside, &png(4, 8), &none, &mut |row, texels| {
+                _ => write_png_rows(&aside, &png(4, 8), &mark, &mut |row, texels| {
                     sheet.row(row.row, texels, |image, at| match row.channel {
                         3 => images[image].heights.texels()[at],
                         axis => 0.5 * in_space(captured, image, at)[axis] as f32 + 0.5,
@@ -158,20 +252,26 @@ impl ObjectWriter {
             .map_err(|error| WriteError { path: place.clone(), problem: error.problem })?;
             files.push(place);
         }
+        self.check(OBJECT_FILE)?;
         let place = self.folder.join(OBJECT_FILE);
-        let text = text(captured, measured, &sheet, depth, color);
+        let text = text(captured, measured, &sheet, self.files.depth(), self.files.color());
         std::fs::write(self.set.put(&place)?, text)?;
-        files.push(place.clone());
-        // What belongs to no object may be anybody's.
-        if place.is_file() {
-            let others = [DEPTH_EXR, DEPTH_PNG, COLOR, NORMAL, NORMAL_DEPTH];
-            for name in others.into_iter().filter(|name| !names.contains(&Some(name))) {
-                self.set.remove(name)?;
-            }
-        }
+        files.push(place);
+        left.into_iter().try_for_each(|name| self.set.remove(name))?;
         self.set.commit()?;
         Ok(files)
     }
+}
+
+/// What a picture of an object says of itself.
+fn mark(name: &str) -> Result<Metadata, WriteProblem> {
+    let generator = concat!("relief ", env!("CARGO_PKG_VERSION"));
+    let holds = name.split('.').next().unwrap_or_default();
+    Metadata::new(
+        [(MARK, holds), ("relief.generator", generator)]
+            .map(|(key, value)| (key.into(), value.into()))
+            .into(),
+    )
 }
 
 /// A part of the colour in sRGB, or the opacity.

@@ -40,7 +40,7 @@ const COLOR_BYTES: u64 = READ_BYTES + 6;
 
 /// Memory that a triangle of a mesh takes while it is rendered: itself, its vertices, and the hierarchies and
 /// triangles that the backends make of it.
-const BYTES_PER_TRIANGLE: u64 = 640;
+pub(super) const BYTES_PER_TRIANGLE: u64 = 640;
 
 /// What a projection needs.
 const MESH_OF_FILE: &str = "mesh FILE";
@@ -252,6 +252,12 @@ impl SurfaceSpec {
         })
     }
 
+    /// The same with a square in place of the mesh.
+    pub(super) fn on_a_square(&self, parts: Parts) -> Result<Parts, ValueError> {
+        let mesh = square(1).map_err(|error| ValueProblem::from(error).of("mesh"))?;
+        Ok(Parts { mesh: self.placed(mesh)?, ..parts })
+    }
+
     /// The surface with something in place of the files of its relief or object, and no other maps.
     pub(super) fn stand_in(&self, parts: Parts) -> Result<Surface, ValueError> {
         if self.object.is_none() {
@@ -271,7 +277,12 @@ impl SurfaceSpec {
         let ObjectFile { object, color, normal, .. } = relief_object::read_object(path, &options)?;
         maps.take(path, object.heights(), &parts.selection)?;
         let object = self.placed_object(&object)?;
-        let surface = Surface::of_object(object).map_err(|error| ValueProblem::from(error).of("object"))?;
+        let surface = if parts.selection.blends_normals() && !object.has_solid() {
+            Surface::of_object_in_ball(object)
+        } else {
+            Surface::of_object(object)
+        };
+        let surface = surface.map_err(|error| ValueProblem::from(error).of("object"))?;
         let diffuse = color.is_some().then(|| Material::under_colours().diffuse());
         let material = self.material_of(diffuse)?;
         let mut surface = surface.with_material(material).with_selection(parts.selection);

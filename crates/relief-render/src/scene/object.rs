@@ -39,7 +39,10 @@ pub enum ObjectProblem {
     #[error("image {0} shows a ball of another radius than the first: all images show the same ball")]
     OtherBall(usize),
     /// There is nothing that all images see.
-    #[error("there is nothing that all images see")]
+    #[error(
+        "there is nothing that all images see: a thin card leaves no solid; of a grid of frames the method \
+         'impostor-blend' shows it all the same"
+    )]
     Nothing,
     /// The box around it is no mesh: it is not finite, or too small.
     #[error("the box around the object is too small or too large")]
@@ -108,13 +111,29 @@ impl Surface {
     /// When the object has images of balls of several sizes, or there is nothing that all of them see.
     pub fn of_object(object: impl Into<Arc<ImageObject>>) -> Result<Self, ObjectProblem> {
         let object = object.into();
+        let bounds = object.bounds().ok_or(ObjectProblem::Nothing)?;
+        Self::of_object_in(object, bounds)
+    }
+
+    /// The same with a box around the ball that all images show, whatever they see together: for the method
+    /// `impostor-blend`, which shows images that leave no solid.
+    ///
+    /// # Errors
+    ///
+    /// When the object has images of balls of several sizes.
+    pub fn of_object_in_ball(object: impl Into<Arc<ImageObject>>) -> Result<Self, ObjectProblem> {
+        let object = object.into();
+        let (centre, radius) = object.views()[0].ball();
+        Self::of_object_in(object, [centre - radius, centre + radius])
+    }
+
+    fn of_object_in(object: Arc<ImageObject>, bounds: [DVec3; 2]) -> Result<Self, ObjectProblem> {
         let views = object.views();
         let (_, radius) = views[0].ball();
         let is_other = |view: &View| (view.ball().1 - radius).abs() > 1e-9 * radius;
         if let Some(number) = views.iter().position(is_other) {
             return Err(ObjectProblem::OtherBall(number));
         }
-        let bounds = object.bounds().ok_or(ObjectProblem::Nothing)?;
         let mesh = box_around(bounds).ok_or(ObjectProblem::Box)?;
         let heights = HeightMap::clone(object.heights()).with_displacement(2.0 * radius, 0.0)?;
         let images = Arc::new(images_of(&object).ok_or(ObjectProblem::Box)?);

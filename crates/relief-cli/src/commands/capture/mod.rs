@@ -4,7 +4,7 @@ mod report;
 mod subject;
 
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -14,14 +14,15 @@ use relief_core::object::JumpCells;
 use relief_core::registry::UnknownName;
 use relief_core::{ByteSize, Watch};
 use relief_io::DEFAULT_MAX_BYTES;
-use relief_io::file_set::FileSetError;
+use relief_io::file_set::{FileSetError, is_same_file};
 use relief_object::{
     Arrangement, CaptureError, CaptureSettings, Captured, Capturer, Cover, DEFAULT_JUMP_TEXELS, MAX_PICTURES,
-    Measured, ObjectWriter, Verification, WriteObjectError, read_views,
+    Measured, ObjectFiles, ObjectWriter, Verification, WriteObjectError, read_views,
 };
 
 use self::report::About;
 use self::subject::Subject;
+use super::inputs::replaced;
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::streams::{Files, answer};
@@ -53,9 +54,10 @@ pub struct Arguments {
     #[arg(long, value_name = "DEGREES", value_parser = values::positive, allow_hyphen_values = true)]
     perspective: Option<f64>,
     /// What the height of a texel is: centre, that of what its centre shows; pixel, the highest point in it,
-    /// so that nothing thin is lost; or auto, whichever is nearer to the mesh
-    #[arg(long, value_name = "auto|centre|pixel", default_value_t)]
-    cover: CoverChoice,
+    /// so that nothing thin is lost; or auto, whichever is nearer to the mesh [default: auto, with --verify 0
+    /// pixel]
+    #[arg(long, value_name = "auto|centre|pixel")]
+    cover: Option<CoverChoice>,
     /// Bits of a depth: 32, floats in an EXR, or 16 or 8 in a PNG
     #[arg(long, value_name = "8|16|32", default_value = "32", allow_hyphen_values = true)]
     bits: u32,
@@ -72,6 +74,9 @@ pub struct Arguments {
     /// Colour picture of the mesh, laid out by its texture coordinates, in place of that of its material
     #[arg(long, value_name = "FILE")]
     color: Option<PathBuf>,
+    /// Replace files of the object's names in the folder that no capture has written
+    #[arg(long)]
+    force: bool,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
@@ -91,6 +96,12 @@ const AFTER_HELP: &str = "Examples:\n  \
     base colour and picture; colours of vertices are not read. Both sides of triangles are seen. The \
     comparison counts the pixels that show object and mesh of those that show either (IoU) and says how far \
     apart they are on the mean, in percent of the ball's diameter.";
+
+/// What is said of images that leave nothing of the object.
+const NO_SOLID: &str = "nothing of the object is left: a single card is seen by no image along it, and what \
+    an image does not see is not solid. --cover pixel with an odd --size keeps cards in the middle, and a mesh \
+    with thickness stays; images of --views octahedral or hemi are shown all the same by `relief render \
+    --method impostor-blend`";
 
 /// Frames of a side, or directions, unless told otherwise.
 const DEFAULT_GRID: u32 = 8;
@@ -180,20 +191,30 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     if !arguments.json {
         subject.notes.iter().for_each(say::note);
+        if arguments.cover.is_none() && arguments.verify == 0 {
+            say::note("nothing is compared with the mesh: --cover pixel is taken, which loses nothing thin");
+        }
     }
     let capturer = Capturer::new(&subject.mesh, subject.colors.as_ref(), settings);
     let capturer = capturer.map_err(|error| arguments.of_capture(error))?;
+    arguments.check_inputs(capturer.files(), &subject.inputs)?;
     // Until here nothing exists that an interrupted program would leave behind.
     let cancel = interrupt::catch()?;
-    let writer =
-        ObjectWriter::open(&arguments.output, &mut waiting(&arguments.output, arguments.json, cancel));
+    let (folder, force) = (&arguments.output, arguments.force);
+    let mut wait = waiting(folder, arguments.json, cancel);
+    let writer = ObjectWriter::open(folder, capturer.files(), force, &mut wait);
     let writer = writer.map_err(|error| of_writing(error, cancel))?;
     let (captured, compared) = arguments.best(&capturer, cancel)?;
     let measured = compared.iter().find(|(cover, _)| *cover == captured.cover).map(|(_, measured)| measured);
+    let is_solid = arguments.is_solid(&captured, measured)?;
+    if !is_solid && !arguments.json {
+        say::note(NO_SOLID);
+    }
     let files = writer.write(&captured, measured).map_err(|error| of_writing(error, cancel))?;
     let seconds = started.elapsed().as_secs_f64();
     let open_edges = subject.mesh.measures().open_edges;
-    let about = About { captured: &captured, compared: &compared, files: &files, open_edges, seconds };
+    let about =
+        About { captured: &captured, compared: &compared, files: &files, is_solid, open_edges, seconds };
     answer(|out| Ok(about.tell(arguments, &subject, out)?))
 }
 
@@ -213,7 +234,7 @@ impl Arguments {
         if self.grid.is_some() && !has_grid {
             return Err(Failure::usage("--grid needs --views octahedral, hemi or horizontal"));
         }
-        if self.cover == CoverChoice::Auto && self.verify == 0 {
+        if self.cover == Some(CoverChoice::Auto) && self.verify == 0 {
             return Err(Failure::usage(
                 "--cover auto compares with the mesh, which --verify 0 does not: choose centre or pixel",
             ));
@@ -231,6 +252,33 @@ impl Arguments {
             }
             _ => Ok(()),
         }
+    }
+
+    /// Refuses an object that would replace what it is made from.
+    fn check_inputs(&self, files: ObjectFiles, read: &[PathBuf]) -> Result<(), Failure> {
+        let inputs: Vec<&Path> = read.iter().map(AsRef::as_ref).collect();
+        // Of a file of views nothing else is read, whatever it names.
+        let views = match &self.views {
+            Views::File(path) => Some(path),
+            _ => None,
+        };
+        for file in files.changed(&self.output) {
+            let of_views = || views.filter(|views| is_same_file(&file, views)).cloned();
+            if let Some(input) = replaced(&file, &inputs).or_else(of_views) {
+                return Err(Failure::Usage(format!(
+                    "--output {}: would replace {}, which is read: give another folder",
+                    self.output.display(),
+                    input.display()
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    /// What heights are: where nothing is compared, and nothing is said, those that lose nothing thin.
+    fn cover(&self) -> CoverChoice {
+        let pixel = || if self.verify == 0 { CoverChoice::One(Cover::Pixel) } else { CoverChoice::Auto };
+        self.cover.unwrap_or_else(pixel)
     }
 
     fn settings(&self) -> Result<CaptureSettings, Failure> {
@@ -261,7 +309,7 @@ impl Arguments {
         capturer: &Capturer,
         cancel: &AtomicBool,
     ) -> Result<(Captured, Vec<(Cover, Measured)>), Failure> {
-        let covers = match self.cover {
+        let covers = match self.cover() {
             CoverChoice::Auto => Cover::ALL.to_vec(),
             CoverChoice::One(cover) => vec![cover],
         };
@@ -290,6 +338,13 @@ impl Arguments {
         }
         let nothing = || Failure::work("there is nothing to capture");
         best.map(|(captured, _)| (captured, compared)).ok_or_else(nothing)
+    }
+
+    /// Whether anything of the object is left.
+    fn is_solid(&self, captured: &Captured, measured: Option<&Measured>) -> Result<bool, Failure> {
+        let Verification { cells, jump_texels, .. } = self.verification();
+        let object = captured.object(cells, jump_texels).map_err(Failure::work)?;
+        Ok(measured.is_none_or(|measured| measured.iou > 0.0) && object.has_solid())
     }
 
     /// Why there are no images, with the flag that would help.
@@ -321,6 +376,9 @@ fn of_writing(error: WriteObjectError, cancel: &AtomicBool) -> Failure {
     match error {
         WriteObjectError::Set(FileSetError::Busy { .. }) if cancel.load(Ordering::Relaxed) => {
             interrupt::cancelled()
+        }
+        WriteObjectError::Stranger(_) => {
+            Failure::Work(format!("{error}: move it away, give another --output, or replace it with --force"))
         }
         other => Failure::work(other),
     }

@@ -20,6 +20,8 @@ pub struct About<'a> {
     /// What was compared with the mesh, the images that were written among them.
     pub compared: &'a [(Cover, Measured)],
     pub files: &'a [PathBuf],
+    /// Whether anything of the object is left.
+    pub is_solid: bool,
     /// Edges of the mesh that only one triangle has.
     pub open_edges: usize,
     pub seconds: f64,
@@ -46,6 +48,9 @@ impl About<'_> {
         let [radius, texel] = [radius, texel].map(six_digits);
         writeln!(out, "  ball        radius {radius} m around {}, a texel {texel} m", point(centre))?;
         writeln!(out, "  seen        {} texels, cover {}", captured.seen, captured.cover)?;
+        if !self.is_solid {
+            writeln!(out, "  solid       none: the object is empty")?;
+        }
         if self.open_edges > 0 {
             writeln!(
                 out,
@@ -109,7 +114,7 @@ impl About<'_> {
             "bits": captured.bits, "cover": captured.cover.name(), "centre_m": centre.to_array(),
             "radius_m": radius, "texel_m": captured.views.first().map(View::texel_m),
             "triangles": subject.mesh.triangles().len(), "open_edges": self.open_edges,
-            "seen": captured.seen, "backs": captured.backs, "colors": subject.colors.is_some(),
+            "seen": captured.seen, "solid": self.is_solid, "backs": captured.backs, "colors": subject.colors.is_some(),
             "measured": written.map(|(cover, measured)| row(*cover, measured)), "compared": compared,
             "seconds": self.seconds,
         })

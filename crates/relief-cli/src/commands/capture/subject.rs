@@ -1,6 +1,6 @@
 //! What is captured: a mesh and its colours.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use glam::Vec2;
 use relief_core::ByteSize;
@@ -11,7 +11,7 @@ use relief_render::scene::{MeshChoice, SceneSpec, SurfaceSpec, read_scene};
 
 use super::Arguments;
 use crate::advice;
-use crate::commands::numbered::{Numbering, ONE_FRAME};
+use crate::commands::numbered::{Numbering, ONE_FRAME, files};
 use crate::commands::scene_arguments::of_scene_file;
 use crate::failure::Failure;
 
@@ -19,6 +19,8 @@ use crate::failure::Failure;
 pub struct Subject {
     pub mesh: Mesh,
     pub colors: Option<MeshColors>,
+    /// The files that were read.
+    pub inputs: Vec<PathBuf>,
     /// What a user may not expect.
     pub notes: Vec<String>,
 }
@@ -31,17 +33,20 @@ impl Subject {
     /// height map.
     pub fn read(arguments: &Arguments) -> Result<Self, Failure> {
         let is_scene = arguments.input.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+        let mut inputs = vec![arguments.input.clone()];
         let surface = if is_scene {
             let spec = read_scene(&arguments.input).map_err(of_scene_file)?;
             Numbering::of(Some(&arguments.input)).refuse(&spec, ONE_FRAME)?;
             let surface = only_surface(&spec, &arguments.input)?;
+            inputs.extend(files(&spec));
             if surface.height.is_some() {
-                return displaced(spec, &surface, arguments);
+                return displaced(spec, &surface, inputs, arguments);
             }
             surface
         } else {
             of_mesh(&arguments.input)?
         };
+        inputs.extend(arguments.color.clone());
         let max_bytes = arguments.max_bytes();
         let mut notes = Vec::new();
         let (mesh, own) = match surface.mesh.clone().unwrap_or_default() {
@@ -63,7 +68,7 @@ impl Subject {
             }
             None => own,
         };
-        Ok(Self { mesh, colors, notes })
+        Ok(Self { mesh, colors, inputs, notes })
     }
 }
 
@@ -93,7 +98,12 @@ fn only_surface(spec: &SceneSpec, path: &Path) -> Result<SurfaceSpec, Failure> {
 }
 
 /// The mesh of a scene's surface, displaced by its height map, with a vertex every texel along its edges.
-fn displaced(spec: SceneSpec, surface: &SurfaceSpec, arguments: &Arguments) -> Result<Subject, Failure> {
+fn displaced(
+    spec: SceneSpec,
+    surface: &SurfaceSpec,
+    mut inputs: Vec<PathBuf>,
+    arguments: &Arguments,
+) -> Result<Subject, Failure> {
     let max_memory = Some(ByteSize(arguments.max_bytes()));
     // Nothing is rendered.
     let spec = SceneSpec { max_memory, size: Some([1, 1]), samples: Some(1), ..spec };
@@ -120,7 +130,8 @@ fn displaced(spec: SceneSpec, surface: &SurfaceSpec, arguments: &Arguments) -> R
         None => shown.color().map(|color| Picture::clone(color)),
     };
     let colors = picture.map(|picture| with_picture(picture, surface));
-    Ok(Subject { mesh, colors, notes: Vec::new() })
+    inputs.extend(arguments.color.clone());
+    Ok(Subject { mesh, colors, inputs, notes: Vec::new() })
 }
 
 /// The mesh of a file, and its colours if it has any.

@@ -1,0 +1,26 @@
+//! The files that a command reads, of which none is replaced.
+
+use std::path::{Path, PathBuf};
+
+use relief_io::file_set::is_same_file;
+use relief_io::files_of_mesh;
+use relief_object::{Description, read_description};
+
+/// The files that a file names, if it is a mesh or an object of images: they belong to it.
+fn named_by(path: &Path) -> Vec<PathBuf> {
+    let is_text = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    if !(is_text && path.is_file()) {
+        return files_of_mesh(path);
+    }
+    let Ok(Description { depth, color, normal, .. }) = read_description(path) else { return Vec::new() };
+    let folder = path.parent().unwrap_or(Path::new(""));
+    [Some(depth), color, normal].into_iter().flatten().map(|name| folder.join(name)).collect()
+}
+
+/// The file that an output would replace: one of those that are read, or one that belongs to them.
+pub fn replaced(output: &Path, inputs: &[&Path]) -> Option<PathBuf> {
+    let is_replaced = |input: &Path| is_same_file(output, input);
+    let of_inputs = || inputs.iter().flat_map(|input| named_by(input));
+    let input = inputs.iter().find(|input| is_replaced(input)).map(|input| input.to_path_buf());
+    input.or_else(|| of_inputs().find(|named| is_replaced(named)))
+}
