@@ -207,7 +207,7 @@ fn what_cannot_be_made_is_refused() {
         ("hills.png --view view.toml --error 1% -o out/a.glb", 2, ["--view", "--error"]),
         ("hills.png --view view.toml --side above -o out/a.glb", 2, ["--side", "pixels"]),
         ("hills.png --view view.toml --edges texels -o out/a.glb", 2, ["--view", "texels"]),
-        ("hills.png --view view.toml --pixels 0.001 -o out/a.glb", 1, ["vertices", "--pixels"]),
+        ("hills.png --view view.toml --pixels 0.002 -o out/a.glb", 1, ["vertices", "--pixels"]),
         ("hills.png --view view.toml --solid 3 -o out/a.stl", 1, ["--solid", "view"]),
         ("hills.png --solid 0 -o out/a.stl", 2, ["--solid", "0"]),
         ("hills.png --solid 3 --mesh cube -o out/a.stl", 1, ["--solid", "closed"]),
@@ -386,4 +386,35 @@ fn an_interrupt_leaves_what_was_there() {
     assert!(ran.stderr.contains("cancelled"), "{}", ran.stderr);
     assert_eq!(entries(&folder.path("stopped")), ["hills.ply"]);
     assert_eq!(std::fs::read(folder.path("stopped/hills.ply")).expect("it is there"), b"old");
+}
+
+#[cfg(unix)]
+#[test]
+fn every_signal_ends_a_mesh_while_its_triangles_are_chosen() {
+    use std::process::{Command, Stdio};
+    use std::time::{Duration, Instant};
+    let folder = folder();
+    // One tile that needs many triangles, and takes seconds.
+    folder.write("rough.png", Map::new(128, 128, |x, y| (((x * 7 + y * 13) * 5) % 256 * 257) as u16).png());
+    for (signal, more) in
+        [("-INT", ""), ("-TERM", "--fit none"), ("-HUP", "--mesh cube"), ("-INT", "--triangles 9000")]
+    {
+        folder.write("stopped/hills.ply", b"old");
+        let line = format!("mesh rough.png {more} -q -o stopped/hills.ply");
+        let mut command = folder.command();
+        command.args(line.split_whitespace()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let run = command.spawn().expect("the command starts");
+        // The hidden folder is there before the work begins.
+        let begun = Instant::now();
+        while entries(&folder.path("stopped")).len() < 2 && begun.elapsed() < Duration::from_secs(10) {
+            std::thread::sleep(Duration::from_millis(2));
+        }
+        let sent = Command::new("kill").args([signal, &run.id().to_string()]).status();
+        assert!(sent.expect("kill runs").success());
+        let ran = Ran::new(&line, &run.wait_with_output().expect("it ends"));
+        assert_eq!(ran.code, Some(1), "{line}: {}", ran.stderr);
+        assert!(ran.stderr.contains("cancelled"), "{line}: {}", ran.stderr);
+        assert_eq!(entries(&folder.path("stopped")), ["hills.ply"]);
+        assert_eq!(std::fs::read(folder.path("stopped/hills.ply")).expect("it is there"), b"old");
+    }
 }

@@ -4,6 +4,7 @@ mod common;
 
 use common::command::{Folder, json_of};
 use common::maps::Map;
+use common::meshes::gltf;
 use common::refused::{assert_refused, with_out};
 use serde_json::{Value, json};
 
@@ -123,4 +124,70 @@ fn levels_of_detail_are_coarser_and_coarser() {
     let ran = folder.relief("mesh hills.png --mesh sphere --texels 64 --lods 8 -o out/none.glb");
     assert!(ran.code == Some(1) && ran.stderr.contains("--lods"), "{}", ran.stderr);
     assert!(!folder.path("out/none.glb").exists());
+}
+
+/// What belongs to a file that is read is not replaced either: buffers and pictures of a mesh, pictures of an
+/// object, and what a scene names.
+#[test]
+fn what_a_file_names_is_not_replaced() {
+    let folder = with_out();
+    folder.write("h.png", Map::hills().png());
+    let (json, buffer) = gltf("color.png", "b.glb");
+    folder.write("m.gltf", json);
+    folder.write("b.glb", buffer);
+    folder.write("color.png", Map::hills().png());
+    folder.write("s.toml", "height = 'h.png'\nmesh = 'm.gltf'\n");
+    folder.relief("mesh h.png -o plane.glb -q").fine();
+    folder.write("p.toml", "height = 'h.png'\nmesh = 'plane.glb'\n");
+    folder.relief("capture cube --size 16 --verify 0 --cover centre -q -o o").fine();
+    for (line, read) in [
+        ("render --height h.png --mesh m.gltf -o color.png", "color.png"),
+        ("render s.toml -o color.png", "color.png"),
+        ("render --object o/object.toml -o o/normal.png", "o/normal.png"),
+        ("render --object o/object.toml --aov o/depth.exr -o out/p.png", "o/depth.exr"),
+        ("mesh h.png --mesh m.gltf -o b.glb", "b.glb"),
+        ("slices p.toml -o plane.glb", "plane.glb"),
+        ("slices s.toml -o b.glb", "b.glb"),
+        ("height from-meshes --low m.gltf --high cube --size 8x8 -o color.png", "color.png"),
+        (
+            "height from-meshes --low cube --high m.gltf --size 8x8 -o out/h.exr --normals color.png",
+            "color.png",
+        ),
+        ("height from-view o/object.toml --view 1 -o o/depth.exr", "o/depth.exr"),
+        ("height for-mesh h.png --mesh m.gltf --lift -o color.png", "color.png"),
+    ] {
+        let path = folder.path(read);
+        let before = std::fs::read(&path).expect("it is there");
+        assert_refused(&folder, &folder.relief(line), 2, &["would replace", read, "which is read"]);
+        assert!(before == std::fs::read(&path).expect("it is there"), "{line}");
+    }
+    // A picture inside of a file is no other file's.
+    folder.relief("render --height h.png --mesh plane.glb --size 8x8 -q -o out/plane.png").fine();
+}
+
+#[test]
+fn finer_pixels_give_more_triangles_or_are_refused() {
+    let folder = with_out();
+    folder.write("h.png", Map::hills().png());
+    folder.write("s.toml", "height = 'h.png'\n");
+    folder.write("wide.toml", "height = 'h.png'\nsize = [32768, 16]\n");
+    folder.write("far.toml", "height = 'h.png'\nfov = 0.2\neye = [0, 300, 1]\ntarget = [0, 0, 0]\n");
+    let triangles = |line: &str| {
+        let about = json_of(&folder.relief(&format!("mesh h.png {line} --json -o m.ply")).fine());
+        about["triangles"].as_u64().unwrap_or_else(|| panic!("{about}"))
+    };
+    for scene in ["s.toml", "far.toml"] {
+        let counts = ["16", "8", "4"].map(|pixels| triangles(&format!("--view {scene} --pixels {pixels}")));
+        assert!(counts.is_sorted() && counts[0] < counts[2], "{scene}: {counts:?}");
+    }
+    for (scene, pixels) in [("s.toml", "0.01"), ("s.toml", "0.001"), ("far.toml", "0.001")] {
+        let line = format!("mesh h.png --view {scene} --pixels {pixels} --max-memory 256MiB -o out/m.ply");
+        assert_refused(&folder, &folder.relief(&line), 1, &[]);
+    }
+    for (scene, pixels) in
+        [("s.toml", "0.0001"), ("s.toml", "0.00001"), ("far.toml", "0.000000001"), ("wide.toml", "0.06")]
+    {
+        let line = format!("mesh h.png --view {scene} --pixels {pixels} --max-memory 256MiB -o out/m.ply");
+        assert_refused(&folder, &folder.relief(&line), 1, &["--pixels", pixels, "at least"]);
+    }
 }

@@ -77,6 +77,21 @@ pub enum MesherError {
         /// Metres to where it begins.
         near_m: f64,
     },
+    /// A view with more voxels a side than its grid holds.
+    #[error(
+        "{pixels} pixels to a voxel are too fine for a picture of {width}x{height}: at least {least} are \
+         possible"
+    )]
+    FineView {
+        /// Width of its picture.
+        width: u32,
+        /// Height of its picture.
+        height: u32,
+        /// Pixels that a voxel is wide.
+        pixels: f64,
+        /// The least that are possible.
+        least: f64,
+    },
     /// A base without triangles.
     #[error("the base mesh has no triangles")]
     Empty,

@@ -1,6 +1,6 @@
 //! Patches that are filled with as few triangles as a tolerance allows: what they have in common.
 
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use crate::edge::Along;
 use crate::interior::{Fill, Filled, STEPS, Wanted};
@@ -39,7 +39,7 @@ pub fn least_tolerance(relief: &Relief, judge: Judge) -> f64 {
 
 /// How many triangles there may be: numbers, so that it does not matter which patch comes first.
 #[derive(Debug)]
-pub struct Room {
+pub struct Room<'a> {
     judge: Judge,
     fit: Fit,
     /// The most triangles of all.
@@ -49,14 +49,15 @@ pub struct Room {
     made: u64,
     limit: u64,
     triangles: AtomicU64,
+    cancel: &'a AtomicBool,
 }
 
-impl Room {
-    pub fn new(settings: &MeshSettings, most: u64) -> Self {
+impl<'a> Room<'a> {
+    pub fn new(settings: &MeshSettings, most: u64, cancel: &'a AtomicBool) -> Self {
         let limit = settings.max_bytes;
         let (held, made) = (limit / 2 / BYTES_HELD, limit / 4 / BYTES_MADE);
         let MeshSettings { judge, fit, .. } = *settings;
-        Self { judge, fit, most, held, made, limit, triangles: AtomicU64::new(0) }
+        Self { judge, fit, most, held, made, limit, triangles: AtomicU64::new(0), cancel }
     }
 
     /// The most triangles of a patch.
@@ -65,8 +66,14 @@ impl Room {
     }
 
     /// How a patch is to be filled.
-    pub fn wanted(&self, tolerance: f64) -> Wanted {
-        Wanted { tolerance, judge: self.judge, fit: self.fit, most: self.of_patch() as u32 }
+    pub fn wanted(&self, tolerance: f64) -> Wanted<'a> {
+        Wanted {
+            tolerance,
+            judge: self.judge,
+            fit: self.fit,
+            most: self.of_patch() as u32,
+            cancel: self.cancel,
+        }
     }
 
     fn check(&self, triangles: u64, fits: u64) -> Result<(), MesherError> {
@@ -80,6 +87,9 @@ impl Room {
     /// A patch that was filled, if there is room for it.
     pub fn taken(&self, filled: Option<Filled>) -> Result<Filled, MesherError> {
         let Some(filled) = filled else {
+            if self.cancel.load(Ordering::Relaxed) {
+                return Err(MesherError::Cancelled);
+            }
             self.check(self.of_patch() + 1, self.made)?;
             return Err(MesherError::NoMemory { limit: self.limit });
         };

@@ -487,7 +487,62 @@ fn room_for<T>(what: &'static str, count: u64) -> Result<Vec<T>, StreamError<Inf
 
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::AtomicBool;
+    use std::time::Instant;
+
     use super::*;
+    use crate::Fit;
+
+    /// How long it takes to count a mesh that one thread makes, and what comes of it when it is cancelled
+    /// after a part of that.
+    fn cancelled_after(mesh: &Mesh, settings: &MeshSettings, seconds: f64) -> (f64, Result<(), MesherError>) {
+        let map = rough();
+        let [cancel, done] = [false; 2].map(AtomicBool::new);
+        let until = std::time::Duration::from_secs_f64(seconds);
+        let started = Instant::now();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+        let made = std::thread::scope(|scope| {
+            scope.spawn(|| {
+                while started.elapsed() < until && !done.load(Ordering::Relaxed) {
+                    std::thread::sleep(std::time::Duration::from_millis(2));
+                }
+                cancel.store(true, Ordering::Relaxed);
+            });
+            let watch = Watch { tell: &|_| {}, cancel: &cancel };
+            let made = pool.install(|| Mesher::watched(mesh, &map, settings, &watch).map(drop));
+            done.store(true, Ordering::Relaxed);
+            made
+        });
+        (started.elapsed().as_secs_f64(), made)
+    }
+
+    /// A map that needs many triangles everywhere.
+    fn rough() -> HeightMap {
+        let mut rng = relief_core::rng::Rng::new(7);
+        let texels = (0..64 * 64).map(|_| rng.unit() as f32).collect();
+        HeightMap::new(64, 64, texels, relief_core::Wrap::Clamp)
+            .and_then(|map| map.with_displacement(0.05, -0.05))
+            .expect("a map")
+    }
+
+    #[test]
+    fn a_patch_that_is_being_filled_ends_when_it_is_cancelled() {
+        let plane = relief_core::mesh::Builtin::Plane.build([1.0, 1.0]).expect("a mesh");
+        let bent = relief_core::mesh::Builtin::Cube.build([1.0, 1.0]).expect("a mesh");
+        for (mesh, fit) in [(&plane, Fit::Heights), (&plane, Fit::None), (&bent, Fit::Heights)] {
+            let settings = MeshSettings { fit, ..MeshSettings::within(2e-3) };
+            let (whole, made) = cancelled_after(mesh, &settings, 1e6);
+            made.expect("a mesh");
+            // Whatever else the machine does: the best of three.
+            let early = (0..3).map(|_| {
+                let (seconds, made) = cancelled_after(mesh, &settings, whole / 8.0);
+                assert!(matches!(made, Err(MesherError::Cancelled)), "{made:?}");
+                seconds
+            });
+            let early = early.fold(f64::INFINITY, f64::min);
+            assert!(early < whole / 2.0, "{early} of {whole} s");
+        }
+    }
 
     #[test]
     fn a_list_that_no_memory_holds_is_refused() {

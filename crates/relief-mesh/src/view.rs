@@ -25,8 +25,11 @@ pub struct View {
 /// The part of the way from the eye to the point looked at that nothing is expected within.
 const NEAR: f64 = 1e-3;
 
-/// Corners are not told apart farther from the middle of the picture, in voxels.
+/// Corners are not told apart farther to the side than this, in voxels: a picture is narrower.
 const FARTHEST: f64 = (1 << 18) as f64;
+
+/// The same along the view axis, where all depths of a mesh are told apart.
+const DEEPEST: f64 = (1 << 30) as f64;
 
 impl View {
     /// A view with voxels of one pixel, near from a thousandth of the way to the point looked at.
@@ -38,7 +41,7 @@ impl View {
     ///
     /// # Errors
     ///
-    /// When it sees nothing.
+    /// When it sees nothing, or its picture has more voxels a side than grid space.
     pub fn grid_space(&self) -> Result<GridSpace, MesherError> {
         let Voxels { middle, per_m, per_doubling, near_m, .. } = self.voxels()?;
         Ok(GridSpace { middle, per_m, per_doubling, near_m })
@@ -50,6 +53,10 @@ impl View {
         let is_positive = |of: f64| of > 0.0 && of.is_finite();
         if width == 0 || height == 0 || !is_positive(pixels) || !is_positive(near_m) {
             return Err(MesherError::BadView { width, height, pixels, near_m });
+        }
+        let side = f64::from(width.max(height));
+        if side / pixels > FARTHEST {
+            return Err(MesherError::FineView { width, height, pixels, least: side / FARTHEST });
         }
         // Of the voxel's width where its depth is 1: equation 3.
         let size = 2.0 * camera.half_height() / f64::from(height) * pixels;
@@ -121,7 +128,9 @@ impl Voxels {
         };
         let at = [right * per_m * share + middle[0], middle[1] - up * per_m * share, away];
         // What is not a number becomes 0.
-        Voxel { at: at.map(|at| at.clamp(-FARTHEST, FARTHEST).round() as i32), share }
+        let farthest = [FARTHEST, FARTHEST, DEEPEST];
+        let at = [0, 1, 2].map(|axis| at[axis].clamp(-farthest[axis], farthest[axis]).round() as i32);
+        Voxel { at, share }
     }
 }
 
@@ -194,6 +203,29 @@ mod tests {
                 let at = camera.ray(x, y, 640, 480).at(1.7 + 1e-9);
                 let [column, row, _] = voxels.of(at).at;
                 assert!((0..=1).contains(&(column - x as i32)) && (0..=1).contains(&(row - y as i32)));
+            }
+        }
+    }
+
+    #[test]
+    fn voxels_that_are_told_apart_stay_so_however_fine_they_are() {
+        for projection in
+            [Projection::Perspective { fov_degrees: 0.1 }, Projection::Orthographic { height_m: 0.1 }]
+        {
+            let camera = Camera::with(DVec3::Z * 100.0, DVec3::ZERO, projection).expect("a camera");
+            for pixels in [1.0, 0.1, 0.004] {
+                let voxels = View { pixels, ..View::new(camera, [1000, 800]) }.voxels().expect("a view");
+                let deep = [0.0, -0.5].map(|z| voxels.of(DVec3::new(0.0, 0.0, z)).at[2]);
+                let most = 0.5 / (voxels.size_m() * if camera.is_orthographic() { 1.0 } else { 100.0 });
+                let found = f64::from(deep[1] - deep[0]);
+                assert!((found - most).abs() < 0.01 * most + 2.0, "{found} of {most}");
+            }
+            // Beyond what the grid holds nothing is told apart at the picture's edges.
+            for (size, pixels) in [([1000, 800], 0.003), ([800, 1000], 1e-9), ([32768, 16], 0.06)] {
+                let view = View { pixels, ..View::new(camera, size) };
+                let refused = view.voxels();
+                let Err(MesherError::FineView { least, .. }) = refused else { panic!("{refused:?}") };
+                assert!(View { pixels: least, ..view }.voxels().is_ok());
             }
         }
     }

@@ -44,7 +44,8 @@ pub enum Fills {
     Ground(Fill),
 }
 
-/// Fills patches whose borders have those points, with heights. None where there would be too many triangles.
+/// Fills patches whose borders have those points, with heights. None where there would be too many triangles,
+/// or it is cancelled.
 #[derive(Clone, Copy, Debug)]
 pub struct Fill {
     /// A tile of a plane.
@@ -54,7 +55,7 @@ pub struct Fill {
 }
 
 /// Fills a patch over some ground.
-pub type FillOf<G> = fn(&G, border: &[([i32; 2], f32)], Wanted) -> Option<Filled>;
+pub type FillOf<G> = fn(&G, border: &[([i32; 2], f32)], Wanted<'_>) -> Option<Filled>;
 
 /// A pattern that follows from the points of the sides alone.
 #[derive(Clone, Copy, Debug)]

@@ -80,7 +80,7 @@ impl Adapted {
         }
         adapted.first_of_side.push(numbered(vertices, 0)?);
         let done = AtomicU64::new(0);
-        let room = Room::new(settings, filling.most);
+        let room = Room::new(settings, filling.most, watch.cancel);
         let tiles: Result<Vec<Filled>, MesherError> = (0..across * down)
             .into_par_iter()
             .map(|tile| {

@@ -86,7 +86,7 @@ impl Adapted {
             return Err(MesherError::OnPlanesAlone { what });
         }
         let base = Triangles::new(mesh, relief, settings, filling.most, watch)?;
-        let (room, done) = (Room::new(settings, filling.most), AtomicU64::new(0));
+        let (room, done) = (Room::new(settings, filling.most, watch.cancel), AtomicU64::new(0));
         let patches: Vec<u32> = (0..base.count()).collect();
         let made: Result<Vec<Several>, MesherError> = patches
             .par_chunks(TOGETHER)
@@ -279,7 +279,7 @@ impl Triangles {
         relief: &Relief,
         patch: u32,
         settings: &MeshSettings,
-        (filling, room): (&Filling, &Room),
+        (filling, room): (&Filling, &Room<'_>),
         into: &mut Several,
     ) -> Result<(), MesherError> {
         let error_m = settings.side.part() * settings.error_m;

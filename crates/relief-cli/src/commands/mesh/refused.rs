@@ -33,6 +33,7 @@ pub fn of_mesher(error: MesherError) -> Failure {
         MesherError::BadWeights { .. } | MesherError::Weighted { .. } => {
             Failure::Usage(format!("--weights: {error}"))
         }
+        MesherError::FineView { .. } => Failure::Work(format!("--pixels: {error}")),
         MesherError::BadView { .. } => Failure::Work(format!("--view: {error}")),
         MesherError::BadTolerance { .. } => Failure::Usage(format!("--error: {error}")),
         MesherError::TooFine { .. } | MesherError::NotReached { .. } => {

@@ -3,6 +3,8 @@
 //! The sum of the squares of what exceeds it is convex; a few steps of Newton's method on the distances that
 //! are the greatest of their triangles and edges lower it, until most triangles lie within.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use super::delaunay::NONE;
 use super::ground::{Gap, Ground};
 use super::refine::Refined;
@@ -46,8 +48,9 @@ struct Fit<'t, 'w, G> {
 }
 
 /// Moves the heights of the points within a tile so that fewer distances exceed the tolerance, and by less:
-/// what exceeds it counts by its square. If nothing is gained the heights stay as they are.
-pub fn fit<G: Ground>(tile: &mut Refined<G>, tolerance: f64) {
+/// what exceeds it counts by its square. If nothing is gained the heights stay as they are. Ends at once
+/// where it is cancelled, with heights that are worth nothing.
+pub fn fit<G: Ground>(tile: &mut Refined<G>, tolerance: f64, cancel: &AtomicBool) {
     let free = tile.border();
     let count = tile.heights.len();
     if count == free {
@@ -65,6 +68,9 @@ pub fn fit<G: Ground>(tile: &mut Refined<G>, tolerance: f64) {
             kept.clone_from(&fit.tile.heights);
         }
         for _ in 0..NEWTON_STEPS {
+            if cancel.load(Ordering::Relaxed) {
+                return;
+            }
             if !fit.step(round * tolerance) {
                 break;
             }

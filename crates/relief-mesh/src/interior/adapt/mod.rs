@@ -15,6 +15,8 @@ mod refine;
 mod turning;
 mod window;
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use relief_core::registry::Publication;
 
 use super::{Fill, Fills, Interior};
@@ -46,7 +48,7 @@ const ROUNDING: f64 = 2e-7;
 
 /// How a patch is to be filled.
 #[derive(Clone, Copy, Debug)]
-pub struct Wanted {
+pub struct Wanted<'a> {
     /// The farthest that the surface may lie from a triangle, as a height of the map.
     pub tolerance: f64,
     /// Where that is looked at.
@@ -55,6 +57,15 @@ pub struct Wanted {
     pub fit: Fit,
     /// The most triangles.
     pub most: u32,
+    /// Set when nobody wants it any more.
+    pub cancel: &'a AtomicBool,
+}
+
+impl Wanted<'_> {
+    /// Whether nobody wants it any more.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancel.load(Ordering::Relaxed)
+    }
 }
 
 /// A patch that is filled.
@@ -71,19 +82,22 @@ pub struct Filled {
 }
 
 /// Fills a patch, whose border's points are its corners, in the ground's order, and then any others. None
-/// where it would have too many triangles.
-fn fill<G: Ground>(ground: &G, border: &[([i32; 2], f32)], wanted: Wanted) -> Option<Filled> {
+/// where it would have too many triangles, or was cancelled.
+fn fill<G: Ground>(ground: &G, border: &[([i32; 2], f32)], wanted: Wanted<'_>) -> Option<Filled> {
+    if wanted.is_cancelled() {
+        return None;
+    }
     // So that what is found in f64 holds, too.
     let tolerance = wanted.tolerance * (1.0 - 1e-5) - ROUNDING;
     let refined = |fit: Fit| {
         let mut tile = Refined::new(ground, wanted.judge, border);
         match fit {
-            Fit::None => tile.refine(tolerance, wanted.most)?,
+            Fit::None => tile.refine(tolerance, &wanted)?,
             Fit::Heights => {
-                tile.refine(LOOSER * tolerance, wanted.most)?;
-                fit::fit(&mut tile, tolerance);
+                tile.refine(LOOSER * tolerance, &wanted)?;
+                fit::fit(&mut tile, tolerance, wanted.cancel);
                 tile.moved();
-                tile.refine(tolerance, wanted.most)?;
+                tile.refine(tolerance, &wanted)?;
             }
         }
         let seen = tile.seen();

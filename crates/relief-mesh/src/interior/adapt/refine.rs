@@ -5,6 +5,7 @@
 
 use std::collections::BinaryHeap;
 
+use super::Wanted;
 use super::delaunay::{Delaunay, Location, NONE};
 use super::ground::{Corner, Gap, Ground};
 use crate::Judge;
@@ -148,8 +149,8 @@ impl<'a, G: Ground> Refined<'a, G> {
     }
 
     /// Inserts points until no triangle is farther from the surface than `tolerance`, or none of those that
-    /// are can be cut. None where there are more triangles than `most` by then.
-    pub fn refine(&mut self, tolerance: f64, most: u32) -> Option<()> {
+    /// are can be cut. None where there are more triangles than wanted by then, or where it is cancelled.
+    pub fn refine(&mut self, tolerance: f64, wanted: &Wanted<'_>) -> Option<()> {
         self.look(tolerance);
         while let Some(queued) = self.queue.pop() {
             let triangle = queued as u32;
@@ -157,7 +158,7 @@ impl<'a, G: Ground> Refined<'a, G> {
             if queue_key(gap, triangle) != queued {
                 continue;
             }
-            if self.mesh.count() > most {
+            if self.mesh.count() > wanted.most || wanted.is_cancelled() {
                 return None;
             }
             if self.insert(triangle, gap.place) {
