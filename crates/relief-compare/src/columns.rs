@@ -294,6 +294,16 @@ pub const COLUMNS: &[Column] = &[
     figure("shade_pass_ms", "shade pass ms", "shading, by the GPU's clock", 2, |row| {
         time(row, |times| times.shade_pass_ms)
     }),
+    figure(
+        "confidence",
+        "sure",
+        "part of all cases in which true medians lie between their ends",
+        2,
+        |row| time(row, |times| Some(times.confidence)),
+    ),
+    word("below_noise", "below noise", "differences that may be 0 for all that is known", |row| {
+        times(row).map_or(Cell::Empty, |times| text(times.below_noise.join(" ")))
+    }),
     figure("map_bytes", "map bytes", "bytes of the baked maps that it reads", 0, |row| {
         Cell::Number(row.method().map_bytes as f64)
     }),

@@ -4,6 +4,7 @@ use relief_core::metrics::{CostReport, CostSpread, ErrorReport};
 use serde::{Deserialize, Serialize};
 
 use crate::contender::labelled;
+use crate::spread::SURE;
 
 /// What a comparison finds.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -148,7 +149,8 @@ pub struct TimeRecord {
     pub clock: String,
     /// Columns and rows of the frames.
     pub timed_size: [u32; 2],
-    /// Milliseconds of a whole frame: the median, and what the true median lies between, at 95 in 100.
+    /// Milliseconds of a whole frame: the median, and what the true median lies between, with that
+    /// [`confidence`](Self::confidence).
     pub frame_ms: f64,
     /// Its lower end.
     pub frame_low_ms: f64,
@@ -172,6 +174,20 @@ pub struct TimeRecord {
     pub trace_pass_ms: Option<f64>,
     /// Milliseconds of the pass that shades.
     pub shade_pass_ms: Option<f64>,
+    /// In what part of all cases a true median lies between its ends, at least: 0.95 from six frames on. Of
+    /// fewer the ends are the least and the greatest that was seen.
+    #[serde(default)]
+    pub confidence: f64,
+    /// The keys of differences that may be 0 for all that is known: their lower ends are not above it.
+    #[serde(default)]
+    pub below_noise: Vec<String>,
+}
+
+impl TimeRecord {
+    /// Whether the true medians lie between their ends in 95 of 100 cases.
+    pub fn is_sure(&self) -> bool {
+        self.confidence >= SURE
+    }
 }
 
 /// How wrong hits are; shares are from 0 to 1.

@@ -20,7 +20,8 @@ use crate::streams::{Files, answer};
     relief bench --height wall.png --backend cpu,gpu --sampling exact,fast --json\n  \
     relief bench --methods bump,cone --shadow none,ray,soft,horizon\n\n\
     Frames have one sample a pixel. Methods take turns, so that what slows the machine for a while slows \
-    all of them; medians are given, with what the true ones lie between at 95 in 100. Compiling, \
+    all of them; medians are given, and from 6 frames on what the true ones lie between at 95 in 100. \
+    Differences that may be 0 for all that is known are in parentheses. Compiling, \
     uploading, baking and reading back are no part of a frame. What finding the surface takes is what a \
     frame takes more than one of bump mapping; where a GPU's own clock times its passes, what the pass takes \
     more that traces."
@@ -80,8 +81,19 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         for MachineRecord { backend, sampling, device } in &records.about.machines {
             writeln!(out, "{backend}, {sampling}: {device}")?;
         }
-        Ok(writeln!(out, "{}", table(records))?)
+        writeln!(out, "{}", table(records))?;
+        Ok(notes(records).iter().try_for_each(|note| writeln!(out, "{note}"))?)
     })
+}
+
+/// What the table does not say by itself.
+fn notes(records: &Records) -> Vec<&'static str> {
+    let times = || records.pictures.iter().filter_map(|record| record.times.as_ref());
+    let few = "-: how sure a median is, fewer than 6 frames do not tell: --frames 6 or more do";
+    let noise = "(): below the noise, the true time may be 0: more --frames or a larger --size tell it";
+    let is_few = times().any(|times| !times.is_sure());
+    let is_noise = times().any(|times| !times.below_noise.is_empty());
+    [is_few.then_some(few), is_noise.then_some(noise)].into_iter().flatten().collect()
 }
 
 /// Milliseconds of frames and of their parts.
@@ -112,7 +124,15 @@ fn table(records: &Records) -> Table {
     for record in &records.pictures {
         let Some(times) = &record.times else { continue };
         let ms = |ms: f64| format!("{ms:.2}");
-        let sure = |low: f64, high: f64| format!("{low:.2} to {high:.2}");
+        // What may be 0 for all that is known.
+        let part = |key: &str, ms: f64| match times.below_noise.iter().any(|noise| noise == key) {
+            true => format!("({ms:.2})"),
+            false => format!("{ms:.2}"),
+        };
+        let sure = |low: f64, high: f64| match times.is_sure() {
+            true => format!("{low:.2} to {high:.2}"),
+            false => "-".to_owned(),
+        };
         let pass = |pass: Option<f64>| pass.map_or("-".to_owned(), ms);
         table.add_row([
             record.method.label(),
@@ -121,10 +141,10 @@ fn table(records: &Records) -> Table {
             sure(times.frame_low_ms, times.frame_high_ms),
             bump(record).map_or("-".to_owned(), |bump| ms(times.frame_ms / bump.frame_ms)),
             ms(times.base_ms),
-            ms(times.shade_ms),
-            ms(times.displacement_ms),
+            part("shade_ms", times.shade_ms),
+            part("displacement_ms", times.displacement_ms),
             sure(times.displacement_low_ms, times.displacement_high_ms),
-            ms(times.shadow_ms),
+            part("shadow_ms", times.shadow_ms),
             pass(times.trace_pass_ms),
             pass(times.shade_pass_ms),
         ]);

@@ -122,6 +122,9 @@ impl Comparison {
         let [base, lit, methods @ ..] = &all[..] else { return Ok(none) };
         let records = methods.as_chunks::<2>().0.iter().map(|[searched, shadowed]| {
             let (frame, displacement) = (shadowed.frame(), searched.beyond(lit, trace));
+            let (shade, shadow) = (lit.beyond(base, shade), shadowed.beyond(searched, shade));
+            let differences = [("displacement_ms", displacement), ("shade_ms", shade), ("shadow_ms", shadow)];
+            let is_noise = |(_, median): &(&str, Median)| median.low <= 0.0;
             let trace_pass_ms = shadowed.passes(trace);
             Some(TimeRecord {
                 clock: if trace_pass_ms.is_some() { PASSES } else { WALL }.to_owned(),
@@ -133,10 +136,16 @@ impl Comparison {
                 displacement_low_ms: displacement.low,
                 displacement_high_ms: displacement.high,
                 base_ms: base.frame().middle,
-                shade_ms: lit.beyond(base, shade).middle,
-                shadow_ms: shadowed.beyond(searched, shade).middle,
+                shade_ms: shade.middle,
+                shadow_ms: shadow.middle,
+                confidence: frame.confidence,
+                below_noise: differences
+                    .into_iter()
+                    .filter(is_noise)
+                    .map(|(key, _)| key.to_owned())
+                    .collect(),
                 trace_pass_ms,
-                shade_pass_ms: shadowed.passes(shade),
+                shade_pass_ms: shadowed.passes(self::shade),
             })
         });
         Ok(records.collect())
