@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use relief_io::ReadError;
 
+use crate::cut::cut;
 use crate::{advice, streams};
 
 /// Why a command did not do its work.
@@ -60,7 +61,7 @@ impl Failure {
             Failure::Work(message) => (message, 1),
             Failure::ReaderGone => return ExitCode::SUCCESS,
         };
-        let message = streams::named(message.trim_end());
+        let message = cut(&streams::named(message.trim_end()));
         if json {
             eprintln!("{}", serde_json::json!({ "error": message, "exit": code }));
         } else {

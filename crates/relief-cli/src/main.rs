@@ -10,6 +10,7 @@ use streams::{Files, Streams};
 
 mod advice;
 mod commands;
+mod cut;
 mod failure;
 mod frames;
 mod interrupt;
@@ -26,8 +27,8 @@ mod waiting;
 #[derive(Parser)]
 #[command(name = "relief", version, propagate_version = true, max_term_width = 100)]
 #[command(after_help = "Start with: relief render --height data/bricks.png -o bricks.png\n\n\
-    Exit codes: 0 done, 1 the work failed and no file was written (but for whole frames of render --frames), \
-    2 the command line is wrong.")]
+    Exit codes: 0 done, 1 the work failed and no file was written (but for whole frames of render --frames, \
+    and the page of compare where no method keeps --budget-ms or --max-error), 2 the command line is wrong.")]
 struct Arguments {
     #[command(flatten)]
     common: Common,
@@ -118,6 +119,10 @@ fn main() -> ExitCode {
         Ok(arguments) => arguments,
         Err(error) if error.use_stderr() && std::env::args_os().any(|argument| argument == "--json") => {
             return Failure::unparsed(&error).report(true);
+        }
+        // Nobody reads an argument of a megabyte.
+        Err(error) if error.use_stderr() && cut::is_long(&error.render().to_string()) => {
+            return Failure::unparsed(&error).report(false);
         }
         Err(error) => error.exit(),
     };

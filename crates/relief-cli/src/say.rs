@@ -2,6 +2,7 @@
 
 use std::sync::OnceLock;
 
+use crate::cut::cut;
 use crate::streams;
 
 /// How much is said.
@@ -31,7 +32,7 @@ pub fn loudness() -> Loudness {
 /// Says what a user may not expect, unless he wants to hear nothing.
 pub fn note(text: impl std::fmt::Display) {
     if loudness() != Loudness::Quiet {
-        eprintln!("note: {}", streams::named(&text.to_string()));
+        eprintln!("note: {}", cut(&streams::named(&text.to_string())));
     }
 }
 

@@ -437,3 +437,42 @@ fn without_a_desktop_nothing_but_the_answer_is_written() {
         assert!(serde_json::from_str::<Value>(&ran.stderr).is_ok(), "{ran:?}");
     }
 }
+
+#[test]
+fn long_names_and_lines_are_cut_in_what_is_said() {
+    let folder = Folder::new();
+    folder.write("map.png", Map::hills().png());
+    let long = "x".repeat(60_000);
+    folder.write("s.toml", format!("height = '{long}'\nsearch = '{long}'\n"));
+    folder.write("key.toml", format!("{long} = 1\n"));
+    folder.write("value.toml", format!("height = 'map.png'\nwrap = '{long}'\n"));
+    folder.write("bad.toml", format!("height = '{long}' nothing\n"));
+    folder.write("m.ply", format!("ply\nformat ascii 1.0\n{long}\nend_header\n"));
+    folder.write("m.obj", format!("v {long} 0 0\n"));
+    for line in [
+        format!("render --height {long}.png -o a.png"),
+        format!("render --height map.png --size {long} -o a.png"),
+        format!("render --height map.png --method {long} -o a.png"),
+        format!("render --height map.png --set {long}=1 -o a.png"),
+        format!("render --height map.png -o a.{long}"),
+        format!("render --{long}"),
+        long.clone(),
+        "render s.toml -o a.png".to_owned(),
+        "render key.toml -o a.png".to_owned(),
+        "render value.toml -o a.png".to_owned(),
+        "render bad.toml -o a.png".to_owned(),
+        "inspect m.ply".to_owned(),
+        "inspect m.obj".to_owned(),
+        format!("bake map.png --kind {long} -o ."),
+    ] {
+        for json in ["", " --json"] {
+            let ran = folder.relief(&format!("{line}{json}"));
+            let about = &line[..line.len().min(50)];
+            assert!(matches!(ran.code, Some(1 | 2)), "{about}");
+            assert!((20..8000).contains(&ran.stderr.len()), "{about}: {} bytes", ran.stderr.len());
+        }
+    }
+    // What was wrong and what to do stand at both ends.
+    let ran = folder.relief(&format!("render --height {long}.png -o a.png"));
+    assert!(ran.stderr.starts_with("error: xxx") && ran.stderr.contains("…"), "{}", ran.stderr);
+}

@@ -196,6 +196,14 @@ fn a_method_is_chosen_for_an_error_or_a_time() {
     let none = folder.relief(&format!("{line} --budget-ms 0.000001"));
     assert_eq!(none.code, Some(1));
     assert!(none.stderr.contains("the nearest is"), "{}", none.stderr);
+    // The page is there all the same, as both helps say.
+    let page = std::fs::metadata(folder.path("comparison.html")).expect("it was written");
+    assert!(page.len() > 1000);
+    for help in ["--help", "compare --help"] {
+        let said = folder.relief(help).fine().stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+        let codes = &said[said.find("xit code").expect("what codes mean")..];
+        assert!(said.contains("--budget-ms") && codes.contains('1'), "{said}");
+    }
     for flags in ["--budget-ms 0", "--max-error NaN", "--budget-ms 1 --max-error 1"] {
         assert_eq!(folder.relief(&format!("{line} {flags}")).code, Some(2), "{flags}");
     }

@@ -27,7 +27,9 @@ use crate::{interrupt, units, values};
     relief compare scenes/jacksboro.toml --geometry none,vertex --json\n\n\
     --geometry and --shadow take several names, too. Rays at an angle are compared with the exact first \
     hit; pictures with the exact picture, and their pixels' hits with its hits. The page sorts its figures \
-    and plots any of them against any other, without network."
+    and plots any of them against any other, without network.\n\n\
+    Where no method keeps --budget-ms or --max-error, the page is written, the nearest method is named, and \
+    the exit code is 1."
 )]
 pub struct Arguments {
     /// Page to write
@@ -159,7 +161,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let written: Vec<&Path> = files.iter().map(PathBuf::as_path).collect();
     // Whether they can be written is known before minutes of work.
     let mut staged = Staged::open(&written, arguments.json, cancel)?;
-    let mut compared = with_command(compared("comparing", &comparison, arguments.json, cancel)?);
+    let mut compared = compared("comparing", &comparison, arguments.json, cancel)?;
     if let Some(goal) = arguments.goal() {
         look_again("timing what is near", &comparison, &mut compared.records, goal, arguments.json, cancel)?;
     }
@@ -169,14 +171,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let chosen = tried.as_ref().map(|tried| (tried, arguments.contest.scene.words()));
     answer(|out| report::tell(arguments.json, &compared.records, chosen, &files, out))?;
     tried.map_or(Ok(()), |tried| arguments.check_kept(&tried))
-}
-
-/// The comparison with the command line that asked for it.
-fn with_command(mut compared: Compared) -> Compared {
-    let words = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned());
-    let words = std::iter::once("relief".to_owned()).chain(words);
-    compared.records.about.command = words.collect::<Vec<_>>().join(" ");
-    compared
 }
 
 impl Arguments {

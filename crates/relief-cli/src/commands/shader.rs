@@ -103,7 +103,8 @@ fn after_help() -> String {
     let mut text = format!(
         "{EXAMPLES}\n\n\
          Each target is one file with a vertex and a fragment function, NAME.wgsl, NAME.hlsl, NAME.metal or \
-         NAME.spv; of GLSL NAME.vert.glsl and NAME.frag.glsl. They draw a surface in a single pass: the \
+         NAME.spv; of GLSL NAME.vert.glsl and NAME.frag.glsl, whose vertex shader is OpenGL's: \
+         Vulkan takes the SPIR-V. They draw a surface in a single pass: the \
          triangles' corners come from storage buffers, every fragment's ray is traced through the \
          relief, and what it meets is shaded, in linear colours. The functions below them can be \
          called from shaders of one's own: shade_pixel is a whole pixel.\n\n\
