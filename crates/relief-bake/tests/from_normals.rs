@@ -153,7 +153,11 @@ fn cost(heights: &[f64], size: [u32; 2], slopes: &[Vec<f32>; 2], how: &Integrati
             for (axis, [di, dj]) in [[1, 0], [0, 1]].into_iter().enumerate() {
                 let (before, here, after) = (at(i - di, j - dj), at(i, j), at(i + di, j + dj));
                 let slope = (after - before) / (2.0 * how.texel_m[axis]);
-                sum += (slope - f64::from(slopes[axis][texel])).powi(2);
+                // At a clamped edge the difference is over one texel, and what is off counts half.
+                let (place, side) = ([i, j][axis], i64::from(size[axis]));
+                let is_edge = how.wrap == Wrap::Clamp && (place == 0 || place + 1 == side);
+                let weight = if is_edge { 0.5 } else { 1.0 };
+                sum += (slope - weight * f64::from(slopes[axis][texel])).powi(2);
                 // (1 - cos θ) / 2 of a wave is a quarter of its second difference.
                 let bend = 0.25 * (before - 2.0 * here + after) / how.texel_m[axis];
                 sum += (how.damping * bend).powi(2);

@@ -66,6 +66,33 @@ fn normals_are_those_of_the_slopes() {
 }
 
 #[test]
+fn an_even_slope_has_one_normal_everywhere() {
+    for [x, y] in [[1.0, 0.0], [0.0, -0.5], [0.7, 0.7], [-0.3, 0.9]] {
+        for [width, height] in [[8u32, 5u32], [2, 2], [3, 9]] {
+            let rise = |i, j| 0.5 + (x * f64::from(i) + y * f64::from(j)) / 64.0;
+            let map = HeightMap::from_fn(width, height, Wrap::Clamp, |i, j| rise(i, j) as f32);
+            let map = map.expect("a valid map");
+            let metric = metric([width, height].map(f64::from), 64.0);
+            let expected = brute::normal([x, y]);
+            for patches in [0.0, 1.0] {
+                let texture = baked(&map, metric, &[("patches", patches)]);
+                for planes in &texture.levels {
+                    for texel in 0..planes[0].len() {
+                        let off = brute::angle(at(planes, texel), expected);
+                        assert!(off < 1e-5, "{x} {y}, {width}x{height}, texel {texel}: {off} rad");
+                    }
+                }
+            }
+        }
+    }
+    // A mirrored map does turn at its edges.
+    let map = HeightMap::from_fn(8, 8, Wrap::Mirror, |i, _| i as f32 / 64.0).expect("a valid map");
+    let texture = baked(&map, metric([8.0; 2], 64.0), &[("mips", 0.0)]);
+    let off = brute::angle(at(&texture.levels[0], 0), brute::normal([0.5, 0.0]));
+    assert!(off < 1e-5, "half as steep: {off} rad");
+}
+
+#[test]
 fn axes_follow_the_conventions() {
     // A hill in the middle: left of it the ground rises along +u, above it in the picture along +v.
     let map = HeightMap::from_fn(16, 16, Wrap::Repeat, |i, j| {

@@ -15,7 +15,13 @@ fn normal(map: &HeightMap, metric: Metric, [u, v]: [f64; 2]) -> [f64; 3] {
     let [du, dv] = [1.0 / f64::from(map.width()), 1.0 / f64::from(map.height())];
     let slope_u = (map.height_at(u + du, v) - map.height_at(u - du, v)) * metric.scale_m;
     let slope_v = (map.height_at(u, v + dv) - map.height_at(u, v - dv)) * metric.scale_m;
-    let n = [-slope_u / (2.0 * du * metric.tile_m[0]), slope_v / (2.0 * dv * metric.tile_m[1]), 1.0];
+    // Of a clamped map heights change between the outermost centres alone.
+    let width = |at: f64, step: f64| {
+        let inside =
+            |at: f64| if map.wrap() == Wrap::Clamp { at.clamp(0.5 * step, 1.0 - 0.5 * step) } else { at };
+        (inside(at + step) - inside(at - step)).max(0.5 * step)
+    };
+    let n = [-slope_u / (width(u, du) * metric.tile_m[0]), slope_v / (width(v, dv) * metric.tile_m[1]), 1.0];
     let length = n.iter().map(|part| part * part).sum::<f64>().sqrt();
     n.map(|part| part / length)
 }

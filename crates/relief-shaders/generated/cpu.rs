@@ -2044,11 +2044,11 @@ impl<'g> Resources<'g> {
     ) -> Around {
         let point_21 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_21);
-        let i_1 = _e8.to_i32();
-        let _e12 = self.v_wrap_index(i_1.x(), n_2.x());
-        let _e17 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_2.x());
-        let _e21 = self.v_wrap_index(i_1.y(), n_2.y());
-        let _e26 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_2.y());
+        let i_2 = _e8.to_i32();
+        let _e12 = self.v_wrap_index(i_2.x(), n_2.x());
+        let _e17 = self.v_wrap_index((i_2.x() + rt::Scalar(1i32)), n_2.x());
+        let _e21 = self.v_wrap_index(i_2.y(), n_2.y());
+        let _e26 = self.v_wrap_index((i_2.y() + rt::Scalar(1i32)), n_2.y());
         return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_21 - _e8));
     }
     pub(crate) fn level_texels(
@@ -2866,14 +2866,14 @@ impl<'g> Resources<'g> {
         let limited = parts_4.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
         let w_3 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
         let normal_20 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
-        let place_23 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_20 * offset));
-        let t_35 = place_23.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let place_24 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_20 * offset));
+        let t_35 = place_24.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let second_1 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
         let third_1 = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
         let volume = (second_1.cross(third_1).dot(normal_20) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
         let height_14 = (((offset - low_1) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        return <WayPoint>::new(<ShellPoint>::new(w_3, height_14), t_35, (place_23 - (along * t_35)).length(), volume);
+        return <WayPoint>::new(<ShellPoint>::new(w_3, height_14), t_35, (place_24 - (along * t_35)).length(), volume);
     }
     pub(crate) fn before_turn(
         &self,
@@ -3154,13 +3154,13 @@ impl<'g> Resources<'g> {
         bend_1: rt::Scalar<f32>,
         at_12: WayPoint,
     ) -> rt::Scalar<f32> {
-        let part_8 = ((rt::Scalar(at_12.t) - rt::Scalar(a_3.t)) / (rt::Scalar(b_3.t) - rt::Scalar(a_3.t)));
-        let line_1 = (a_3.point.weights + ((b_3.point.weights - a_3.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_8));
+        let part_9 = ((rt::Scalar(at_12.t) - rt::Scalar(a_3.t)) / (rt::Scalar(b_3.t) - rt::Scalar(a_3.t)));
+        let line_1 = (a_3.point.weights + ((b_3.point.weights - a_3.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_9));
         let _e29 = self.v_uv_of(pixel_3, (at_12.point.weights - line_1));
         let _e31 = self.v_height_size(rt::Scalar(0u32));
         let apart_1 = (_e29 * _e31).abs();
         let slope_6 = ((rt::Scalar(b_3.point.height) - rt::Scalar(a_3.point.height)) - bend_1);
-        let height_16 = (rt::Scalar(a_3.point.height) + (part_8 * (slope_6 + (part_8 * bend_1))));
+        let height_16 = (rt::Scalar(a_3.point.height) + (part_9 * (slope_6 + (part_9 * bend_1))));
         return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_12.point.height) - height_16).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn between(&self, a_4: ShellPoint, b_4: ShellPoint) -> ShellPoint {
@@ -3428,9 +3428,9 @@ impl<'g> Resources<'g> {
         let top_3 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.y()));
         let bottom_2 = (rt::Scalar(0.5f32) * (_e41.z() + _e41.w()));
         let left_2 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.z()));
-        let side_4 = (rt::Scalar(0.5f32) * (_e41.y() + _e41.w()));
+        let side_5 = (rt::Scalar(0.5f32) * (_e41.y() + _e41.w()));
         let middle_10 = (rt::Scalar(0.5f32) * (top_3 + bottom_2));
-        return <rt::Vec4<f32>>::from_scalars(_e41.x().select(top_3, right_1).select(left_2.select(middle_10, right_1), lower), top_3.select(_e41.y(), right_1).select(middle_10.select(side_4, right_1), lower), left_2.select(middle_10, right_1).select(_e41.z().select(bottom_2, right_1), lower), middle_10.select(side_4, right_1).select(bottom_2.select(_e41.w(), right_1), lower));
+        return <rt::Vec4<f32>>::from_scalars(_e41.x().select(top_3, right_1).select(left_2.select(middle_10, right_1), lower), top_3.select(_e41.y(), right_1).select(middle_10.select(side_5, right_1), lower), left_2.select(middle_10, right_1).select(_e41.z().select(bottom_2, right_1), lower), middle_10.select(side_5, right_1).select(bottom_2.select(_e41.w(), right_1), lower));
     }
     pub(crate) fn object_depth_cell(
         &self,
@@ -4445,15 +4445,15 @@ impl<'g> Resources<'g> {
         let _e81 = z;
         let _e82 = x_1;
         let along_23 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_4));
-        let place_24 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
-        let cell_29 = place_24.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
-        let part_9 = (place_24 - cell_29);
-        let side_5 = (last_4.to_u32() + rt::Scalar(1u32));
-        let first_11 = ((cell_29.y().to_u32() * side_5) + cell_29.x().to_u32());
-        let beside_4 = (first_11 + side_5).select((first_11 + rt::Scalar(1u32)), part_9.x().elementwise_gt(part_9.y()));
-        let least_2 = part_9.x().min(part_9.y());
-        let most_7 = part_9.x().max(part_9.y());
-        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_11, beside_4, ((first_11 + side_5) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_2), least_2));
+        let place_25 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
+        let cell_29 = place_25.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
+        let part_10 = (place_25 - cell_29);
+        let side_6 = (last_4.to_u32() + rt::Scalar(1u32));
+        let first_11 = ((cell_29.y().to_u32() * side_6) + cell_29.x().to_u32());
+        let beside_4 = (first_11 + side_6).select((first_11 + rt::Scalar(1u32)), part_10.x().elementwise_gt(part_10.y()));
+        let least_2 = part_10.x().min(part_10.y());
+        let most_7 = part_10.x().max(part_10.y());
+        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_11, beside_4, ((first_11 + side_6) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_2), least_2));
     }
     pub(crate) fn image_of_object(&self, number_3: impl rt::Into<rt::Scalar<u32>>) -> Image {
         rt::into(self.v_image_of_object(rt::into(number_3)))
@@ -5014,11 +5014,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_footprint_of(pixel_13, at_25, params_15.x());
         let begin_4 = (params_15.z() * params_15.w());
         let _e8 = self.v_depth_in_samples(pixel_13, at_25);
-        let part_10 = ((begin_4 - _e8) / (begin_4 - params_15.z()).max(rt::Scalar(0.000001f32)));
+        let part_11 = ((begin_4 - _e8) / (begin_4 - params_15.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_15.y()), _e19);
-        let level_45 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_45, _e4, part_10.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        let level_46 = rt::Scalar(_e20.fine);
+        return <Detail>::new(level_46, _e4, part_11.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
@@ -5188,8 +5188,8 @@ impl<'g> Resources<'g> {
         before: rt::Scalar<u32>,
         all: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let part_11 = ((before.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
-        return (part_11 * rt::Scalar(rows_1.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_1.count) - rt::Scalar(1u32)));
+        let part_12 = ((before.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
+        return (part_12 * rt::Scalar(rows_1.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_1.count) - rt::Scalar(1u32)));
     }
     pub(crate) fn sum_of_quotients(
         &self,
@@ -5637,11 +5637,11 @@ impl<'g> Resources<'g> {
         let _e24 = self.v_dice_triangles_before(rows_13, (_e2 - rt::Scalar(1u32)));
         let step_5 = ((number_7 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
         let _e30 = self.v_dice_steps_below(_e5, _e6, step_5);
-        let i_2 = (step_5 - _e30);
+        let i_3 = (step_5 - _e30);
         let _e34 = self.v_dice_steps_below(_e5, _e6, (step_5 + rt::Scalar(1u32)));
         let goes_below = _e34.elementwise_gt(_e30);
-        let next_9 = <DicePlace>::new((_e2 - rt::Scalar(1u32)).select(_e2, goes_below), (i_2 + rt::Scalar(1u32)).select((_e30 + rt::Scalar(1u32)), goes_below));
-        return <DiceTriangle>::new(<DicePlace>::new((_e2 - rt::Scalar(1u32)), i_2), <DicePlace>::new(_e2, _e30), next_9);
+        let next_9 = <DicePlace>::new((_e2 - rt::Scalar(1u32)).select(_e2, goes_below), (i_3 + rt::Scalar(1u32)).select((_e30 + rt::Scalar(1u32)), goes_below));
+        return <DiceTriangle>::new(<DicePlace>::new((_e2 - rt::Scalar(1u32)), i_3), <DicePlace>::new(_e2, _e30), next_9);
     }
     pub(crate) fn displaced_derivative(
         &self,
@@ -5704,11 +5704,11 @@ impl<'g> Resources<'g> {
         }
         let _e24 = rest_1;
         let _e27 = rest_1;
-        let part_12 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
-        let square_1 = (part_12 * part_12);
+        let part_13 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
+        let square_1 = (part_13 * part_13);
         let sum_9 = (rt::Scalar(1f32) + (square_1 * (rt::Scalar(0.33333334f32) + (square_1 * (rt::Scalar(0.2f32) + (square_1 * (rt::Scalar(0.14285715f32) + (square_1 * rt::Scalar(0.11111111f32)))))))));
         let _e45 = exponent;
-        return (_e45 + ((rt::Scalar(2.88539f32) * part_12) * sum_9));
+        return (_e45 + ((rt::Scalar(2.88539f32) * part_13) * sum_9));
     }
     pub(crate) fn level_at(&self, grid_5: Tessellation, site: BaseSite) -> f32 {
         rt::into(self.v_level_at(grid_5, site))
@@ -5763,13 +5763,49 @@ impl<'g> Resources<'g> {
         level_29: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let finer = level_29.to_u32();
-        let part_13 = (level_29 - finer.to_f32());
+        let part_14 = (level_29 - finer.to_f32());
         let _e5 = self.v_height_and_slope(uv_7, finer);
-        if rt::Scalar::into_branch_condition(part_13.elementwise_eq(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(part_14.elementwise_eq(rt::Scalar(0f32))) {
             return _e5;
         }
         let _e10 = self.v_height_and_slope(uv_7, (finer + rt::Scalar(1u32)));
-        return (_e5 + ((_e10 - _e5) * part_13));
+        return (_e5 + ((_e10 - _e5) * part_14));
+    }
+    pub(crate) fn sloped_uv(
+        &self,
+        uv_8: impl rt::Into<rt::Vec2<f32>>,
+        level_30: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_sloped_uv(rt::into(uv_8), rt::into(level_30)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_sloped_uv(
+        &self,
+        uv_8: rt::Vec2<f32>,
+        level_30: rt::Scalar<f32>,
+    ) -> rt::Vec2<f32> {
+        let mut local_28: rt::Scalar<bool>;
+        let mut local_29: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(uv_8.x().min(uv_8.y()).elementwise_ge(rt::Scalar(0f32))) {
+            local_28 = uv_8.x().max(uv_8.y()).elementwise_le(rt::Scalar(1f32));
+        } else {
+            local_28 = rt::Scalar(false);
+        }
+        let is_inside_1 = local_28;
+        let _e18 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition((!_e18.elementwise_ne(WRAP_CLAMP))) {
+            local_29 = (!is_inside_1);
+        } else {
+            local_29 = rt::Scalar(true);
+        }
+        let _e26 = local_29;
+        if rt::Scalar::into_branch_condition(_e26) {
+            return uv_8;
+        }
+        let _e29 = self.v_height_size(level_30.ceil().to_u32());
+        let least_4 = (rt::Vec2::splat_from_scalar(rt::Scalar(0.515625f32)) / _e29);
+        return uv_8.clamp(least_4, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - least_4).max(least_4));
     }
     pub(crate) fn displaced_site(&self, grid_6: Tessellation, site_1: BaseSite) -> Corner {
         rt::into(self.v_displaced_site(grid_6, site_1))
@@ -5781,91 +5817,92 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_level_at(grid_6, site_1);
         let _e4 = self.v_relief_between_levels(site_1.seen_uv, _e2);
-        let _e6 = self.v_relief_between_levels(site_1.uv, _e2);
+        let _e6 = self.v_sloped_uv(site_1.uv, _e2);
+        let _e7 = self.v_relief_between_levels(_e6, _e2);
         let scale_m = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = rt::Scalar(self.surface_settings.bias_m);
-        let position_3 = (site_1.position + (site_1.direction * ((_e4.x() * scale_m) + _e16)));
-        let _e24 = rt::Scalar(self.surface_settings.bias_m);
-        let metres_1 = ((_e6.x() * scale_m) + _e24);
+        let _e17 = rt::Scalar(self.surface_settings.bias_m);
+        let position_3 = (site_1.position + (site_1.direction * ((_e4.x() * scale_m) + _e17)));
+        let _e25 = rt::Scalar(self.surface_settings.bias_m);
+        let metres_1 = ((_e7.x() * scale_m) + _e25);
         up_1 = site_1.normal;
-        let _e28 = up_1;
         let _e29 = up_1;
-        if rt::Scalar::into_branch_condition(_e28.dot(_e29).elementwise_gt(rt::Scalar(0f32))) {
-            let _e33 = up_1;
-            up_1 = _e33.normalize();
+        let _e30 = up_1;
+        if rt::Scalar::into_branch_condition(_e29.dot(_e30).elementwise_gt(rt::Scalar(0f32))) {
+            let _e34 = up_1;
+            up_1 = _e34.normalize();
         }
-        let rise_u = (site_1.direction * (_e6.y() * scale_m));
-        let rise_v = (site_1.direction * (_e6.z() * scale_m));
-        let _e44 = up_1;
-        let _e47 = self.v_displaced_derivative(site_1.tangent, _e44, rise_u, (site_1.turn_u * metres_1));
-        let _e49 = up_1;
-        let _e52 = self.v_displaced_derivative(site_1.bitangent, _e49, rise_v, (site_1.turn_v * metres_1));
-        let _e56 = up_1;
-        let is_mirrored = site_1.bitangent.cross(site_1.tangent).dot(_e56).elementwise_lt(rt::Scalar(0f32));
-        normal_9 = (_e52.cross(_e47) * rt::Scalar(1f32).select(rt::Scalar(-1f32), is_mirrored));
-        let _e66 = normal_9;
+        let rise_u = (site_1.direction * (_e7.y() * scale_m));
+        let rise_v = (site_1.direction * (_e7.z() * scale_m));
+        let _e45 = up_1;
+        let _e48 = self.v_displaced_derivative(site_1.tangent, _e45, rise_u, (site_1.turn_u * metres_1));
+        let _e50 = up_1;
+        let _e53 = self.v_displaced_derivative(site_1.bitangent, _e50, rise_v, (site_1.turn_v * metres_1));
+        let _e57 = up_1;
+        let is_mirrored = site_1.bitangent.cross(site_1.tangent).dot(_e57).elementwise_lt(rt::Scalar(0f32));
+        normal_9 = (_e53.cross(_e48) * rt::Scalar(1f32).select(rt::Scalar(-1f32), is_mirrored));
         let _e67 = normal_9;
-        if rt::Scalar::into_branch_condition(_e66.dot(_e67).elementwise_gt(rt::Scalar(0f32))) {
-            let _e71 = normal_9;
-            normal_9 = _e71.normalize();
+        let _e68 = normal_9;
+        if rt::Scalar::into_branch_condition(_e67.dot(_e68).elementwise_gt(rt::Scalar(0f32))) {
+            let _e72 = normal_9;
+            normal_9 = _e72.normalize();
         } else {
-            let _e73 = up_1;
-            normal_9 = _e73;
+            let _e74 = up_1;
+            normal_9 = _e74;
         }
-        let _e74 = normal_9;
-        return <Corner>::new(position_3, _e74, _e47, _e52, site_1.uv, <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e75 = normal_9;
+        return <Corner>::new(position_3, _e75, _e48, _e53, site_1.uv, <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
     }
     pub(crate) fn search_texel_between(
         &self,
         path_16: Path,
-        uv_8: impl rt::Into<rt::Vec2<f32>>,
+        uv_9: impl rt::Into<rt::Vec2<f32>>,
         layer_4: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel_between(path_16, rt::into(uv_8), rt::into(layer_4)))
+        rt::into(self.v_search_texel_between(path_16, rt::into(uv_9), rt::into(layer_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_texel_between(
         &self,
         path_16: Path,
-        uv_8: rt::Vec2<f32>,
+        uv_9: rt::Vec2<f32>,
         layer_4: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.v_height_texels(rt::Scalar(path_16.level));
-        let _e5 = self.v_texels_around(uv_8, _e4);
-        let level_46 = rt::Scalar(path_16.level).to_i32();
-        let _e13 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_46);
-        let _e19 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_46);
-        let _e25 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_46);
-        let _e31 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_46);
+        let _e5 = self.v_texels_around(uv_9, _e4);
+        let level_47 = rt::Scalar(path_16.level).to_i32();
+        let _e13 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_47);
+        let _e19 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_47);
+        let _e25 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_47);
+        let _e31 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_47);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
     pub(crate) fn distance_at(
         &self,
         path_17: Path,
-        uv_9: impl rt::Into<rt::Vec2<f32>>,
+        uv_10: impl rt::Into<rt::Vec2<f32>>,
         height_1: impl rt::Into<rt::Scalar<f32>>,
         slices: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_distance_at(path_17, rt::into(uv_9), rt::into(height_1), rt::into(slices)))
+        rt::into(self.v_distance_at(path_17, rt::into(uv_10), rt::into(height_1), rt::into(slices)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_distance_at(
         &self,
         path_17: Path,
-        uv_9: rt::Vec2<f32>,
+        uv_10: rt::Vec2<f32>,
         height_1: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_25 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_5 = place_25.floor();
-        let _e13 = self.v_search_texel_between(path_17, uv_9, below_5.to_i32());
+        let place_26 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_5 = place_26.floor();
+        let _e13 = self.v_search_texel_between(path_17, uv_10, below_5.to_i32());
         let lower_1 = _e13.x();
-        let _e21 = self.v_search_texel_between(path_17, uv_9, (below_5 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
+        let _e21 = self.v_search_texel_between(path_17, uv_10, (below_5 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
         let upper = _e21.x();
-        return (lower_1 + ((upper - lower_1) * (place_25 - below_5)));
+        return (lower_1 + ((upper - lower_1) * (place_26 - below_5)));
     }
     pub(crate) fn ends_on(&self, sweep_4: Sweep, chain_1: SweptChain, other: SweptChain) -> bool {
         rt::into(self.v_ends_on(sweep_4, chain_1, other))
@@ -5951,7 +5988,7 @@ impl<'g> Resources<'g> {
         pixel_19: PixelIn,
         params_18: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_28: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_19);
         let _e5 = self.v_plane_distance(pixel_19, _e2);
@@ -5960,7 +5997,7 @@ impl<'g> Resources<'g> {
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_32 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
+        let uv_33 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
         let tangent_1 = (((pixel_19.a.tangent * wa) + (pixel_19.b.tangent * wb_1)) + (pixel_19.c.tangent * wc_1));
         let bitangent = (((pixel_19.a.bitangent * wa) + (pixel_19.b.bitangent * wb_1)) + (pixel_19.c.bitangent * wc_1));
         let normal_22 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
@@ -5972,13 +6009,13 @@ impl<'g> Resources<'g> {
         let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
         let descent_2 = (rt::Scalar(0f32) - normal_22.dot((pixel_19.direction / rt::Vec3::splat_from_scalar(pixel_19.direction.length()))));
         if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
-            local_28 = descent_2.elementwise_gt(rt::Scalar(0f32));
+            local_30 = descent_2.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_28 = rt::Scalar(false);
+            local_30 = rt::Scalar(false);
         }
-        let _e86 = local_28;
+        let _e86 = local_30;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_25, uv_32, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_25, uv_33, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -6026,10 +6063,10 @@ impl<'g> Resources<'g> {
         pixel_22: PixelIn,
         weights_1: impl rt::Into<rt::Vec3<f32>>,
         point_9: impl rt::Into<rt::Vec3<f32>>,
-        uv_10: impl rt::Into<rt::Vec2<f32>>,
+        uv_11: impl rt::Into<rt::Vec2<f32>>,
         facing: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_9), rt::into(uv_10), rt::into(facing)))
+        rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_9), rt::into(uv_11), rt::into(facing)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6038,7 +6075,7 @@ impl<'g> Resources<'g> {
         pixel_22: PixelIn,
         weights_1: rt::Vec3<f32>,
         point_9: rt::Vec3<f32>,
-        uv_10: rt::Vec2<f32>,
+        uv_11: rt::Vec2<f32>,
         facing: rt::Vec3<f32>,
     ) -> Entered {
         let _e6 = self.v_ordered(pixel_22, rt::Scalar(0u32));
@@ -6050,7 +6087,7 @@ impl<'g> Resources<'g> {
         let _e49 = rt::Scalar(self.surface_settings.scale_m);
         let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
         let unit = (normal_23.normalize() * rt::Scalar(pixel_22.side));
-        return <Entered>::new(rt::Scalar(1u32), point_9, uv_10, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(1u32), point_9, uv_11, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facing_of(
         &self,
@@ -6088,11 +6125,11 @@ impl<'g> Resources<'g> {
         let mut at_30: Entered;
 
         let third_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_33 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
+        let uv_34 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_24, along_7);
         let point_26 = (pixel_24.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_7);
-        let _e21 = self.v_frame_at(pixel_24, third_2, point_26, uv_33, _e20);
+        let _e21 = self.v_frame_at(pixel_24, third_2, point_26, uv_34, _e20);
         at_30 = _e21;
         rt::Scalar(at_30.segments) = rt::Scalar(0u32);
         let _e25 = at_30;
@@ -6290,17 +6327,17 @@ impl<'g> Resources<'g> {
         way_4: Way,
         offset_3: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_29: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
 
         let _e3 = self.v_quadratic(way_4.first, offset_3);
         let _e5 = self.v_quadratic(way_4.second, offset_3);
         let _e7 = self.v_quadratic(way_4.third, offset_3);
         if rt::Scalar::into_branch_condition((!_e3.min(_e5).min(_e7).elementwise_gt(rt::Scalar(0f32)))) {
-            local_29 = _e3.max(_e5).max(_e7).elementwise_lt(rt::Scalar(0f32));
+            local_31 = _e3.max(_e5).max(_e7).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_29 = rt::Scalar(true);
+            local_31 = rt::Scalar(true);
         }
-        let _e20 = local_29;
+        let _e20 = local_31;
         return _e20;
     }
     pub(crate) fn way_chord(
@@ -6332,8 +6369,8 @@ impl<'g> Resources<'g> {
         let mut count_4: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut begin: rt::Scalar<f32>;
         let mut pieces: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_30: rt::Scalar<bool>;
-        let mut local_31: rt::Scalar<bool>;
+        let mut local_32: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
 
         let _e8 = self.v_grown_way(way_5, beyond_2);
         begin = offsets_1.x();
@@ -6342,11 +6379,11 @@ impl<'g> Resources<'g> {
                 let _e19 = pieces;
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(MOST_PIECES)) {
                     let _e24 = begin;
-                    local_30 = _e24.elementwise_lt(offsets_1.y());
+                    local_32 = _e24.elementwise_lt(offsets_1.y());
                 } else {
-                    local_30 = rt::Scalar(false);
+                    local_32 = rt::Scalar(false);
                 }
-                let _e28 = local_30;
+                let _e28 = local_32;
                 if rt::Scalar::into_branch_condition(_e28) {
                 } else {
                     break 'naga_break;
@@ -6369,21 +6406,21 @@ impl<'g> Resources<'g> {
                         let _e54 = count_4;
                         if rt::Scalar::into_branch_condition(number_9.elementwise_ge(_e54)) {
                             let _e58 = count_4;
-                            local_31 = number_9.elementwise_lt((_e58 + _e53));
+                            local_33 = number_9.elementwise_lt((_e58 + _e53));
                         } else {
-                            local_31 = rt::Scalar(false);
+                            local_33 = rt::Scalar(false);
                         }
-                        let _e62 = local_31;
+                        let _e62 = local_33;
                         if rt::Scalar::into_branch_condition(_e62) {
                             let _e63 = begin;
                             let long_2 = (end_5 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
                             let _e67 = count_4;
-                            let part_14 = ((number_9 - _e67).to_f32() / _e53.to_f32());
+                            let part_15 = ((number_9 - _e67).to_f32() / _e53.to_f32());
                             let _e72 = count_4;
                             let next_10 = (((number_9 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
                             let _e79 = begin;
                             let _e82 = begin;
-                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_14)), (_e82 + (long_2 * next_10)));
+                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_15)), (_e82 + (long_2 * next_10)));
                         }
                         let _e86 = count_4;
                         count_4 = (_e86 + _e53);
@@ -6454,11 +6491,11 @@ impl<'g> Resources<'g> {
         slack_4: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
         let far_6 = <rt::Vec4<f32>>::from_scalars(normal_12.dot(a_12), normal_12.dot(b_12), normal_12.dot(c_7), normal_12.dot(d_2));
-        let least_4 = far_6.x().min(far_6.y()).min(far_6.z().min(far_6.w()));
+        let least_5 = far_6.x().min(far_6.y()).min(far_6.z().min(far_6.w()));
         let most_10 = far_6.x().max(far_6.y()).max(far_6.z().max(far_6.w()));
         let beyond_3 = (slack_4 * normal_12.length());
         let change_4 = normal_12.dot(along_11);
-        let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least_4), change_4, beyond_3);
+        let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least_5), change_4, beyond_3);
         let _e35 = self.v_where_positive(_e32, most_10, (rt::Scalar(0f32) - change_4), beyond_3);
         return _e35;
     }
@@ -6535,8 +6572,8 @@ impl<'g> Resources<'g> {
     fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let uv_34 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_34, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_34, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_35 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_35, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_35, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
@@ -6650,7 +6687,7 @@ impl<'g> Resources<'g> {
         pixel_30: PixelIn,
         params_22: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_32: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
         let mut at_32: Entered;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_30.shell.order).elementwise_ge(SHELL_FOLDED)) {
@@ -6663,11 +6700,11 @@ impl<'g> Resources<'g> {
         let _e11 = self.v_span_of(pixel_30, _e10, along_26, _e9, params_22);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
-            local_32 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+            local_34 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
-            local_32 = rt::Scalar(true);
+            local_34 = rt::Scalar(true);
         }
-        let _e27 = local_32;
+        let _e27 = local_34;
         if rt::Scalar::into_branch_condition(_e27) {
             let _e28 = self.v_passed_by();
             return _e28;
@@ -6887,7 +6924,7 @@ impl<'g> Resources<'g> {
         number_10: rt::Scalar<u32>,
     ) -> Tetrahedron {
         let mut inside_1: rt::Vec2<f32>;
-        let mut local_33: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
 
         let origin_5 = (pixel_34.origin + (along_13 * middle_5));
         let is_first_2 = number_10.elementwise_eq(rt::Scalar(0u32));
@@ -6937,11 +6974,11 @@ impl<'g> Resources<'g> {
         inside_1 = _e100;
         if rt::Scalar::into_branch_condition((!(!volume_1.abs().elementwise_gt(rt::Scalar(0f32))))) {
             let _e109 = inside_1.y();
-            local_33 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+            local_35 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
-            local_33 = rt::Scalar(true);
+            local_35 = rt::Scalar(true);
         }
-        let _e114 = local_33;
+        let _e114 = local_35;
         if rt::Scalar::into_branch_condition(_e114) {
             inside_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(-300000000000000000000000000000000000000f32));
         }
@@ -6992,8 +7029,8 @@ impl<'g> Resources<'g> {
         pixel_36: PixelIn,
         params_25: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_34: rt::Scalar<bool>;
-        let mut local_35: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
         let mut at_35: Entered;
 
         let along_28 = pixel_36.direction.normalize();
@@ -7001,18 +7038,18 @@ impl<'g> Resources<'g> {
         let _e6 = self.v_is_met(pixel_36, along_28, _e4, rt::Scalar(0u32));
         if rt::Scalar::into_branch_condition((!_e6)) {
             let _e11 = self.v_is_met(pixel_36, along_28, _e4, rt::Scalar(1u32));
-            local_34 = (!_e11);
+            local_36 = (!_e11);
         } else {
-            local_34 = rt::Scalar(false);
+            local_36 = rt::Scalar(false);
         }
-        let _e14 = local_34;
+        let _e14 = local_36;
         if rt::Scalar::into_branch_condition(_e14) {
             let _e18 = self.v_is_met(pixel_36, along_28, _e4, rt::Scalar(2u32));
-            local_35 = (!_e18);
+            local_37 = (!_e18);
         } else {
-            local_35 = rt::Scalar(false);
+            local_37 = rt::Scalar(false);
         }
-        let is_passed_by = local_35;
+        let is_passed_by = local_37;
         if rt::Scalar::into_branch_condition(is_passed_by) {
             let _e22 = self.v_passed_by();
             return _e22;
@@ -7042,13 +7079,13 @@ impl<'g> Resources<'g> {
         let c_25 = (pixel_37.c.position - pixel_37.origin);
         let along_29 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
         let places_1 = <rt::Vec3<f32>>::from_scalars(a_34.dot(along_29), b_34.dot(along_29), c_25.dot(along_29));
-        let least_5 = places_1.x().min(places_1.y()).min(places_1.z());
+        let least_6 = places_1.x().min(places_1.y()).min(places_1.z());
         let most_12 = places_1.x().max(places_1.y()).max(places_1.z());
         let across_5 = normal_13.dot(pixel_37.direction);
         if rt::Scalar::into_branch_condition(across_5.elementwise_eq(rt::Scalar(0f32))) {
-            return least_5;
+            return least_6;
         }
-        return (normal_13.dot(a_34) / across_5).clamp(least_5, most_12);
+        return (normal_13.dot(a_34) / across_5).clamp(least_6, most_12);
     }
     pub(crate) fn triangle_weights(
         &self,
@@ -7070,22 +7107,22 @@ impl<'g> Resources<'g> {
         let inside_6 = _e3.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
         return (inside_6 / rt::Vec3::splat_from_scalar(((inside_6.x() + inside_6.y()) + inside_6.z())));
     }
-    pub(crate) fn is_on_map(&self, uv_11: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_is_on_map(rt::into(uv_11)))
+    pub(crate) fn is_on_map(&self, uv_12: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_is_on_map(rt::into(uv_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_is_on_map(&self, uv_11: rt::Vec2<f32>) -> rt::Scalar<bool> {
-        let mut local_36: rt::Scalar<bool>;
+    fn v_is_on_map(&self, uv_12: rt::Vec2<f32>) -> rt::Scalar<bool> {
+        let mut local_38: rt::Scalar<bool>;
 
-        let beyond_4 = ((uv_11.x() - rt::Scalar(0.5f32)).abs().max((uv_11.y() - rt::Scalar(0.5f32)).abs()) - rt::Scalar(0.5f32));
+        let beyond_4 = ((uv_12.x() - rt::Scalar(0.5f32)).abs().max((uv_12.y() - rt::Scalar(0.5f32)).abs()) - rt::Scalar(0.5f32));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition((!_e14.elementwise_ne(WRAP_CLAMP))) {
-            local_36 = beyond_4.elementwise_le(rt::Scalar(0.000001f32));
+            local_38 = beyond_4.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_36 = rt::Scalar(true);
+            local_38 = rt::Scalar(true);
         }
-        let _e23 = local_36;
+        let _e23 = local_38;
         return _e23;
     }
     pub(crate) fn surface_facets_enter(
@@ -7101,13 +7138,13 @@ impl<'g> Resources<'g> {
         pixel_39: PixelIn,
         params_26: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_37: rt::Scalar<bool>;
+        let mut local_39: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_39);
         let _e5 = self.v_triangle_distance(pixel_39, _e2);
         let point_27 = (pixel_39.origin + (pixel_39.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_39, _e2, point_27);
-        let uv_35 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
+        let uv_36 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
         let tangent_3 = (((pixel_39.a.tangent * _e8.x()) + (pixel_39.b.tangent * _e8.y())) + (pixel_39.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_39.a.bitangent * _e8.x()) + (pixel_39.b.bitangent * _e8.y())) + (pixel_39.c.bitangent * _e8.z()));
         let sum_11 = ((((pixel_39.a.normal * _e8.x()) + (pixel_39.b.normal * _e8.y())) + (pixel_39.c.normal * _e8.z())) * rt::Scalar(pixel_39.side));
@@ -7115,14 +7152,14 @@ impl<'g> Resources<'g> {
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            let _e77 = self.v_is_on_map(uv_35);
-            local_37 = _e77;
+            let _e77 = self.v_is_on_map(uv_36);
+            local_39 = _e77;
         } else {
-            local_37 = rt::Scalar(false);
+            local_39 = rt::Scalar(false);
         }
-        let _e79 = local_37;
+        let _e79 = local_39;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_27, uv_35, tangent_3, bitangent_2, sum_11.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_27, uv_36, tangent_3, bitangent_2, sum_11.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
@@ -7137,15 +7174,15 @@ impl<'g> Resources<'g> {
         pixel_40: PixelIn,
         params_27: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_38: rt::Scalar<bool>;
-        let mut local_39: rt::Scalar<bool>;
         let mut local_40: rt::Scalar<bool>;
+        let mut local_41: rt::Scalar<bool>;
+        let mut local_42: rt::Scalar<bool>;
 
         let _e2 = self.v_plane_normal(pixel_40);
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
         let point_28 = (pixel_40.origin + (pixel_40.direction * _e5));
         let _e8 = self.v_triangle_weights(pixel_40, _e2, point_28);
-        let uv_36 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
+        let uv_37 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_4 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
         let raw_ = (((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z()));
@@ -7158,27 +7195,27 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.scale_m);
         let height_m = (_e87 + (_e90 * slice_6.x()));
         let normal_25 = raw_.normalize();
-        let _e95 = self.v_is_on_map(uv_36);
+        let _e95 = self.v_is_on_map(uv_37);
         if rt::Scalar::into_branch_condition(_e95) {
-            local_38 = ((slice_6.x() - rt::Scalar(0.5f32)).abs() - rt::Scalar(0.5f32)).elementwise_le(rt::Scalar(0.000001f32));
-        } else {
-            local_38 = rt::Scalar(false);
-        }
-        let is_within = local_38;
-        if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            local_39 = area_4.elementwise_gt(rt::Scalar(0f32));
-        } else {
-            local_39 = rt::Scalar(false);
-        }
-        let _e118 = local_39;
-        if rt::Scalar::into_branch_condition(_e118) {
-            local_40 = is_within;
+            local_40 = ((slice_6.x() - rt::Scalar(0.5f32)).abs() - rt::Scalar(0.5f32)).elementwise_le(rt::Scalar(0.000001f32));
         } else {
             local_40 = rt::Scalar(false);
         }
-        let _e122 = local_40;
+        let is_within = local_40;
+        if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
+            local_41 = area_4.elementwise_gt(rt::Scalar(0f32));
+        } else {
+            local_41 = rt::Scalar(false);
+        }
+        let _e118 = local_41;
+        if rt::Scalar::into_branch_condition(_e118) {
+            local_42 = is_within;
+        } else {
+            local_42 = rt::Scalar(false);
+        }
+        let _e122 = local_42;
         let _e128 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_28 - (raw_ * height_m)), uv_36, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_28 - (raw_ * height_m)), uv_37, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
@@ -7362,7 +7399,7 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut cost_1: rt::Vec3<u32>;
-        let mut local_41: rt::Scalar<bool>;
+        let mut local_43: rt::Scalar<bool>;
 
         near_1 = above_1;
         far_1 = below_1;
@@ -7387,11 +7424,11 @@ impl<'g> Resources<'g> {
                     let _e33 = near_1;
                     if rt::Scalar::into_branch_condition(middle_12.elementwise_gt(_e33)) {
                         let _e37 = far_1;
-                        local_41 = middle_12.elementwise_lt(_e37);
+                        local_43 = middle_12.elementwise_lt(_e37);
                     } else {
-                        local_41 = rt::Scalar(false);
+                        local_43 = rt::Scalar(false);
                     }
-                    let _e40 = local_41;
+                    let _e40 = local_43;
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
@@ -7468,44 +7505,58 @@ impl<'g> Resources<'g> {
         c_9: rt::Vec3<f32>,
         span_3: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_42: rt::Scalar<bool>;
+        let mut local_44: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition((!c_9.x().elementwise_le(rt::Scalar(0f32)))) {
             let _e8 = self.v_least_at(c_9, span_3);
             let _e9 = self.v_quadratic(c_9, _e8);
-            local_42 = _e9.elementwise_le(rt::Scalar(0f32));
+            local_44 = _e9.elementwise_le(rt::Scalar(0f32));
         } else {
-            local_42 = rt::Scalar(true);
+            local_44 = rt::Scalar(true);
         }
-        let _e13 = local_42;
+        let _e13 = local_44;
         return _e13;
     }
     pub(crate) fn normal_at(
         &self,
-        uv_12: impl rt::Into<rt::Vec2<f32>>,
+        uv_13: impl rt::Into<rt::Vec2<f32>>,
         layer_5: impl rt::Into<rt::Scalar<i32>>,
-        level_30: impl rt::Into<rt::Scalar<u32>>,
+        level_31: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_12), rt::into(layer_5), rt::into(level_30)))
+        rt::into(self.v_normal_at(rt::into(uv_13), rt::into(layer_5), rt::into(level_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_at(
         &self,
-        uv_12: rt::Vec2<f32>,
+        uv_13: rt::Vec2<f32>,
         layer_5: rt::Scalar<i32>,
-        level_30: rt::Scalar<u32>,
+        level_31: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.normal_size;
-        let _e6 = self.v_level_texels(_e5, level_30);
-        let _e7 = self.v_texels_around(uv_12, _e6);
-        let k_47 = level_30.to_i32();
+        let _e6 = self.v_level_texels(_e5, level_31);
+        let _e7 = self.v_texels_around(uv_13, _e6);
+        let k_47 = level_31.to_i32();
         let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
         let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
         let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
         let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
+    }
+    pub(crate) fn sloped_cell(&self, i_1: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec2<i32> {
+        rt::into(self.v_sloped_cell(rt::into(i_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_sloped_cell(&self, i_1: rt::Vec2<i32>) -> rt::Vec2<i32> {
+        let _e3 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e3.elementwise_ne(WRAP_CLAMP)) {
+            return i_1;
+        }
+        let _e7 = self.v_height_texels(rt::Scalar(0u32));
+        let last_8 = (_e7 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), rt::Scalar(2i32))).max(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)));
+        return i_1.clamp(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), last_8);
     }
     pub(crate) fn slope_beside(
         &self,
@@ -7533,52 +7584,71 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_30))) {
             return own;
         }
-        let part_15 = (((apart_3 / along_30) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
-        return (beside + ((own - beside) * part_15));
+        let part_16 = (((apart_3 / along_30) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
+        return (beside + ((own - beside) * part_16));
     }
     pub(crate) fn slopes_between_creases(
         &self,
         at_40: Entered,
-        uv_13: impl rt::Into<rt::Vec2<f32>>,
+        uv_14: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_40, rt::into(uv_13)))
+        rt::into(self.v_slopes_between_creases(at_40, rt::into(uv_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slopes_between_creases(
         &self,
         at_40: Entered,
-        uv_13: rt::Vec2<f32>,
+        uv_14: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
+        let mut part_4: rt::Vec2<f32>;
+
         let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let point_29 = ((uv_13 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_29 = ((uv_14 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e9 = self.v_cell_of(point_29);
-        let part_16 = (point_29 - _e9);
-        let i_3 = _e9.to_i32();
-        let _e13 = self.v_height_cell(i_3, rt::Scalar(0u32));
-        let _e14 = self.v_cell_slopes(_e13, part_16);
-        let _e20 = self.v_height_cell((i_3 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(0u32));
-        let _e21 = self.v_cell_slopes(_e20, part_16);
-        let before_u = _e21.x();
-        let _e28 = self.v_height_cell((i_3 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(0u32));
-        let _e29 = self.v_cell_slopes(_e28, part_16);
-        let behind_u = _e29.x();
-        let _e36 = self.v_height_cell((i_3 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(0u32));
-        let _e37 = self.v_cell_slopes(_e36, part_16);
-        let before_v = _e37.y();
-        let _e44 = self.v_height_cell((i_3 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(0u32));
-        let _e45 = self.v_cell_slopes(_e44, part_16);
-        let behind_v = _e45.y();
-        let _e50 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_u = ((_e3.x() * _e50) / at_40.tangent.length());
-        let _e58 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_v = ((_e3.y() * _e58) / at_40.bitangent.length());
-        let _e64 = self.v_slope_beside(_e14.x(), before_u, rate_u);
-        let _e66 = self.v_slope_beside(_e14.y(), before_v, rate_v);
-        let before_3 = <rt::Vec2<f32>>::from_scalars(_e64, _e66);
-        let _e69 = self.v_slope_beside(_e14.x(), behind_u, rate_u);
-        let _e71 = self.v_slope_beside(_e14.y(), behind_v, rate_v);
-        let behind_1 = <rt::Vec2<f32>>::from_scalars(_e69, _e71);
-        return (rt::Scalar(0.5f32) * ((_e14 + before_3) + ((behind_1 - before_3) * part_16)));
+        let _e11 = self.v_sloped_cell(_e9.to_i32());
+        let cell_30 = _e11.to_f32();
+        part_4 = (point_29 - cell_30);
+        let _e17 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e17.elementwise_eq(WRAP_CLAMP)) {
+            let _e20 = part_4;
+            part_4 = _e20.clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+        }
+        let i_4 = cell_30.to_i32();
+        let _e30 = self.v_height_cell(i_4, rt::Scalar(0u32));
+        let _e31 = part_4;
+        let _e32 = self.v_cell_slopes(_e30, _e31);
+        let _e37 = self.v_sloped_cell((i_4 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
+        let _e39 = self.v_height_cell(_e37, rt::Scalar(0u32));
+        let _e40 = part_4;
+        let _e41 = self.v_cell_slopes(_e39, _e40);
+        let before_u = _e41.x();
+        let _e47 = self.v_sloped_cell((i_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
+        let _e49 = self.v_height_cell(_e47, rt::Scalar(0u32));
+        let _e50 = part_4;
+        let _e51 = self.v_cell_slopes(_e49, _e50);
+        let behind_u = _e51.x();
+        let _e57 = self.v_sloped_cell((i_4 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
+        let _e59 = self.v_height_cell(_e57, rt::Scalar(0u32));
+        let _e60 = part_4;
+        let _e61 = self.v_cell_slopes(_e59, _e60);
+        let before_v = _e61.y();
+        let _e67 = self.v_sloped_cell((i_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
+        let _e69 = self.v_height_cell(_e67, rt::Scalar(0u32));
+        let _e70 = part_4;
+        let _e71 = self.v_cell_slopes(_e69, _e70);
+        let behind_v = _e71.y();
+        let _e76 = rt::Scalar(self.surface_settings.scale_m);
+        let rate_u = ((_e3.x() * _e76) / at_40.tangent.length());
+        let _e84 = rt::Scalar(self.surface_settings.scale_m);
+        let rate_v = ((_e3.y() * _e84) / at_40.bitangent.length());
+        let _e90 = self.v_slope_beside(_e32.x(), before_u, rate_u);
+        let _e92 = self.v_slope_beside(_e32.y(), before_v, rate_v);
+        let before_3 = <rt::Vec2<f32>>::from_scalars(_e90, _e92);
+        let _e95 = self.v_slope_beside(_e32.x(), behind_u, rate_u);
+        let _e97 = self.v_slope_beside(_e32.y(), behind_v, rate_v);
+        let behind_1 = <rt::Vec2<f32>>::from_scalars(_e95, _e97);
+        let _e101 = part_4;
+        return (rt::Scalar(0.5f32) * ((_e32 + before_3) + ((behind_1 - before_3) * _e101)));
     }
     pub(crate) fn normal_of_slopes(
         &self,
@@ -7601,23 +7671,43 @@ impl<'g> Resources<'g> {
         let across_6 = along_v_1.cross(along_u_1).normalize();
         return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_41.normal).elementwise_ge(rt::Scalar(0f32))));
     }
+    pub(crate) fn texels_apart(
+        &self,
+        place_12: impl rt::Into<rt::Scalar<f32>>,
+        side_3: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_texels_apart(rt::into(place_12), rt::into(side_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_texels_apart(
+        &self,
+        place_12: rt::Scalar<f32>,
+        side_3: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e4 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e4.elementwise_ne(WRAP_CLAMP)) {
+            return rt::Scalar(2f32);
+        }
+        return ((rt::Scalar(2f32) - (rt::Scalar(1.5f32) - place_12).max(rt::Scalar(0f32))) - ((place_12 + rt::Scalar(1.5f32)) - side_3).max(rt::Scalar(0f32))).max(rt::Scalar(0.5f32));
+    }
     pub(crate) fn normal_from_height(
         &self,
         at_42: Entered,
-        uv_14: impl rt::Into<rt::Vec2<f32>>,
+        uv_15: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_42, rt::into(uv_14)))
+        rt::into(self.v_normal_from_height(at_42, rt::into(uv_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
         at_42: Entered,
-        uv_14: rt::Vec2<f32>,
+        uv_15: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_42, uv_14);
+            let _e9 = self.v_slopes_between_creases(at_42, uv_15);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
             let _e17 = self.v_normal_of_slopes(at_42, slopes.x(), slopes.y());
@@ -7625,40 +7715,44 @@ impl<'g> Resources<'g> {
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
-        let _e30 = self.v_height_at((uv_14 + du), rt::Scalar(0u32));
-        let _e33 = self.v_height_at((uv_14 - du), rt::Scalar(0u32));
+        let _e30 = self.v_height_at((uv_15 + du), rt::Scalar(0u32));
+        let _e33 = self.v_height_at((uv_15 - du), rt::Scalar(0u32));
         let rise_u_1 = (_e30 - _e33);
-        let _e37 = self.v_height_at((uv_14 + dv), rt::Scalar(0u32));
-        let _e40 = self.v_height_at((uv_14 - dv), rt::Scalar(0u32));
+        let _e37 = self.v_height_at((uv_15 + dv), rt::Scalar(0u32));
+        let _e40 = self.v_height_at((uv_15 - dv), rt::Scalar(0u32));
         let rise_v_1 = (_e37 - _e40);
-        let _e47 = rt::Scalar(self.surface_settings.scale_m);
-        let slope_u_1 = (rise_u_1 * ((rt::Scalar(0.5f32) * _e3.x()) * _e47));
-        let _e55 = rt::Scalar(self.surface_settings.scale_m);
-        let slope_v_1 = (rise_v_1 * ((rt::Scalar(0.5f32) * _e3.y()) * _e55));
-        let _e58 = self.v_normal_of_slopes(at_42, slope_u_1, slope_v_1);
-        return _e58;
+        let _e46 = self.v_texels_apart((uv_15.x() * _e3.x()), _e3.x());
+        let rate_u_1 = (rt::Scalar(1f32) / _e46);
+        let _e53 = self.v_texels_apart((uv_15.y() * _e3.y()), _e3.y());
+        let rate_v_1 = (rt::Scalar(1f32) / _e53);
+        let _e60 = rt::Scalar(self.surface_settings.scale_m);
+        let slope_u_1 = (rise_u_1 * ((rate_u_1 * _e3.x()) * _e60));
+        let _e67 = rt::Scalar(self.surface_settings.scale_m);
+        let slope_v_1 = (rise_v_1 * ((rate_v_1 * _e3.y()) * _e67));
+        let _e70 = self.v_normal_of_slopes(at_42, slope_u_1, slope_v_1);
+        return _e70;
     }
     pub(crate) fn finest_normal(
         &self,
         at_43: Entered,
-        uv_15: impl rt::Into<rt::Vec2<f32>>,
+        uv_16: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_43, rt::into(uv_15)))
+        rt::into(self.v_finest_normal(at_43, rt::into(uv_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_finest_normal(
         &self,
         at_43: Entered,
-        uv_15: rt::Vec2<f32>,
+        uv_16: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_normal_at(uv_15, rt::Scalar(0i32), rt::Scalar(0u32));
+            let _e9 = self.v_normal_at(uv_16, rt::Scalar(0i32), rt::Scalar(0u32));
             let _e11 = self.v_from_tangent_space(at_43, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_43, uv_15);
+        let _e13 = self.v_normal_from_height(at_43, uv_16);
         return _e13;
     }
     pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
@@ -7753,7 +7847,7 @@ impl<'g> Resources<'g> {
         let mut a_13: WayPoint;
         let mut b_13: WayPoint;
         let mut path_19: Path;
-        let mut local_43: rt::Scalar<bool>;
+        let mut local_45: rt::Scalar<bool>;
 
         let along_32 = pixel_47.direction.normalize();
         let _e6 = self.v_middle_of(pixel_47, along_32);
@@ -7794,11 +7888,11 @@ impl<'g> Resources<'g> {
         let _e67 = rt::Scalar(a_13.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
             let _e76 = rt::Scalar(b_13.beside);
-            local_43 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
+            local_45 = (!_e76.elementwise_lt((rt::Scalar(4f32) * _e8)));
         } else {
-            local_43 = rt::Scalar(true);
+            local_45 = rt::Scalar(true);
         }
-        let _e82 = local_43;
+        let _e82 = local_45;
         if rt::Scalar::into_branch_condition(_e82) {
             rt::Scalar(path_19.exit) = rt::Scalar(0f32);
         }
@@ -7862,7 +7956,7 @@ impl<'g> Resources<'g> {
     ) -> Path {
         let mut begin_1: rt::Scalar<f32>;
         let mut end_1: rt::Scalar<f32>;
-        let mut local_44: rt::Scalar<bool>;
+        let mut local_46: rt::Scalar<bool>;
         let mut path_20: Path;
         let mut inside_2: rt::Vec2<f32>;
 
@@ -7874,25 +7968,25 @@ impl<'g> Resources<'g> {
         let distance_1 = (_e12 * along_34);
         let whole = (at_47.span.y() - at_47.span.x());
         let first_14 = (at_47.span.x() + (whole * (k_8.to_f32() / params_34.z())));
-        let last_8 = (at_47.span.x() + (whole * ((k_8 + rt::Scalar(1u32)).to_f32() / params_34.z())));
-        let long_4 = (last_8 - first_14);
+        let last_9 = (at_47.span.x() + (whole * ((k_8 + rt::Scalar(1u32)).to_f32() / params_34.z())));
+        let long_4 = (last_9 - first_14);
         let _e38 = self.v_across_depth(_e9, first_14);
         begin_1 = (at_47.of_surface.w() - (_e38 / _e10));
         if rt::Scalar::into_branch_condition(k_8.elementwise_eq(rt::Scalar(0u32))) {
             let _e44 = begin_1;
             begin_1 = _e44.min(rt::Scalar(1f32));
         }
-        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_14 + last_8)));
+        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_14 + last_9)));
         let middle_13 = (at_47.of_surface.w() - (_e52 / _e10));
-        let _e57 = self.v_across_depth(_e9, last_8);
+        let _e57 = self.v_across_depth(_e9, last_9);
         end_1 = (at_47.of_surface.w() - (_e57 / _e10));
         if rt::Scalar::into_branch_condition((k_8 + rt::Scalar(1u32)).elementwise_eq(params_34.z().to_u32())) {
             let _e68 = end_1;
-            local_44 = _e68.elementwise_lt(rt::Scalar(0.5f32));
+            local_46 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
-            local_44 = rt::Scalar(false);
+            local_46 = rt::Scalar(false);
         }
-        let _e72 = local_44;
+        let _e72 = local_46;
         if rt::Scalar::into_branch_condition(_e72) {
             let _e73 = end_1;
             end_1 = _e73.min(rt::Scalar(-0.000001f32));
@@ -7948,13 +8042,13 @@ impl<'g> Resources<'g> {
         k_9: rt::Scalar<u32>,
         params_35: rt::Vec4<f32>,
     ) -> Path {
-        let mut local_45: rt::Scalar<bool>;
-        let mut local_46: rt::Scalar<bool>;
+        let mut local_47: rt::Scalar<bool>;
+        let mut local_48: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_4: rt::Vec2<f32>;
         let mut path_21: Path;
-        let mut local_47: rt::Scalar<bool>;
+        let mut local_49: rt::Scalar<bool>;
 
         let along_35 = pixel_50.direction.length();
         let direction_7 = (pixel_50.direction / rt::Vec3::splat_from_scalar(along_35));
@@ -7973,16 +8067,16 @@ impl<'g> Resources<'g> {
         let _e35 = self.v_bent_descent(((height_18 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
             if rt::Scalar::into_branch_condition((!height_18.elementwise_lt(rt::Scalar(1f32)))) {
-                local_46 = _e35.elementwise_ge(rt::Scalar(0f32));
+                local_48 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
-                local_46 = rt::Scalar(true);
+                local_48 = rt::Scalar(true);
             }
-            let _e48 = local_46;
-            local_45 = _e48;
+            let _e48 = local_48;
+            local_47 = _e48;
         } else {
-            local_45 = rt::Scalar(false);
+            local_47 = rt::Scalar(false);
         }
-        let comes_down = local_45;
+        let comes_down = local_47;
         enter_1 = _e35.max(eye_4);
         let _e53 = enter_1;
         let _e54 = enter_1;
@@ -8026,11 +8120,11 @@ impl<'g> Resources<'g> {
         path_21 = <Path>::new((at_48.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_48.metric, RAY_VIEW, rt::Scalar(at_48.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e148 = rt::Scalar(path_21.exit);
-            local_47 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
+            local_49 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_47 = rt::Scalar(true);
+            local_49 = rt::Scalar(true);
         }
-        let _e153 = local_47;
+        let _e153 = local_49;
         if rt::Scalar::into_branch_condition(_e153) {
             rt::Scalar(path_21.exit) = rt::Scalar(0f32);
         }
@@ -8078,7 +8172,7 @@ impl<'g> Resources<'g> {
         let _e34 = self.v_ordered(pixel_51, rt::Scalar(2u32));
         let w_4 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_37 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
+        let uv_38 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
         let _e61 = self.v_shell_slack(pixel_51, _e6);
         let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
@@ -8093,10 +8187,10 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_37.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_38.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_37.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_38.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -8107,7 +8201,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_22 = <Path>::new((uv_37 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_49.metric, RAY_VIEW, rt::Scalar(at_49.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
+        path_22 = <Path>::new((uv_38 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_49.metric, RAY_VIEW, rt::Scalar(at_49.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
         let _e159 = rt::Scalar(path_22.exit);
         if rt::Scalar::into_branch_condition(_e159.elementwise_gt(rt::Scalar(0f32))) {
             let _e162 = path_22;
@@ -8285,7 +8379,7 @@ impl<'g> Resources<'g> {
         along_16: rt::Scalar<f32>,
         far_2: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut local_48: rt::Scalar<bool>;
+        let mut local_50: rt::Scalar<bool>;
 
         let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_53.direction.dot(at_52.normal).elementwise_lt(rt::Scalar(0f32))) * at_52.of_surface.y());
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
@@ -8297,11 +8391,11 @@ impl<'g> Resources<'g> {
         let t_37 = (n_11.dot((a_36 - pixel_53.origin)) / n_11.dot(pixel_53.direction));
         let lead = (far_2 - (t_37 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
-            local_48 = t_37.abs().elementwise_le(rt::Scalar(1000000000f32));
+            local_50 = t_37.abs().elementwise_le(rt::Scalar(1000000000f32));
         } else {
-            local_48 = rt::Scalar(false);
+            local_50 = rt::Scalar(false);
         }
-        let _e57 = local_48;
+        let _e57 = local_50;
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
@@ -8325,16 +8419,16 @@ impl<'g> Resources<'g> {
         climbs: rt::Vec3<f32>,
         pace: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let mut local_49: rt::Scalar<bool>;
+        let mut local_51: rt::Scalar<bool>;
 
         let up_3 = (at_53.of_surface.x().select((rt::Scalar(1f32) - at_53.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
         let lead_1 = (at_53.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_3, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
         if rt::Scalar::into_branch_condition(lead_1.elementwise_gt(rt::Scalar(0f32))) {
-            local_49 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
+            local_51 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
         } else {
-            local_49 = rt::Scalar(false);
+            local_51 = rt::Scalar(false);
         }
-        let _e33 = local_49;
+        let _e33 = local_51;
         if rt::Scalar::into_branch_condition((!_e33)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
@@ -8425,15 +8519,15 @@ impl<'g> Resources<'g> {
         high: rt::Scalar<f32>,
         interval_5: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_50: rt::Scalar<bool>;
+        let mut local_52: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx_1.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x_2.elementwise_lt(low))) {
-                local_50 = x_2.elementwise_gt(high);
+                local_52 = x_2.elementwise_gt(high);
             } else {
-                local_50 = rt::Scalar(true);
+                local_52 = rt::Scalar(true);
             }
-            let _e13 = local_50;
+            let _e13 = local_52;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(0f32));
             }
@@ -8478,7 +8572,7 @@ impl<'g> Resources<'g> {
         k_13: rt::Scalar<u32>,
     ) -> Path {
         let mut begin_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_51: rt::Scalar<bool>;
+        let mut local_53: rt::Scalar<bool>;
         let mut interval_6: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let mut height_5: rt::Vec3<f32>;
 
@@ -8490,11 +8584,11 @@ impl<'g> Resources<'g> {
             let nearest_2 = (rt::Scalar(0.01f32) * rt::Scalar(_e4.nearest));
             begin_2 = rt::Scalar(0f32).select(rt::Scalar(300000000000000000000000000000000000000f32), _e9.elementwise_lt(nearest_2));
             if rt::Scalar::into_branch_condition(_e9.elementwise_lt(nearest_2)) {
-                local_51 = deepens.elementwise_gt(rt::Scalar(0f32));
+                local_53 = deepens.elementwise_gt(rt::Scalar(0f32));
             } else {
-                local_51 = rt::Scalar(false);
+                local_53 = rt::Scalar(false);
             }
-            let _e26 = local_51;
+            let _e26 = local_53;
             if rt::Scalar::into_branch_condition(_e26) {
                 begin_2 = ((nearest_2 - _e9) / deepens);
             }
@@ -8590,9 +8684,9 @@ impl<'g> Resources<'g> {
         image_9: Image,
         point_12: rt::Vec3<f32>,
     ) -> OnImage {
-        let mut local_52: rt::Scalar<bool>;
-        let mut local_53: rt::Scalar<bool>;
         let mut local_54: rt::Scalar<bool>;
+        let mut local_55: rt::Scalar<bool>;
+        let mut local_56: rt::Scalar<bool>;
 
         let _e2 = self.v_depth_in_image(image_9, point_12);
         let u_2 = ((image_9.u.xyz().dot(point_12) + image_9.u.w()) / _e2);
@@ -8600,10 +8694,10 @@ impl<'g> Resources<'g> {
         let h_7 = ((image_9.height.xyz().dot(point_12) + image_9.height.w()) / _e2);
         let _e24 = self.v_beyond_image(image_9);
         let beside_5 = ((u_2 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_4 - rt::Scalar(0.5f32)).abs() - _e24.y()));
-        let uv_38 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_2, v_4)));
+        let uv_39 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_2, v_4)));
         let _e42 = self.v_height_size(rt::Scalar(0u32));
         let _e49 = self.v_object_parts_stage(rt::Scalar(0u32));
-        let at_144 = (((uv_38 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
+        let at_144 = (((uv_39 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
         let _e52 = self.v_cell_of(at_144);
         let part_18 = (at_144 - _e52);
         let _e56 = self.v_object_cell_stage(_e52.to_i32(), rt::Scalar(0u32));
@@ -8611,25 +8705,25 @@ impl<'g> Resources<'g> {
         let bottom_4 = (_e56.z() + ((_e56.w() - _e56.z()) * part_18.x()));
         let map_5 = (top_7 + ((bottom_4 - top_7) * part_18.y()));
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(0f32))) {
-            local_52 = beside_5.elementwise_le(rt::Scalar(0.5f32));
-        } else {
-            local_52 = rt::Scalar(false);
-        }
-        let _e82 = local_52;
-        if rt::Scalar::into_branch_condition(_e82) {
-            local_53 = h_7.elementwise_gt(rt::Scalar(0.00001f32));
-        } else {
-            local_53 = rt::Scalar(false);
-        }
-        let _e88 = local_53;
-        if rt::Scalar::into_branch_condition(_e88) {
-            local_54 = h_7.elementwise_le(rt::Scalar(1f32));
+            local_54 = beside_5.elementwise_le(rt::Scalar(0.5f32));
         } else {
             local_54 = rt::Scalar(false);
         }
-        let is_inside_1 = local_54;
+        let _e82 = local_54;
+        if rt::Scalar::into_branch_condition(_e82) {
+            local_55 = h_7.elementwise_gt(rt::Scalar(0.00001f32));
+        } else {
+            local_55 = rt::Scalar(false);
+        }
+        let _e88 = local_55;
+        if rt::Scalar::into_branch_condition(_e88) {
+            local_56 = h_7.elementwise_le(rt::Scalar(1f32));
+        } else {
+            local_56 = rt::Scalar(false);
+        }
+        let is_inside_2 = local_56;
         let _e97 = rt::Scalar(self.surface_settings.cells);
-        return <OnImage>::new(uv_38, h_7.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_1);
+        return <OnImage>::new(uv_39, h_7.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
     }
     pub(crate) fn is_in_image(&self, at_58: OnImage) -> bool {
         rt::into(self.v_is_in_image(at_58))
@@ -8637,15 +8731,15 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_is_in_image(&self, at_58: OnImage) -> rt::Scalar<bool> {
-        let mut local_55: rt::Scalar<bool>;
+        let mut local_57: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(at_58.is_inside)) {
             let _e7 = self.v_slices_stage(rt::Scalar(at_58.map), rt::Scalar(at_58.height), rt::Scalar(0f32));
-            local_55 = _e7;
+            local_57 = _e7;
         } else {
-            local_55 = rt::Scalar(false);
+            local_57 = rt::Scalar(false);
         }
-        let _e9 = local_55;
+        let _e9 = local_57;
         return _e9;
     }
     pub(crate) fn with_image(
@@ -8680,7 +8774,7 @@ impl<'g> Resources<'g> {
     fn v_slice_at(&self, point_14: rt::Vec3<f32>) -> OnSlice {
         let mut slice_5: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
         let mut number_13: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_56: rt::Scalar<bool>;
+        let mut local_58: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
@@ -8688,11 +8782,11 @@ impl<'g> Resources<'g> {
                 let _e18 = rt::Scalar(self.surface_settings.solids);
                 if rt::Scalar::into_branch_condition(_e15.elementwise_lt(_e18)) {
                     let _e23 = rt::Scalar(slice_5.passes);
-                    local_56 = _e23;
+                    local_58 = _e23;
                 } else {
-                    local_56 = rt::Scalar(false);
+                    local_58 = rt::Scalar(false);
                 }
-                let _e25 = local_56;
+                let _e25 = local_58;
                 if rt::Scalar::into_branch_condition(_e25) {
                 } else {
                     break 'naga_break;
@@ -8809,20 +8903,20 @@ impl<'g> Resources<'g> {
         &self,
         path_23: Path,
         middle_8: impl rt::Into<rt::Scalar<f32>>,
-        part_4: impl rt::Into<rt::Scalar<f32>>,
+        part_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_flattened(path_23, rt::into(middle_8), rt::into(part_4)))
+        rt::into(self.v_flattened(path_23, rt::into(middle_8), rt::into(part_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_flattened(
         &self,
         path_23: Path,
         middle_8: rt::Scalar<f32>,
-        part_4: rt::Scalar<f32>,
+        part_5: rt::Scalar<f32>,
     ) -> Path {
         let mut start_1: rt::Scalar<f32> = rt::Scalar(0f32);
 
-        let kept = (rt::Scalar(1f32) - part_4);
+        let kept = (rt::Scalar(1f32) - part_5);
         let top_8 = (middle_8 + ((rt::Scalar(1f32) - middle_8) * kept));
         let above_6 = (path_23.h.x() - top_8);
         let begins = above_6.elementwise_gt(rt::Scalar(0f32));
@@ -8902,23 +8996,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn weights_at_offset(
         &self,
         prism_11: Prism,
-        place_12: impl rt::Into<rt::Vec3<f32>>,
+        place_13: impl rt::Into<rt::Vec3<f32>>,
         offset_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_12), rt::into(offset_5)))
+        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_13), rt::into(offset_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_weights_at_offset(
         &self,
         prism_11: Prism,
-        place_12: rt::Vec3<f32>,
+        place_13: rt::Vec3<f32>,
         offset_5: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let corner_5 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
         let a_38 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
         let b_38 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
-        let rest_5 = (place_12 - corner_5);
+        let rest_5 = (place_13 - corner_5);
         let across_7 = a_38.cross(b_38);
         let square_2 = across_7.dot(across_7);
         if rt::Scalar::into_branch_condition((!square_2.elementwise_gt(rt::Scalar(0f32)))) {
@@ -8931,27 +9025,27 @@ impl<'g> Resources<'g> {
     pub(crate) fn shell_point_near(
         &self,
         prism_12: Prism,
-        place_13: impl rt::Into<rt::Vec3<f32>>,
+        place_14: impl rt::Into<rt::Vec3<f32>>,
         height_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_near(prism_12, rt::into(place_13), rt::into(height_6)))
+        rt::into(self.v_shell_point_near(prism_12, rt::into(place_14), rt::into(height_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shell_point_near(
         &self,
         prism_12: Prism,
-        place_13: rt::Vec3<f32>,
+        place_14: rt::Vec3<f32>,
         height_6: rt::Scalar<f32>,
     ) -> ShellPoint {
         let low_4 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
         let offset_8 = (low_4 + ((_e10 - low_4).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_6));
-        let _e16 = self.v_weights_at_offset(prism_12, place_13, offset_8);
+        let _e16 = self.v_weights_at_offset(prism_12, place_14, offset_8);
         let _e18 = self.v_lift_of(prism_12.lift, _e16);
-        let _e20 = self.v_weights_at_offset(prism_12, place_13, (offset_8 + _e18));
+        let _e20 = self.v_weights_at_offset(prism_12, place_14, (offset_8 + _e18));
         let near_8 = <ShellPoint>::new(_e20, height_6);
-        let _e22 = self.v_shell_point_from(prism_12, place_13, near_8);
+        let _e22 = self.v_shell_point_from(prism_12, place_14, near_8);
         let moved = (_e22.weights - near_8.weights).abs();
         let away_1 = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_6).abs()));
         if rt::Scalar::into_branch_condition(away_1.elementwise_lt(rt::Scalar(0.5f32))) {
@@ -8963,10 +9057,10 @@ impl<'g> Resources<'g> {
         &self,
         pixel_63: PixelIn,
         prism_13: Prism,
-        place_14: impl rt::Into<rt::Vec3<f32>>,
+        place_15: impl rt::Into<rt::Vec3<f32>>,
         height_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_63, prism_13, rt::into(place_14), rt::into(height_7)))
+        rt::into(self.v_point_of_way(pixel_63, prism_13, rt::into(place_15), rt::into(height_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8974,14 +9068,14 @@ impl<'g> Resources<'g> {
         &self,
         pixel_63: PixelIn,
         prism_13: Prism,
-        place_14: rt::Vec3<f32>,
+        place_15: rt::Vec3<f32>,
         height_7: rt::Scalar<f32>,
     ) -> ShellPoint {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_63.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_shell_point_near(prism_13, place_14, height_7);
+            let _e8 = self.v_shell_point_near(prism_13, place_15, height_7);
             return _e8;
         }
-        let _e9 = self.v_shell_point(prism_13, place_14, height_7);
+        let _e9 = self.v_shell_point(prism_13, place_15, height_7);
         return _e9;
     }
     pub(crate) fn surface_prism_polish(
@@ -9045,15 +9139,15 @@ impl<'g> Resources<'g> {
                         t_15 = (_e66 - (gap_1 / change_6)).clamp((rt::Scalar(hit_8.t) - most_13), (rt::Scalar(hit_8.t) + most_13));
                     }
                     let _e75 = t_15;
-                    let place_26 = (along_39 * ((rt::Scalar(path_26.start) + _e75) - _e7));
+                    let place_27 = (along_39 * ((rt::Scalar(path_26.start) + _e75) - _e7));
                     if rt::Scalar::into_branch_condition(rt::Scalar(pixel_64.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e83 = t_15;
                         let _e84 = self.v_path_height(path_26, _e83);
-                        let _e85 = self.v_shell_point_near(_e8, place_26, _e84);
+                        let _e85 = self.v_shell_point_near(_e8, place_27, _e84);
                         point_15 = _e85;
                     } else {
                         let _e86 = point_15;
-                        let _e87 = self.v_shell_point_from(_e8, place_26, _e86);
+                        let _e87 = self.v_shell_point_from(_e8, place_27, _e86);
                         point_15 = _e87;
                     }
                 }
@@ -9363,19 +9457,19 @@ impl<'g> Resources<'g> {
         let _e6 = rt::Scalar(self.frame.near);
         return (_e3 / (_e6 + depth_7.max(rt::Scalar(0f32))));
     }
-    pub(crate) fn is_in_hole(&self, uv_16: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_is_in_hole(rt::into(uv_16)))
+    pub(crate) fn is_in_hole(&self, uv_17: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_is_in_hole(rt::into(uv_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_is_in_hole(&self, uv_16: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    fn v_is_in_hole(&self, uv_17: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e2 = self.v_height_texels(rt::Scalar(0u32));
         let _e4 = self.v_height_size(rt::Scalar(0u32));
-        let _e10 = self.v_cell_of(((uv_16 * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let cell_30 = _e10.to_i32();
-        let _e14 = self.v_wrap_index(cell_30.x(), _e2.x());
-        let _e19 = self.v_wrap_index((cell_30.x() + rt::Scalar(1i32)), _e2.x());
-        let _e22 = self.v_wrap_index(cell_30.y(), _e2.y());
-        let _e27 = self.v_wrap_index((cell_30.y() + rt::Scalar(1i32)), _e2.y());
+        let _e10 = self.v_cell_of(((uv_17 * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let cell_31 = _e10.to_i32();
+        let _e14 = self.v_wrap_index(cell_31.x(), _e2.x());
+        let _e19 = self.v_wrap_index((cell_31.x() + rt::Scalar(1i32)), _e2.x());
+        let _e22 = self.v_wrap_index(cell_31.y(), _e2.y());
+        let _e27 = self.v_wrap_index((cell_31.y() + rt::Scalar(1i32)), _e2.y());
         let _e31 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e14, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e36 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e19, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let above_7 = _e31.x().max(_e36.x());
@@ -9384,17 +9478,17 @@ impl<'g> Resources<'g> {
         let below_6 = _e42.x().max(_e47.x());
         return above_7.max(below_6).elementwise_gt(rt::Scalar(0f32));
     }
-    pub(crate) fn in_hole(&self, uv_17: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_in_hole(rt::into(uv_17)))
+    pub(crate) fn in_hole(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_in_hole(rt::into(uv_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_in_hole(&self, uv_17: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    fn v_in_hole(&self, uv_18: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ne(rt::Scalar(1u32))) {
             return rt::Scalar(false);
         }
-        let _e7 = self.v_is_in_hole(uv_17);
+        let _e7 = self.v_is_in_hole(uv_18);
         return _e7;
     }
     pub(crate) fn hit_on_segment(
@@ -9449,15 +9543,15 @@ impl<'g> Resources<'g> {
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_57: rt::Scalar<bool>;
+        let mut local_59: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(t_17.elementwise_gt(rt::Scalar(path_40.exit))) {
             let _e9 = self.v_path_height(path_40, rt::Scalar(path_40.exit));
-            local_57 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+            local_59 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_57 = rt::Scalar(false);
+            local_59 = rt::Scalar(false);
         }
-        let _e13 = local_57;
+        let _e13 = local_59;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
@@ -9472,17 +9566,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_41: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_58: rt::Scalar<bool>;
+        let mut local_60: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_41.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_58 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_60 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_58 = rt::Scalar(true);
+            local_60 = rt::Scalar(true);
         }
-        let _e16 = local_58;
+        let _e16 = local_60;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -9717,28 +9811,28 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_7: Found) -> rt::Scalar<bool> {
-        let mut local_59: rt::Scalar<bool>;
-        let mut local_60: rt::Scalar<bool>;
         let mut local_61: rt::Scalar<bool>;
+        let mut local_62: rt::Scalar<bool>;
+        let mut local_63: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.far).elementwise_gt(rt::Scalar(found_7.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                local_60 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
+                local_62 = rt::Scalar(found_7.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_60 = rt::Scalar(true);
+                local_62 = rt::Scalar(true);
             }
-            let _e16 = local_60;
+            let _e16 = local_62;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_61 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
+                local_63 = rt::Scalar(found_7.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_61 = rt::Scalar(true);
+                local_63 = rt::Scalar(true);
             }
-            let _e24 = local_61;
-            local_59 = _e24;
+            let _e24 = local_63;
+            local_61 = _e24;
         } else {
-            local_59 = rt::Scalar(false);
+            local_61 = rt::Scalar(false);
         }
-        let _e26 = local_59;
+        let _e26 = local_61;
         return _e26;
     }
     pub(crate) fn refine_binary(
@@ -9759,7 +9853,7 @@ impl<'g> Resources<'g> {
         let mut near_2: rt::Scalar<f32>;
         let mut far_4: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_62: rt::Scalar<bool>;
+        let mut local_64: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_21: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -9774,11 +9868,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_8.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_4;
             let _e19 = self.v_path_height(path_48, _e18);
-            local_62 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_64 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_62 = rt::Scalar(true);
+            local_64 = rt::Scalar(true);
         }
-        let _e23 = local_62;
+        let _e23 = local_64;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -10026,7 +10120,7 @@ impl<'g> Resources<'g> {
         let mut t_22: rt::Scalar<f32>;
         let mut cell_16: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_63: rt::Scalar<bool>;
+        let mut local_65: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_11.cost);
@@ -10083,11 +10177,11 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(found_11.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_11.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_63 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
+                            local_65 = rt::Scalar(found_11.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_63 = rt::Scalar(true);
+                            local_65 = rt::Scalar(true);
                         }
-                        let _e89 = local_63;
+                        let _e89 = local_65;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
                             let _e93 = self.v_hit_on_path(path_51, rt::Scalar(found_11.far), rt::Scalar(0u32), _e92);
@@ -10125,7 +10219,7 @@ impl<'g> Resources<'g> {
         found_12: Found,
         params_64: rt::Vec4<f32>,
     ) -> Hit {
-        let mut part_5: rt::Scalar<f32> = rt::Scalar(0.5f32);
+        let mut part_6: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_12.status).elementwise_ne(FOUND_BELOW)) {
             let _e6 = self.v_refine_none(path_52, found_12, params_64);
@@ -10145,10 +10239,10 @@ impl<'g> Resources<'g> {
         let _e30 = self.v_path_gap(path_52, forward_2);
         let behind_2 = _e30.abs();
         if rt::Scalar::into_branch_condition((before_4 + behind_2).elementwise_gt(rt::Scalar(0f32))) {
-            part_5 = (before_4 / (before_4 + behind_2));
+            part_6 = (before_4 / (before_4 + behind_2));
         }
         let cost_24 = ((found_12.cost + HEIGHTS_READ) + HEIGHTS_READ);
-        let _e45 = part_5;
+        let _e45 = part_6;
         let _e49 = self.v_hit_on_path(path_52, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_24);
         return _e49;
     }
@@ -10310,15 +10404,15 @@ impl<'g> Resources<'g> {
         first_2: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_64: rt::Scalar<bool>;
+        let mut local_66: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_10.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first_2) {
-                local_64 = c_10.x().elementwise_lt(rt::Scalar(0f32));
+                local_66 = c_10.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_64 = rt::Scalar(false);
+                local_66 = rt::Scalar(false);
             }
-            let _e14 = local_64;
+            let _e14 = local_66;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_10.x(), c_10.x(), cost_10);
             }
@@ -10408,14 +10502,14 @@ impl<'g> Resources<'g> {
         cell_18: rt::Scalar<i32>,
         n_5: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_65: rt::Scalar<bool>;
+        let mut local_67: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_18.elementwise_ge(rt::Scalar(0i32))) {
-            local_65 = cell_18.elementwise_lt(n_5);
+            local_67 = cell_18.elementwise_lt(n_5);
         } else {
-            local_65 = rt::Scalar(false);
+            local_67 = rt::Scalar(false);
         }
-        let _e8 = local_65;
+        let _e8 = local_67;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_18, rt::Scalar(0i32));
         }
@@ -10452,17 +10546,17 @@ impl<'g> Resources<'g> {
         cell_19: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_66: rt::Scalar<bool>;
+        let mut local_68: rt::Scalar<bool>;
 
         let _e4 = self.v_height_texels(rt::Scalar(path_57.level));
         let _e7 = self.v_image_of(cell_19.x(), _e4.x());
         let _e10 = self.v_image_of(cell_19.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_66 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_68 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_66 = rt::Scalar(true);
+            local_68 = rt::Scalar(true);
         }
-        let _e21 = local_66;
+        let _e21 = local_68;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
@@ -10544,7 +10638,7 @@ impl<'g> Resources<'g> {
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_3: rt::Scalar<f32>;
-        let mut local_67: rt::Scalar<bool>;
+        let mut local_69: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_59);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -10588,11 +10682,11 @@ impl<'g> Resources<'g> {
                     let _e82 = self.v_least_at(above_8, span_9);
                     let _e83 = self.v_quadratic(above_8, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_67 = above_8.x().elementwise_gt(of_heights);
+                        local_69 = above_8.x().elementwise_gt(of_heights);
                     } else {
-                        local_67 = rt::Scalar(false);
+                        local_69 = rt::Scalar(false);
                     }
-                    let _e90 = local_67;
+                    let _e90 = local_69;
                     if rt::Scalar::into_branch_condition(_e90) {
                         if rt::Scalar::into_branch_condition(end_8.elementwise_lt(rt::Scalar(path_59.exit))) {
                             let _e93 = cell_20;
@@ -10694,7 +10788,7 @@ impl<'g> Resources<'g> {
         t_26: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_68: rt::Scalar<bool>;
+        let mut local_70: rt::Scalar<bool>;
         let mut leave_5: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         let rest_7 = (rt::Scalar(path_60.exit) - t_26);
@@ -10719,11 +10813,11 @@ impl<'g> Resources<'g> {
         let aside_5 = (((grid_8.origin - offset_6) + (grid_8.step * t_26)) / _e85);
         let c_27 = (((slope_4 * aside_5.length()) - gap_3) * ((slope_4 * aside_5.length()) + gap_3));
         if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
-            local_68 = c_27.elementwise_ge(rt::Scalar(0f32));
+            local_70 = c_27.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_68 = rt::Scalar(true);
+            local_70 = rt::Scalar(true);
         }
-        let _e102 = local_68;
+        let _e102 = local_70;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
@@ -10858,9 +10952,9 @@ impl<'g> Resources<'g> {
         cell_22: impl rt::Into<rt::Scalar<i32>>,
         image_10: impl rt::Into<rt::Vec2<i32>>,
         n_6: impl rt::Into<rt::Scalar<i32>>,
-        level_31: impl rt::Into<rt::Scalar<u32>>,
+        level_32: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_22), rt::into(image_10), rt::into(n_6), rt::into(level_31)))
+        rt::into(self.v_node_extent(rt::into(cell_22), rt::into(image_10), rt::into(n_6), rt::into(level_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
@@ -10868,27 +10962,27 @@ impl<'g> Resources<'g> {
         cell_22: rt::Scalar<i32>,
         image_10: rt::Vec2<i32>,
         n_6: rt::Scalar<i32>,
-        level_31: rt::Scalar<u32>,
+        level_32: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_69: rt::Scalar<bool>;
+        let mut local_71: rt::Scalar<bool>;
 
-        let first_17 = ((image_10.x() >> level_31) << level_31);
-        let side_6 = (rt::Scalar(1i32) << level_31);
+        let first_17 = ((image_10.x() >> level_32) << level_32);
+        let side_7 = (rt::Scalar(1i32) << level_32);
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
             let low_5 = (cell_22 - (image_10.x() - first_17));
-            return <rt::Vec2<i32>>::from_scalars(low_5, (low_5 + side_6.min((n_6 - first_17))));
+            return <rt::Vec2<i32>>::from_scalars(low_5, (low_5 + side_7.min((n_6 - first_17))));
         }
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(1i32))) {
             let high_1 = ((cell_22 + (image_10.x() - first_17)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high_1 - side_6.min(((n_6 - rt::Scalar(1i32)) - first_17))), high_1);
+            return <rt::Vec2<i32>>::from_scalars((high_1 - side_7.min(((n_6 - rt::Scalar(1i32)) - first_17))), high_1);
         }
-        if rt::Scalar::into_branch_condition(level_31.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_32.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_69 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_71 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_69 = rt::Scalar(false);
+            local_71 = rt::Scalar(false);
         }
-        let _e43 = local_69;
+        let _e43 = local_71;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_6, cell_22.elementwise_ge(n_6)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_22.elementwise_ge(n_6)));
         }
@@ -10932,14 +11026,14 @@ impl<'g> Resources<'g> {
         params_70: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_32: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_33: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_23: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_70: rt::Scalar<bool>;
-        let mut local_71: rt::Scalar<bool>;
         let mut local_72: rt::Scalar<bool>;
+        let mut local_73: rt::Scalar<bool>;
+        let mut local_74: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_62);
         let _e4 = self.v_height_texels(rt::Scalar(path_62.level));
@@ -10954,10 +11048,10 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_32;
+                    let _e28 = level_33;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).to_f32().elementwise_lt(long_5)) {
-                        let _e33 = level_32;
-                        level_32 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_33;
+                        level_33 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
@@ -10979,41 +11073,41 @@ impl<'g> Resources<'g> {
                     let _e59 = self.v_image_of(_e57, _e4.x());
                     let _e61 = cell_23.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_27 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
-                    let _e67 = level_32;
+                    let place_28 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let _e67 = level_33;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_27.x() >> above_level), (place_27.y() >> above_level));
+                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_28.x() >> above_level), (place_28.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_2.x()))) {
                             let _e89 = parent.y();
-                            local_71 = _e89.elementwise_ne(over_2.y());
+                            local_73 = _e89.elementwise_ne(over_2.y());
                         } else {
-                            local_71 = rt::Scalar(true);
+                            local_73 = rt::Scalar(true);
                         }
-                        let _e93 = local_71;
-                        local_70 = _e93;
-                    } else {
-                        local_70 = rt::Scalar(false);
-                    }
-                    let left_6 = local_70;
-                    if rt::Scalar::into_branch_condition(left_6) {
-                        let _e98 = level_32;
-                        let _e99 = top;
-                        local_72 = _e98.elementwise_lt(_e99);
+                        let _e93 = local_73;
+                        local_72 = _e93;
                     } else {
                         local_72 = rt::Scalar(false);
                     }
-                    let _e102 = local_72;
+                    let left_6 = local_72;
+                    if rt::Scalar::into_branch_condition(left_6) {
+                        let _e98 = level_33;
+                        let _e99 = top;
+                        local_74 = _e98.elementwise_lt(_e99);
+                    } else {
+                        local_74 = rt::Scalar(false);
+                    }
+                    let _e102 = local_74;
                     if rt::Scalar::into_branch_condition(_e102) {
-                        level_32 = above_level;
+                        level_33 = above_level;
                     }
                     let _e104 = cell_23.x();
-                    let _e106 = level_32;
+                    let _e106 = level_33;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
                     let _e109 = cell_23.y();
-                    let _e111 = level_32;
+                    let _e111 = level_33;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
@@ -11021,8 +11115,8 @@ impl<'g> Resources<'g> {
                     let _e126 = t_28;
                     let span_11 = (end_11 - _e126).max(rt::Scalar(0f32));
                     let low_6 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
-                    let last_9 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
-                    let _e140 = level_32;
+                    let last_10 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
+                    let _e140 = level_33;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_14;
                         cost_14 = (_e143 + HEIGHTS_READ);
@@ -11043,10 +11137,10 @@ impl<'g> Resources<'g> {
                         let _e160 = cost_14;
                         let _e162 = self.v_map_read(path_62, rt::Scalar(1u32));
                         cost_14 = (_e160 + _e162);
-                        let _e165 = level_32;
-                        let _e168 = level_32;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_27.x() >> _e165), (place_27.y() >> _e168));
-                        let _e172 = level_32;
+                        let _e165 = level_33;
+                        let _e168 = level_33;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_28.x() >> _e165), (place_28.y() >> _e168));
+                        let _e172 = level_33;
                         let _e178 = self.v_search_texel(path_62, node, rt::Scalar(0i32), ((_e172 + rt::Scalar(path_62.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e178.y();
                         let _e180 = t_28;
@@ -11066,9 +11160,9 @@ impl<'g> Resources<'g> {
                             }
                             let _e216 = t_28;
                             let _e219 = self.v_cell_of((_e2.origin + (_e2.step * _e216)));
-                            cell_23 = _e219.to_i32().clamp(low_6, last_9);
-                            let _e222 = level_32;
-                            level_32 = (_e222 - rt::Scalar(1u32));
+                            cell_23 = _e219.to_i32().clamp(low_6, last_10);
+                            let _e222 = level_33;
+                            level_33 = (_e222 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
@@ -11079,16 +11173,16 @@ impl<'g> Resources<'g> {
                         return <Found>::new(FOUND_MISS, _e231, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e233);
                     }
                     let _e241 = self.v_cell_of((_e2.origin + (_e2.step * end_11)));
-                    cell_23 = _e241.to_i32().clamp(low_6, last_9);
+                    cell_23 = _e241.to_i32().clamp(low_6, last_10);
                     if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_11)) {
                         cell_23.set_x((low_6.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_11)) {
                         cell_23.set_y((low_6.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e267 = level_32;
-                    let _e272 = level_32;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_27.x() >> (_e267 + rt::Scalar(1u32))), (place_27.y() >> (_e272 + rt::Scalar(1u32))));
+                    let _e267 = level_33;
+                    let _e272 = level_33;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_28.x() >> (_e267 + rt::Scalar(1u32))), (place_28.y() >> (_e272 + rt::Scalar(1u32))));
                     let _e277 = t_28;
                     t_28 = _e277.max(end_11);
                 }
@@ -11102,40 +11196,40 @@ impl<'g> Resources<'g> {
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
         n_7: impl rt::Into<rt::Scalar<i32>>,
-        level_33: impl rt::Into<rt::Scalar<u32>>,
+        level_34: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_7), rt::into(level_33)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_7), rt::into(level_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
         n_7: rt::Scalar<i32>,
-        level_33: rt::Scalar<u32>,
+        level_34: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_73: rt::Scalar<bool>;
+        let mut local_75: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_7);
-        let first_18 = ((_e3 >> level_33) << level_33);
-        let last_10 = (first_18 + (rt::Scalar(1i32) << level_33)).min(n_7);
+        let first_18 = ((_e3 >> level_34) << level_34);
+        let last_11 = (first_18 + (rt::Scalar(1i32) << level_34)).min(n_7);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_73 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_75 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_73 = rt::Scalar(true);
+            local_75 = rt::Scalar(true);
         }
-        let _e20 = local_73;
+        let _e20 = local_75;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_18), ((texel_2 - _e3) + last_10));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_18), ((texel_2 - _e3) + last_11));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
             let period_2 = (rt::Scalar(2i32) * n_7);
             let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
             if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_7)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_18), ((texel_2 - _e3) + last_10));
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_18), ((texel_2 - _e3) + last_11));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_10) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_18) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_11) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_18) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
@@ -11152,7 +11246,7 @@ impl<'g> Resources<'g> {
         path_63: Path,
         params_71: rt::Vec4<f32>,
     ) -> Found {
-        let mut level_34: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_35: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
         let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
@@ -11167,21 +11261,21 @@ impl<'g> Resources<'g> {
         let step_7 = (path_63.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_34;
+                let _e14 = level_35;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_34;
-                    level_34 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_35;
+                    level_35 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
         let _e24 = self.v_cell_of(origin_7);
         texel_3 = _e24.to_i32();
         let limit_5 = params_71.x().to_u32();
-        let _e35 = level_34;
+        let _e35 = level_35;
         finest_1 = params_71.y().to_u32().min(_e35);
         if rt::Scalar::into_branch_condition(rt::Scalar(path_63.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
@@ -11200,30 +11294,30 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_28 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_29 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
-                    let _e59 = level_34;
+                    let _e59 = level_35;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_15;
                         cost_15 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_28, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_29, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
-                        let _e70 = level_34;
-                        let _e73 = level_34;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_28.x() >> _e70), (place_28.y() >> _e73));
+                        let _e70 = level_35;
+                        let _e73 = level_35;
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_29.x() >> _e70), (place_29.y() >> _e73));
                         let _e76 = cost_15;
                         let _e78 = self.v_map_read(path_63, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
-                        let _e81 = level_34;
+                        let _e81 = level_35;
                         let _e85 = self.v_search_texel(path_63, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
-                    let _e90 = level_34;
+                    let _e90 = level_35;
                     let _e91 = self.v_texel_extent(_e88, _e3.x(), _e90);
                     let _e93 = texel_3.y();
-                    let _e95 = level_34;
+                    let _e95 = level_35;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
                     let _e99 = self.v_leaves_extent(origin_7.x(), step_7.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_7.y(), step_7.y(), _e96);
@@ -11243,24 +11337,24 @@ impl<'g> Resources<'g> {
                         sinks = _e127;
                     }
                     let low_7 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
-                    let last_11 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
+                    let last_12 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e141 = t_29;
                         let _e142 = sinks;
                         t_29 = (_e141 + _e142);
-                        let _e144 = level_34;
+                        let _e144 = level_35;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
                             let _e148 = t_29;
                             let _e149 = cost_15;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
-                        let _e154 = level_34;
-                        level_34 = (_e154 - rt::Scalar(1u32));
+                        let _e154 = level_35;
+                        level_35 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_29;
                         let _e160 = self.v_cell_of((origin_7 + (step_7 * _e157)));
-                        texel_3 = _e160.to_i32().clamp(low_7, last_11);
+                        texel_3 = _e160.to_i32().clamp(low_7, last_12);
                     } else {
                         if rt::Scalar::into_branch_condition(end_12.elementwise_ge(rt::Scalar(path_63.exit))) {
                             let _e166 = t_29;
@@ -11268,7 +11362,7 @@ impl<'g> Resources<'g> {
                             return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
                         let _e174 = self.v_cell_of((origin_7 + (step_7 * end_12)));
-                        texel_3 = _e174.to_i32().clamp(low_7, last_11);
+                        texel_3 = _e174.to_i32().clamp(low_7, last_12);
                         if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_12)) {
                             texel_3.set_x((low_7.x() - rt::Scalar(1i32)).select(_e91.y(), step_7.x().elementwise_gt(rt::Scalar(0f32))));
                         }
@@ -11325,10 +11419,10 @@ impl<'g> Resources<'g> {
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_74: rt::Scalar<bool>;
-        let mut local_75: rt::Scalar<bool>;
         let mut local_76: rt::Scalar<bool>;
         let mut local_77: rt::Scalar<bool>;
+        let mut local_78: rt::Scalar<bool>;
+        let mut local_79: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_64);
         let _e4 = self.v_height_texels(rt::Scalar(path_64.level));
@@ -11359,11 +11453,11 @@ impl<'g> Resources<'g> {
                     let _e48 = self.v_image_of(_e45.x(), _e4.x());
                     let _e51 = self.v_image_of(_e45.y(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_74 = _e51.y().elementwise_eq(rt::Scalar(2i32));
+                        local_76 = _e51.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_74 = rt::Scalar(true);
+                        local_76 = rt::Scalar(true);
                     }
-                    let _e62 = local_74;
+                    let _e62 = local_76;
                     if rt::Scalar::into_branch_condition(_e62) {
                         looks = rt::Scalar(true);
                     } else {
@@ -11399,18 +11493,18 @@ impl<'g> Resources<'g> {
                         let _e125 = looks;
                         if rt::Scalar::into_branch_condition((!_e125)) {
                             let _e129 = next_3;
-                            local_75 = _e129.elementwise_lt(end_13);
+                            local_77 = _e129.elementwise_lt(end_13);
                         } else {
-                            local_75 = rt::Scalar(false);
+                            local_77 = rt::Scalar(false);
                         }
-                        let _e132 = local_75;
+                        let _e132 = local_77;
                         if rt::Scalar::into_branch_condition(_e132) {
                             let _e135 = self.v_path_height(path_64, end_13);
-                            local_76 = _e135.elementwise_lt(_e70.x());
+                            local_78 = _e135.elementwise_lt(_e70.x());
                         } else {
-                            local_76 = rt::Scalar(false);
+                            local_78 = rt::Scalar(false);
                         }
-                        let _e139 = local_76;
+                        let _e139 = local_78;
                         if rt::Scalar::into_branch_condition(_e139) {
                             let _e140 = safe_;
                             let _e141 = cost_16;
@@ -11421,11 +11515,11 @@ impl<'g> Resources<'g> {
                     let _e143 = next_3;
                     if rt::Scalar::into_branch_condition((!_e143.elementwise_lt(end_13))) {
                         let _e148 = t_30;
-                        local_77 = (!end_13.elementwise_gt(_e148));
+                        local_79 = (!end_13.elementwise_gt(_e148));
                     } else {
-                        local_77 = rt::Scalar(true);
+                        local_79 = rt::Scalar(true);
                     }
-                    let _e152 = local_77;
+                    let _e152 = local_79;
                     if rt::Scalar::into_branch_condition(_e152) {
                         let _e153 = looks;
                         if rt::Scalar::into_branch_condition(_e153) {
@@ -11483,7 +11577,7 @@ impl<'g> Resources<'g> {
         let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_78: rt::Scalar<bool>;
+        let mut local_80: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_65);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -11541,11 +11635,11 @@ impl<'g> Resources<'g> {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_14))) {
                             let _e121 = t_31;
-                            local_78 = (!end_14.elementwise_gt(_e121));
+                            local_80 = (!end_14.elementwise_gt(_e121));
                         } else {
-                            local_78 = rt::Scalar(true);
+                            local_80 = rt::Scalar(true);
                         }
-                        let _e125 = local_78;
+                        let _e125 = local_80;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
@@ -11604,7 +11698,7 @@ impl<'g> Resources<'g> {
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
         let mut k_25: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_79: rt::Scalar<bool>;
+        let mut local_81: rt::Scalar<bool>;
 
         let aside_6 = path_66.duv.length();
         'naga_break: loop {
@@ -11624,11 +11718,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
                         let _e27 = t_32;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_79 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_81 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_79 = rt::Scalar(false);
+                            local_81 = rt::Scalar(false);
                         }
-                        let _e35 = local_79;
+                        let _e35 = local_81;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
@@ -11704,11 +11798,11 @@ impl<'g> Resources<'g> {
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_80: rt::Scalar<bool>;
+        let mut local_82: rt::Scalar<bool>;
         let mut start_2: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_81: rt::Scalar<bool>;
+        let mut local_83: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_67);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -11748,11 +11842,11 @@ impl<'g> Resources<'g> {
                         let _e79 = t_33;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_80 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_82 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_80 = rt::Scalar(false);
+                            local_82 = rt::Scalar(false);
                         }
-                        let _e87 = local_80;
+                        let _e87 = local_82;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
                             let _e89 = t_33;
@@ -11818,11 +11912,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(params_75.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e175 = next_5;
                         let _e176 = t_33;
-                        local_81 = (!(_e175 - _e176).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_67.exit))));
+                        local_83 = (!(_e175 - _e176).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_67.exit))));
                     } else {
-                        local_81 = rt::Scalar(false);
+                        local_83 = rt::Scalar(false);
                     }
-                    let _e184 = local_81;
+                    let _e184 = local_83;
                     if rt::Scalar::into_branch_condition(_e184) {
                         let _e186 = t_33;
                         let _e188 = gap;
@@ -11876,7 +11970,7 @@ impl<'g> Resources<'g> {
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_82: rt::Scalar<bool>;
+        let mut local_84: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_68);
@@ -11912,11 +12006,11 @@ impl<'g> Resources<'g> {
                         let _e52 = t_34;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_82 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_84 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_82 = rt::Scalar(false);
+                            local_84 = rt::Scalar(false);
                         }
-                        let _e60 = local_82;
+                        let _e60 = local_84;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
                             let _e62 = t_34;
@@ -12090,7 +12184,7 @@ impl<'g> Resources<'g> {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut first_3: FirstHit;
         let mut k_26: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_83: rt::Scalar<bool>;
+        let mut local_85: rt::Scalar<bool>;
 
         let _e5 = cost_21;
         let _e6 = self.v_miss(_e5);
@@ -12115,11 +12209,11 @@ impl<'g> Resources<'g> {
                             let _e34 = rt::Scalar(first_3.hit.found);
                             if rt::Scalar::into_branch_condition((!_e34.elementwise_eq(rt::Scalar(0u32)))) {
                                 let _e42 = rt::Scalar(first_3.key);
-                                local_83 = rt::Scalar(_e23.key).elementwise_gt(_e42);
+                                local_85 = rt::Scalar(_e23.key).elementwise_gt(_e42);
                             } else {
-                                local_83 = rt::Scalar(true);
+                                local_85 = rt::Scalar(true);
                             }
-                            let _e45 = local_83;
+                            let _e45 = local_85;
                             if rt::Scalar::into_branch_condition(_e45) {
                                 first_3 = _e23;
                             }
@@ -12149,9 +12243,9 @@ impl<'g> Resources<'g> {
         let mut agreed: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut k_27: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut turns: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_84: rt::Scalar<bool>;
-        let mut local_85: rt::Scalar<bool>;
         let mut local_86: rt::Scalar<bool>;
+        let mut local_87: rt::Scalar<bool>;
+        let mut local_88: rt::Scalar<bool>;
 
         let _e4 = cost_22;
         let _e5 = self.v_miss(_e4);
@@ -12162,11 +12256,11 @@ impl<'g> Resources<'g> {
                 let _e21 = agreed;
                 if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_77.segments))) {
                     let _e26 = turns;
-                    local_84 = _e26.elementwise_lt(most_14);
+                    local_86 = _e26.elementwise_lt(most_14);
                 } else {
-                    local_84 = rt::Scalar(false);
+                    local_86 = rt::Scalar(false);
                 }
-                let _e29 = local_84;
+                let _e29 = local_86;
                 if rt::Scalar::into_branch_condition(_e29) {
                 } else {
                     break 'naga_break;
@@ -12179,11 +12273,11 @@ impl<'g> Resources<'g> {
                     let ahead_2 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
                     let passed = (passed_m / ahead_2);
                     if rt::Scalar::into_branch_condition(ahead_2.elementwise_gt(rt::Scalar(0f32))) {
-                        local_85 = passed.elementwise_lt(rt::Scalar(_e31.exit));
+                        local_87 = passed.elementwise_lt(rt::Scalar(_e31.exit));
                     } else {
-                        local_85 = rt::Scalar(false);
+                        local_87 = rt::Scalar(false);
                     }
-                    let _e49 = local_85;
+                    let _e49 = local_87;
                     if rt::Scalar::into_branch_condition((!_e49)) {
                         let _e52 = cost_22;
                         let _e53 = self.v_miss(_e52);
@@ -12209,11 +12303,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition((!_e74.elementwise_eq(rt::Scalar(0u32)))) {
                         let _e80 = reached_1;
                         let _e81 = reached_1;
-                        local_86 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
+                        local_88 = at_m.elementwise_gt((_e80 + (_e81 * rt::Scalar(0.000002f32))));
                     } else {
-                        local_86 = rt::Scalar(true);
+                        local_88 = rt::Scalar(true);
                     }
-                    let _e87 = local_86;
+                    let _e87 = local_88;
                     if rt::Scalar::into_branch_condition(_e87) {
                         reached_1 = at_m;
                         agreed = rt::Scalar(0u32);
@@ -12279,14 +12373,14 @@ impl<'g> Resources<'g> {
         let _e3 = self.v_first_in_all(pixel_79, at_79);
         return _e3;
     }
-    pub(crate) fn look_into_frame(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_look_into_frame(rt::into(uv_18)))
+    pub(crate) fn look_into_frame(&self, uv_19: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_look_into_frame(rt::into(uv_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_look_into_frame(&self, uv_18: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_look_into_frame(&self, uv_19: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_147 = ((uv_18 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let at_147 = ((uv_19 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(at_147);
         let part_19 = (at_147 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
@@ -12368,7 +12462,7 @@ impl<'g> Resources<'g> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_28: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut first_5: FirstHit;
-        let mut local_87: rt::Scalar<bool>;
+        let mut local_89: rt::Scalar<bool>;
 
         let toward_6 = (-pixel_80.direction.normalize());
         let _e6 = self.v_frames_around(toward_6);
@@ -12414,11 +12508,11 @@ impl<'g> Resources<'g> {
         let _e72 = cover_1;
         if rt::Scalar::into_branch_condition((!_e72.elementwise_lt(rt::Scalar(0.5f32)))) {
             let _e78 = along_18;
-            local_87 = _e78.elementwise_lt(rt::Scalar(0f32));
+            local_89 = _e78.elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_87 = rt::Scalar(true);
+            local_89 = rt::Scalar(true);
         }
-        let _e82 = local_87;
+        let _e82 = local_89;
         if rt::Scalar::into_branch_condition(_e82) {
             let _e83 = first_5;
             return _e83;
@@ -12528,21 +12622,21 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
         return ((rt::Scalar(at_83.footprint) * at_83.metric.x().sqrt()) / _e7.x());
     }
-    pub(crate) fn near_uv(&self, uv_19: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_19)))
+    pub(crate) fn near_uv(&self, uv_20: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_near_uv(&self, uv_19: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_near_uv(&self, uv_20: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_19 - uv_19.floor());
+            return (uv_20 - uv_20.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_19 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_19).floor()));
+            return (uv_20 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_20).floor()));
         }
-        return uv_19;
+        return uv_20;
     }
     pub(crate) fn from_hit(&self, at_84: Entered, hit_21: Hit, light_1: Toward) -> Path {
         rt::into(self.v_from_hit(at_84, hit_21, light_1))
@@ -12584,7 +12678,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_ray(&self, at_85: Entered, hit_22: Hit, light_3: Toward) -> LightRay {
-        let mut local_88: rt::Scalar<bool>;
+        let mut local_90: rt::Scalar<bool>;
 
         let _e3 = self.v_from_hit(at_85, hit_22, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
@@ -12601,11 +12695,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.to_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_88 = (_e31.y() + (_e31.z() * end_17)).elementwise_lt(rt::Scalar(0f32));
+            local_90 = (_e31.y() + (_e31.z() * end_17)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_88 = rt::Scalar(true);
+            local_90 = rt::Scalar(true);
         }
-        let _e45 = local_88;
+        let _e45 = local_90;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -12712,8 +12806,8 @@ impl<'g> Resources<'g> {
     fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let x_10 = (turn_1 * rt::Scalar(6.2831855f32));
         let s_2 = (x_10 * x_10);
-        let last_12 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
-        return (x_10 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_12)))))));
+        let last_13 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
+        return (x_10 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_13)))))));
     }
     pub(crate) fn sine_of(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_2)))
@@ -12786,15 +12880,15 @@ impl<'g> Resources<'g> {
         turns_2: rt::Scalar<f32>,
         seed_3: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let cell_31 = at_87.floor();
-        let part_21 = (at_87 - cell_31);
+        let cell_32 = at_87.floor();
+        let part_21 = (at_87 - cell_32);
         let fade = (((part_21 * part_21) * part_21) * ((part_21 * ((part_21 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
         let right_5 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
         let down_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(1f32));
-        let _e24 = self.v_gradient_at(cell_31, part_21, count_6, turns_2, seed_3);
-        let _e27 = self.v_gradient_at((cell_31 + right_5), (part_21 - right_5), count_6, turns_2, seed_3);
-        let _e30 = self.v_gradient_at((cell_31 + down_1), (part_21 - down_1), count_6, turns_2, seed_3);
-        let _e35 = self.v_gradient_at(((cell_31 + right_5) + down_1), ((part_21 - right_5) - down_1), count_6, turns_2, seed_3);
+        let _e24 = self.v_gradient_at(cell_32, part_21, count_6, turns_2, seed_3);
+        let _e27 = self.v_gradient_at((cell_32 + right_5), (part_21 - right_5), count_6, turns_2, seed_3);
+        let _e30 = self.v_gradient_at((cell_32 + down_1), (part_21 - down_1), count_6, turns_2, seed_3);
+        let _e35 = self.v_gradient_at(((cell_32 + right_5) + down_1), ((part_21 - right_5) - down_1), count_6, turns_2, seed_3);
         let above_9 = (_e24 + ((_e27 - _e24) * fade.x()));
         let below_7 = (_e30 + ((_e35 - _e30) * fade.x()));
         return (above_9 + ((below_7 - above_9) * fade.y()));
@@ -12810,35 +12904,35 @@ impl<'g> Resources<'g> {
     pub(crate) fn holds_filter(
         &self,
         view_10: LightView,
-        place_15: impl rt::Into<rt::Vec3<f32>>,
+        place_16: impl rt::Into<rt::Vec3<f32>>,
         half: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_holds_filter(view_10, rt::into(place_15), rt::into(half)))
+        rt::into(self.v_holds_filter(view_10, rt::into(place_16), rt::into(half)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_holds_filter(
         &self,
         view_10: LightView,
-        place_15: rt::Vec3<f32>,
+        place_16: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_89: rt::Scalar<bool>;
-        let mut local_90: rt::Scalar<bool>;
+        let mut local_91: rt::Scalar<bool>;
+        let mut local_92: rt::Scalar<bool>;
 
-        let least_6 = (place_15.x().min(place_15.y()) - half);
-        let most_15 = (place_15.x().max(place_15.y()) + half);
-        if rt::Scalar::into_branch_condition(place_15.z().elementwise_gt(rt::Scalar(0f32))) {
-            local_89 = least_6.elementwise_ge(rt::Scalar(0f32));
+        let least_7 = (place_16.x().min(place_16.y()) - half);
+        let most_15 = (place_16.x().max(place_16.y()) + half);
+        if rt::Scalar::into_branch_condition(place_16.z().elementwise_gt(rt::Scalar(0f32))) {
+            local_91 = least_7.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_89 = rt::Scalar(false);
+            local_91 = rt::Scalar(false);
         }
-        let _e19 = local_89;
+        let _e19 = local_91;
         if rt::Scalar::into_branch_condition(_e19) {
-            local_90 = most_15.elementwise_le(rt::Scalar(view_10.size).to_f32());
+            local_92 = most_15.elementwise_le(rt::Scalar(view_10.size).to_f32());
         } else {
-            local_90 = rt::Scalar(false);
+            local_92 = rt::Scalar(false);
         }
-        let _e26 = local_90;
+        let _e26 = local_92;
         return _e26;
     }
     pub(crate) fn is_before(
@@ -12861,16 +12955,16 @@ impl<'g> Resources<'g> {
         low_m: rt::Scalar<f32>,
         high_m: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
-        let mut local_91: rt::Scalar<bool>;
+        let mut local_93: rt::Scalar<bool>;
 
         let low_9 = (plane.xyz().dot((position + (direction_5 * low_m))) + plane.w());
         let high_3 = (plane.xyz().dot((position + (direction_5 * high_m))) + plane.w());
         if rt::Scalar::into_branch_condition(low_9.elementwise_gt(rt::Scalar(0f32))) {
-            local_91 = high_3.elementwise_gt(rt::Scalar(0f32));
+            local_93 = high_3.elementwise_gt(rt::Scalar(0f32));
         } else {
-            local_91 = rt::Scalar(false);
+            local_93 = rt::Scalar(false);
         }
-        let _e24 = local_91;
+        let _e24 = local_93;
         return _e24;
     }
     pub(crate) fn is_left_out(
@@ -12895,8 +12989,8 @@ impl<'g> Resources<'g> {
         high_m_1: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let mut k_29: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_92: rt::Scalar<bool>;
-        let mut local_93: rt::Scalar<bool>;
+        let mut local_94: rt::Scalar<bool>;
+        let mut local_95: rt::Scalar<bool>;
 
         'naga_break: loop {
             'naga_continue: {
@@ -12913,18 +13007,18 @@ impl<'g> Resources<'g> {
                     let _e19 = self.v_is_before(plane_1, a_14.position, a_14.direction, low_m_1, high_m_1);
                     if rt::Scalar::into_branch_condition(_e19) {
                         let _e24 = self.v_is_before(plane_1, b_14.position, b_14.direction, low_m_1, high_m_1);
-                        local_92 = _e24;
+                        local_94 = _e24;
                     } else {
-                        local_92 = rt::Scalar(false);
+                        local_94 = rt::Scalar(false);
                     }
-                    let _e26 = local_92;
+                    let _e26 = local_94;
                     if rt::Scalar::into_branch_condition(_e26) {
                         let _e31 = self.v_is_before(plane_1, c_11.position, c_11.direction, low_m_1, high_m_1);
-                        local_93 = _e31;
+                        local_95 = _e31;
                     } else {
-                        local_93 = rt::Scalar(false);
+                        local_95 = rt::Scalar(false);
                     }
-                    let _e33 = local_93;
+                    let _e33 = local_95;
                     if rt::Scalar::into_branch_condition(_e33) {
                         return rt::Scalar(true);
                     }
@@ -12977,9 +13071,9 @@ impl<'g> Resources<'g> {
         a_17: Voxel,
         b_17: Voxel,
         c_13: Voxel,
-        level_35: impl rt::Into<rt::Scalar<u32>>,
+        level_36: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_swept(grid_11, a_17, b_17, c_13, rt::into(level_35)))
+        rt::into(self.v_is_swept(grid_11, a_17, b_17, c_13, rt::into(level_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_is_swept(
@@ -12988,30 +13082,30 @@ impl<'g> Resources<'g> {
         a_17: Voxel,
         b_17: Voxel,
         c_13: Voxel,
-        level_35: rt::Scalar<u32>,
+        level_36: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
-        let mut local_94: rt::Scalar<bool>;
-        let mut local_95: rt::Scalar<bool>;
+        let mut local_96: rt::Scalar<bool>;
+        let mut local_97: rt::Scalar<bool>;
 
-        let _e6 = self.v_coarser_voxel(a_17.at, level_35);
-        let _e8 = self.v_coarser_voxel(b_17.at, level_35);
-        let _e10 = self.v_coarser_voxel(c_13.at, level_35);
+        let _e6 = self.v_coarser_voxel(a_17.at, level_36);
+        let _e8 = self.v_coarser_voxel(b_17.at, level_36);
+        let _e10 = self.v_coarser_voxel(c_13.at, level_36);
         let _e12 = self.v_longest_of((_e8 - _e6));
         let _e14 = self.v_longest_of((_e10 - _e8));
         let _e17 = self.v_longest_of((_e6 - _e10));
         let longest = _e12.max(_e14).max(_e17);
         if rt::Scalar::into_branch_condition(longest.elementwise_gt(rt::Scalar(0i32))) {
-            local_94 = longest.elementwise_le(rt::Scalar(1023i32));
+            local_96 = longest.elementwise_le(rt::Scalar(1023i32));
         } else {
-            local_94 = rt::Scalar(false);
+            local_96 = rt::Scalar(false);
         }
-        let _e26 = local_94;
+        let _e26 = local_96;
         if rt::Scalar::into_branch_condition(_e26) {
-            local_95 = rt::Scalar(grid_11.is_swept).elementwise_eq(rt::Scalar(1u32));
+            local_97 = rt::Scalar(grid_11.is_swept).elementwise_eq(rt::Scalar(1u32));
         } else {
-            local_95 = rt::Scalar(false);
+            local_97 = rt::Scalar(false);
         }
-        let _e33 = local_95;
+        let _e33 = local_97;
         return _e33;
     }
     pub(crate) fn light_place(
@@ -13036,23 +13130,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn patch_normal(
         &self,
         at_88: Entered,
-        uv_20: impl rt::Into<rt::Vec2<f32>>,
+        uv_21: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_88, rt::into(uv_20)))
+        rt::into(self.v_patch_normal(at_88, rt::into(uv_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
         at_88: Entered,
-        uv_20: rt::Vec2<f32>,
+        uv_21: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
             let facet = at_88.facing.normalize();
             return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_88.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_20, rt::Scalar(at_88.level));
+        let _e18 = self.v_height_and_slope(uv_21, rt::Scalar(at_88.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
         let along_u_2 = (at_88.tangent + (at_88.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
@@ -13086,19 +13180,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_texel(
         &self,
-        place_16: impl rt::Into<rt::Vec2<i32>>,
+        place_17: impl rt::Into<rt::Vec2<i32>>,
         view_13: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_light_texel(rt::into(place_16), rt::into(view_13)))
+        rt::into(self.v_light_texel(rt::into(place_17), rt::into(view_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_texel(
         &self,
-        place_16: rt::Vec2<i32>,
+        place_17: rt::Vec2<i32>,
         view_13: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_16, rt::Scalar::into_inner(view_13), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_17, rt::Scalar::into_inner(view_13), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4.x();
     }
     pub(crate) fn row_sees(
@@ -13133,11 +13227,11 @@ impl<'g> Resources<'g> {
                     let _e24 = column_2;
                     let wide_2 = (at_89.high.x().min((_e18 + rt::Scalar(1f32))) - at_89.low.x().max(_e24));
                     let _e27 = column_2;
-                    let place_29 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_25, at_89.point, at_89.normal, (place_29 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let place_30 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
+                    let _e35 = self.v_plane_depth(view_25, at_89.point, at_89.normal, (place_30 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
                     let depth_10 = _e35.clamp(rt::Scalar(at_89.least_depth), rt::Scalar(at_89.most_depth));
                     let key = (rt::Scalar(view_25.near) / (rt::Scalar(view_25.near) + depth_10.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_29.to_i32(), rt::Scalar(at_89.number).to_i32());
+                    let _e48 = self.v_light_texel(place_30.to_i32(), rt::Scalar(at_89.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -13155,11 +13249,11 @@ impl<'g> Resources<'g> {
         number_15: impl rt::Into<rt::Scalar<u32>>,
         at_90: Entered,
         normal_16: impl rt::Into<rt::Vec3<f32>>,
-        place_17: impl rt::Into<rt::Vec3<f32>>,
+        place_18: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_15), at_90, rt::into(normal_16), rt::into(place_17), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_15), at_90, rt::into(normal_16), rt::into(place_18), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
@@ -13167,7 +13261,7 @@ impl<'g> Resources<'g> {
         number_15: rt::Scalar<u32>,
         at_90: Entered,
         normal_16: rt::Vec3<f32>,
-        place_17: rt::Vec3<f32>,
+        place_18: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
         bias: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
@@ -13175,19 +13269,19 @@ impl<'g> Resources<'g> {
         let mut row_7: rt::Scalar<f32>;
 
         let view_26 = self.frame.light_views[rt::Scalar::into_array_index(number_15)];
-        let texel_m = (rt::Scalar(view_26.texel_m) * rt::Scalar(1f32).select(place_17.z(), rt::Scalar(view_26.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let texel_m = (rt::Scalar(view_26.texel_m) * rt::Scalar(1f32).select(place_18.z(), rt::Scalar(view_26.from_point).elementwise_eq(rt::Scalar(1u32))));
         let _e19 = self.v_footprint_m(at_90);
         let point_30 = (at_90.point + (normal_16 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
-        let low_10 = (place_17.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
+        let low_10 = (place_18.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_4 = (low_10 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_13 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_26.size).to_f32(), rt::Scalar(view_26.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_15, point_30, normal_16, low_10, high_4, (place_17.z() - reach_1), (place_17.z() + reach_1));
+        let last_14 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_26.size).to_f32(), rt::Scalar(view_26.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let in_view = <InView>::new(number_15, point_30, normal_16, low_10, high_4, (place_18.z() - reach_1), (place_18.z() + reach_1));
         row_7 = low_10.y().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e55 = row_7;
-                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_13.y())) {
+                if rt::Scalar::into_branch_condition(_e55.elementwise_le(last_14.y())) {
                 } else {
                     break 'naga_break;
                 }
@@ -13197,7 +13291,7 @@ impl<'g> Resources<'g> {
                     let tall = (high_4.y().min((_e59 + rt::Scalar(1f32))) - low_10.y().max(_e64));
                     let _e67 = seen;
                     let _e68 = row_7;
-                    let _e70 = self.v_row_sees(in_view, _e68, last_13.x());
+                    let _e70 = self.v_row_sees(in_view, _e68, last_14.x());
                     seen = (_e67 + (_e70 * tall));
                     let _e73 = row_7;
                     row_7 = (_e73 + rt::Scalar(1f32));
@@ -13210,19 +13304,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn light_seen(
         &self,
         at_91: Entered,
-        uv_21: impl rt::Into<rt::Vec2<f32>>,
+        uv_22: impl rt::Into<rt::Vec2<f32>>,
         number_16: impl rt::Into<rt::Scalar<u32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_91, rt::into(uv_21), rt::into(number_16), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_91, rt::into(uv_22), rt::into(number_16), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
         at_91: Entered,
-        uv_21: rt::Vec2<f32>,
+        uv_22: rt::Vec2<f32>,
         number_16: rt::Scalar<u32>,
         toward_1: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
@@ -13234,7 +13328,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_91, uv_21);
+        let _e14 = self.v_patch_normal(at_91, uv_22);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -13280,16 +13374,16 @@ impl<'g> Resources<'g> {
         start_3: rt::Vec3<i32>,
         to_1: rt::Vec3<i32>,
     ) -> rt::Scalar<u32> {
-        let mut local_96: rt::Scalar<bool>;
+        let mut local_98: rt::Scalar<bool>;
 
         let along_41 = (to_1 - start_3).abs();
         let of_last_1 = rt::Scalar(2u32).select(rt::Scalar(1u32), along_41.y().elementwise_ge(along_41.z()));
         if rt::Scalar::into_branch_condition(along_41.x().elementwise_ge(along_41.y())) {
-            local_96 = along_41.x().elementwise_ge(along_41.z());
+            local_98 = along_41.x().elementwise_ge(along_41.z());
         } else {
-            local_96 = rt::Scalar(false);
+            local_98 = rt::Scalar(false);
         }
-        let _e20 = local_96;
+        let _e20 = local_98;
         return of_last_1.select(rt::Scalar(0u32), _e20);
     }
     pub(crate) fn mean_of_five(
@@ -13361,35 +13455,35 @@ impl<'g> Resources<'g> {
     pub(crate) fn normals_of_level(
         &self,
         at_93: Entered,
-        uv_22: impl rt::Into<rt::Vec2<f32>>,
-        level_36: impl rt::Into<rt::Scalar<u32>>,
+        uv_23: impl rt::Into<rt::Vec2<f32>>,
+        level_37: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_93, rt::into(uv_22), rt::into(level_36)))
+        rt::into(self.v_normals_of_level(at_93, rt::into(uv_23), rt::into(level_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
         at_93: Entered,
-        uv_22: rt::Vec2<f32>,
-        level_36: rt::Scalar<u32>,
+        uv_23: rt::Vec2<f32>,
+        level_37: rt::Scalar<u32>,
     ) -> Normals {
-        if rt::Scalar::into_branch_condition(level_36.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_93, uv_22);
+        if rt::Scalar::into_branch_condition(level_37.elementwise_eq(rt::Scalar(0u32))) {
+            let _e5 = self.v_finest_normal(at_93, uv_23);
             let _e6 = self.v_to_tangent_space(at_93, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_22, rt::Scalar(0i32), level_36);
-            let _e16 = self.v_normal_at(uv_22, rt::Scalar(1i32), level_36);
+            let _e14 = self.v_normal_at(uv_23, rt::Scalar(0i32), level_37);
+            let _e16 = self.v_normal_at(uv_23, rt::Scalar(1i32), level_37);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
         let x_11 = ((tile.x() * at_93.tangent.normalize().dot(at_93.tangent)) / at_93.tangent.dot(at_93.tangent));
         let y_8 = ((tile.y() * at_93.bitangent.normalize().dot(at_93.bitangent)) / at_93.bitangent.dot(at_93.bitangent));
-        let _e44 = self.v_normal_at(uv_22, rt::Scalar(0i32), (level_36 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_22, rt::Scalar(1i32), (level_36 - rt::Scalar(1u32)));
+        let _e44 = self.v_normal_at(uv_23, rt::Scalar(0i32), (level_37 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_23, rt::Scalar(1i32), (level_37 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_11), (_e44.y() * y_8), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
         let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_11) * x_11), ((_e48.y() * x_11) * y_8), ((_e48.z() * y_8) * y_8)) * longer_1);
@@ -13463,9 +13557,9 @@ impl<'g> Resources<'g> {
         at_96: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
-        part_6: impl rt::Into<rt::Scalar<f32>>,
+        part_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_96, seen_1, table, rt::into(part_6)))
+        rt::into(self.v_with_table(at_96, seen_1, table, rt::into(part_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13474,17 +13568,17 @@ impl<'g> Resources<'g> {
         at_96: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
-        part_6: rt::Scalar<f32>,
+        part_7: rt::Scalar<f32>,
     ) -> SeenNormals {
         let mut told: SeenNormals;
 
         told = seen_1;
         let before_5 = (seen_1.normal * rt::Scalar(seen_1.length));
         let _e9 = self.v_from_tangent_space(at_96, table.mean);
-        let mean_4 = (before_5 + ((_e9 - before_5) * part_6));
+        let mean_4 = (before_5 + ((_e9 - before_5) * part_7));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
-        rt::Scalar(told.table_part) = part_6;
+        rt::Scalar(told.table_part) = part_7;
         told.table = table;
         let _e21 = told;
         return _e21;
@@ -13493,9 +13587,9 @@ impl<'g> Resources<'g> {
         &self,
         a_18: SeenTexel,
         b_18: SeenTexel,
-        part_7: impl rt::Into<rt::Scalar<f32>>,
+        part_8: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_between(a_18, b_18, rt::into(part_7)))
+        rt::into(self.v_seen_between(a_18, b_18, rt::into(part_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -13503,54 +13597,54 @@ impl<'g> Resources<'g> {
         &self,
         a_18: SeenTexel,
         b_18: SeenTexel,
-        part_7: rt::Scalar<f32>,
+        part_8: rt::Scalar<f32>,
     ) -> SeenTexel {
-        return <SeenTexel>::new((a_18.first + ((b_18.first - a_18.first) * part_7)), (a_18.second + ((b_18.second - a_18.second) * part_7)));
+        return <SeenTexel>::new((a_18.first + ((b_18.first - a_18.first) * part_8)), (a_18.second + ((b_18.second - a_18.second) * part_8)));
     }
     pub(crate) fn seen_texel(
         &self,
-        uv_23: impl rt::Into<rt::Vec2<f32>>,
+        uv_24: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
-        level_37: impl rt::Into<rt::Scalar<u32>>,
+        level_38: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_23), rt::into(azimuth), rt::into(elevation), rt::into(level_37)))
+        rt::into(self.v_seen_texel(rt::into(uv_24), rt::into(azimuth), rt::into(elevation), rt::into(level_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_texel(
         &self,
-        uv_23: rt::Vec2<f32>,
+        uv_24: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
-        level_37: rt::Scalar<u32>,
+        level_38: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_23, layer_8, level_37);
-        let _e12 = self.v_detail_texel_between(uv_23, (layer_8 + rt::Scalar(1i32)), level_37);
+        let _e9 = self.v_detail_texel_between(uv_24, layer_8, level_38);
+        let _e12 = self.v_detail_texel_between(uv_24, (layer_8 + rt::Scalar(1i32)), level_38);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
         &self,
-        uv_24: impl rt::Into<rt::Vec2<f32>>,
+        uv_25: impl rt::Into<rt::Vec2<f32>>,
         azimuth_1: impl rt::Into<rt::Scalar<i32>>,
         elevation_1: impl rt::Into<rt::Scalar<i32>>,
         levels_1: Levels,
     ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(rt::into(uv_24), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
+        rt::into(self.v_seen_in_levels(rt::into(uv_25), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_in_levels(
         &self,
-        uv_24: rt::Vec2<f32>,
+        uv_25: rt::Vec2<f32>,
         azimuth_1: rt::Scalar<i32>,
         elevation_1: rt::Scalar<i32>,
         levels_1: Levels,
     ) -> SeenTexel {
-        let _e5 = self.v_seen_texel(uv_24, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
+        let _e5 = self.v_seen_texel(uv_25, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
         if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e12 = self.v_seen_texel(uv_24, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
+            let _e12 = self.v_seen_texel(uv_25, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
             let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
             return _e14;
         }
@@ -13559,17 +13653,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn table_of(
         &self,
         at_97: Entered,
-        uv_25: impl rt::Into<rt::Vec2<f32>>,
+        uv_26: impl rt::Into<rt::Vec2<f32>>,
         view_15: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_97, rt::into(uv_25), rt::into(view_15), levels_2))
+        rt::into(self.v_table_of(at_97, rt::into(uv_26), rt::into(view_15), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
         at_97: Entered,
-        uv_25: rt::Vec2<f32>,
+        uv_26: rt::Vec2<f32>,
         view_15: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
@@ -13586,11 +13680,11 @@ impl<'g> Resources<'g> {
         let e0_ = elevation_3.floor().to_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
         let across_10 = (azimuth_3 - azimuth_3.floor());
-        let _e48 = self.v_seen_in_levels(uv_25, a0_, e0_, levels_2);
-        let _e49 = self.v_seen_in_levels(uv_25, a1_, e0_, levels_2);
+        let _e48 = self.v_seen_in_levels(uv_26, a0_, e0_, levels_2);
+        let _e49 = self.v_seen_in_levels(uv_26, a1_, e0_, levels_2);
         let _e50 = self.v_seen_between(_e48, _e49, across_10);
-        let _e51 = self.v_seen_in_levels(uv_25, a0_, e1_1, levels_2);
-        let _e52 = self.v_seen_in_levels(uv_25, a1_, e1_1, levels_2);
+        let _e51 = self.v_seen_in_levels(uv_26, a0_, e1_1, levels_2);
+        let _e52 = self.v_seen_in_levels(uv_26, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_10);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
         let x_13 = ((tile_1.x() * at_97.tangent.normalize().dot(at_97.tangent)) / at_97.tangent.dot(at_97.tangent));
@@ -13604,19 +13698,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn mesostructure_normals(
         &self,
         at_98: Entered,
-        uv_26: impl rt::Into<rt::Vec2<f32>>,
+        uv_27: impl rt::Into<rt::Vec2<f32>>,
         view_16: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_98, rt::into(uv_26), rt::into(view_16)))
+        rt::into(self.v_mesostructure_normals(at_98, rt::into(uv_27), rt::into(view_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
         at_98: Entered,
-        uv_26: rt::Vec2<f32>,
+        uv_27: rt::Vec2<f32>,
         view_16: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_97: rt::Scalar<bool>;
+        let mut local_99: rt::Scalar<bool>;
         let mut first_6: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
@@ -13633,21 +13727,21 @@ impl<'g> Resources<'g> {
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_6, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_97 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
+            local_99 = (!rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_97 = rt::Scalar(false);
+            local_99 = rt::Scalar(false);
         }
-        let _e39 = local_97;
+        let _e39 = local_99;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_98, uv_26);
+            let _e40 = self.v_finest_normal(at_98, uv_27);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_98, uv_26, rt::Scalar(_e28.fine));
+        let _e43 = self.v_normals_of_level(at_98, uv_27, rt::Scalar(_e28.fine));
         first_6 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_98, uv_26, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e54 = self.v_normals_of_level(at_98, uv_27, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
             let _e55 = first_6;
             let _e57 = first_6;
             first_6 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
@@ -13664,7 +13758,7 @@ impl<'g> Resources<'g> {
             let _e80 = self.v_levels_of(rt::Scalar(at_98.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_98, uv_26, view_16, _e80);
+                let _e82 = self.v_table_of(at_98, uv_27, view_16, _e80);
                 let _e83 = self.v_with_table(at_98, _e72, _e82, _e73);
                 return _e83;
             }
@@ -13756,9 +13850,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seed_of(&self, hit_27: Hit) -> rt::Scalar<u32> {
-        let place_30 = ((hit_27.uv - hit_27.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
-        let _e10 = self.v_mixed(place_30.y());
-        let _e12 = self.v_mixed((place_30.x() ^ _e10));
+        let place_31 = ((hit_27.uv - hit_27.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+        let _e10 = self.v_mixed(place_31.y());
+        let _e12 = self.v_mixed((place_31.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn point_of_disc(
@@ -13784,11 +13878,11 @@ impl<'g> Resources<'g> {
         let ring = ((k_31.to_f32() + _e9) / count_7.to_f32());
         let _e16 = self.v_unit_of(seed_4);
         let _e18 = self.v_turned_1(((k_31.to_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_31 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
+        let place_32 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other_1 = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_6 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other_1), other_1, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_5 = light_8.direction.cross(right_6);
-        let toward_8 = ((light_8.direction + (right_6 * place_31.x())) + (up_5 * place_31.y()));
+        let toward_8 = ((light_8.direction + (right_6 * place_32.x())) + (up_5 * place_32.y()));
         let along_43 = toward_8.length();
         return <Toward>::new((toward_8 / rt::Vec3::splat_from_scalar(along_43)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_43), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
@@ -13883,44 +13977,44 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_texel(
         &self,
-        place_18: impl rt::Into<rt::Vec2<i32>>,
+        place_19: impl rt::Into<rt::Vec2<i32>>,
         layer_6: impl rt::Into<rt::Scalar<i32>>,
-        level_38: impl rt::Into<rt::Scalar<i32>>,
+        level_39: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_18), rt::into(layer_6), rt::into(level_38)))
+        rt::into(self.v_shadow_texel(rt::into(place_19), rt::into(layer_6), rt::into(level_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_texel(
         &self,
-        place_18: rt::Vec2<i32>,
+        place_19: rt::Vec2<i32>,
         layer_6: rt::Scalar<i32>,
-        level_38: rt::Scalar<i32>,
+        level_39: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_18, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_38));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_19, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_39));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_27: impl rt::Into<rt::Vec2<f32>>,
+        uv_28: impl rt::Into<rt::Vec2<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
-        level_39: impl rt::Into<rt::Scalar<u32>>,
+        level_40: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_27), rt::into(layer_7), rt::into(level_39)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_28), rt::into(layer_7), rt::into(level_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_texel_between(
         &self,
-        uv_27: rt::Vec2<f32>,
+        uv_28: rt::Vec2<f32>,
         layer_7: rt::Scalar<i32>,
-        level_39: rt::Scalar<u32>,
+        level_40: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_39);
-        let _e4 = self.v_texels_around(uv_27, _e3);
-        let k_48 = level_39.to_i32();
+        let _e3 = self.v_height_texels(level_40);
+        let _e4 = self.v_texels_around(uv_28, _e3);
+        let k_48 = level_40.to_i32();
         let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_48);
         let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_48);
         let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_48);
@@ -13934,16 +14028,16 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_own_slope(&self, way_8: Path) -> rt::Scalar<f32> {
-        let mut level_40: Path;
+        let mut level_41: Path;
 
         let _e1 = self.v_grid_of(way_8);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_18 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_40 = way_8;
-        level_40.h = <rt::Vec3<f32>>::from_scalars(way_8.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_40.exit) = end_18;
-        let _e18 = level_40;
+        level_41 = way_8;
+        level_41.h = <rt::Vec3<f32>>::from_scalars(way_8.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        rt::Scalar(level_41.exit) = end_18;
+        let _e18 = level_41;
         let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_8.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_18))));
@@ -14217,10 +14311,10 @@ impl<'g> Resources<'g> {
                     seen_2.bitangent = _e19;
                     seen_2.normal = _e14.toward;
                     let _e23 = self.v_place_in_image(_e14, at_111.point);
-                    let uv_39 = _e23.xy();
+                    let uv_40 = _e23.xy();
                     let _e25 = sum_3;
                     let _e26 = seen_2;
-                    let _e27 = self.v_finest_normal(_e26, uv_39);
+                    let _e27 = self.v_finest_normal(_e26, uv_40);
                     let _e28 = k_34;
                     let _e29 = self.v_frame_weight(frames_2, _e28);
                     sum_3 = (_e25 + (_e27 * _e29));
@@ -14238,14 +14332,14 @@ impl<'g> Resources<'g> {
         }
         return at_111.normal;
     }
-    pub(crate) fn rise_of_mask(&self, uv_28: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_rise_of_mask(rt::into(uv_28)))
+    pub(crate) fn rise_of_mask(&self, uv_29: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_rise_of_mask(rt::into(uv_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_rise_of_mask(&self, uv_28: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_rise_of_mask(&self, uv_29: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_149 = ((uv_28 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let at_149 = ((uv_29 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(at_149);
         let _e11 = self.v_object_cell_stage(_e8.to_i32(), rt::Scalar(0u32));
         let part_24 = (at_149 - _e8);
@@ -14254,23 +14348,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn normal_of_mask(
         &self,
         image_12: Image,
-        uv_29: impl rt::Into<rt::Vec2<f32>>,
+        uv_30: impl rt::Into<rt::Vec2<f32>>,
         within: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_mask(image_12, rt::into(uv_29), rt::into(within)))
+        rt::into(self.v_normal_of_mask(image_12, rt::into(uv_30), rt::into(within)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_of_mask(
         &self,
         image_12: Image,
-        uv_29: rt::Vec2<f32>,
+        uv_30: rt::Vec2<f32>,
         within: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_rise_of_mask(uv_29);
-        let place_32 = ((uv_29 - image_12.corner) / image_12.extent);
-        let along_u_4 = (image_12.u.xyz() - (image_12.depth.xyz() * place_32.x())).normalize();
-        let along_v_4 = (image_12.v.xyz() - (image_12.depth.xyz() * place_32.y())).normalize();
+        let _e3 = self.v_rise_of_mask(uv_30);
+        let place_33 = ((uv_30 - image_12.corner) / image_12.extent);
+        let along_u_4 = (image_12.u.xyz() - (image_12.depth.xyz() * place_33.x())).normalize();
+        let along_v_4 = (image_12.v.xyz() - (image_12.depth.xyz() * place_33.y())).normalize();
         let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (along_u_4 * _e3.x())) - (along_v_4 * _e3.y()));
         let square_5 = outward.dot(outward);
         if rt::Scalar::into_branch_condition(square_5.elementwise_gt(rt::Scalar(0f32))) {
@@ -14405,9 +14499,9 @@ impl<'g> Resources<'g> {
         &self,
         grid_12: Tessellation,
         along_19: impl rt::Into<rt::Vec2<f32>>,
-        level_41: impl rt::Into<rt::Scalar<u32>>,
+        level_42: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_41)))
+        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14415,19 +14509,19 @@ impl<'g> Resources<'g> {
         &self,
         grid_12: Tessellation,
         along_19: rt::Vec2<f32>,
-        level_41: rt::Scalar<u32>,
+        level_42: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let both_1 = (along_19 * grid_12.parts_of_uv);
-        let parts_7 = ((both_1.x().max(both_1.y()) / (rt::Scalar(1u32) << level_41).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
+        let parts_7 = ((both_1.x().max(both_1.y()) / (rt::Scalar(1u32) << level_42).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
         return parts_7.clamp(rt::Scalar(1f32), rt::Scalar(32767f32)).to_u32();
     }
     pub(crate) fn parts_by_voxels(
         &self,
         a_19: Voxel,
         b_19: Voxel,
-        level_42: impl rt::Into<rt::Scalar<u32>>,
+        level_43: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_voxels(a_19, b_19, rt::into(level_42)))
+        rt::into(self.v_parts_by_voxels(a_19, b_19, rt::into(level_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14435,10 +14529,10 @@ impl<'g> Resources<'g> {
         &self,
         a_19: Voxel,
         b_19: Voxel,
-        level_42: rt::Scalar<u32>,
+        level_43: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_coarser_voxel(b_19.at, level_42);
-        let _e6 = self.v_coarser_voxel(a_19.at, level_42);
+        let _e4 = self.v_coarser_voxel(b_19.at, level_43);
+        let _e6 = self.v_coarser_voxel(a_19.at, level_43);
         let _e8 = self.v_longest_of((_e4 - _e6));
         return _e8.to_u32().clamp(rt::Scalar(1u32), DICE_PARTS);
     }
@@ -14448,9 +14542,9 @@ impl<'g> Resources<'g> {
         a_20: Voxel,
         b_20: Voxel,
         along_20: impl rt::Into<rt::Vec2<f32>>,
-        level_43: impl rt::Into<rt::Scalar<u32>>,
+        level_44: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_between(grid_13, a_20, b_20, rt::into(along_20), rt::into(level_43)))
+        rt::into(self.v_parts_between(grid_13, a_20, b_20, rt::into(along_20), rt::into(level_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14460,13 +14554,13 @@ impl<'g> Resources<'g> {
         a_20: Voxel,
         b_20: Voxel,
         along_20: rt::Vec2<f32>,
-        level_43: rt::Scalar<u32>,
+        level_44: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         if rt::Scalar::into_branch_condition(grid_13.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))) {
-            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_43);
+            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_44);
             return _e9;
         }
-        let _e10 = self.v_parts_by_voxels(a_20, b_20, level_43);
+        let _e10 = self.v_parts_by_voxels(a_20, b_20, level_44);
         return _e10;
     }
     pub(crate) fn pixel_direction(&self, pixel_84: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
@@ -14497,10 +14591,10 @@ impl<'g> Resources<'g> {
         b_21: Corner,
         c_14: Corner,
         shell_4: Shell,
-        side_3: impl rt::Into<rt::Scalar<f32>>,
+        side_4: impl rt::Into<rt::Scalar<f32>>,
         point_19: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_21, b_21, c_14, shell_4, rt::into(side_3), rt::into(point_19)))
+        rt::into(self.v_pixel_of(a_21, b_21, c_14, shell_4, rt::into(side_4), rt::into(point_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14510,37 +14604,37 @@ impl<'g> Resources<'g> {
         b_21: Corner,
         c_14: Corner,
         shell_4: Shell,
-        side_3: rt::Scalar<f32>,
+        side_4: rt::Scalar<f32>,
         point_19: rt::Vec2<f32>,
     ) -> PixelIn {
         let _e6 = self.v_pixel_eye(point_19);
         let _e7 = self.v_pixel_direction(point_19);
-        return <PixelIn>::new(_e6, _e7, side_3, a_21, b_21, c_14, shell_4);
+        return <PixelIn>::new(_e6, _e7, side_4, a_21, b_21, c_14, shell_4);
     }
     pub(crate) fn placed_over(
         &self,
         at_117: Entered,
-        uv_30: impl rt::Into<rt::Vec2<f32>>,
+        uv_31: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_over(at_117, rt::into(uv_30)))
+        rt::into(self.v_placed_over(at_117, rt::into(uv_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_over(
         &self,
         at_117: Entered,
-        uv_30: rt::Vec2<f32>,
+        uv_31: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_9 = (uv_30 - at_117.uv);
+        let aside_9 = (uv_31 - at_117.uv);
         let _e6 = rt::Scalar(self.surface_settings.bias_m);
         let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let _e11 = self.v_height_at(uv_30, rt::Scalar(at_117.level));
+        let _e11 = self.v_height_at(uv_31, rt::Scalar(at_117.level));
         let height_23 = (_e6 + (_e9 * _e11));
         placed = at_117;
         placed.point = (((at_117.point + (at_117.tangent * aside_9.x())) + (at_117.bitangent * aside_9.y())) + (at_117.normal * height_23));
-        placed.uv = uv_30;
+        placed.uv = uv_31;
         let _e29 = placed;
         return _e29;
     }
@@ -14573,9 +14667,9 @@ impl<'g> Resources<'g> {
         at_119: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_20: impl rt::Into<rt::Vec3<f32>>,
-        uv_31: impl rt::Into<rt::Vec2<f32>>,
+        uv_32: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_87, at_119, rt::into(weights_4), rt::into(point_20), rt::into(uv_31)))
+        rt::into(self.v_placed_at(pixel_87, at_119, rt::into(weights_4), rt::into(point_20), rt::into(uv_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14585,11 +14679,11 @@ impl<'g> Resources<'g> {
         at_119: Entered,
         weights_4: rt::Vec3<f32>,
         point_20: rt::Vec3<f32>,
-        uv_31: rt::Vec2<f32>,
+        uv_32: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_87, weights_4, point_20, uv_31, at_119.facing);
+        let _e6 = self.v_frame_at(pixel_87, weights_4, point_20, uv_32, at_119.facing);
         placed_1 = _e6;
         rt::Scalar(placed_1.level) = rt::Scalar(at_119.level);
         rt::Scalar(placed_1.footprint) = rt::Scalar(at_119.footprint);
@@ -14640,16 +14734,16 @@ impl<'g> Resources<'g> {
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_98: rt::Scalar<bool>;
+        let mut local_100: rt::Scalar<bool>;
 
         placed_2 = at_121;
         let _e5 = self.v_quadric_slope(at_121.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_98 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_100 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_98 = rt::Scalar(false);
+            local_100 = rt::Scalar(false);
         }
-        let _e15 = local_98;
+        let _e15 = local_100;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;
@@ -14925,18 +15019,18 @@ impl<'g> Resources<'g> {
         params_102: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
-        let mut local_99: rt::Scalar<bool>;
+        let mut local_101: rt::Scalar<bool>;
 
         let _e5 = self.v_placed_in_image(pixel_96, at_129, path_83, hit_51);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
             let _e16 = rt::Scalar(self.surface_settings.cells);
-            local_99 = _e16.elementwise_ne(CELLS_MASK);
+            local_101 = _e16.elementwise_ne(CELLS_MASK);
         } else {
-            local_99 = rt::Scalar(false);
+            local_101 = rt::Scalar(false);
         }
-        let _e20 = local_99;
+        let _e20 = local_101;
         if rt::Scalar::into_branch_condition(_e20) {
             let _e22 = placed_6;
             let _e26 = self.v_frames_around((-pixel_96.direction.normalize()));
@@ -15150,33 +15244,33 @@ impl<'g> Resources<'g> {
         to_2: rt::Vec3<i32>,
         third: rt::Vec3<i32>,
     ) -> rt::Scalar<i32> {
-        let mut local_100: rt::Scalar<bool>;
+        let mut local_102: rt::Scalar<bool>;
 
         let _e3 = self.v_main_axis(start_4, to_2);
         let _e4 = self.v_axis_of(start_4, _e3);
         let _e5 = self.v_axis_of(to_2, _e3);
         let _e6 = self.v_axis_of(third, _e3);
         if rt::Scalar::into_branch_condition(_e4.min(_e5).elementwise_le(_e6)) {
-            local_100 = _e6.elementwise_le(_e4.max(_e5));
+            local_102 = _e6.elementwise_le(_e4.max(_e5));
         } else {
-            local_100 = rt::Scalar(false);
+            local_102 = rt::Scalar(false);
         }
-        let is_primary = local_100;
+        let is_primary = local_102;
         return ((_e5 - _e4).abs() + rt::Scalar(0i32).select(rt::Scalar(1048576i32), is_primary));
     }
     pub(crate) fn procedure_bumps(
         &self,
-        place_19: impl rt::Into<rt::Vec2<f32>>,
+        place_20: impl rt::Into<rt::Vec2<f32>>,
         time: impl rt::Into<rt::Scalar<f32>>,
         seed_5: impl rt::Into<rt::Scalar<u32>>,
         params_104: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_bumps(rt::into(place_19), rt::into(time), rt::into(seed_5), rt::into(params_104)))
+        rt::into(self.v_procedure_bumps(rt::into(place_20), rt::into(time), rt::into(seed_5), rt::into(params_104)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_procedure_bumps(
         &self,
-        place_19: rt::Vec2<f32>,
+        place_20: rt::Vec2<f32>,
         time: rt::Scalar<f32>,
         seed_5: rt::Scalar<u32>,
         params_104: rt::Vec4<f32>,
@@ -15184,7 +15278,7 @@ impl<'g> Resources<'g> {
         let mut height_10: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_36: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let at_150 = (place_19 * params_104.x());
+        let at_150 = (place_20 * params_104.x());
         let own_1 = at_150.floor();
         'naga_break: loop {
             'naga_continue: {
@@ -15196,13 +15290,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e14 = k_36;
                     let _e18 = k_36;
-                    let cell_32 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                    let _e29 = self.v_bits_of_point(cell_32, params_104.x(), seed_5);
+                    let cell_33 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                    let _e29 = self.v_bits_of_point(cell_33, params_104.x(), seed_5);
                     let _e30 = self.v_unit_of(_e29);
                     let _e33 = self.v_mixed((_e29 + rt::Scalar(1u32)));
                     let _e34 = self.v_unit_of(_e33);
                     let beside_7 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-                    let middle_16 = ((cell_32 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_7 * (rt::Scalar(0.5f32) * params_104.z())));
+                    let middle_16 = ((cell_33 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_7 * (rt::Scalar(0.5f32) * params_104.z())));
                     let away_2 = ((at_150 - middle_16) / rt::Vec2::splat_from_scalar(params_104.y()));
                     let _e55 = self.v_mixed((_e29 + rt::Scalar(2u32)));
                     let _e56 = self.v_unit_of(_e55);
@@ -15221,17 +15315,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_fbm(
         &self,
-        place_20: impl rt::Into<rt::Vec2<f32>>,
+        place_21: impl rt::Into<rt::Vec2<f32>>,
         time_1: impl rt::Into<rt::Scalar<f32>>,
         seed_6: impl rt::Into<rt::Scalar<u32>>,
         params_105: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_fbm(rt::into(place_20), rt::into(time_1), rt::into(seed_6), rt::into(params_105)))
+        rt::into(self.v_procedure_fbm(rt::into(place_21), rt::into(time_1), rt::into(seed_6), rt::into(params_105)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_procedure_fbm(
         &self,
-        place_20: rt::Vec2<f32>,
+        place_21: rt::Vec2<f32>,
         time_1: rt::Scalar<f32>,
         seed_6: rt::Scalar<u32>,
         params_105: rt::Vec4<f32>,
@@ -15258,7 +15352,7 @@ impl<'g> Resources<'g> {
                     let _e25 = count_9;
                     let _e27 = count_9;
                     let _e28 = octave;
-                    let _e30 = self.v_gradient_noise((place_20 * _e25), _e27, turns_3, (seed_6 + _e28));
+                    let _e30 = self.v_gradient_noise((place_21 * _e25), _e27, turns_3, (seed_6 + _e28));
                     height_11 = (_e23 + (_e24 * _e30));
                     let _e33 = sum_4;
                     let _e34 = strength;
@@ -15278,17 +15372,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_waves(
         &self,
-        place_21: impl rt::Into<rt::Vec2<f32>>,
+        place_22: impl rt::Into<rt::Vec2<f32>>,
         time_2: impl rt::Into<rt::Scalar<f32>>,
         seed_7: impl rt::Into<rt::Scalar<u32>>,
         params_106: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_waves(rt::into(place_21), rt::into(time_2), rt::into(seed_7), rt::into(params_106)))
+        rt::into(self.v_procedure_waves(rt::into(place_22), rt::into(time_2), rt::into(seed_7), rt::into(params_106)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_procedure_waves(
         &self,
-        place_21: rt::Vec2<f32>,
+        place_22: rt::Vec2<f32>,
         time_2: rt::Scalar<f32>,
         seed_7: rt::Scalar<u32>,
         params_106: rt::Vec4<f32>,
@@ -15317,7 +15411,7 @@ impl<'g> Resources<'g> {
                     let pace_1 = ((rt::Scalar(2f32) * (length / params_106.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e62 = self.v_mixed((_e18 + rt::Scalar(1u32)));
                     let _e63 = self.v_unit_of(_e62);
-                    let _e72 = self.v_sine_of(((((along_48 * place_21.x()) + (across_11 * place_21.y())) - (pace_1 * time_2)) + _e63));
+                    let _e72 = self.v_sine_of(((((along_48 * place_22.x()) + (across_11 * place_22.y())) - (pace_1 * time_2)) + _e63));
                     let crest = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e72));
                     let _e77 = height_12;
                     height_12 = (_e77 + ((crest + (params_106.w() * ((crest * crest) - crest))) / length));
@@ -15335,34 +15429,34 @@ impl<'g> Resources<'g> {
     pub(crate) fn procedure_height(
         &self,
         number_20: impl rt::Into<rt::Scalar<u32>>,
-        place_22: impl rt::Into<rt::Vec2<f32>>,
+        place_23: impl rt::Into<rt::Vec2<f32>>,
         time_3: impl rt::Into<rt::Scalar<f32>>,
         seed_8: impl rt::Into<rt::Scalar<u32>>,
         params_107: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_22), rt::into(time_3), rt::into(seed_8), rt::into(params_107)))
+        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_23), rt::into(time_3), rt::into(seed_8), rt::into(params_107)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_procedure_height(
         &self,
         number_20: rt::Scalar<u32>,
-        place_22: rt::Vec2<f32>,
+        place_23: rt::Vec2<f32>,
         time_3: rt::Scalar<f32>,
         seed_8: rt::Scalar<u32>,
         params_107: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         match rt::Scalar::into_inner(number_20) {
             0u32 => {
-                let _e5 = self.v_procedure_waves(place_22, time_3, seed_8, params_107);
+                let _e5 = self.v_procedure_waves(place_23, time_3, seed_8, params_107);
                 return _e5;
             }
             1u32 => {
-                let _e6 = self.v_procedure_fbm(place_22, time_3, seed_8, params_107);
+                let _e6 = self.v_procedure_fbm(place_23, time_3, seed_8, params_107);
                 return _e6;
             }
             _ => {
-                let _e7 = self.v_procedure_bumps(place_22, time_3, seed_8, params_107);
+                let _e7 = self.v_procedure_bumps(place_23, time_3, seed_8, params_107);
                 return _e7;
             }
         }
@@ -15956,17 +16050,17 @@ impl<'g> Resources<'g> {
         b_26: rt::Vec3<i32>,
         c_18: rt::Vec3<i32>,
     ) -> Sweep {
-        let mut local_101: rt::Scalar<bool>;
+        let mut local_103: rt::Scalar<bool>;
 
         let _e3 = self.v_primary_length(a_26, b_26, c_18);
         let _e4 = self.v_primary_length(b_26, c_18, a_26);
         let _e5 = self.v_primary_length(c_18, a_26, b_26);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ge(_e4)) {
-            local_101 = _e3.elementwise_ge(_e5);
+            local_103 = _e3.elementwise_ge(_e5);
         } else {
-            local_101 = rt::Scalar(false);
+            local_103 = rt::Scalar(false);
         }
-        let _e11 = local_101;
+        let _e11 = local_103;
         if rt::Scalar::into_branch_condition(_e11) {
             let _e13 = self.v_sweep_from(rt::Scalar(0u32), a_26, b_26, c_18);
             return _e13;
@@ -15983,9 +16077,9 @@ impl<'g> Resources<'g> {
         a_27: Voxel,
         b_27: Voxel,
         c_19: Voxel,
-        level_44: impl rt::Into<rt::Scalar<u32>>,
+        level_45: impl rt::Into<rt::Scalar<u32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_on(a_27, b_27, c_19, rt::into(level_44)))
+        rt::into(self.v_sweep_on(a_27, b_27, c_19, rt::into(level_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15994,11 +16088,11 @@ impl<'g> Resources<'g> {
         a_27: Voxel,
         b_27: Voxel,
         c_19: Voxel,
-        level_44: rt::Scalar<u32>,
+        level_45: rt::Scalar<u32>,
     ) -> Sweep {
-        let _e5 = self.v_coarser_voxel(a_27.at, level_44);
-        let _e7 = self.v_coarser_voxel(b_27.at, level_44);
-        let _e9 = self.v_coarser_voxel(c_19.at, level_44);
+        let _e5 = self.v_coarser_voxel(a_27.at, level_45);
+        let _e7 = self.v_coarser_voxel(b_27.at, level_45);
+        let _e9 = self.v_coarser_voxel(c_19.at, level_45);
         let _e10 = self.v_sweep_of(_e5, _e7, _e9);
         return _e10;
     }
@@ -16044,7 +16138,7 @@ impl<'g> Resources<'g> {
         column_5: rt::Scalar<i32>,
         first_8: rt::Scalar<u32>,
     ) -> SweptColumn {
-        let mut local_102: rt::Scalar<bool>;
+        let mut local_104: rt::Scalar<bool>;
 
         let n_13 = sweep_8.parts.x();
         let m_8 = sweep_8.parts.y();
@@ -16055,11 +16149,11 @@ impl<'g> Resources<'g> {
         let from_top = _e7.max(rt::Scalar(1i32));
         let of_top_1 = (_e10.min((n_13 + m_8)) - from_top);
         if rt::Scalar::into_branch_condition((!column_5.elementwise_le(rt::Scalar(0i32)))) {
-            local_102 = column_5.elementwise_ge(sweep_8.end.x());
+            local_104 = column_5.elementwise_ge(sweep_8.end.x());
         } else {
-            local_102 = rt::Scalar(true);
+            local_104 = rt::Scalar(true);
         }
-        let _e34 = local_102;
+        let _e34 = local_104;
         if rt::Scalar::into_branch_condition(_e34) {
             return <SweptColumn>::new(column_5, rt::Scalar(0i32), rt::Scalar(0i32), first_8, from_top, of_top_1, top_10);
         }
@@ -16190,11 +16284,11 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_zip_goes_left(&self, zip: Zip) -> rt::Scalar<bool> {
-        let mut local_103: rt::Scalar<bool>;
-        let mut local_104: rt::Scalar<bool>;
         let mut local_105: rt::Scalar<bool>;
         let mut local_106: rt::Scalar<bool>;
         let mut local_107: rt::Scalar<bool>;
+        let mut local_108: rt::Scalar<bool>;
+        let mut local_109: rt::Scalar<bool>;
 
         let on_left = ((rt::Scalar(zip.left.count) - rt::Scalar(1i32)) - rt::Scalar(zip.i));
         let on_right = ((rt::Scalar(zip.right.count) - rt::Scalar(1i32)) - rt::Scalar(zip.j));
@@ -16205,29 +16299,29 @@ impl<'g> Resources<'g> {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.left.way).elementwise_eq(ROOF_UP)) {
-            local_103 = rt::Scalar(zip.i).elementwise_eq(rt::Scalar(0i32));
+            local_105 = rt::Scalar(zip.i).elementwise_eq(rt::Scalar(0i32));
         } else {
-            local_103 = rt::Scalar(false);
+            local_105 = rt::Scalar(false);
         }
-        let _e29 = local_103;
+        let _e29 = local_105;
         if rt::Scalar::into_branch_condition(_e29) {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.keeps_right).elementwise_eq(rt::Scalar(1u32))) {
-            local_104 = on_right.elementwise_eq(rt::Scalar(1i32));
+            local_106 = on_right.elementwise_eq(rt::Scalar(1i32));
         } else {
-            local_104 = rt::Scalar(false);
+            local_106 = rt::Scalar(false);
         }
-        let _e39 = local_104;
+        let _e39 = local_106;
         if rt::Scalar::into_branch_condition(_e39) {
             return rt::Scalar(true);
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(zip.keeps_left).elementwise_eq(rt::Scalar(1u32))) {
-            local_105 = on_left.elementwise_eq(rt::Scalar(1i32));
+            local_107 = on_left.elementwise_eq(rt::Scalar(1i32));
         } else {
-            local_105 = rt::Scalar(false);
+            local_107 = rt::Scalar(false);
         }
-        let _e49 = local_105;
+        let _e49 = local_107;
         if rt::Scalar::into_branch_condition(_e49) {
             return rt::Scalar(false);
         }
@@ -16239,16 +16333,16 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(_e54.elementwise_gt(rt::Scalar(0i32))) {
             if rt::Scalar::into_branch_condition((!_e58.elementwise_le(rt::Scalar(0i32)))) {
-                local_107 = _e63;
+                local_109 = _e63;
             } else {
-                local_107 = rt::Scalar(true);
+                local_109 = rt::Scalar(true);
             }
-            let _e75 = local_107;
-            local_106 = _e75;
+            let _e75 = local_109;
+            local_108 = _e75;
         } else {
-            local_106 = rt::Scalar(false);
+            local_108 = rt::Scalar(false);
         }
-        let _e77 = local_106;
+        let _e77 = local_108;
         return _e77;
     }
     pub(crate) fn zip_next(
@@ -16302,9 +16396,9 @@ impl<'g> Resources<'g> {
     ) -> Zip {
         let mut left_1: SweptChain;
         let mut right: SweptChain;
-        let mut local_108: rt::Scalar<bool>;
-        let mut local_109: rt::Scalar<bool>;
         let mut local_110: rt::Scalar<bool>;
+        let mut local_111: rt::Scalar<bool>;
+        let mut local_112: rt::Scalar<bool>;
 
         let _e5 = self.v_swept_chain(sweep_12, column_7, TOP_NEXT);
         left_1 = _e5;
@@ -16313,11 +16407,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(which.elementwise_ne(rt::Scalar(1u32))) {
             let under_3 = which.elementwise_eq(rt::Scalar(0u32));
             if rt::Scalar::into_branch_condition((!rt::Scalar(column_7.top).elementwise_ne(TOP_ROOF))) {
-                local_108 = rt::Scalar(column_7.column).elementwise_ne(rt::Scalar(0i32));
+                local_110 = rt::Scalar(column_7.column).elementwise_ne(rt::Scalar(0i32));
             } else {
-                local_108 = rt::Scalar(true);
+                local_110 = rt::Scalar(true);
             }
-            let _e27 = local_108;
+            let _e27 = local_110;
             let has_none = rt::Scalar(next_8.top).elementwise_ne(TOP_ROOF).select(_e27, under_3);
             if rt::Scalar::into_branch_condition(under_3) {
                 let _e30 = self.v_swept_chain(sweep_12, column_7, ROOF_UP);
@@ -16340,21 +16434,21 @@ impl<'g> Resources<'g> {
             let _e47 = left_1;
             let _e48 = right;
             let _e49 = self.v_ends_on(sweep_12, _e47, _e48);
-            local_109 = _e49;
+            local_111 = _e49;
         } else {
-            local_109 = rt::Scalar(false);
+            local_111 = rt::Scalar(false);
         }
-        let keeps_left = local_109;
+        let keeps_left = local_111;
         let _e53 = rt::Scalar(right.count);
         if rt::Scalar::into_branch_condition(_e53.elementwise_gt(rt::Scalar(1i32))) {
             let _e58 = right;
             let _e59 = left_1;
             let _e60 = self.v_ends_on(sweep_12, _e58, _e59);
-            local_110 = _e60;
+            local_112 = _e60;
         } else {
-            local_110 = rt::Scalar(false);
+            local_112 = rt::Scalar(false);
         }
-        let keeps_right = local_110;
+        let keeps_right = local_112;
         let _e63 = left_1;
         let _e64 = right;
         let _e65 = left_1;

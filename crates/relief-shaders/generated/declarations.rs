@@ -102,6 +102,9 @@ pub const MODULES: &[Module] = &[
 // of the cells before and behind, by how near they are. With creases kept a neighbour's part is taken from
 // the own cell as far as there is a crease between both. Between two creases that leaves the derivative of
 // the own bilinear patch, beside one a difference to the other side, and elsewhere the central one.
+//
+// At the edges of a clamped map differences are taken of what lies inside, since nothing is known of the
+// ground beyond: an even slope has one normal everywhere, and tiles of a terrain have no rim.
 "# },
     Module { path: "shared/numbered", head: r#"// The base triangles of a surface, by their number.
 "# },
@@ -4032,21 +4035,38 @@ fn cell_slopes(h: vec4f, part: vec2f) -> vec2f {
     },
     Declaration {
         module: "shared/normal",
+        name: "sloped_cell",
+        sampling: None,
+        uses: &["WRAP_CLAMP", "height_texels", "surface_settings"],
+        text: r#"// The dual cell whose slopes stand for those of a cell: of a clamped map the nearest one inside.
+fn sloped_cell(i: vec2i) -> vec2i {
+    if (surface_settings.wrap != WRAP_CLAMP) {
+        return i;
+    }
+    let last = max(height_texels(0u) - vec2i(2, 2), vec2i(0, 0));
+    return clamp(i, vec2i(0, 0), last);
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
         name: "slopes_between_creases",
         sampling: None,
-        uses: &["Entered", "cell_of", "cell_slopes", "height_cell", "height_size", "slope_beside", "surface_settings"],
+        uses: &["Entered", "WRAP_CLAMP", "cell_of", "cell_slopes", "height_cell", "height_size", "slope_beside", "sloped_cell", "surface_settings"],
         text: r#"// The same as central differences have them, but not across creases.
 fn slopes_between_creases(at: Entered, uv: vec2f) -> vec2f {
     let size = height_size(0u);
     let point = uv * size - vec2f(0.5, 0.5);
-    let cell = cell_of(point);
-    let part = point - cell;
+    let cell = vec2f(sloped_cell(vec2i(cell_of(point))));
+    var part = point - cell;
+    if (surface_settings.wrap == WRAP_CLAMP) {
+        part = clamp(part, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    }
     let i = vec2i(cell);
     let own = cell_slopes(height_cell(i, 0u), part);
-    let before_u = cell_slopes(height_cell(i - vec2i(1, 0), 0u), part).x;
-    let behind_u = cell_slopes(height_cell(i + vec2i(1, 0), 0u), part).x;
-    let before_v = cell_slopes(height_cell(i - vec2i(0, 1), 0u), part).y;
-    let behind_v = cell_slopes(height_cell(i + vec2i(0, 1), 0u), part).y;
+    let before_u = cell_slopes(height_cell(sloped_cell(i - vec2i(1, 0)), 0u), part).x;
+    let behind_u = cell_slopes(height_cell(sloped_cell(i + vec2i(1, 0)), 0u), part).x;
+    let before_v = cell_slopes(height_cell(sloped_cell(i - vec2i(0, 1)), 0u), part).y;
+    let behind_v = cell_slopes(height_cell(sloped_cell(i + vec2i(0, 1)), 0u), part).y;
     let rate_u = size.x * surface_settings.scale_m / length(at.tangent);
     let rate_v = size.y * surface_settings.scale_m / length(at.bitangent);
     let before = vec2f(slope_beside(own.x, before_u, rate_u), slope_beside(own.y, before_v, rate_v));
@@ -4056,9 +4076,24 @@ fn slopes_between_creases(at: Entered, uv: vec2f) -> vec2f {
     },
     Declaration {
         module: "shared/normal",
+        name: "texels_apart",
+        sampling: None,
+        uses: &["WRAP_CLAMP", "surface_settings"],
+        text: r#"// How many texels lie between the heights a texel before and a texel behind a place along a side of so many
+// texels. Beyond the outermost centres of a clamped map heights are those of the centres. At its very edge
+// half a texel is left; farther out slopes fall to 0.
+fn texels_apart(place: f32, side: f32) -> f32 {
+    if (surface_settings.wrap != WRAP_CLAMP) {
+        return 2.0;
+    }
+    return max(2.0 - max(1.5 - place, 0.0) - max(place + 1.5 - side, 0.0), 0.5);
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
         name: "normal_from_height",
         sampling: None,
-        uses: &["Entered", "height_at", "height_size", "normal_of_slopes", "slopes_between_creases", "surface_settings"],
+        uses: &["Entered", "height_at", "height_size", "normal_of_slopes", "slopes_between_creases", "surface_settings", "texels_apart"],
         text: r#"fn normal_from_height(at: Entered, uv: vec2f) -> vec3f {
     let size = height_size(0u);
     if (surface_settings.has_creases == 1u) {
@@ -4069,8 +4104,10 @@ fn slopes_between_creases(at: Entered, uv: vec2f) -> vec2f {
     let dv = vec2f(0.0, 1.0 / size.y);
     let rise_u = height_at(uv + du, 0u) - height_at(uv - du, 0u);
     let rise_v = height_at(uv + dv, 0u) - height_at(uv - dv, 0u);
-    let slope_u = rise_u * (0.5 * size.x * surface_settings.scale_m);
-    let slope_v = rise_v * (0.5 * size.y * surface_settings.scale_m);
+    let rate_u = 1.0 / texels_apart(uv.x * size.x, size.x);
+    let rate_v = 1.0 / texels_apart(uv.y * size.y, size.y);
+    let slope_u = rise_u * (rate_u * size.x * surface_settings.scale_m);
+    let slope_v = rise_v * (rate_v * size.y * surface_settings.scale_m);
     return normal_of_slopes(at, slope_u, slope_v);
 }"#,
     },
@@ -7890,6 +7927,14 @@ const ROOT_OF_TWO = 1.4142135;"#,
     },
     Declaration {
         module: "shared/tessellation",
+        name: "TEXELS_INSIDE",
+        sampling: None,
+        uses: &[],
+        text: r#"// How far from the edge of a clamped map its cells are surely reached, in texels: half a texel, and a 64th.
+const TEXELS_INSIDE = 0.515625;"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
         name: "Tessellation",
         sampling: None,
         uses: &["is_swept"],
@@ -8264,6 +8309,22 @@ fn relief_between_levels(uv: vec2f, level: f32) -> vec3f {
     },
     Declaration {
         module: "shared/tessellation",
+        name: "sloped_uv",
+        sampling: None,
+        uses: &["TEXELS_INSIDE", "WRAP_CLAMP", "height_size", "is_inside", "surface_settings"],
+        text: r#"// Where the slope of a vertex is taken: on the edge of a clamped map in the cells inside, because nothing is
+// known of the ground beyond, and tiles of a terrain are to meet without a rim.
+fn sloped_uv(uv: vec2f, level: f32) -> vec2f {
+    let is_inside = min(uv.x, uv.y) >= 0.0 && max(uv.x, uv.y) <= 1.0;
+    if (surface_settings.wrap != WRAP_CLAMP || !is_inside) {
+        return uv;
+    }
+    let least = TEXELS_INSIDE / height_size(u32(ceil(level)));
+    return clamp(uv, least, max(vec2f(1.0, 1.0) - least, least));
+}"#,
+    },
+    Declaration {
+        module: "shared/tessellation",
         name: "level_at",
         sampling: None,
         uses: &["BaseSite", "Tessellation", "log2_of"],
@@ -8291,13 +8352,13 @@ fn displaced_derivative(along: vec3f, up: vec3f, rise: vec3f, turned: vec3f) -> 
         module: "shared/tessellation",
         name: "displaced_site",
         sampling: None,
-        uses: &["BaseSite", "Corner", "Tessellation", "displaced_derivative", "level_at", "relief_between_levels", "surface_settings"],
+        uses: &["BaseSite", "Corner", "Tessellation", "displaced_derivative", "level_at", "relief_between_levels", "sloped_uv", "surface_settings"],
         text: r#"// What a point of the base becomes. Its normal is that of the displaced surface there (Szirmay-Kalos and
 // Umenhoffer 2008, equation 9, with what the direction of displacement turns by).
 fn displaced_site(grid: Tessellation, site: BaseSite) -> Corner {
     let level = level_at(grid, site);
     let seen = relief_between_levels(site.seen_uv, level);
-    let own = relief_between_levels(site.uv, level);
+    let own = relief_between_levels(sloped_uv(site.uv, level), level);
     let scale_m = surface_settings.scale_m;
     let position = site.position + site.direction * (seen.x * scale_m + surface_settings.bias_m);
     let metres = own.x * scale_m + surface_settings.bias_m;

@@ -3634,6 +3634,14 @@ lanes! { fn normal_at_lss(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, layer_a1
     let e_38 = bilinear(r, e_15, e_22, e_29, e_36, Vec2 { x: at_7.part.x, y: at_7.part.y });
     return e_38;
 } }
+lanes! { fn sloped_cell(r: &Resources<'_>, i_a0: Vec2<I>) -> Vec2<I> {
+    if (r.surface_settings.wrap != 1u32) {
+        return i_a0;
+    }
+    let e_7 = height_texels(r, splat_u(0u32));
+    let last_15 = Vec2 { x: max_i(sub_i(e_7.x, splat_i(2i32)), splat_i(0i32)), y: max_i(sub_i(e_7.y, splat_i(2i32)), splat_i(0i32)) };
+    return Vec2 { x: min_i(max_i(i_a0.x, splat_i(0i32)), last_15.x), y: min_i(max_i(i_a0.y, splat_i(0i32)), last_15.y) };
+} }
 lanes! { fn slope_beside(r: &Resources<'_>, within: M, own_a0: F, beside_a1: F, rate_a2: F) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
@@ -3653,30 +3661,47 @@ lanes! { fn slope_beside(r: &Resources<'_>, within: M, own_a0: F, beside_a1: F, 
 lanes! { fn slopes_between_creases(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>) -> Vec2<F> {
     let mut ex = within;
     let mut ret: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
+    let mut part_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
     let size_3 = height_size(r, splat_u(0u32));
     let point_8 = Vec2 { x: sub(mul(uv_a1.x, size_3.x), splat(0.5f32)), y: sub(mul(uv_a1.y, size_3.y), splat(0.5f32)) };
-    let cell_9 = cell_of(r, point_8);
-    let part_10 = Vec2 { x: sub(point_8.x, cell_9.x), y: sub(point_8.y, cell_9.y) };
-    let i_11 = Vec2 { x: i_of_small(cell_9.x), y: i_of_small(cell_9.y) };
-    let e_13 = height_cell_ls(r, ex, i_11, 0u32);
-    let own_14 = cell_slopes(r, e_13, part_10);
-    let e_20 = height_cell_ls(r, ex, Vec2 { x: sub_i(i_11.x, splat_i(1i32)), y: sub_i(i_11.y, splat_i(0i32)) }, 0u32);
-    let e_21 = cell_slopes(r, e_20, part_10);
-    let e_28 = height_cell_ls(r, ex, Vec2 { x: add_i(i_11.x, splat_i(1i32)), y: add_i(i_11.y, splat_i(0i32)) }, 0u32);
-    let e_29 = cell_slopes(r, e_28, part_10);
-    let e_36 = height_cell_ls(r, ex, Vec2 { x: sub_i(i_11.x, splat_i(0i32)), y: sub_i(i_11.y, splat_i(1i32)) }, 0u32);
-    let e_37 = cell_slopes(r, e_36, part_10);
-    let e_44 = height_cell_ls(r, ex, Vec2 { x: add_i(i_11.x, splat_i(0i32)), y: add_i(i_11.y, splat_i(1i32)) }, 0u32);
-    let e_45 = cell_slopes(r, e_44, part_10);
-    let rate_u_54 = div(mul(size_3.x, splat(r.surface_settings.scale_m)), sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z))));
-    let rate_v_62 = div(mul(size_3.y, splat(r.surface_settings.scale_m)), sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z))));
-    let e_64 = slope_beside(r, ex, own_14.x, e_21.x, rate_u_54);
-    let e_66 = slope_beside(r, ex, own_14.y, e_37.y, rate_v_62);
-    let before_67 = Vec2 { x: e_64, y: e_66 };
-    let e_69 = slope_beside(r, ex, own_14.x, e_29.x, rate_u_54);
-    let e_71 = slope_beside(r, ex, own_14.y, e_45.y, rate_v_62);
-    let behind_72 = Vec2 { x: e_69, y: e_71 };
-    return Vec2 { x: mul(splat(0.5f32), add(add(own_14.x, before_67.x), mul(sub(behind_72.x, before_67.x), part_10.x))), y: mul(splat(0.5f32), add(add(own_14.y, before_67.y), mul(sub(behind_72.y, before_67.y), part_10.y))) };
+    let e_9 = cell_of(r, point_8);
+    let e_11 = sloped_cell(r, Vec2 { x: i_of_small(e_9.x), y: i_of_small(e_9.y) });
+    let cell_12 = Vec2 { x: f_of_i(e_11.x), y: f_of_i(e_11.y) };
+    part_v0 = Vec2 { x: sub(point_8.x, cell_12.x), y: sub(point_8.y, cell_12.y) };
+    if (r.surface_settings.wrap == 1u32) {
+        let e_20 = part_v0;
+        part_v0 = Vec2 { x: min_with(max_with(e_20.x, splat(0.0f32)), splat(1.0f32)), y: min_with(max_with(e_20.y, splat(0.0f32)), splat(1.0f32)) };
+    }
+    let i_28 = Vec2 { x: i_of_f(cell_12.x), y: i_of_f(cell_12.y) };
+    let e_30 = height_cell_ls(r, ex, i_28, 0u32);
+    let e_31 = part_v0;
+    let own_32 = cell_slopes(r, e_30, e_31);
+    let e_37 = sloped_cell(r, Vec2 { x: sub_i(i_28.x, splat_i(1i32)), y: sub_i(i_28.y, splat_i(0i32)) });
+    let e_39 = height_cell_ls(r, ex, e_37, 0u32);
+    let e_40 = part_v0;
+    let e_41 = cell_slopes(r, e_39, e_40);
+    let e_47 = sloped_cell(r, Vec2 { x: add_i(i_28.x, splat_i(1i32)), y: add_i(i_28.y, splat_i(0i32)) });
+    let e_49 = height_cell_ls(r, ex, e_47, 0u32);
+    let e_50 = part_v0;
+    let e_51 = cell_slopes(r, e_49, e_50);
+    let e_57 = sloped_cell(r, Vec2 { x: sub_i(i_28.x, splat_i(0i32)), y: sub_i(i_28.y, splat_i(1i32)) });
+    let e_59 = height_cell_ls(r, ex, e_57, 0u32);
+    let e_60 = part_v0;
+    let e_61 = cell_slopes(r, e_59, e_60);
+    let e_67 = sloped_cell(r, Vec2 { x: add_i(i_28.x, splat_i(0i32)), y: add_i(i_28.y, splat_i(1i32)) });
+    let e_69 = height_cell_ls(r, ex, e_67, 0u32);
+    let e_70 = part_v0;
+    let e_71 = cell_slopes(r, e_69, e_70);
+    let rate_u_80 = div(mul(size_3.x, splat(r.surface_settings.scale_m)), sqrt(add(add(mul(at_a0.tangent.x, at_a0.tangent.x), mul(at_a0.tangent.y, at_a0.tangent.y)), mul(at_a0.tangent.z, at_a0.tangent.z))));
+    let rate_v_88 = div(mul(size_3.y, splat(r.surface_settings.scale_m)), sqrt(add(add(mul(at_a0.bitangent.x, at_a0.bitangent.x), mul(at_a0.bitangent.y, at_a0.bitangent.y)), mul(at_a0.bitangent.z, at_a0.bitangent.z))));
+    let e_90 = slope_beside(r, ex, own_32.x, e_41.x, rate_u_80);
+    let e_92 = slope_beside(r, ex, own_32.y, e_61.y, rate_v_88);
+    let before_93 = Vec2 { x: e_90, y: e_92 };
+    let e_95 = slope_beside(r, ex, own_32.x, e_51.x, rate_u_80);
+    let e_97 = slope_beside(r, ex, own_32.y, e_71.y, rate_v_88);
+    let behind_98 = Vec2 { x: e_95, y: e_97 };
+    let e_101 = part_v0;
+    return Vec2 { x: mul(splat(0.5f32), add(add(own_32.x, before_93.x), mul(sub(behind_98.x, before_93.x), e_101.x))), y: mul(splat(0.5f32), add(add(own_32.y, before_93.y), mul(sub(behind_98.y, before_93.y), e_101.y))) };
 } }
 lanes! { fn normal_of_slopes(r: &Resources<'_>, at_a0: &Entered, slope_u_a1: F, slope_v_a2: F) -> Vec3<F> {
     let along_u_6 = Vec3 { x: add(at_a0.tangent.x, mul(at_a0.normal.x, slope_u_a1)), y: add(at_a0.tangent.y, mul(at_a0.normal.y, slope_u_a1)), z: add(at_a0.tangent.z, mul(at_a0.normal.z, slope_u_a1)) };
@@ -3686,6 +3711,12 @@ lanes! { fn normal_of_slopes(r: &Resources<'_>, at_a0: &Entered, slope_u_a1: F, 
     let across_12 = Vec3 { x: div(e_11.x, length1), y: div(e_11.y, length1), z: div(e_11.z, length1) };
     let e_19 = sel(ge(add(add(add(mul(across_12.x, at_a0.normal.x), mul(across_12.y, at_a0.normal.y)), mul(across_12.z, at_a0.normal.z)), splat(0.0f32)), splat(0.0f32)), splat(1.0f32), splat((-1.0f32)));
     return Vec3 { x: mul(across_12.x, e_19), y: mul(across_12.y, e_19), z: mul(across_12.z, e_19) };
+} }
+lanes! { fn texels_apart(r: &Resources<'_>, place_a0: F, side_a1: F) -> F {
+    if (r.surface_settings.wrap != 1u32) {
+        return splat(2.0f32);
+    }
+    return max_with(sub(sub(splat(2.0f32), max_with(sub(splat(1.5f32), place_a0), splat(0.0f32))), max_with(sub(add(place_a0, splat(1.5f32)), side_a1), splat(0.0f32))), splat(0.5f32));
 } }
 lanes! { fn normal_from_height(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>) -> Vec3<F> {
     let mut ex = within;
@@ -3705,10 +3736,14 @@ lanes! { fn normal_from_height(r: &Resources<'_>, within: M, at_a0: &Entered, uv
     let e_37 = height_at_ls(r, ex, Vec2 { x: add(uv_a1.x, dv_27.x), y: add(uv_a1.y, dv_27.y) }, 0u32);
     let e_40 = height_at_ls(r, ex, Vec2 { x: sub(uv_a1.x, dv_27.x), y: sub(uv_a1.y, dv_27.y) }, 0u32);
     let rise_v_41 = sub(e_37, e_40);
-    let slope_u_49 = mul(rise_u_34, mul(mul(splat(0.5f32), size_3.x), splat(r.surface_settings.scale_m)));
-    let slope_v_57 = mul(rise_v_41, mul(mul(splat(0.5f32), size_3.y), splat(r.surface_settings.scale_m)));
-    let e_58 = normal_of_slopes(r, at_a0, slope_u_49, slope_v_57);
-    return e_58;
+    let e_46 = texels_apart(r, mul(uv_a1.x, size_3.x), size_3.x);
+    let rate_u_48 = div(splat(1.0f32), e_46);
+    let e_53 = texels_apart(r, mul(uv_a1.y, size_3.y), size_3.y);
+    let rate_v_55 = div(splat(1.0f32), e_53);
+    let slope_u_62 = mul(rise_u_34, mul(mul(rate_u_48, size_3.x), splat(r.surface_settings.scale_m)));
+    let slope_v_69 = mul(rise_v_41, mul(mul(rate_v_55, size_3.y), splat(r.surface_settings.scale_m)));
+    let e_70 = normal_of_slopes(r, at_a0, slope_u_62, slope_v_69);
+    return e_70;
 } }
 lanes! { fn finest_normal(r: &Resources<'_>, within: M, at_a0: &Entered, uv_a1: Vec2<F>) -> Vec3<F> {
     let mut ex = within;

@@ -177,6 +177,22 @@ fn exact_normals_are_those_of_differences() {
 }
 
 #[test]
+fn an_even_slope_has_one_normal_up_to_the_edge_of_a_clamped_map() {
+    let slope = |i: u32, j: u32| 0.2 + (3.0 * i as f32 + 2.0 * j as f32) / 64.0;
+    let map = displaced(HeightMap::from_fn(9, 7, Wrap::Clamp, slope).expect("a valid map"), 1.0, 0.0);
+    let expected = DVec3::new(-27.0 / 64.0, 1.0, -14.0 / 64.0).normalize();
+    for base in squares() {
+        for texels in [1, 2] {
+            let mesh = mesh_of(&base, &map, &MeshSettings { texels, ..MeshSettings::default() });
+            for vertex in mesh.vertices() {
+                let off = vertex.normal.as_dvec3().angle_between(expected);
+                assert!(off < 1e-4, "{off} rad at {}", vertex.uv);
+            }
+        }
+    }
+}
+
+#[test]
 fn exact_normals_of_a_curved_base_are_those_of_the_smooth_shape() {
     let hills = |i: u32, j: u32| {
         let [u, v] = [i, j].map(|at| (f64::from(at) + 0.5) / 256.0 * std::f64::consts::TAU);

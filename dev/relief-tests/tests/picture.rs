@@ -5,12 +5,14 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use glam::DVec3;
+use relief_core::{HeightMap, Wrap};
 use relief_maps::Maps;
 use relief_render::camera::Projection;
 use relief_render::job::Rendering;
-use relief_render::mesh::Builtin;
-use relief_render::scene::{BackendChoice, Scene, SceneSpec, SurfaceSpec, View, read_scene};
+use relief_render::mesh::{Builtin, square};
+use relief_render::scene::{BackendChoice, Scene, SceneSpec, Surface, SurfaceSpec, View, read_scene};
 use relief_render::{RenderError, Renderer, render};
+use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 use relief_tests::adapter::has_adapter;
 
@@ -103,6 +105,37 @@ fn both_backends_resolve_the_same_colours() {
     // A sample on the edge of two triangles may belong to either.
     let off = off.count();
     assert!(off < 40, "{off}");
+}
+
+#[test]
+fn an_even_slope_has_one_normal_up_to_the_edge_of_a_clamped_map() {
+    let slope = |i: u32, j: u32| 0.2 + (3.0 * i as f32 + 2.0 * j as f32) / 64.0;
+    let map = HeightMap::from_fn(9, 7, Wrap::Clamp, slope).expect("a valid map");
+    let map = map.with_displacement(1.0, -0.2).expect("lengths");
+    // On a square of 1 m: 64ths of a metre over a ninth and a seventh.
+    let expected = DVec3::new(-27.0 / 64.0, 1.0, -14.0 / 64.0).normalize();
+    for backend in backends() {
+        for (method, has_creases) in
+            [("bump", false), ("exact", false), ("exact", true), ("tessellate", false)]
+        {
+            let surface = Surface::new(square(1).expect("a mesh"), map.clone())
+                .with_selection(Selection::method(method).expect("a method"))
+                .with_creases(has_creases);
+            let camera = Scene::builder(surface).fitted_orthographic_camera(View::Top);
+            let scene = camera.size(80, 80).samples(1).backend(backend).build().expect("a scene");
+            let pixels = picture(&scene).pixels;
+            let hits: Vec<DVec3> = pixels
+                .iter()
+                .filter(|pixel| pixel.hit == 1)
+                .map(|pixel| {
+                    DVec3::from_array([pixel.normal.x, pixel.normal.y, pixel.normal.z].map(f64::from))
+                })
+                .collect();
+            assert!(hits.len() > 3000, "{backend} {method}: {}", hits.len());
+            let off = hits.iter().map(|normal| normal.angle_between(expected)).fold(0.0, f64::max);
+            assert!(off < 1e-3, "{backend} {method}, creases {has_creases}: {off} rad");
+        }
+    }
 }
 
 #[test]

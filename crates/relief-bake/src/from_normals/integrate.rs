@@ -38,7 +38,8 @@ pub struct IntegratedHeights {
     pub size: [u32; 2],
     /// Heights in metres, row by row from the top; their mean is 0.
     pub heights_m: Vec<f32>,
-    /// Root mean square difference of the slopes of these heights from those given, by both axes together.
+    /// Root mean square difference of the slopes of these heights from those given, by both axes together;
+    /// at the edges of a clamped map half of the difference.
     pub misfit: f64,
     /// Normals that were at or below the horizon or steeper than accepted.
     pub too_steep: usize,
@@ -177,10 +178,30 @@ pub(super) fn neighbours(wrap: Wrap, at: usize, side: usize) -> [usize; 2] {
     [-1, 1].map(|step| wrap.index(at as i64 + step, side as u32) as usize)
 }
 
+/// What slopes are multiplied by along both sides of a map. `D` takes half of the difference at the edge of a
+/// clamped map; the slope of a normal there is all of it. With half of the slope both are alike.
+#[derive(Clone, Copy)]
+struct EdgeWeights {
+    is_clamped: bool,
+    sides: [usize; 2],
+}
+
+impl EdgeWeights {
+    fn new(wrap: Wrap, sides: [usize; 2]) -> Self {
+        Self { is_clamped: wrap == Wrap::Clamp, sides }
+    }
+
+    /// That of slopes along an axis.
+    fn at(self, axis: usize, place: usize) -> f32 {
+        if self.is_clamped && (place == 0 || place + 1 == self.sides[axis]) { 0.5 } else { 1.0 }
+    }
+}
+
 /// `Dᵀs`: what the central differences' transpose makes of the slopes.
 pub(super) fn divergence(slopes: [&[f32]; 2], width: usize, how: &Integration) -> Vec<f64> {
     let height = slopes[0].len() / width;
     let halves = how.texel_m.map(|texel| 0.5 / texel);
+    let edges = EdgeWeights::new(how.wrap, [width, height]);
     // Beyond an edge that is mirrored, slopes go on with the other sign.
     let across = |before: f32, after: f32, at: usize, side: usize| {
         let mirrored = how.wrap != Wrap::Repeat;
@@ -192,17 +213,19 @@ pub(super) fn divergence(slopes: [&[f32]; 2], width: usize, how: &Integration) -
     out.par_chunks_mut(width).enumerate().for_each(|(j, out)| {
         let [above, below] = neighbours(how.wrap, j, height);
         let row = |plane: usize, j: usize| &slopes[plane][j * width..(j + 1) * width];
+        let of_rows = [above, below].map(|j| edges.at(1, j));
         let (here, above, below) = (row(0, j), row(1, above), row(1, below));
         for (i, out) in out.iter_mut().enumerate() {
-            let [before, after] = neighbours(how.wrap, i, width);
-            *out = halves[0] * across(here[before], here[after], i, width)
-                + halves[1] * across(above[i], below[i], j, height);
+            let [before, after] = neighbours(how.wrap, i, width).map(|i| edges.at(0, i) * here[i]);
+            *out = halves[0] * across(before, after, i, width)
+                + halves[1] * across(of_rows[0] * above[i], of_rows[1] * below[i], j, height);
         }
     });
     out
 }
 
-/// Root mean square of `D h - s` at known texels, row by row so that threads do not change it.
+/// Root mean square of `D h - s` at known texels, row by row so that threads do not change it. What is off at
+/// the edges of a clamped map counts half.
 pub(super) fn misfit(
     heights: &[f32],
     slopes: [&[f32]; 2],
@@ -212,6 +235,7 @@ pub(super) fn misfit(
 ) -> f64 {
     let height = heights.len() / width;
     let halves = how.texel_m.map(|texel| 0.5 / texel);
+    let edges = EdgeWeights::new(how.wrap, [width, height]);
     let rows: Vec<f64> = (0..height)
         .into_par_iter()
         .map(|j| {
@@ -222,9 +246,10 @@ pub(super) fn misfit(
                 .map(|i| {
                     let [before, after] = neighbours(how.wrap, i, width);
                     let slope = |before: f32, after: f32| f64::from(after) - f64::from(before);
-                    let u =
-                        halves[0] * slope(here[before], here[after]) - f64::from(slopes[0][j * width + i]);
-                    let v = halves[1] * slope(above[i], below[i]) - f64::from(slopes[1][j * width + i]);
+                    let given = [0, 1].map(|axis| slopes[axis][j * width + i]);
+                    let given = [edges.at(0, i) * given[0], edges.at(1, j) * given[1]].map(f64::from);
+                    let u = halves[0] * slope(here[before], here[after]) - given[0];
+                    let v = halves[1] * slope(above[i], below[i]) - given[1];
                     u * u + v * v
                 })
                 .sum()

@@ -59,11 +59,11 @@ impl Hull {
 /// Lines that one task looks along: as many as a cache line has texels, for lines across the map's rows.
 const LANES: usize = 16;
 
-/// What a task works with, of a few lines: their texels, and what they are sampled at.
+/// What a task works with, of a few lines: where their texels look from, and what they are sampled at.
 #[derive(Default)]
 struct Scratch {
     hull: Hull,
-    own: Vec<f32>,
+    origins: Vec<f32>,
     heights: Vec<f32>,
 }
 
@@ -95,11 +95,11 @@ fn along_lines(
     slopes: &mut [f32],
     row: usize,
 ) {
-    let Scratch { hull, own, heights } = scratch;
+    let Scratch { hull, origins, heights } = scratch;
     // So long that lanes of a map of a power of two do not fall into the same cache lines.
-    let own_stride = lines.length + SKEW;
-    own.resize(slots.len() * own_stride, 0.0);
-    lines.own(slots.start, own_stride, own);
+    let origins_stride = lines.length + SKEW;
+    origins.resize(slots.len() * origins_stride, 0.0);
+    lines.origins(slots.start, origins_stride, origins);
     // Lines as far from each other as their slots are read together.
     let mut stretches: Vec<(i64, usize, Stretch)> = Vec::new();
     for (lane, slot) in slots.enumerate() {
@@ -116,14 +116,14 @@ fn along_lines(
         heights.resize(group.len() * stride, 0.0);
         lines.samples(group[0].2.line, all.start, all.end, stride, heights);
         for ((_, lane, stretch), heights) in group.iter().zip(heights.chunks_exact(stride)) {
-            let (span, own) = (span(stretch), &own[lane * own_stride..]);
+            let (span, origins) = (span(stretch), &origins[lane * origins_stride..]);
             let slopes = &mut slopes[lane * row..];
             hull.vertices.clear();
             for (position, &height) in span.clone().zip(&heights[span.start - all.start..]).rev() {
                 hull.push(position as f32, height);
                 let p = position - nearest;
                 if p < stretch.to && lines.row(stretch, p).is_some() {
-                    slopes[p] = hull.tangent(p as f32, own[p]);
+                    slopes[p] = hull.tangent(p as f32, origins[p]);
                 }
             }
         }

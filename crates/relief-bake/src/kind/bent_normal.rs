@@ -35,7 +35,7 @@ use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape,
 pub const KIND: Kind = Kind {
     name: "bent-normal",
     summary: "the mean direction in which a texel sees the sky",
-    revision: 1,
+    revision: 2,
     publication: Publication { paper: "Landis 2002; Timonen and Westerholm 2010", section: "" },
     params: &[AZIMUTHS, TILES, BITS_TO_NEAREST, SCALED],
     guarantee: "closed form of the horizons, about the base normal",

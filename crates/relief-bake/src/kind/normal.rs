@@ -10,6 +10,9 @@
 //! other sign is an option), and `z` outward. These are eq. 9's signs for a downward `v`. In world space, for
 //! the built-in plane, it is `(-su, 1, -sv)`.
 //!
+//! At the edges of a clamped map differences are one-sided: from the edge's texel to the one inside. So an
+//! even slope has the same normal everywhere, and tiles of a terrain meet without a rim.
+//!
 //! Mip levels hold the normal of the *mean slope* and, as three more channels, the central second moments of
 //! the slopes along `u` and `v` over the texel (`uu`, `uv`, `vv`, the same whatever space and green): a
 //! shader adds them to the roughness of the material. They are 0 in level 0. Sides halve rounded down; texels
@@ -57,7 +60,7 @@ use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape,
 pub const KIND: Kind = Kind {
     name: "normal",
     summary: "unit normals, and in mip levels the moments of the slope that filtering needs",
-    revision: 1,
+    revision: 2,
     publication: Publication { paper: "Szirmay-Kalos and Umenhoffer 2008", section: "2.1, 2.2" },
     params: &[PATCHES, WORLD, GREEN_DOWN, MIPS, BITS_TO_NEAREST],
     guarantee: "within (texel² / 6) max|third derivative| of the angle of a smooth surface's normal",

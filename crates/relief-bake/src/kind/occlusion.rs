@@ -29,7 +29,7 @@ use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape,
 pub const KIND: Kind = Kind {
     name: "occlusion",
     summary: "the part of the sky's light that reaches a texel, about the base normal",
-    revision: 1,
+    revision: 2,
     publication: Publication {
         paper: "Zhukov, Iones and Kronin 1998; Timonen and Westerholm 2010",
         section: "",

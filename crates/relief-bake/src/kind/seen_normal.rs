@@ -13,8 +13,8 @@
 //! looks straight down.
 //!
 //! A ray belongs to the texel over which it crosses the plane at the map's mean height. Its normal is that of
-//! the first hit, by central differences over two texels: a unit vector in tangent space, `y` along falling
-//! `v`. Slice `2 (a * elevations + e)` holds the means of `x`, `y`, `z` and `x²`, the next one those of `xy`,
+//! the first hit, by central differences over two texels, or over less at the edge of a clamped map: a unit
+//! vector in tangent space, `y` along falling `v`. Slice `2 (a * elevations + e)` holds the means of `x`, `y`, `z` and `x²`, the next one those of `xy`,
 //! `y²`, `xz` and `yz`. (`z²` is what is missing to 1.)
 //!
 //! # Guarantee
@@ -40,7 +40,7 @@ const MEANS: usize = 8;
 pub const KIND: Kind = Kind {
     name: "seen-normal",
     summary: "means of the normals that are seen from each of some fixed directions, for what is far away",
-    revision: 1,
+    revision: 2,
     publication: Publication {
         paper: "Becker and Max 1993; Szirmay-Kalos and Umenhoffer 2008",
         section: "4.1.1",
@@ -114,7 +114,9 @@ impl Eye<'_> {
         let rise_u = self.map.height_at(u + du, v) - self.map.height_at(u - du, v);
         let rise_v = self.map.height_at(u, v + dv) - self.map.height_at(u, v - dv);
         let Metric { tile_m, scale_m } = self.metric;
-        let (x, y) = (-rise_u * scale_m / (2.0 * du * tile_m[0]), rise_v * scale_m / (2.0 * dv * tile_m[1]));
+        let apart = self.map.texels_apart_at(u, v);
+        let x = -rise_u * scale_m / (apart[0] * du * tile_m[0]);
+        let y = rise_v * scale_m / (apart[1] * dv * tile_m[1]);
         let length = (x * x + y * y + 1.0).sqrt();
         [x / length, y / length, 1.0 / length]
     }

@@ -252,11 +252,34 @@ impl Lines<'_> {
         self.each(from..to, heights, stride, |lane, p| sample(line + lane as i64, p));
     }
 
-    /// The texels of neighbouring slots from `slot` on, position by position, each slot's in `stride` values.
-    pub fn own(&self, slot: usize, stride: usize, heights: &mut [f32]) {
+    /// From which heights the texels of neighbouring slots from `slot` on look along their lines, position by
+    /// position, each slot's in `stride` values.
+    ///
+    /// It is the texel's own height, and as much more as the line passes higher on an even slope: its distance
+    /// in rows times the lesser of the differences to the rows on both sides, nothing where one rises and the
+    /// other falls. On the edge of a clamped map it is the difference to the row inside, if lines go there.
+    pub fn origins(&self, slot: usize, stride: usize, heights: &mut [f32]) {
+        let last = self.count - 1;
+        let goes_inside = |row: usize| match self.wrap {
+            Wrap::Clamp => [row == 0 && self.slope > 0.0, row == last && self.slope < 0.0],
+            Wrap::Repeat | Wrap::Mirror => [false; 2],
+        };
         self.each(0..self.length, heights, stride, |lane, p| {
             let row = slot + lane + self.slots[p] as usize;
-            self.texel(p, if row < self.count { row } else { row - self.count })
+            let row = if row < self.count { row } else { row - self.count };
+            let start = (row as i64 - self.lowest) as usize;
+            let texel = |start: usize| self.texels[start + self.columns[p]];
+            let [above, own, below] = [start - 1, start, start + 1].map(|at| texel(self.starts[at]));
+            let (before, behind) = (own - above, below - own);
+            let rise = match goes_inside(row) {
+                [true, _] => behind,
+                [_, true] => before,
+                _ if before * behind <= 0.0 => 0.0,
+                _ if before.abs() < behind.abs() => before,
+                _ => behind,
+            };
+            let share = self.places[p].1;
+            own + (if share < 0.5 { share } else { share - 1.0 }) * rise
         });
     }
 

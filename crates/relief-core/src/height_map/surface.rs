@@ -1,6 +1,7 @@
 //! The bilinear surface between the texels.
 
 use super::HeightMap;
+use crate::Wrap;
 
 impl HeightMap {
     /// The texel at any column and row, wrapped.
@@ -50,15 +51,22 @@ impl HeightMap {
         let cell = self.cell(i as i64, j as i64).map(f64::from);
         let parts = [x - i, y - j];
         let is_on_line = |part: f64| part.min(1.0 - part) <= ON_A_LINE;
-        let slope =
-            if parts.into_iter().any(is_on_line) { self.slope_at_place(x, y) } else { slope(cell, parts) };
+        let is_special = parts.into_iter().any(is_on_line) || self.is_at_edge(x, y);
+        let slope = if is_special { self.slope_at_place(x, y) } else { slope(cell, parts) };
         (bilinear(cell, parts), slope)
     }
 
     /// The derivatives of the bilinear surface along `x` and `y` at such a place, in heights for each texel.
     /// On a line between dual cells, to 2⁻¹² of a texel, where the surface has a crease, the derivative
     /// across is the mean of both sides'. So at the centre of a texel it is the central difference.
+    ///
+    /// From the outermost centres of a clamped map to its edge the surface is level, because nothing is known
+    /// of what lies beyond. There the derivatives are those of the cells inside, so that neighbouring tiles
+    /// of a terrain have no rim where they meet.
     pub fn slope_at_place(&self, x: f64, y: f64) -> [f64; 2] {
+        if self.is_at_edge(x, y) {
+            return self.slope_inside(x, y);
+        }
         let on_line = |at: f64| {
             let line = at.round();
             ((at - line).abs() <= ON_A_LINE).then_some(line as i64)
@@ -86,6 +94,55 @@ impl HeightMap {
         }
     }
 
+    /// Whether a place of a clamped map is on the line of its outermost centres, or farther out.
+    fn is_at_edge(&self, x: f64, y: f64) -> bool {
+        let is_out = |at: f64, side: u32| at <= ON_A_LINE || at >= f64::from(side) - 1.0 - ON_A_LINE;
+        self.wrap == Wrap::Clamp && (is_out(x, self.width) || is_out(y, self.height))
+    }
+
+    /// The slope of a clamped map whose outermost cells go on to its edge. Beyond the edge it is level.
+    fn slope_inside(&self, x: f64, y: f64) -> [f64; 2] {
+        let [across, down] = [self.around(x, self.width), self.around(y, self.height)];
+        let height = |x: f64, y: f64| self.height_at_place(x, y);
+        [
+            (height(across.behind, down.at) - height(across.before, down.at)) / across.texels(),
+            (height(across.at, down.behind) - height(across.at, down.before)) / down.texels(),
+        ]
+    }
+
+    /// Between which places along a side of a clamped map a difference is the derivative at a place. Beyond
+    /// the map's edge there is no difference.
+    fn around(&self, at: f64, side: u32) -> Around {
+        let last = f64::from(side) - 1.0;
+        let is_beyond = at < -0.5 - ON_A_LINE || at > last + 0.5 + ON_A_LINE;
+        let at = at.clamp(0.0, last);
+        if is_beyond {
+            return Around { at, before: at, behind: at };
+        }
+        let line = at.round();
+        let (before, behind) = if (at - line).abs() <= ON_A_LINE {
+            (line - 1.0, line + 1.0)
+        } else {
+            (at.floor(), at.floor() + 1.0)
+        };
+        Around { at, before: before.max(0.0), behind: behind.min(last) }
+    }
+
+    /// How many texels lie between the heights a texel before and a texel behind texture coordinates, along
+    /// `u` and `v`: 2, or less at the edges of a clamped map, where heights beyond the outermost centres are
+    /// those of the centres. The difference of the two heights over it is the slope that shading takes
+    /// (eq. 9).
+    pub fn texels_apart_at(&self, u: f64, v: f64) -> [f64; 2] {
+        let apart = |place: f64, side: f64| match self.wrap {
+            Wrap::Clamp => {
+                (2.0 - (1.5 - place).max(0.0) - (place + 1.5 - side).max(0.0)).max(LEAST_TEXELS_APART)
+            }
+            Wrap::Repeat | Wrap::Mirror => 2.0,
+        };
+        let [columns, rows] = [self.width, self.height].map(f64::from);
+        [apart(u * columns, columns), apart(v * rows, rows)]
+    }
+
     /// The displacement of a texel value, in metres (eq. 8).
     #[inline]
     pub fn displacement_m(&self, texel: f64) -> f64 {
@@ -95,6 +152,24 @@ impl HeightMap {
 
 /// How near to a line between dual cells a place is on it, in texels.
 const ON_A_LINE: f64 = 1.0 / 4096.0;
+
+/// At the edge itself of a clamped map, where the height a texel inside is half a texel from the outermost
+/// centre. Beyond, slopes fall to 0.
+const LEAST_TEXELS_APART: f64 = 0.5;
+
+/// The places along a side between which a difference is a derivative.
+struct Around {
+    at: f64,
+    before: f64,
+    behind: f64,
+}
+
+impl Around {
+    /// Texels between them, at least 1: of a side of one texel there is no difference.
+    fn texels(&self) -> f64 {
+        (self.behind - self.before).max(1.0)
+    }
+}
 
 fn mix([a, b]: [f64; 2], part: f64) -> f64 {
     a + (b - a) * part

@@ -1,19 +1,28 @@
 //! Slopes and normals in `f64`, texel by texel.
 
 use rayon::prelude::*;
-use relief_core::HeightMap;
+use relief_core::{HeightMap, Wrap};
 
 /// A slope along `u` and along `v`, metres up for a metre along.
 pub type Slope = [f64; 2];
 
 /// The slopes of the four patches that meet at a texel centre, left above, right above, left below, right
-/// below.
+/// below. Beyond the edges of a clamped map the patches inside go on.
 pub fn patch_slopes(map: &HeightMap, tile_m: [f64; 2], scale_m: f64, [i, j]: [i64; 2]) -> [Slope; 4] {
     let texel = [tile_m[0] / f64::from(map.width()), tile_m[1] / f64::from(map.height())];
     let height = |i, j| f64::from(map.texel(i, j)) * scale_m;
     let here = height(i, j);
     let along_u = [(here - height(i - 1, j)) / texel[0], (height(i + 1, j) - here) / texel[0]];
     let along_v = [(here - height(i, j - 1)) / texel[1], (height(i, j + 1) - here) / texel[1]];
+    let [along_u, along_v] =
+        [(along_u, i, map.width()), (along_v, j, map.height())].map(|([before, behind], place, side)| {
+            match place {
+                _ if map.wrap() != Wrap::Clamp => [before, behind],
+                0 => [behind; 2],
+                _ if place + 1 == i64::from(side) => [before; 2],
+                _ => [before, behind],
+            }
+        });
     [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[a, b]| [along_u[a], along_v[b]])
 }
 
