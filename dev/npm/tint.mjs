@@ -1,0 +1,98 @@
+// Exports shaders as WGSL and compiles each with Tint, the compiler of Chromium, which refuses some texts that
+// naga takes. Needs no GPU: the device is Dawn's null device.
+//
+//     node tint.mjs PATH/TO/relief
+//
+// Exported are all methods, and on the method `relief` every variant of the other stages, in both samplings.
+
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { create, globals } from "webgpu";
+
+Object.assign(globalThis, globals);
+
+// Names of the stages in `relief methods --json`, and the flags that choose a variant of them.
+const STAGES = {
+    surface: "--surface",
+    shadow: "--shadow",
+    "shadow search": "--shadow-search",
+    "ambient light": "--ambient",
+    detail: "--detail",
+};
+
+// What a stage needs beside it.
+const BESIDE = { "shadow search": ["--shadow", "ray"] };
+
+const relief = process.argv[2];
+if (!relief) {
+    console.error("usage: node tint.mjs PATH/TO/relief");
+    process.exit(2);
+}
+
+// Kept: Dawn's instance must live as long as its devices.
+const gpu = create(["backend=null"]);
+const adapter = await gpu.requestAdapter();
+const device = await adapter.requestDevice();
+
+// What Tint says against a text; nothing where it compiles.
+async function errors(code) {
+    device.pushErrorScope("validation");
+    const compiled = device.createShaderModule({ code });
+    const { messages } = await compiled.getCompilationInfo();
+    await device.popErrorScope();
+    return messages.filter(({ type }) => type === "error").map(({ lineNum, message }) => `${lineNum}: ${message}`);
+}
+
+// The export of a selection, by the flags that make it.
+function exported(flags) {
+    const folder = mkdtempSync(join(tmpdir(), "relief-tint-"));
+    try {
+        const all = ["shader", ...flags, "--target", "wgsl", "-q", "-o", folder];
+        execFileSync(relief, all, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+        const files = readdirSync(folder).filter((name) => name.endsWith(".wgsl"));
+        return files.map((name) => readFileSync(join(folder, name), "utf8"));
+    } finally {
+        rmSync(folder, { recursive: true });
+    }
+}
+
+const known = JSON.parse(execFileSync(relief, ["methods", "--json"], { encoding: "utf8", maxBuffer: 1 << 26 }));
+const selections = known.methods.map(({ name }) => ["--method", name]);
+for (const [stage, flag] of Object.entries(STAGES)) {
+    for (const { name } of known[stage]) {
+        selections.push(["--method", "relief", ...(BESIDE[stage] ?? []), flag, name]);
+    }
+}
+
+let [compiled, failed, refused] = [0, 0, 0];
+for (const selection of selections) {
+    for (const sampling of ["exact", "fast"]) {
+        const flags = [...selection, "--sampling", sampling];
+        let texts;
+        try {
+            texts = exported(flags);
+        } catch (error) {
+            // Variants of stages that belong to another method; the command says so.
+            if (error.status !== 2) throw error;
+            refused += 1;
+            continue;
+        }
+        for (const text of texts) {
+            const found = await errors(text);
+            compiled += 1;
+            if (found.length > 0) {
+                failed += 1;
+                console.log(`${flags.join(" ")}:\n  ${found.slice(0, 3).join("\n  ")}`);
+            }
+            // A text with a fault must not pass.
+            const broken = text.replace("fn shade_pixel(", "fn shade_pixels(");
+            if (broken === text || (await errors(broken)).length === 0) {
+                throw new Error(`${flags.join(" ")}: a fault in the text was not noticed`);
+            }
+        }
+    }
+}
+console.log(`Tint: ${compiled} shaders compiled, ${failed} refused by it, ${refused} selections that do not go together`);
+process.exit(failed > 0 || compiled === 0 ? 1 : 0);
