@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use clap::{Args, CommandFactory, Parser, Subcommand};
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use failure::Failure;
 use say::Loudness;
@@ -12,9 +12,11 @@ mod advice;
 mod commands;
 mod cut;
 mod failure;
+mod file_kind;
 mod frames;
 mod interrupt;
 mod lanes;
+mod most_used;
 mod pattern;
 mod progress;
 mod say;
@@ -39,14 +41,20 @@ struct Arguments {
 /// Flags of every command.
 #[derive(Args)]
 struct Common {
-    /// Say nothing but results and errors: no progress, no notes
-    #[arg(short, long, global = true, conflicts_with = "verbose")]
+    /// Say nothing but errors and what was asked for: no progress, no notes, nothing about files
+    #[arg(short, long, global = true, conflicts_with = "verbose", display_order = 900)]
     quiet: bool,
     /// Say what is done, too, and how long it takes
-    #[arg(short, long, global = true)]
+    #[arg(short, long, global = true, display_order = 901)]
     verbose: bool,
     /// Threads that work [default: one a core]
-    #[arg(long, value_name = "N", global = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(
+        long,
+        value_name = "N",
+        global = true,
+        value_parser = clap::value_parser!(u16).range(1..=1024),
+        display_order = 902
+    )]
     threads: Option<u16>,
 }
 
@@ -115,7 +123,8 @@ fn quieten_drivers() {
 fn main() -> ExitCode {
     #[cfg(target_os = "linux")]
     quieten_drivers();
-    let mut arguments = match Arguments::try_parse() {
+    let parsed = command().try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches));
+    let mut arguments = match parsed {
         Ok(arguments) => arguments,
         Err(error) if error.use_stderr() && std::env::args_os().any(|argument| argument == "--json") => {
             return Failure::unparsed(&error).report(true);
@@ -131,6 +140,11 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(json),
     }
+}
+
+/// The command line, as help and completions show it.
+fn command() -> clap::Command {
+    most_used::first(Arguments::command())
 }
 
 impl Arguments {
@@ -194,8 +208,8 @@ impl Command {
             Command::Bench(arguments) => commands::bench::run(arguments),
             Command::Shader(arguments) => commands::shader::run(arguments),
             Command::Methods(arguments) => commands::methods::run(arguments),
-            Command::Completions(arguments) => commands::completions::run(arguments, &Arguments::command()),
-            Command::Man(arguments) => commands::man::run(arguments, &Arguments::command()),
+            Command::Completions(arguments) => commands::completions::run(arguments, &command()),
+            Command::Man(arguments) => commands::man::run(arguments, &command()),
         }
     }
 }

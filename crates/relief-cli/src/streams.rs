@@ -14,6 +14,7 @@ use tempfile::TempDir;
 
 use crate::failure::Failure;
 use crate::interrupt;
+use crate::say::{self, Loudness};
 
 /// How an argument names a standard stream.
 const STREAM: &str = "-";
@@ -164,8 +165,27 @@ pub fn named(text: &str) -> String {
 
 /// Says the answer to a command: on the standard output, or where a file goes there, on the standard error.
 pub fn answer(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Failure>) -> Result<(), Failure> {
+    say_answer(write, true)
+}
+
+/// Says what a command wrote into files. With `--quiet` nothing is said, unless `json` was asked for: the files
+/// are the result.
+pub fn tell_written(
+    json: bool,
+    write: impl FnOnce(&mut Vec<u8>) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    say_answer(write, json || say::loudness() != Loudness::Quiet)
+}
+
+fn say_answer(
+    write: impl FnOnce(&mut Vec<u8>) -> Result<(), Failure>,
+    is_heard: bool,
+) -> Result<(), Failure> {
     let mut text = Vec::new();
     write(&mut text)?;
+    if !is_heard {
+        return Ok(());
+    }
     let text = named(&String::from_utf8_lossy(&text));
     match PLACES.get() {
         Some(Places { output: Some(_), .. }) => Ok(io::stderr().lock().write_all(text.as_bytes())?),

@@ -185,6 +185,14 @@ impl<'a> ImageFile<'a> {
     }
 }
 
+impl Format {
+    /// The format of a file that begins with these bytes; none where it is no picture that is read. Raw files
+    /// have no signature.
+    pub fn by_signature(start: &[u8]) -> Option<Self> {
+        recognise(start)
+    }
+}
+
 fn recognise(signature: &[u8]) -> Option<Format> {
     match signature {
         [0x89, b'P', b'N', b'G', ..] => Some(Format::Png),

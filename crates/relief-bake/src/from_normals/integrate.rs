@@ -181,18 +181,18 @@ pub(super) fn neighbours(wrap: Wrap, at: usize, side: usize) -> [usize; 2] {
 /// What slopes are multiplied by along both sides of a map. `D` takes half of the difference at the edge of a
 /// clamped map; the slope of a normal there is all of it. With half of the slope both are alike.
 #[derive(Clone, Copy)]
-struct EdgeWeights {
+pub(super) struct EdgeWeights {
     is_clamped: bool,
     sides: [usize; 2],
 }
 
 impl EdgeWeights {
-    fn new(wrap: Wrap, sides: [usize; 2]) -> Self {
+    pub fn new(wrap: Wrap, sides: [usize; 2]) -> Self {
         Self { is_clamped: wrap == Wrap::Clamp, sides }
     }
 
     /// That of slopes along an axis.
-    fn at(self, axis: usize, place: usize) -> f32 {
+    pub fn at(self, axis: usize, place: usize) -> f32 {
         if self.is_clamped && (place == 0 || place + 1 == self.sides[axis]) { 0.5 } else { 1.0 }
     }
 }

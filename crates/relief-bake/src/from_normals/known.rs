@@ -5,7 +5,7 @@ use relief_core::Wrap;
 
 use super::error::FromNormalsError;
 use super::integrate::{
-    IntegratedHeights, Integration, Waves, check, divergence, heights_from_slopes, misfit, neighbours,
+    EdgeWeights, IntegratedHeights, Integration, Waves, check, divergence, heights_from_slopes, misfit, neighbours,
 };
 use super::slopes::NormalSlopes;
 use crate::Progress;
@@ -103,7 +103,13 @@ impl Equations<'_> {
     /// The right-hand side.
     fn right(&self, slopes: [&[f32]; 2]) -> Vec<f64> {
         let mut out = vec![0.0; self.known.len()];
-        self.transposed(|axis, at| f64::from(slopes[axis][at]), |_| 0.0, &mut out);
+        let sides = [self.width, self.known.len() / self.width];
+        let edges = EdgeWeights::new(self.how.wrap, sides);
+        let slope = |axis: usize, at: usize| {
+            let place = [at % self.width, at / self.width][axis];
+            f64::from(edges.at(axis, place) * slopes[axis][at])
+        };
+        self.transposed(slope, |_| 0.0, &mut out);
         out
     }
 

@@ -84,16 +84,45 @@ pub const KINDS: &[Kind] = &[
     filter_levels::KIND,
 ];
 
-/// The kind of that name.
+/// What other programs call the same maps.
+const SAME: [(&str, &str); 9] = [
+    ("ao", occlusion::KIND.name),
+    ("ambient-occlusion", occlusion::KIND.name),
+    // Over a level plane both are the mean of cos² of the horizons.
+    ("sky-view", occlusion::KIND.name),
+    ("sky-view-factor", occlusion::KIND.name),
+    ("svf", occlusion::KIND.name),
+    ("normals", normal::KIND.name),
+    ("bent-normals", bent_normal::KIND.name),
+    ("horizons", horizon::KIND.name),
+    ("sdf", distance::KIND.name),
+];
+
+/// Maps of other programs that no kind is, with the kind that tells most of the same.
+const NEAREST: [(&str, &str); 6] = [
+    ("curvature", normal::KIND.name),
+    ("roughness", normal::KIND.name),
+    ("slope", normal::KIND.name),
+    ("hillshade", normal::KIND.name),
+    ("cavity", occlusion::KIND.name),
+    ("openness", horizon::KIND.name),
+];
+
+/// The kind of that name, or of the name that other programs give it, as `ao` for `occlusion`.
 ///
 /// # Errors
 ///
 /// When no kind has that name; the error names the nearest.
 pub fn kind(name: &str) -> Result<&'static Kind, UnknownName> {
-    KINDS
-        .iter()
-        .find(|kind| kind.name == name)
-        .ok_or_else(|| UnknownName::new("map kind", name, KINDS.iter().map(|kind| kind.name)))
+    let other = |names: &[(&str, &'static str)]| {
+        names.iter().find(|(other, _)| other.eq_ignore_ascii_case(name)).map(|(_, kind)| *kind)
+    };
+    let asked = other(&SAME).unwrap_or(name);
+    KINDS.iter().find(|kind| kind.name == asked).ok_or_else(|| {
+        let unknown = UnknownName::new("map kind", name, KINDS.iter().map(|kind| kind.name));
+        let nearest = other(&NEAREST).map(str::to_owned).or(unknown.nearest);
+        UnknownName { nearest, ..unknown }
+    })
 }
 
 /// What most kinds take while they are baked: see [`Kind::working_maps`].

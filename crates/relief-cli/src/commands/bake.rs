@@ -16,7 +16,7 @@ mod tests;
 
 use std::borrow::Cow;
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
@@ -27,7 +27,7 @@ use relief_core::{ByteSize, HeightMap, Metric, Wrap};
 use relief_io::file_set::is_same_file;
 use relief_io::{read_ground, read_height};
 
-use self::files::{FilesError, Packing};
+use self::files::{FilesError, Packing, Plan};
 use self::identity::Identity;
 use self::outputs::{Earlier, Outputs};
 use self::report::Baked;
@@ -38,7 +38,7 @@ use super::maps::{HeightArguments, inside_out, is_depth, nearly_grey};
 use crate::failure::Failure;
 use crate::interrupt::{self, cancelled};
 use crate::progress::Progress;
-use crate::streams::{Files, answer};
+use crate::streams::{Files, tell_written};
 use crate::{say, units, values};
 
 /// Displacement in metres between heights 0 and 1 unless the file or the user says otherwise; that of
@@ -58,8 +58,9 @@ pub struct Arguments {
     /// Kinds of maps to bake, as in cone,normal; listed below
     #[arg(long, value_name = "KIND[,KIND...]", value_delimiter = ',', required = true)]
     kind: Vec<String>,
-    /// Folder for the files; it is made if it is missing
-    #[arg(short, long, value_name = "DIR")]
+    /// Folder for the files, which is made if it is missing; or of a single kind the file itself, as in
+    /// normal.png
+    #[arg(short, long, value_name = "DIR|FILE")]
     output: PathBuf,
     /// File format [default: png for normal, occlusion and bent-normal, which other programs take for
     /// pictures, exr for the rest and for --texels float]
@@ -102,7 +103,7 @@ pub struct Arguments {
 fn short_help() -> String {
     let names: Vec<&str> = KINDS.iter().map(|kind| kind.name).collect();
     format!(
-        "Examples:\n  relief bake bricks.png --kind normal -o maps\n  \
+        "Examples:\n  relief bake bricks.png --kind normal -o bricks_normal.png\n  \
          relief bake bricks.png --kind cone --set cone.bits=8 --format ktx2 -o maps\n\n\
          Kinds: {}; `relief bake --help` says what they are and lists their settings.",
         names.join(", ")
@@ -148,7 +149,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (job, map) = Job::new(arguments, kinds)?;
     // Until here nothing exists that an interrupted program would leave behind.
     let cancel = interrupt::catch()?;
-    answer(|out| job.run(map, cancel, out))
+    tell_written(arguments.json, |out| job.run(map, cancel, out))
 }
 
 /// The parameter that adds mip levels.
@@ -201,13 +202,63 @@ impl Arguments {
             _ if kind.is_picture => FileFormat::Png,
             _ => FileFormat::Exr,
         };
-        self.format.unwrap_or(usual)
+        self.file().map(|file| file.format).or(self.format).unwrap_or(usual)
     }
+
+    /// The file to write, where the output is none of a folder.
+    fn file(&self) -> Option<OutputFile> {
+        let ending = self.output.extension()?.to_str()?.to_ascii_lowercase();
+        let format = FileFormat::ALL.into_iter().find(|format| format.extension() == ending)?;
+        let (name, stem) = (self.output.file_name()?.to_str()?, self.output.file_stem()?.to_str()?);
+        (!self.output.is_dir()).then(|| OutputFile { name: name.to_owned(), stem: stem.to_owned(), format })
+    }
+
+    /// The folder that files are written into.
+    fn folder(&self) -> &Path {
+        match self.file() {
+            None => &self.output,
+            Some(_) => match self.output.parent() {
+                Some(folder) if !folder.as_os_str().is_empty() => folder,
+                _ => Path::new("."),
+            },
+        }
+    }
+
+    /// Whether a single file can be written, if one is asked for.
+    fn check_file(&self, kinds: usize) -> Result<(), Failure> {
+        let Some(file) = self.file() else { return Ok(()) };
+        let name = self.output.display();
+        if kinds != 1 {
+            return Err(Failure::Usage(format!(
+                "--output {name}: is one file, and {kinds} kinds are asked for: give it the name of a folder"
+            )));
+        }
+        if self.format.is_some_and(|format| format != file.format) {
+            return Err(Failure::Usage(format!(
+                "--output {name}: its name and --format say different formats"
+            )));
+        }
+        if !self.folder().is_dir() {
+            let folder = self.folder().display();
+            return Err(Failure::Work(format!("{name}: cannot be written: there is no folder {folder}")));
+        }
+        Ok(())
+    }
+}
+
+/// A single file to write.
+struct OutputFile {
+    name: String,
+    stem: String,
+    format: FileFormat,
 }
 
 /// What is to be made of a map that has been read.
 struct Job<'a> {
     arguments: &'a Arguments,
+    folder: &'a Path,
+    /// The name of the only file, where it is given.
+    file_name: Option<String>,
     tasks: Vec<Task<'a>>,
     size: [u32; 2],
     wrap: Wrap,
@@ -234,11 +285,13 @@ struct Task<'a> {
 impl<'a> Job<'a> {
     /// Reads the map, and finds out whether the kinds can be made of it and written.
     fn new(arguments: &'a Arguments, kinds: Vec<(&'a Kind, Settings)>) -> Result<(Self, HeightMap), Failure> {
-        if arguments.output.exists() && !arguments.output.is_dir() {
+        arguments.check_file(kinds.len())?;
+        let file = arguments.file();
+        if file.is_none() && arguments.output.exists() && !arguments.output.is_dir() {
             let folder = arguments.output.display();
             return Err(Failure::Work(format!("{folder}: is no folder: give another --output")));
         }
-        if arguments.zstd && arguments.format != Some(FileFormat::Ktx2) {
+        if arguments.zstd && kinds.iter().any(|(kind, _)| arguments.format_of(kind) != FileFormat::Ktx2) {
             return Err(Failure::usage("--zstd is for --format ktx2"));
         }
         for (kind, settings) in &kinds {
@@ -248,6 +301,10 @@ impl<'a> Job<'a> {
         let stem = arguments.height.file_stem().and_then(|stem| stem.to_str());
         let stem =
             stem.ok_or_else(|| Failure::usage("the height map's name is not UTF-8: rename it"))?.to_owned();
+        let (stem, file_name) = match file {
+            Some(file) => (file.stem, Some(file.name)),
+            None => (stem, None),
+        };
         let options = arguments.reading.options(arguments.max_memory);
         let map = read_height(&arguments.height, &options).map_err(Failure::of_map)?;
         if !arguments.json {
@@ -262,7 +319,8 @@ impl<'a> Job<'a> {
         let map = map.with_displacement(metric.scale_m, -metric.scale_m).map_err(Failure::usage)?;
         let source_hash = map.heights_hash().to_string();
         let (size, wrap) = ([map.width(), map.height()], map.wrap());
-        let mut job = Self { arguments, tasks: Vec::new(), size, wrap, metric, source_hash, stem };
+        let (folder, tasks) = (arguments.folder(), Vec::new());
+        let mut job = Self { arguments, folder, file_name, tasks, size, wrap, metric, source_hash, stem };
         let count = kinds.len();
         for (at, (kind, settings)) in kinds.into_iter().enumerate() {
             let task = job.task(kind, settings, &map, at + 1 < count)?;
@@ -279,13 +337,25 @@ impl<'a> Job<'a> {
         map: &HeightMap,
         is_followed: bool,
     ) -> Result<Task<'a>, Failure> {
-        let Arguments { output, texels, zstd, lossy_heights, max_memory, .. } = self.arguments;
+        let Arguments { texels, zstd, lossy_heights, max_memory, .. } = self.arguments;
         let format = self.arguments.format_of(kind);
         let storage = Storage::choose(*texels, format, bits(&settings)).map_err(Failure::Usage)?;
         let packing = Packing { format, storage, zstd: *zstd };
-        let base = format!("{}.{}", self.stem, kind.name);
+        let base = match self.file_name {
+            Some(_) => self.stem.clone(),
+            None => format!("{}.{}", self.stem, kind.name),
+        };
         let shapes = (kind.shapes)(self.size, &settings);
-        let plans = files::plan(&base, format, &shapes);
+        let plans = self.plans(&base, format, &shapes);
+        if let (Some(_), count @ 2..) = (&self.file_name, plans.len()) {
+            return Err(Failure::Usage(format!(
+                "--output {}: is one file, and '{}' makes {count} in this format: give it the name of a folder, or \
+                 another ending ({})",
+                self.arguments.output.display(),
+                kind.name,
+                FileFormat::ALL.map(|format| format!(".{}", format.extension())).join(", ")
+            )));
+        }
         let copies_heights = is_followed && bits(&settings) != 0;
         early::check_files(&plans, packing, &shapes)
             .and_then(|()| early::check_memory(&shapes, self.size, copies_heights, *max_memory))
@@ -294,9 +364,10 @@ impl<'a> Job<'a> {
             })
             .map_err(Failure::Work)?;
         let names: Vec<String> = plans.into_iter().map(|plan| plan.name).collect();
-        if let Some(name) = names.iter().find(|name| is_same_file(&output.join(name), &self.arguments.height))
+        if let Some(name) =
+            names.iter().find(|name| is_same_file(&self.folder.join(name), &self.arguments.height))
         {
-            let (file, input) = (output.join(name), &self.arguments.height);
+            let (file, input) = (self.folder.join(name), &self.arguments.height);
             return Err(Failure::Usage(format!(
                 "{} would replace {}, which is read: give another --output",
                 file.display(),
@@ -309,13 +380,23 @@ impl<'a> Job<'a> {
         Ok(Task { kind, settings, packing, identity, base, part, names })
     }
 
+    /// The files of textures of such shapes.
+    fn plans(&self, base: &str, format: FileFormat, shapes: &[Shape]) -> Vec<Plan> {
+        let mut plans = files::plan(base, format, shapes);
+        if let (Some(name), [plan]) = (&self.file_name, plans.as_mut_slice()) {
+            plan.name.clone_from(name);
+        }
+        plans
+    }
+
     fn run(&self, map: HeightMap, cancel: &AtomicBool, out: &mut dyn Write) -> Result<(), Failure> {
-        let Arguments { output, force, json, .. } = self.arguments;
-        let mut outputs = match Outputs::open(output, &self.stem, *force, *json, cancel) {
+        let (output, Arguments { force, json, .. }) = (self.folder, self.arguments);
+        let has_manifest = self.file_name.is_none();
+        let mut outputs = match Outputs::open(output, &self.stem, has_manifest, *force, *json, cancel) {
             Ok(outputs) => outputs,
             // A folder that nobody may write into may hold all files already.
             Err(failure) => {
-                let earlier = Earlier::find(output, &self.stem).ok();
+                let earlier = Earlier::find(output, &self.stem).ok().filter(|_| has_manifest);
                 let all = earlier.map(|earlier| self.up_to_date(&earlier)).unwrap_or_default();
                 let is_whole = all.len() == self.tasks.len() && !cancel.load(Ordering::Relaxed);
                 return if is_whole { self.tell(&all, &[], out) } else { Err(failure) };
@@ -326,7 +407,7 @@ impl<'a> Job<'a> {
         let tasks: Vec<&Task> = self.tasks.iter().filter(|task| !is_done(task)).collect();
         let Some((last, others)) = tasks.split_last() else { return self.tell(&all, &[], out) };
         let manifest = outputs.earlier().name().to_owned();
-        for name in tasks.iter().flat_map(|task| &task.names).chain([&manifest]) {
+        for name in tasks.iter().flat_map(|task| &task.names).chain(has_manifest.then_some(&manifest)) {
             outputs.check(name)?;
         }
         for task in others {
@@ -357,7 +438,7 @@ impl<'a> Job<'a> {
         outputs: &mut Outputs,
         cancel: &AtomicBool,
     ) -> Result<Baked, Failure> {
-        let Arguments { output, json, lossy_heights, .. } = self.arguments;
+        let (output, Arguments { json, lossy_heights, .. }) = (self.folder, self.arguments);
         let Task { kind, settings, packing, identity, base, part, .. } = task;
         let started = Instant::now();
         let in_folder =
@@ -379,7 +460,7 @@ impl<'a> Job<'a> {
         })?;
         let (textures, mut reader) = spool.finish().map_err(Failure::work)?;
         let shapes: Vec<Shape> = textures.iter().map(|spooled| spooled.texture.shape()).collect();
-        let plans = files::plan(base, packing.format, &shapes);
+        let plans = self.plans(base, packing.format, &shapes);
         let places = plans.iter().map(|plan| outputs.place(&plan.name)).collect::<Result<Vec<_>, _>>()?;
         let mut at = |part: f32| {
             bar.show(BAKING_PART + part * (1.0 - BAKING_PART));

@@ -32,7 +32,7 @@ use super::scene_arguments::of_scene;
 use super::staged::{Staged, format_of};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::streams::{Files, Written, answer};
+use crate::streams::{Files, Written, tell_written};
 use crate::units::Length;
 use crate::{interrupt, say, units, values};
 
@@ -359,7 +359,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
     let about = report::About { format, written: &written, seconds, surface: &surface, metres: &metres };
-    answer(|out| about.tell(arguments, out))
+    tell_written(arguments.json, |out| about.tell(arguments, out))
 }
 
 impl Arguments {

@@ -23,7 +23,7 @@ use super::scene_arguments::{MachineArguments, SceneArguments, of_scene};
 use crate::failure::Failure;
 use crate::frames::Frames;
 use crate::progress::{Progress, TaskProgress};
-use crate::streams::{Files, Written, answer};
+use crate::streams::{Files, Written, tell_written};
 use crate::{advice, interrupt, lanes, say};
 
 /// What `relief render` is given. Flags override the scene file.
@@ -96,7 +96,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         studio.notes(&spec, &scene, &made).iter().for_each(say::note);
     }
     let picture = Picture { spec: &spec, scene: &scene, outputs: &outputs, counts, made: &made };
-    answer(|out| match arguments.json {
+    tell_written(arguments.json, |out| match arguments.json {
         true => Ok(writeln!(out, "{:#}", picture.as_json())?),
         false => Ok(picture.tell(out)?),
     })

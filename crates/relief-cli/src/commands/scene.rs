@@ -12,7 +12,7 @@ use super::numbered::files;
 use super::scene_arguments::{MachineArguments, SceneArguments};
 use super::staged::format_of;
 use crate::failure::Failure;
-use crate::streams::{Files, answer};
+use crate::streams::{Files, answer, tell_written};
 
 /// What `relief scene` is given.
 #[derive(Args)]
@@ -59,7 +59,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     // What is written can be read again.
     parse_scene(&text, path).map_err(Failure::work)?;
     write_atomically(path, |file| file.write_all(text.as_bytes())).map_err(Failure::work)?;
-    answer(|out| Ok(writeln!(out, "{}", path.display())?))
+    tell_written(false, |out| Ok(writeln!(out, "{}", path.display())?))
 }
 
 fn make_absolute(spec: &mut SceneSpec) -> Result<(), Failure> {

@@ -8,8 +8,8 @@ use relief_core::ByteSize;
 use relief_io::{GreenSign, decode_text};
 use relief_render::depth_buffer::Clip;
 use relief_render::scene::{
-    BackendChoice, LightSpec, MaterialSpec, ProjectionChoice, Sampling, SceneError, SceneSpec, SurfaceSpec,
-    ValueError, ValueProblem, View, parse_scene, read_scene,
+    BackendChoice, LightSpec, MaterialSpec, MeshChoice, ProjectionChoice, Sampling, SceneError, SceneSpec,
+    SurfaceSpec, ValueError, ValueProblem, View, parse_scene, read_scene,
 };
 use relief_render::tone::Tone;
 use relief_shaders::METHODS;
@@ -18,6 +18,7 @@ use super::maps::HeightArguments;
 use super::placed::PlacedArguments;
 use super::stages::StageArguments;
 use crate::failure::Failure;
+use crate::file_kind::FileKind;
 use crate::streams::{INPUT, is_input};
 use crate::{advice, units, values};
 
@@ -53,8 +54,10 @@ impl MachineArguments {
 /// A scene, by its file and by flags.
 #[derive(Args)]
 pub struct SceneArguments {
-    /// Scene file (TOML): its keys are named like the flags, which override it; paths in it are relative to
-    /// it, or where it is - for the standard input, to the current folder
+    /// What is shown: a scene file (TOML), a height map, a mesh, or an object.toml. The keys of a scene are
+    /// named like the flags, which override it; paths in it are relative to it, or where it is - for the
+    /// standard input, to the current folder
+    #[arg(value_name = "FILE")]
     scene: Option<PathBuf>,
     /// Width and height of the picture in pixels [default: 800x600]
     #[arg(long, value_name = "WxH", value_parser = values::size, allow_hyphen_values = true)]
@@ -299,13 +302,31 @@ impl SceneArguments {
                 "--ambient and --ambient-color both give a colour: give --ambient a name, or leave one out",
             ));
         }
-        match &self.scene {
-            Some(path) => {
+        let Some(path) = &self.scene else { return Ok(self.flags()) };
+        let kind = FileKind::of(path)?;
+        let named = match kind {
+            FileKind::Scene => {
                 let scene = if is_input(path) { scene_of_input(path) } else { read_scene(path) };
-                Ok(scene.map_err(of_scene)?.overridden_by(self.flags()))
+                return Ok(scene.map_err(of_scene)?.overridden_by(self.flags()));
             }
-            None => Ok(self.flags()),
+            FileKind::Object => self.object.is_some() || self.height.is_some(),
+            FileKind::HeightMap => self.object.is_some() || self.height.is_some(),
+            FileKind::Mesh => self.object.is_some() || self.placed.mesh.is_some(),
+        };
+        if named {
+            let flag = kind.flag();
+            return Err(Failure::Usage(format!(
+                "{} is shown as by {flag}, and a flag names another: leave one of them out",
+                path.display()
+            )));
         }
+        let mut spec = self.flags();
+        match kind {
+            FileKind::Object => spec.surface.object = Some(path.clone()),
+            FileKind::Mesh => spec.surface.mesh = Some(MeshChoice::File(path.clone())),
+            FileKind::HeightMap | FileKind::Scene => spec.surface.height = Some(path.clone()),
+        }
+        Ok(spec)
     }
 
     /// The files that may be the standard input.
@@ -314,9 +335,9 @@ impl SceneArguments {
         [scene, height, color, normal, environment].into_iter().flatten().collect()
     }
 
-    /// The scene file.
+    /// The scene file, where the file that is shown is one.
     pub fn file(&self) -> Option<&Path> {
-        self.scene.as_deref()
+        self.scene.as_deref().filter(|path| matches!(FileKind::of(path), Ok(FileKind::Scene)))
     }
 
     /// As [`file`](Self::file), to be replaced.
@@ -412,10 +433,30 @@ pub fn of_scene(error: SceneError) -> Failure {
             Failure::Usage(format!("--{key}: needs --{other} as well"))
         }
         // A flag holds for every surface: which of them it fails by first says nothing.
-        SceneError::Value(ValueError { key, problem, .. }) => Failure::Usage(format!("--{key}: {problem}")),
+        SceneError::Value(ValueError { key, problem, .. }) => {
+            Failure::Usage(format!("--{}: {problem}", blamed(key, &problem)))
+        }
         SceneError::NoHeightMap(_) => Failure::Usage(advice::with_flag(&error, advice::of_scene(&error))),
         other => Failure::Work(advice::with_flag(&other, advice::of_scene(&other))),
     }
+}
+
+/// The flag to blame for a value that cannot be used: of stages that do not go together the one that was given,
+/// and not one whose variant follows from a default.
+fn blamed(key: &'static str, problem: &ValueProblem) -> &'static str {
+    let is_given = |key: &&str| {
+        let flag = format!("--{key}");
+        std::env::args_os().any(|word| {
+            let word = word.to_string_lossy();
+            word == flag || word.strip_prefix(&flag).is_some_and(|rest| rest.starts_with('='))
+        })
+    };
+    let ValueProblem::Selection(error) = problem else { return key };
+    if is_given(&key) {
+        return key;
+    }
+    let others = error.keys().into_iter().chain(["method"]);
+    others.into_iter().find(is_given).unwrap_or(key)
 }
 
 /// The same for commands that take a scene file alone, and no flags for what stands in it.

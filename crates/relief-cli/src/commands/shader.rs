@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 
 use super::staged::Staged;
 use crate::failure::Failure;
-use crate::streams::answer;
+use crate::streams::tell_written;
 use crate::{interrupt, values};
 
 /// What `relief shader` is given.
@@ -150,7 +150,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let exported = export(&selection, &options).map_err(of_export)?;
     let paths: Vec<PathBuf> = exported.files.iter().map(|file| arguments.output.join(&file.name)).collect();
     write(&exported, &paths, arguments.json)?;
-    answer(|out| {
+    tell_written(arguments.json, |out| {
         if arguments.json {
             let file = |(path, file): (&PathBuf, &File)| json!({ "path": path, "bytes": file.bytes.len() });
             let files: Value = paths.iter().zip(&exported.files).map(file).collect();

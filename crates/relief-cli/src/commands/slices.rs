@@ -9,7 +9,7 @@ use std::time::Instant;
 use clap::Args;
 use relief_core::ByteSize;
 use relief_io::{DEFAULT_MAX_BYTES, MAX_SHELLS, MeshCounts, Shells, WriteError, write_shells};
-use relief_render::scene::{SceneSpec, Surface, read_scene};
+use relief_render::scene::{SceneError, SceneSpec, Surface, read_scene};
 use serde_json::json;
 
 use super::numbered::{Numbering, ONE_FRAME, files};
@@ -17,7 +17,7 @@ use super::scene_arguments::of_scene_file;
 use super::staged::{Staged, format_of};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::streams::{Files, answer};
+use crate::streams::{Files, tell_written};
 use crate::{interrupt, values};
 
 /// What `relief slices` is given.
@@ -116,6 +116,10 @@ impl Arguments {
     fn spec(&self) -> Result<SceneSpec, Failure> {
         let spec = read_scene(&self.scene).map_err(of_scene_file)?;
         Numbering::of(Some(&self.scene)).refuse(&spec, ONE_FRAME)?;
+        // A mesh alone has nothing that shells could show.
+        if spec.each_surface().iter().any(|surface| surface.height.is_none() && surface.object.is_none()) {
+            return Err(of_scene_file(SceneError::NoHeightMap(None)));
+        }
         Ok(spec)
     }
 
@@ -157,7 +161,7 @@ impl Arguments {
         let MeshCounts { vertices, triangles } = shells.counts();
         let ([columns, rows], path) = (shells.picture_size(), self.output.display());
         let apart_m = shells.map.scale_m() / f64::from(self.count);
-        answer(|out| {
+        tell_written(self.json, |out| {
             if self.json {
                 let about = json!({
                     "scene": self.scene.display().to_string(), "output": path.to_string(),

@@ -10,7 +10,7 @@ use crate::material::{Material, MaterialError};
 use crate::mesh::{Builtin, Mesh, Placement, UvProjection, square};
 use glam::{Vec2, Vec3};
 use relief_core::object::ImageObject;
-use relief_core::{ByteSize, HeightMap};
+use relief_core::{ByteSize, HeightMap, Wrap};
 use relief_io::{Convention, Fill, HeightOptions, HeightRange, MeshOptions, Picture, ReadError, ReadProblem};
 use relief_object::{ObjectFile, ObjectOptions};
 use relief_shaders::{AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
@@ -19,6 +19,10 @@ use std::sync::Arc;
 
 /// The detail of pictures with several samples a pixel, where the search's maps can have levels of detail.
 const FOOTPRINT: &str = "footprint";
+
+/// What shows a mesh without a height map: its triangles, and the shadows that they throw on each other.
+const METHOD_OF_MESHES: &str = "bump";
+const SHADOW_OF_MESHES: &str = "map";
 
 /// Memory that a texel of a height map takes while it is rendered: itself, and the exact tracer's hierarchy
 /// or what a GPU holds of it.
@@ -354,7 +358,9 @@ impl SurfaceSpec {
                 error => error,
             });
         }
-        let path = self.height.as_ref().ok_or(SceneError::NoHeightMap(number))?;
+        if self.height.is_none() && !self.is_mesh_alone() {
+            return Err(SceneError::NoHeightMap(number));
+        }
         let (parts, color) = match &self.mesh {
             Some(MeshChoice::File(file)) => {
                 let own =
@@ -386,8 +392,14 @@ impl SurfaceSpec {
             wrap: self.wrap,
             max_bytes: maps.left,
         };
-        let map = maps.height(path, options)?;
-        maps.take(path, &map, &parts.selection)?;
+        let map = match &self.height {
+            Some(path) => {
+                let map = maps.height(path, options)?;
+                maps.take(path, &map, &parts.selection)?;
+                map
+            }
+            None => level_map()?,
+        };
         let surface = self.with_heights(parts, map);
         let mut surface = surface.map_err(|error| error.of_surface(number))?;
         if let Some(color) = color {
@@ -406,6 +418,11 @@ impl SurfaceSpec {
             surface = surface.with_normal_map(&map);
         }
         Ok(surface)
+    }
+
+    /// Whether the mesh of a file is shown as it is, without a height map.
+    fn is_mesh_alone(&self) -> bool {
+        self.height.is_none() && self.object.is_none() && matches!(self.mesh, Some(MeshChoice::File(_)))
     }
 
     /// How many tiles lie along `u` and `v`.
@@ -494,7 +511,11 @@ impl SurfaceSpec {
                 return Err(ValueProblem::Excludes("geometry").of("method"));
             }
             (method, None, None) => {
-                let default = if self.object.is_some() { DEFAULT_METHOD_OF_OBJECTS } else { DEFAULT_METHOD };
+                let default = match self.object {
+                    Some(_) => DEFAULT_METHOD_OF_OBJECTS,
+                    None if self.is_mesh_alone() => METHOD_OF_MESHES,
+                    None => DEFAULT_METHOD,
+                };
                 Selection::method(method.as_deref().unwrap_or(default))
             }
             (None, Some(search), Some(refine)) => Selection::pair(search, refine),
@@ -508,6 +529,9 @@ impl SurfaceSpec {
         }
         if surrounded || self.asks_for_environment() {
             selection.choose(STAGES[AMBIENT].key, ENVIRONMENT).map_err(of_selection)?;
+        }
+        if self.is_mesh_alone() {
+            selection.choose(STAGES[SHADOW].key, SHADOW_OF_MESHES).map_err(of_selection)?;
         }
         // A shadow takes over the search of the view, with its settings, unless it is told otherwise.
         for is_of_shadow in [false, true] {
@@ -533,6 +557,12 @@ impl SurfaceSpec {
         }
         Ok(selection)
     }
+}
+
+/// The height map of a mesh that is shown as it is: one texel at the level of the mesh.
+fn level_map() -> Result<HeightMap, SceneError> {
+    let map = HeightMap::new(1, 1, vec![1.0], Wrap::Repeat);
+    Ok(map.map_err(|error| ValueProblem::from(error).of("height"))?)
 }
 
 fn check_scale(scale_m: f64) -> Result<(), ValueError> {

@@ -3,7 +3,7 @@
 use relief_core::FoundState;
 use relief_core::registry::UnknownName;
 
-use crate::stages::{STAGES, stage};
+use crate::stages::{DETAIL, STAGES, SURFACE, stage};
 
 /// Why a selection cannot be made.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -113,6 +113,19 @@ pub enum SelectionError {
         /// What the other takes.
         takes: &'static [FoundState],
     },
+}
+
+impl SelectionError {
+    /// The keys of the stages whose variants do not go together; none where a single value is wrong.
+    pub fn keys(&self) -> Vec<&'static str> {
+        match self {
+            SelectionError::Impossible { key, .. } => vec![key],
+            SelectionError::Surface { key, .. } => vec![key, STAGES[SURFACE].key],
+            SelectionError::OneLevel { key, .. } => vec![key, STAGES[DETAIL].key],
+            SelectionError::Pair { giver, taker, .. } => vec![taker.0, giver.0],
+            _ => Vec::new(),
+        }
+    }
 }
 
 /// What messages call a variant of the stage of that key.

@@ -39,6 +39,12 @@ impl<'a> Earlier<'a> {
         Ok(Self { folder, name, manifest, is_strange })
     }
 
+    /// No earlier bakes: of a single file, which no manifest lists.
+    pub fn none(folder: &'a Path, stem: &str) -> Self {
+        let name = format!("{stem}{MANIFEST}");
+        Self { folder, name, manifest: Manifest::default(), is_strange: false }
+    }
+
     /// The manifest's name.
     pub fn name(&self) -> &str {
         &self.name
@@ -56,6 +62,8 @@ impl<'a> Earlier<'a> {
 pub struct Outputs<'a> {
     set: FileSet,
     earlier: Earlier<'a>,
+    /// Whether a manifest lists the files.
+    has_manifest: bool,
     /// Whether files of other programs are replaced.
     force: bool,
     parts: Vec<Part>,
@@ -66,6 +74,7 @@ impl<'a> Outputs<'a> {
     pub fn open(
         folder: &'a Path,
         stem: &str,
+        has_manifest: bool,
         force: bool,
         quiet: bool,
         cancel: &AtomicBool,
@@ -75,7 +84,11 @@ impl<'a> Outputs<'a> {
             FileSetError::Busy { .. } if cancel.load(Ordering::Relaxed) => cancelled(),
             other => Failure::work(other),
         })?;
-        Ok(Self { set, earlier: Earlier::find(folder, stem)?, force, parts: Vec::new() })
+        let earlier = match has_manifest {
+            true => Earlier::find(folder, stem)?,
+            false => Earlier::none(folder, stem),
+        };
+        Ok(Self { set, earlier, has_manifest, force, parts: Vec::new() })
     }
 
     /// What was baked before.
@@ -141,10 +154,12 @@ impl<'a> Outputs<'a> {
                 Err(_) => {}
             }
         }
-        let path = self.earlier.folder.join(&self.earlier.name);
-        let aside = self.set.put(&path).map_err(Failure::work)?;
-        let written = write_atomically(&aside, |out| out.write_all(manifest.to_text().as_bytes()));
-        written.map_err(|error| Failure::Work(format!("{}: {}", path.display(), error.problem)))?;
+        if self.has_manifest {
+            let path = self.earlier.folder.join(&self.earlier.name);
+            let aside = self.set.put(&path).map_err(Failure::work)?;
+            let written = write_atomically(&aside, |out| out.write_all(manifest.to_text().as_bytes()));
+            written.map_err(|error| Failure::Work(format!("{}: {}", path.display(), error.problem)))?;
+        }
         if cancel.load(Ordering::Relaxed) {
             return Err(cancelled());
         }

@@ -50,7 +50,7 @@ impl Baked {
 impl Job<'_> {
     /// Says what became of the kinds, and which files of earlier bakes were left.
     pub fn tell(&self, all: &[Baked], kept: &[String], out: &mut dyn Write) -> Result<(), Failure> {
-        let folder = &self.arguments.output;
+        let folder = self.folder;
         if self.arguments.json {
             writeln!(out, "{:#}", self.as_json(all, kept))?;
             return Ok(());

@@ -18,6 +18,9 @@ pub enum FileFormat {
 }
 
 impl FileFormat {
+    /// All of them.
+    pub const ALL: [FileFormat; 3] = [FileFormat::Exr, FileFormat::Png, FileFormat::Ktx2];
+
     /// The ending of files' names.
     pub const fn extension(self) -> &'static str {
         match self {

@@ -25,7 +25,7 @@ use self::subject::Subject;
 use super::inputs::replaced;
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::streams::{Files, answer};
+use crate::streams::{Files, tell_written};
 use crate::waiting::waiting;
 use crate::{interrupt, say, values};
 
@@ -215,7 +215,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let open_edges = subject.mesh.measures().open_edges;
     let about =
         About { captured: &captured, compared: &compared, files: &files, is_solid, open_edges, seconds };
-    answer(|out| Ok(about.tell(arguments, &subject, out)?))
+    tell_written(arguments.json, |out| Ok(about.tell(arguments, &subject, out)?))
 }
 
 impl Arguments {

@@ -18,7 +18,7 @@ use crate::commands::maps::HeightArguments;
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::streams::{Files, Written, answer};
+use crate::streams::{Files, Written, tell_written};
 use crate::{interrupt, units, values};
 
 /// Displacement in metres between heights 0 and 1 unless something says otherwise; that of `relief render`.
@@ -115,7 +115,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     output.write(&mut staged, &content, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
-    answer(|out| {
+    tell_written(*json, |out| {
         let HeightNote { tile_m, scale_m, bias_m, .. } = made.note;
         let [width, height] = content.size;
         if *json {

@@ -23,7 +23,7 @@ use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::interrupt::{self, cancelled};
 use crate::progress::Progress;
-use crate::streams::{Files, Written, answer};
+use crate::streams::{Files, Written, tell_written};
 use crate::{say, units, values};
 
 /// Bytes a texel: the heights as they are found, and the texels that are written.
@@ -134,7 +134,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             share(heights.overlaps, heights.covered)
         ));
     }
-    answer(|out| Ok(arguments.tell(&heights, note, &output, seconds, out)?))
+    tell_written(arguments.json, |out| Ok(arguments.tell(&heights, note, &output, seconds, out)?))
 }
 
 fn path_of(output: &Output) -> &Path {

@@ -21,7 +21,7 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::progress::Progress;
 use crate::say;
-use crate::streams::{Files, Written, answer};
+use crate::streams::{Files, Written, tell_written};
 
 /// Bytes a texel that reading and integrating take at their peak.
 const BYTES_PER_TEXEL: u64 = 32;
@@ -170,7 +170,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     output.write(&mut staged, &relief.content, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
-    answer(|out| {
+    tell_written(common.json, |out| {
         if common.json {
             let mut about = relief.as_json(&output, seconds);
             about["input"] = path.display().to_string().into();

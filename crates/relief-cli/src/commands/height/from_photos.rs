@@ -21,7 +21,7 @@ use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::progress::Progress;
-use crate::streams::{Files, Written, answer};
+use crate::streams::{Files, Written, tell_written};
 
 /// Bytes a texel that a photograph keeps: its brightness.
 const BYTES_PER_PHOTO: u64 = 4;
@@ -130,7 +130,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     outputs.height.write(&mut staged, &relief.content, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
-    answer(|out| {
+    tell_written(common.json, |out| {
         if common.json {
             let mut about = relief.as_json(&outputs.height, seconds);
             let name =

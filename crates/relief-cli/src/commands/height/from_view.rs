@@ -19,7 +19,7 @@ use super::output::{
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::streams::{Files, Written, answer};
+use crate::streams::{Files, Written, tell_written};
 use crate::{interrupt, values};
 
 /// Bytes a texel of what is written.
@@ -96,7 +96,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let HeightNote { tile_m, scale_m, bias_m, .. } = note;
     let [width, height] = image.view.size();
     let seen = image.texels().filter(|texel| *texel > 0.0).count();
-    answer(|out| {
+    tell_written(arguments.json, |out| {
         if arguments.json {
             let name = |path: &Option<PathBuf>| path.as_ref().map(|path| path.display().to_string());
             let about = json!({

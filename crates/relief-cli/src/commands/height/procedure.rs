@@ -23,7 +23,7 @@ use crate::failure::Failure;
 use crate::frames::Frames;
 use crate::interrupt::cancelled;
 use crate::progress::Progress;
-use crate::streams::{Files, Written, answer};
+use crate::streams::{Files, Written, tell_written};
 use crate::{interrupt, units, values};
 
 /// Bytes a texel of what is written.
@@ -145,7 +145,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
-    answer(|out| {
+    tell_written(arguments.json, |out| {
         if arguments.json {
             let settings: serde_json::Map<_, _> =
                 named(&procedure).map(|(name, value)| (name.to_owned(), value.into())).collect();

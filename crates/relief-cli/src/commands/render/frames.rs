@@ -20,7 +20,7 @@ use crate::commands::scene_arguments::of_scene;
 use crate::failure::Failure;
 use crate::frames::Frames;
 use crate::progress::Progress;
-use crate::streams::answer;
+use crate::streams::{answer, tell_written};
 use crate::{interrupt, say};
 
 /// Renders and writes all frames, each as by itself.
@@ -205,7 +205,7 @@ impl Told {
         let mut text = Vec::new();
         picture.tell(&mut text)?;
         let text = String::from_utf8_lossy(&text).into_owned();
-        let heard = answer(|out| {
+        let heard = tell_written(false, |out| {
             for line in text.lines().filter(|line| self.said.insert((*line).to_owned())) {
                 out.extend_from_slice(line.as_bytes());
                 out.push(b'\n');

@@ -1,0 +1,46 @@
+//! The flags that help shows first.
+
+use clap::Command;
+
+/// Of the commands with many flags those that are used most, by the names of their arguments.
+const MOST_USED: [(&str, &[&str]); 6] = [
+    ("render", &["output", "height", "mesh", "color", "method", "scale", "size", "view", "light", "shadow"]),
+    (
+        "mesh",
+        &["output", "error", "triangles", "texels", "mesh", "scale", "print_size", "solid", "tiles", "view"],
+    ),
+    ("bake", &["kind", "output", "format", "set", "texels", "scale", "tile_size", "wrap", "fill", "force"]),
+    (
+        "capture",
+        &["output", "views", "grid", "size", "cover", "bits", "color", "verify", "json", "max_memory"],
+    ),
+    (
+        "compare",
+        &["output", "height", "methods", "steps", "budget_ms", "max_error", "size", "quick", "csv", "json"],
+    ),
+    (
+        "bench",
+        &["height", "methods", "frames", "warm", "size", "backend", "sampling", "scale", "mesh", "json"],
+    ),
+];
+
+/// Where the flags stand that have no heading of their own and are not used most.
+const OTHERS: &str = "More options";
+
+/// The same command line, whose help begins with the flags that are used most.
+pub fn first(mut command: Command) -> Command {
+    for (name, most_used) in MOST_USED {
+        command = command.mut_subcommand(name, |command| {
+            let command = command.mut_args(|argument| match argument.get_help_heading() {
+                None if !argument.is_positional() => argument.help_heading(OTHERS),
+                _ => argument,
+            });
+            most_used.iter().enumerate().fold(command, |command, (place, id)| {
+                command.mut_arg(id, |argument| {
+                    argument.help_heading(None::<&str>).display_order(place).hide_short_help(false)
+                })
+            })
+        });
+    }
+    command
+}
