@@ -5,7 +5,8 @@ use relief_core::Wrap;
 
 use super::error::FromNormalsError;
 use super::integrate::{
-    EdgeWeights, IntegratedHeights, Integration, Waves, check, divergence, heights_from_slopes, misfit, neighbours,
+    EdgeWeights, IntegratedHeights, Integration, Waves, check, divergence, heights_from_slopes, misfit,
+    neighbours,
 };
 use super::slopes::NormalSlopes;
 use crate::Progress;
