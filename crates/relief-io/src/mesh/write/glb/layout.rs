@@ -244,10 +244,7 @@ impl GlbLayout {
         let place = match self.quantization {
             Some(Quantization { grid, .. }) => {
                 let (step, origin) = (grid.step_m(), grid.origin_m().to_array());
-                let at = match is_moved {
-                    true => [0, 1, 2].map(|axis| format!("{:e}", f64::from(origin[axis]) + moved[axis])),
-                    false => origin.map(|number| format!("{number:e}")),
-                };
+                let at = [0, 1, 2].map(|axis| format!("{:e}", origin[axis] + moved[axis]));
                 format!(r#","scale":[{step:e},{step:e},{step:e}],"translation":[{}]"#, at.join(","))
             }
             None if is_moved => {
