@@ -48,8 +48,10 @@ fn every_format_holds_the_mesh_that_is_answered() {
         let text = folder.relief(&line).fine().stdout;
         assert!(text.contains("closed") && text.contains(&output), "{text}");
         let longest = about["size_m"].as_array().expect("three").iter().filter_map(Value::as_f64);
-        let unit = if longest.fold(0.0, f64::max) < 1.0 { " mm\n" } else { " m\n" };
+        let unit = if longest.fold(0.0, f64::max) < 1.0 { " mm, " } else { " m, " };
         assert!(text.contains(unit), "{text}");
+        let up = if ending == "stl" { ", z up\n" } else { ", y up\n" };
+        assert!(text.contains(up), "{text}");
     }
     assert_eq!(entries(&folder.path("out")).len(), 4);
 }

@@ -212,11 +212,21 @@ fn no_more_memory_is_taken_than_allowed() {
     ];
     for (name, bytes) in files {
         for max_bytes in [0, 1000, 1 << 20, 8 << 20] {
-            let options = MeshOptions { max_bytes, projection: Some(UvProjection::Box), colors: true };
+            let options = MeshOptions {
+                max_bytes,
+                projection: Some(UvProjection::Box),
+                colors: true,
+                ..MeshOptions::default()
+            };
             let error = read_mesh(Source::bytes(name, &bytes), &options).expect_err(name);
             assert!(is_too_large(&error.problem), "{name}: {error}");
         }
-        let options = MeshOptions { max_bytes: 16 << 20, projection: Some(UvProjection::Box), colors: true };
+        let options = MeshOptions {
+            max_bytes: 16 << 20,
+            projection: Some(UvProjection::Box),
+            colors: true,
+            ..MeshOptions::default()
+        };
         assert!(read_mesh(Source::bytes(name, &bytes), &options).is_ok(), "{name}");
     }
 }

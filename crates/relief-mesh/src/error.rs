@@ -188,8 +188,8 @@ pub enum MesherError {
         /// How far they are apart at most, in metres.
         seams_m: f64,
     },
-    /// A solid with holes.
-    #[error("a solid has no holes: there are no walls around them")]
+    /// A solid with holes of a mesh that is no plane.
+    #[error("only a plane is made solid around holes: on other meshes there are no walls around them")]
     SolidOfHoles,
     /// Nothing but holes.
     #[error("every triangle lies over a hole of the height map: nothing is left")]

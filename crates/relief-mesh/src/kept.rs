@@ -27,6 +27,15 @@ impl Kept {
         }
     }
 
+    /// Keeps more vertices, with the numbers after those of the first `vertices`.
+    pub fn add_vertices(&mut self, vertices: u64, more: u32) {
+        let end = vertices + u64::from(more);
+        self.words.resize(end.div_ceil(WORD.into()) as usize, 0);
+        for vertex in vertices..end {
+            self.words[(vertex / u64::from(WORD)) as usize] |= 1 << (vertex % u64::from(WORD));
+        }
+    }
+
     /// Numbers what was kept.
     pub fn count(&mut self) {
         self.before.clear();
@@ -81,5 +90,9 @@ mod tests {
         let numbers: Vec<u32> = all.iter().map(|&vertex| kept.number(vertex)).collect();
         assert_eq!(numbers, [0, 1, 2, 3, 4, 5, 6]);
         assert_eq!((kept.vertices(), kept.triangles()), (7, 3));
+        kept.add_vertices(200, 3);
+        kept.count();
+        assert_eq!([200, 201, 202].map(|vertex| kept.number(vertex)), [7, 8, 9]);
+        assert_eq!(kept.vertices(), 10);
     }
 }

@@ -1,17 +1,21 @@
 //! Displaced meshes, counted first and made block by block.
 
 mod block;
+mod outline;
 mod solid;
 
+use std::collections::HashMap;
 use std::convert::Infallible;
 use std::sync::atomic::Ordering;
 
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use relief_core::HeightMap;
-use relief_core::mesh::{Mesh, MeshBlock};
+use relief_core::mesh::{Mesh, MeshBlock, Vertex};
 
 use self::block::Made;
+pub use self::outline::Bottom;
+use self::outline::{Outline, Room, Sides};
 use self::solid::Solid;
 use crate::crack::CrackTest;
 use crate::cull::{self, Cull, Everything, Sight};
@@ -195,7 +199,7 @@ impl Mesher {
         if matches!(settings.edges.divides, Divides::Voxels(_)) && settings.solid_m.is_some() {
             return Err(MesherError::SolidOfView);
         }
-        if settings.solid_m.is_some() && relief.has_holes() {
+        if settings.solid_m.is_some() && relief.has_holes() && rectangle.is_none() {
             return Err(MesherError::SolidOfHoles);
         }
         cull::check(settings)?;
@@ -246,7 +250,8 @@ impl Mesher {
         let solid = Solid::planned(&base, &relief, settings, &mut plan)?;
         let Plan { blocks, vertices, triangles, largest } = plan;
         // Those of a solid were not counted while patches were filled.
-        if triangles > most {
+        let is_outlined = settings.solid_m.is_some() && relief.has_holes();
+        if triangles > most && !is_outlined {
             return Err(MesherError::MoreThan { most });
         }
         let at_hand = 2 * rayon::current_num_threads() * BLOCKS_PER_THREAD;
@@ -265,6 +270,7 @@ impl Mesher {
             + of_normals
             + of_tiles
             + if is_left_out { Kept::bytes(vertices) } else { 0 }
+            + if is_outlined { Sides::BYTES_PER_TRIANGLE * triangles } else { 0 }
             + solid.as_ref().map_or(0, Solid::bytes)
             + at_hand as u64 * largest * BYTES_IN_A_BLOCK;
         let made_vertices = vertices;
@@ -283,7 +289,18 @@ impl Mesher {
             triangles,
             bytes,
         };
-        if is_left_out { mesher.without_what_is_left_out(watch) } else { Ok(mesher) }
+        if !is_left_out {
+            return Ok(mesher);
+        }
+        if is_outlined && bytes > settings.max_bytes {
+            return Err(MesherError::NoMemory { limit: settings.max_bytes });
+        }
+        let mesher = mesher.without_what_is_left_out(watch)?;
+        let outlined = settings.solid_m.filter(|_| is_outlined);
+        match outlined {
+            Some(solid_m) => mesher.outlined(solid_m, settings.error_m, most, watch),
+            None => Ok(mesher),
+        }
     }
 
     /// The same without triangles over holes and those that are not seen. Which these are follows from where
@@ -304,6 +321,71 @@ impl Mesher {
         }
         kept.count();
         Ok(Self { vertices: kept.vertices(), triangles: kept.triangles(), kept: Some(kept), ..self })
+    }
+
+    /// The same with walls along the outline of what is left of a plane, and a bottom.
+    fn outlined(
+        mut self,
+        solid_m: f64,
+        tolerance_m: f64,
+        most: u64,
+        watch: &Watch,
+    ) -> Result<Self, MesherError> {
+        let (Some(rectangle), Some(mut kept)) = (self.base.rectangle(), self.kept.take()) else {
+            return Err(MesherError::SolidOfHoles);
+        };
+        if kept.triangles() > u64::from(u32::MAX / 3) {
+            return Err(MesherError::TooLarge { vertices: self.vertices, triangles: 2 * kept.triangles() });
+        }
+        let depth_m = solid::lowest_m(&self.relief) - solid::error_m(&self.base) - solid_m;
+        let bottom = rectangle.bottom(&self.relief, depth_m);
+        let exact = self.base.certificate().is_none();
+        let tolerance_m = if exact { f64::INFINITY } else { tolerance_m };
+        let room = Room { texel_m: rectangle.texel_m(&self.relief), tolerance_m };
+        let sides = {
+            let mut triangles = Vec::with_capacity(kept.triangles() as usize);
+            for group in self.groups() {
+                self.cancelled(watch)?;
+                let left: Vec<Vec<[u32; 3]>> = group.par_iter().map(|work| self.left(work)).collect();
+                triangles.extend(left.into_iter().flatten());
+            }
+            Sides::of(&triangles)
+        };
+        let wanted = sides.wanted();
+        let mut found: HashMap<u32, Vertex> = HashMap::with_capacity(wanted.len());
+        for group in self.groups() {
+            self.cancelled(watch)?;
+            let vertices: Vec<Vec<(u32, Vertex)>> =
+                group.par_iter().map(|work| self.wanted(work, &wanted)).collect();
+            found.extend(vertices.into_iter().flatten());
+        }
+        let mut outline = Outline::new(sides, &found, self.made_vertices as u32, bottom, room);
+        kept.add_vertices(self.made_vertices, outline.copy_count());
+        kept.count();
+        let (above, walls) = (kept.vertices(), u64::from(outline.wall_count()));
+        let (vertices, triangles) = (2 * above, 2 * kept.triangles() + 2 * walls);
+        if vertices.max(triangles) > MOST {
+            return Err(MesherError::TooLarge { vertices, triangles });
+        }
+        if triangles > most {
+            return Err(MesherError::MoreThan { most });
+        }
+        outline.first_below = above as u32;
+        let closing = Plan::closing(&self.blocks, outline.copy_count(), outline.wall_count());
+        self.blocks.extend(closing);
+        let bytes = self.bytes + outline.bytes();
+        let solid = Some(Solid::Outline(outline));
+        Ok(Self { vertices, triangles, kept: Some(kept), solid, bytes, ..self })
+    }
+
+    /// The blocks, as many at a time as are made at once.
+    fn groups(&self) -> impl Iterator<Item = &[Work]> {
+        self.blocks.chunks(rayon::current_num_threads() * BLOCKS_PER_THREAD)
+    }
+
+    /// An error where it is cancelled.
+    fn cancelled(&self, watch: &Watch) -> Result<(), MesherError> {
+        if watch.cancel.load(Ordering::Relaxed) { Err(MesherError::Cancelled) } else { Ok(()) }
     }
 
     /// Whether a mesh is a plane: two triangles that make a rectangle with straight texture.

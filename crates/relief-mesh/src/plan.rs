@@ -12,6 +12,9 @@ use crate::triangles::{self, Triangles};
 /// Vertices and triangles of a block, together, at which it ends.
 const BLOCK: u64 = 1 << 15;
 
+/// Walls of a block, of four corners and two triangles each.
+const WALLS: usize = BLOCK as usize / 6;
+
 /// What a block holds.
 #[derive(Clone, Debug)]
 pub enum Work {
@@ -33,6 +36,12 @@ pub enum Work {
     Underside(Range<u32>),
     /// Walls between a border and an underside.
     Walls(Range<u32>),
+    /// Vertices that part pieces of a plane which touch at a point.
+    Copies(Range<u32>),
+    /// What lies at the bottom below another block, by its place.
+    Beneath(u32),
+    /// Walls along the outline of a plane.
+    Outline(Range<u32>),
 }
 
 /// A plan of blocks.
@@ -154,16 +163,28 @@ impl Plan {
     }
 
     /// Plans an underside and walls after everything else.
-    pub fn underside(&mut self, solid: &triangles::Solid) -> Result<(), MesherError> {
-        let of_walls: u64 = (0..solid.wall_count()).map(|wall| solid.wall_triangles(wall)).sum();
+    pub fn underside(&mut self, base: &Triangles, solid: &triangles::Solid) -> Result<(), MesherError> {
+        let of_walls: u64 = (0..solid.wall_count()).map(|wall| solid.wall_triangles(base, wall)).sum();
         self.vertices = solid.end();
         self.triangles += u64::from(solid.patch_count()) + of_walls;
         self.check()?;
         self.each(solid.corner_count(), Work::Below);
         self.each(solid.patch_count(), Work::Underside);
-        let size = |wall: u32| solid.wall_vertices(wall) + solid.wall_triangles(wall);
+        let size = |wall: u32| 2 * solid.wall_triangles(base, wall);
         self.together(solid.wall_count(), size, Work::Walls);
         Ok(())
+    }
+
+    /// The blocks that close what these make of a plane with holes.
+    pub fn closing(blocks: &[Work], copies: u32, walls: u32) -> Vec<Work> {
+        let mut plan = Self::default();
+        plan.each(copies, Work::Copies);
+        let above = (blocks.len() + plan.blocks.len()) as u32;
+        plan.blocks.extend((0..above).map(Work::Beneath));
+        for first in (0..walls).step_by(WALLS) {
+            plan.blocks.push(Work::Outline(first..walls.min(first + WALLS as u32)));
+        }
+        plan.blocks
     }
 
     /// Plans a mesh over a grid on a plane.

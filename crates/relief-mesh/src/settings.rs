@@ -37,6 +37,13 @@ pub struct MeshSettings {
     /// own triangles once more, all displaced by the same: under each vertex of the relief the solid is as
     /// thick along the direction there, as long as interpolated normals are not shorter than half of one. It
     /// faces the way that the mesh does. Pieces that are closed stay as they are.
+    ///
+    /// All triangles at a position share its vertex, so that a solid is closed by the numbers of its vertices,
+    /// too: normals are smooth at its edges, and of a seam of the texture one side is kept.
+    ///
+    /// A plane with [holes](Self::holes) gets walls along the outline of what they leave, and its triangles
+    /// once more at the bottom. Where pieces touch at a point, all but the largest are drawn back from it, by
+    /// a sixteenth of a texel at most.
     pub solid_m: Option<f64>,
     /// Which part of a plane is made.
     pub part: Part,

@@ -244,7 +244,8 @@ fn maps_without_holes_are_as_they_were_and_those_of_nothing_else_are_refused() {
     assert_eq!(Mesher::new(&base, &nothing, &holes).err(), Some(MesherError::AllHoles));
     let some = level.with_holes(TexelMask::from_fn(16, 9, |i, _| i == 3)).expect("of its size");
     let solid = MeshSettings { solid_m: Some(0.01), ..holes };
-    assert_eq!(Mesher::new(&base, &some, &solid).err(), Some(MesherError::SolidOfHoles));
+    let grid = square(2).expect("a mesh");
+    assert_eq!(Mesher::new(&grid, &some, &solid).err(), Some(MesherError::SolidOfHoles));
     // Holes that nobody asks for are filled.
     assert!(Mesher::new(&base, &some, &MeshSettings { holes: false, ..solid }).is_ok());
 }

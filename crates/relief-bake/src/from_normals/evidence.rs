@@ -58,6 +58,13 @@ pub enum NormalSource {
     },
 }
 
+impl NormalSource {
+    /// Whether no normal map looks like that, whatever its heights are.
+    pub fn is_sure(&self) -> bool {
+        matches!(self, Self::Srgb { .. } | Self::XInOpacity { .. })
+    }
+}
+
 impl Evidence {
     /// Measures vectors and the opacity beside them. Vectors that are not finite are left out.
     pub fn of(normals: &[[f32; 3]], opacity: Option<&[f32]>) -> Self {
@@ -108,7 +115,7 @@ impl Evidence {
             sources.push(NormalSource::TwoChannels { blue: levels[2] });
         }
         let undone = as_encoded.min(as_decoded);
-        if plain > OFF && undone < 0.5 * plain {
+        if plain > OFF && undone < OFF.min(0.5 * plain) {
             let is_encoded = as_encoded < as_decoded;
             sources.push(NormalSource::Srgb { is_encoded, lengths_off: [plain, undone] });
         } else if plain < 2.0 * OFF && (x.abs().max(y.abs()) > z || inward > INWARD) {

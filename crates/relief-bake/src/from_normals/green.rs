@@ -2,7 +2,7 @@
 
 use super::error::FromNormalsError;
 use super::integrate::{IntegratedHeights, Integration};
-use super::known::heights_from_known_slopes;
+use super::known::{heights_from_known_slopes, roughly};
 use super::slopes::NormalSlopes;
 use crate::Progress;
 
@@ -54,9 +54,17 @@ pub fn heights_from_either_green(
     how: &Integration,
     progress: &Progress,
 ) -> Result<(IntegratedHeights, NormalSlopes, GreenFit), FromNormalsError> {
-    let up = heights_from_known_slopes(&slopes, how, &progress.piece(0.0, 0.5))?;
+    let has_holes = slopes.known.is_some();
+    let ends = if has_holes { [0.2, 0.4] } else { [0.5, 1.0] };
+    let up = roughly(&slopes, how, &progress.piece(0.0, ends[0]))?;
     let slopes = slopes.turned_over();
-    let down = heights_from_known_slopes(&slopes, how, &progress.piece(0.5, 1.0))?;
+    let down = roughly(&slopes, how, &progress.piece(ends[0], ends[1]))?;
     let fit = GreenFit::new([up.misfit, down.misfit], slopes.steepness());
-    Ok(if fit.is_down { (down, slopes, fit) } else { (up, slopes.turned_over(), fit) })
+    let (heights, slopes) = if fit.is_down { (down, slopes) } else { (up, slopes.turned_over()) };
+    if !has_holes {
+        return Ok((heights, slopes, fit));
+    }
+    drop(heights);
+    let heights = heights_from_known_slopes(&slopes, how, &progress.piece(ends[1], 1.0))?;
+    Ok((heights, slopes, fit))
 }

@@ -3,9 +3,9 @@
 use super::error::SHORTEST;
 use super::slopes::{NormalFaults, is_unit, length};
 
-/// Components beyond this at all three axes belong to no unit vector, whose least is 0.577 at most. Rounding
-/// and compression move background less far.
-const END: f32 = 0.8;
+/// Components between these at all three axes belong to no unit vector, whose least is 0.577 at most. Rounding
+/// and compression move background less far. What is longer is no picture's, but a vector of any length.
+const ENDS: std::ops::RangeInclusive<f32> = 0.8..=1.01;
 
 /// Opacity is a mask where at least this part of it is 0 or 1. A picture of heights has more between.
 const MASK: f64 = 0.9;
@@ -36,7 +36,7 @@ impl Holes {
                 &mut faults.transparent
             } else if !(length(normal).is_finite() && length(normal) >= SHORTEST) {
                 &mut faults.without_direction
-            } else if normal.iter().all(|x| x.abs() >= END) {
+            } else if normal.iter().all(|x| ENDS.contains(&x.abs())) {
                 &mut faults.background
             } else {
                 not_unit += usize::from(!is_unit(normal));

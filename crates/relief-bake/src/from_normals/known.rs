@@ -12,7 +12,10 @@ use super::slopes::NormalSlopes;
 use crate::Progress;
 
 /// The error of the start, in root mean square of slopes, is reduced to this part.
-const REDUCED: f64 = 1e-6;
+const REDUCED: f64 = 1e-5;
+
+/// The same where it is only to be seen how well slopes fit.
+const ROUGHLY: f64 = 1e-2;
 
 /// Steps at most.
 const MOST_STEPS: usize = 100;
@@ -31,6 +34,24 @@ const MOST_STEPS: usize = 100;
 pub fn heights_from_known_slopes(
     slopes: &NormalSlopes,
     how: &Integration,
+    progress: &Progress,
+) -> Result<IntegratedHeights, FromNormalsError> {
+    solved(slopes, how, REDUCED, progress)
+}
+
+/// The same, only as exact as shows which slopes fit a relief better.
+pub(super) fn roughly(
+    slopes: &NormalSlopes,
+    how: &Integration,
+    progress: &Progress,
+) -> Result<IntegratedHeights, FromNormalsError> {
+    solved(slopes, how, ROUGHLY, progress)
+}
+
+fn solved(
+    slopes: &NormalSlopes,
+    how: &Integration,
+    reduced: f64,
     progress: &Progress,
 ) -> Result<IntegratedHeights, FromNormalsError> {
     let NormalSlopes { size, along: [along_u, along_v], known, .. } = slopes;
@@ -56,7 +77,7 @@ pub fn heights_from_known_slopes(
     waves.solve(&mut solved, &mut scratch, &piece(1))?;
     let mut step = solved.clone();
     let mut energy = dot(&rest, &solved, width);
-    let enough = REDUCED * REDUCED * energy;
+    let enough = reduced * reduced * energy;
     for count in 0..MOST_STEPS {
         if energy <= enough {
             break;

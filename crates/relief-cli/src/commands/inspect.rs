@@ -10,8 +10,8 @@ use relief_core::ByteSize;
 use relief_core::mesh::UvProjection;
 use relief_io::{
     Convention, CoordinateSystem, DEFAULT_MAX_BYTES, Detection, Elevation, Georeference, GreenSign, Ground,
-    HISTOGRAM_BINS, HeightNote, HeightOptions, MeshFormat, SourceInfo, Tiling, UnitOrigin, Values, detect,
-    guess_by_name, inspect, read_height, read_normal_map,
+    HISTOGRAM_BINS, HeightNote, HeightOptions, MeshFormat, SourceInfo, Tiling, UnitOrigin, Up, Values,
+    detect, guess_by_name, inspect, read_height, read_normal_map,
 };
 use serde_json::{Value, json};
 
@@ -33,6 +33,10 @@ pub struct Arguments {
     /// Of a mesh, make texture coordinates in place of its own: box, cylinder or sphere
     #[arg(long, value_name = "NAME")]
     project: Option<UvProjection>,
+    /// Of a mesh, the axis of its file that points up: y or z [default: z in STL, y in others; a file that
+    /// `relief mesh` wrote says it itself]
+    #[arg(long, value_name = "y|z")]
+    mesh_up: Option<Up>,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
@@ -57,6 +61,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     if arguments.project.is_some() {
         return Err(Failure::usage("--project is for meshes: leave it out"));
+    }
+    if arguments.mesh_up.is_some() {
+        return Err(Failure::usage("--mesh-up is for meshes: leave it out"));
     }
     let options = HeightOptions {
         channel: arguments.reading.channel.clone(),

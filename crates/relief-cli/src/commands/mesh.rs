@@ -14,7 +14,7 @@ use std::time::Instant;
 use clap::{Args, ValueEnum};
 use relief_core::ByteSize;
 use relief_core::registry::UnknownName;
-use relief_io::{DEFAULT_MAX_BYTES, MeshFormat};
+use relief_io::{DEFAULT_MAX_BYTES, MeshFormat, Up};
 use relief_mesh::{
     BaseSurface, Directions, EDGE_RULES, EdgeRule, Fit, INTERIORS, Interior, Judge, MeshSettings, Mesher,
     MesherError, Seams, Shading, Side, Spacing, View, Weights,
@@ -45,7 +45,8 @@ const BYTES_TO_WRITE: u64 = 32 << 20;
 pub struct Arguments {
     /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw
     height: PathBuf,
-    /// Mesh to write: GLB, PLY and OBJ in metres with y up, STL in millimetres; - for the standard output
+    /// Mesh to write: GLB, PLY and OBJ in metres with y up, STL in millimetres with z up; - for the standard
+    /// output
     #[arg(short, long, value_name = "FILE.glb|ply|obj|stl")]
     output: PathBuf,
     /// Format of a mesh that goes to the standard output, as in -o - --format stl
@@ -131,7 +132,8 @@ pub struct Arguments {
     side: Option<Side>,
     /// Close an open mesh with walls and an underside, at least so many millimetres of the file thick, or
     /// with a unit, as in 1cm: under a plane a flat bottom, elsewhere the mesh itself, displaced by the same
-    /// everywhere. A mesh longer than 2 m needs --print-size
+    /// everywhere. All triangles share their vertices. With --holes a plane has walls along its outline. A mesh
+    /// longer than 2 m needs --print-size
     #[arg(
         long,
         value_name = "MM",
@@ -229,6 +231,9 @@ pub struct Arguments {
     /// 32 bits show it shaking: without it the file says in its extras where it lies
     #[arg(long, help_heading = "Triangles", hide_short_help = true)]
     place: bool,
+    /// Axis of the file that points up: y or z. A GLB always has y up [default: z in STL, y in others]
+    #[arg(long, value_name = "y|z", help_heading = "Triangles")]
+    up: Option<Up>,
     /// Turn the relief inside out: what is high is low
     #[arg(long, help_heading = "Triangles")]
     invert: bool,
@@ -249,6 +254,7 @@ const AFTER_HELP: &str = "Examples:\n  \
     relief mesh dem.tif --error 2m --tiles 4x4 -o dem.glb             # to 2 m of the ground, in 16 files\n  \
     relief mesh dem.tif --exaggerate 2 -o dem.glb                     # twice as high\n  \
     relief mesh dem.tif --print-size 150 --solid 3 -o dem.stl         # 15 cm long, to print\n  \
+    relief mesh island.tif --holes --solid 3 --print-size 150 -o island.stl  # cut out along its outline\n  \
     relief mesh bark.png --mesh panel.obj --scale 1mm --solid 2 -o panel.stl  # a curved sheet, to print\n  \
     relief mesh dem.tif --texels 1 -o dem.glb                         # every texel of it\n  \
     relief mesh dem.tif --error 2m --quantize 12 -o dem.glb           # a third smaller, in integers\n  \
@@ -447,6 +453,10 @@ impl Arguments {
         if self.place && self.print_size.is_some() {
             let why = "a mesh that is smaller or larger than the ground has no place on it";
             return Err(Failure::Usage(format!("--place: --print-size cannot be used with it: {why}")));
+        }
+        if format == MeshFormat::Gltf && self.up == Some(Up::Z) {
+            let why = "glTF has y up, and programs that have z up turn it as they read it";
+            return Err(Failure::Usage(format!("--up: z cannot be used for a GLB: {why}")));
         }
         if self.quantize.is_none() {
             return Ok(());

@@ -1,6 +1,7 @@
 //! How a height map lies on a mesh: the flags that commands share.
 
 use clap::Args;
+use relief_io::Up;
 use relief_render::scene::{MeshChoice, SurfaceSpec, UvProjection};
 
 use super::maps::HeightArguments;
@@ -11,13 +12,17 @@ use crate::{units, values};
 #[derive(Args)]
 pub struct PlacedArguments {
     /// Base mesh: plane (in the proportions of the height map), square, cube, cylinder, sphere or torus, or a
-    /// glTF, GLB, OBJ or PLY file, in metres with y up, or STL, in millimetres [default: plane]
+    /// glTF, GLB, OBJ or PLY file, in metres with y up, or STL, in millimetres with z up [default: plane]
     #[arg(long, value_name = "NAME|FILE", help_heading = "Maps and mesh")]
     pub mesh: Option<MeshChoice>,
     /// Make texture coordinates for the mesh of a file, in place of its own: box (from six sides), cylinder
     /// (around y, with flat caps) or sphere (as a map of the world)
     #[arg(long, value_name = "box|cylinder|sphere", help_heading = "Maps and mesh", hide_short_help = true)]
     pub project: Option<UvProjection>,
+    /// Axis that points up in the file of the mesh: y or z [default: z in STL, y in others; a file that
+    /// `relief mesh` wrote says it itself]
+    #[arg(long, value_name = "y|z", help_heading = "Maps and mesh", hide_short_help = true)]
+    pub mesh_up: Option<Up>,
     /// Metres of displacement between heights 0 and 1, or with a unit, as in 5cm [default: true to the tile
     /// where the height map's file states metres, else 0.05]
     #[arg(
@@ -87,6 +92,7 @@ impl PlacedArguments {
             exaggerate: self.exaggerate,
             mesh: self.mesh.clone(),
             project: self.project,
+            mesh_up: self.mesh_up,
             tile: self.tile.map(|tile| tile.map(|count| count as f32)),
             tile_size: self.tile_size,
             ..SurfaceSpec::default()

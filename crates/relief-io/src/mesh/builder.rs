@@ -4,6 +4,7 @@ use glam::{DVec3, Vec2, Vec3};
 use relief_core::mesh::{RawCorner, RawMesh};
 
 use super::polygon::{self, Triangulated};
+use super::up::Up;
 use crate::ReadProblem;
 
 /// Memory that a normal takes, and texture coordinates: themselves, in lists that double as they grow.
@@ -13,6 +14,8 @@ const UV_BYTES: u64 = 3 * size_of::<Vec2>() as u64;
 /// Collects what a file holds, and counts the memory that it takes and will take.
 pub(super) struct Builder {
     raw: RawMesh,
+    /// What points up in the file.
+    pub up: Up,
     left: u64,
     limit: u64,
 }
@@ -20,7 +23,7 @@ pub(super) struct Builder {
 impl Builder {
     /// Of nothing yet, which may take so many bytes.
     pub fn new(limit: u64) -> Self {
-        Self { raw: RawMesh::default(), left: limit, limit }
+        Self { raw: RawMesh::default(), up: Up::Y, left: limit, limit }
     }
 
     /// Counts bytes before somebody takes them.
@@ -42,12 +45,14 @@ impl Builder {
     /// Adds a position and gives its place.
     pub fn position(&mut self, position: Vec3) -> Result<u32, ReadProblem> {
         self.take(RawMesh::BYTES_PER_POSITION)?;
+        let position = self.up.with_y_up(position);
         push(&mut self.raw.positions, position)
     }
 
     /// Adds a normal and gives its place.
     pub fn normal(&mut self, normal: Vec3) -> Result<u32, ReadProblem> {
         self.take(NORMAL_BYTES)?;
+        let normal = self.up.with_y_up(normal);
         push(&mut self.raw.normals, normal)
     }
 

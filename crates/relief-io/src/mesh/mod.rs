@@ -9,6 +9,7 @@ mod ply;
 mod polygon;
 mod stl;
 mod text;
+mod up;
 mod write;
 
 use std::fmt;
@@ -17,9 +18,10 @@ use std::path::{Path, PathBuf};
 use relief_core::mesh::{Framed, Mesh, RawMesh, UvProjection};
 
 pub use self::named::files_of_mesh;
+pub use self::up::Up;
 pub use self::write::{
-    GlbLayout, GlbLevel, GlbNode, MAX_SHELLS, MeshCounts, MeshSink, Quantization, Shells, write_glb,
-    write_mesh, write_shells,
+    GlbLayout, GlbLevel, GlbNode, MAX_SHELLS, MeshCounts, MeshSink, Quantization, Shells, Standing,
+    write_glb, write_mesh, write_mesh_standing, write_shells,
 };
 
 use self::builder::Builder;
@@ -76,6 +78,9 @@ impl fmt::Display for MeshFormat {
 pub struct MeshOptions {
     /// How texture coordinates are made, in place of the file's. None: those of the file.
     pub projection: Option<UvProjection>,
+    /// Which axis of the file points up. None: as a file of Relief says itself, else `z` in STL and `y` in
+    /// all others.
+    pub up: Option<Up>,
     /// Whether the colours of the file's material are read, too.
     pub colors: bool,
     /// The most memory that reading may take, in bytes.
@@ -84,7 +89,7 @@ pub struct MeshOptions {
 
 impl Default for MeshOptions {
     fn default() -> Self {
-        Self { projection: None, colors: false, max_bytes: DEFAULT_MAX_BYTES }
+        Self { projection: None, up: None, colors: false, max_bytes: DEFAULT_MAX_BYTES }
     }
 }
 
@@ -128,9 +133,8 @@ pub struct MeshFile {
 /// # Ok::<(), relief_io::ReadError>(())
 /// ```
 ///
-/// A unit is a metre, in STL a millimetre, and `y` is up. Files of other programs may count in something else
-/// or have `z` up, STL and PLY more often than not; a [`Placement`](relief_core::mesh::Placement) turns and
-/// sizes them.
+/// A unit is a metre, in STL a millimetre. `y` is up, in STL `z`, or what [`MeshOptions::up`] says. Files of
+/// other programs may count in something else; a [`Placement`](relief_core::mesh::Placement) sizes them.
 ///
 /// | format | what is read |
 /// | --- | --- |
@@ -237,6 +241,7 @@ fn read_raw(
     let format = MeshFormat::by_name(source.name()).ok_or(ReadProblem::NoMesh)?;
     let mut builder = Builder::new(options.max_bytes);
     let bytes = source.whole(|len| builder.take(len))?;
+    builder.up = options.up.unwrap_or_else(|| Up::of_file(format, &bytes));
     let mut colors = None;
     match format {
         MeshFormat::Gltf => colors = gltf::read(source, &bytes, options, &mut builder)?,

@@ -91,9 +91,10 @@ pub fn stl_text(mesh: &Mesh) -> String {
     text + "endsolid a mesh\n"
 }
 
-/// A position as an STL has it.
+/// A position as an STL has it, with z up.
 fn in_millimetres(position: Vec3) -> [f32; 3] {
-    position.to_array().map(|number| (f64::from(number) * 1000.0) as f32)
+    let [x, y, z] = position.to_array();
+    [x, 0.0 - z, y].map(|number| (f64::from(number) * 1000.0) as f32)
 }
 
 /// A binary STL. It begins with the word that marks texts, as many do.

@@ -1,12 +1,13 @@
 //! Blocks of a mesh, each made by itself.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use glam::{DVec3, Vec3};
 use pulp::{Simd, WithSimd};
 use relief_core::Lanes;
 use relief_core::mesh::{MeshBlock, PositionGrid, Vertex};
 
+use super::outline::Outline;
 use super::solid::Solid;
 use super::{Base, EMPTY, Mesher};
 use crate::cache_order::cache_order;
@@ -47,7 +48,9 @@ impl Mesher {
     ) -> Option<Made> {
         let smooth = (self.shading == Shading::Mesh && normals.is_none()).then(Vec::new);
         let kept = self.kept.as_ref();
-        let mut making = Making { block: emptied(block), normals, smooth, kept, ..Making::default() };
+        let outline = self.outline();
+        let mut making =
+            Making { block: emptied(block), normals, smooth, kept, outline, ..Making::default() };
         self.make(work, &mut making);
         if how.cache_order {
             making.order();
@@ -79,8 +82,43 @@ impl Mesher {
         making.block.triangles
     }
 
+    /// The vertices of a block that are wanted, by their numbers.
+    pub fn wanted(&self, work: &Work, wanted: &HashSet<u32>) -> Vec<(u32, Vertex)> {
+        let mut making = Making { wanted: Some(wanted), ..Making::default() };
+        self.make(work, &mut making);
+        making.found
+    }
+
+    fn outline(&self) -> Option<&Outline> {
+        match &self.solid {
+            Some(Solid::Outline(outline)) => Some(outline),
+            _ => None,
+        }
+    }
+
     fn make(&self, work: &Work, making: &mut Making) {
         match (&self.base, work) {
+            (_, Work::Copies(range)) => {
+                for at in self.outline().into_iter().flat_map(|_| range.clone()) {
+                    if let Some(outline) = self.outline() {
+                        let (vertex, numbered) = outline.copy(at);
+                        making.vertex(vertex, numbered);
+                    }
+                }
+            }
+            (_, Work::Beneath(at)) => {
+                if let Some(outline) = self.outline() {
+                    let (kept, outlined) = (making.kept, Some(outline));
+                    let mut above = Making { kept, outline: outlined, ..Making::default() };
+                    self.make(&self.blocks[*at as usize], &mut above);
+                    making.beneath(above.block, outline);
+                }
+            }
+            (_, Work::Outline(range)) => {
+                if let Some(outline) = self.outline() {
+                    range.clone().for_each(|at| making.wall(outline, at));
+                }
+            }
             (Base::Triangles(base, pattern), Work::Patches { from, to, first_inner, first_vertex }) => {
                 self.patches(base, pattern, [*from, *to], [*first_inner, *first_vertex], making);
             }
@@ -108,7 +146,7 @@ impl Mesher {
             }
             (base, Work::Solid(first)) => {
                 if let (Some(Solid::Plane(solid)), Some(rectangle)) = (&self.solid, base.rectangle()) {
-                    making.faces(solid.faces(rectangle, &self.relief), *first, rectangle.is_turned);
+                    making.faces(solid.faces(rectangle, &self.relief, *first), rectangle.is_turned);
                 }
             }
             (base, Work::Below(range)) => {
@@ -127,8 +165,7 @@ impl Mesher {
             (base, Work::Walls(range)) => {
                 if let (Some(Solid::Triangles(solid)), Some(base)) = (&self.solid, base.triangles()) {
                     for wall in range.clone() {
-                        let faces = solid.wall(base, &self.relief, wall);
-                        making.faces(faces, solid.first_of_wall(wall), false);
+                        making.faces(solid.wall(base, &self.relief, wall), false);
                     }
                 }
             }
@@ -415,6 +452,11 @@ struct Making<'a> {
     kept: Option<&'a Kept>,
     /// Whether it is only to be known which triangles there are.
     is_counted: bool,
+    /// Where pieces that touch are parted.
+    outline: Option<&'a Outline>,
+    /// Vertices that are looked for, and those that were found.
+    wanted: Option<&'a HashSet<u32>>,
+    found: Vec<(u32, Vertex)>,
     folds: Vec<FoldedBase>,
     folds_below: Vec<FoldedBase>,
 }
@@ -426,7 +468,11 @@ impl Making<'_> {
         if let Some(normals) = self.normals {
             vertex.normal = normals.of(numbered.smooth, vertex.normal);
         }
-        if !self.is_counted && self.knows(numbered.number) {
+        if let Some(wanted) = self.wanted {
+            if wanted.contains(&numbered.number) {
+                self.found.push((numbered.number, vertex));
+            }
+        } else if !self.is_counted && self.knows(numbered.number) {
             self.block.vertices.push(vertex);
         }
         vertex.position
@@ -438,14 +484,12 @@ impl Making<'_> {
         self.kept.is_none_or(|kept| kept.contains(number))
     }
 
-    /// Adds faces that have all of their vertices, of which the first has that number.
-    fn faces(&mut self, faces: Faces, first: u32, is_turned: bool) {
-        let points: Vec<(Numbered, Vec3)> = (first..)
-            .map(Numbered::both)
-            .zip(faces.vertices)
-            .map(|(numbered, vertex)| (numbered, self.vertex(vertex, numbered)))
-            .collect();
-        self.triangles(&faces.triangles, &points, is_turned);
+    /// Adds faces, with the vertices that are made for them.
+    fn faces(&mut self, Faces { own, points, triangles }: Faces, is_turned: bool) {
+        for (vertex, numbered) in own {
+            self.vertex(vertex, numbered);
+        }
+        self.triangles(&triangles, &points, is_turned);
     }
 
     /// Adds triangles of the base as they lie at an underside, turned over.
@@ -479,6 +523,16 @@ impl Making<'_> {
             let of = |[a, b, c]: [u32; 3]| [numbered(a).smooth, numbered(b).smooth, numbered(c).smooth];
             smooth.extend(triangles.clone().map(of));
         }
+        if let Some(outline) = self.outline {
+            for corners in triangles {
+                self.parted(
+                    outline,
+                    corners.map(|corner| numbered(corner).number),
+                    corners.map(|c| first + c),
+                );
+            }
+            return;
+        }
         let number = |corner: u32| {
             let number = numbered(corner).number;
             self.kept.map_or(number, |kept| kept.number(number))
@@ -486,6 +540,44 @@ impl Making<'_> {
         let numbers = |[a, b, c]: [u32; 3]| [number(a), number(b), number(c)];
         self.block.triangles.extend(triangles.clone().map(numbers));
         self.block.corners.extend(triangles.map(|[a, b, c]| [first + a, first + b, first + c]));
+    }
+
+    /// Adds a triangle whose corners may lie where pieces touch.
+    fn parted(&mut self, outline: &Outline, mut numbers: [u32; 3], mut corners: [u32; 3]) {
+        let own = [0, 1, 2].map(|k| outline.instead(numbers[k], numbers[(k + 1) % 3]));
+        for k in 0..3 {
+            if let Some((number, position)) = own[k] {
+                numbers[k] = number;
+                corners[k] = self.block.points.len() as u32;
+                self.block.points.push(position);
+            }
+        }
+        self.block.triangles.push(numbers.map(|number| self.kept.map_or(number, |kept| kept.number(number))));
+        self.block.corners.push(corners);
+    }
+
+    /// Adds what lies at the bottom below a block: it faces the other way.
+    fn beneath(&mut self, above: MeshBlock, outline: &Outline) {
+        let MeshBlock { vertices, triangles, points, corners } = above;
+        let first = outline.first_below;
+        self.block.vertices.extend(vertices.iter().map(|vertex| outline.vertex_below(vertex)));
+        self.block.triangles.extend(triangles.iter().map(|[a, b, c]| [first + a, first + c, first + b]));
+        self.block.points.extend(points.into_iter().map(|point| outline.below(point)));
+        self.block.corners.extend(corners.iter().map(|[a, b, c]| [*a, *c, *b]));
+    }
+
+    /// Adds a wall along an outline.
+    fn wall(&mut self, outline: &Outline, at: u32) {
+        let ends = outline.wall(at);
+        let place = self.block.points.len() as u32;
+        self.block.points.extend(ends.map(|(_, position)| position));
+        self.block.points.extend(ends.map(|(_, position)| outline.below(position)));
+        let [a, b] = ends.map(|(number, _)| self.kept.map_or(number, |kept| kept.number(number)));
+        let numbers = [a, b, outline.first_below + a, outline.first_below + b];
+        for corners in [[1, 0, 2], [1, 2, 3]] {
+            self.block.triangles.push(corners.map(|corner| numbers[corner]));
+            self.block.corners.push(corners.map(|corner| place + corner as u32));
+        }
     }
 
     /// Puts the triangles in an order for caches.

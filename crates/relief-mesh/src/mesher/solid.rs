@@ -1,6 +1,7 @@
 //! Meshes made solid.
 
 use super::Base;
+use super::outline::Outline;
 use crate::plan::Plan;
 use crate::surface::Relief;
 use crate::{MeshSettings, MesherError, plane, triangles};
@@ -12,6 +13,8 @@ pub enum Solid {
     Plane(plane::Solid),
     /// Walls and an underside of the mesh's own triangles.
     Triangles(triangles::Solid),
+    /// Walls around what holes leave of a plane, and its triangles at the bottom.
+    Outline(Outline),
 }
 
 impl Solid {
@@ -22,10 +25,11 @@ impl Solid {
         settings: &MeshSettings,
         plan: &mut Plan,
     ) -> Result<Option<Self>, MesherError> {
-        let Some(solid_m) = settings.solid_m else { return Ok(None) };
+        // Around holes it is known when these are.
+        let Some(solid_m) = settings.solid_m.filter(|_| !relief.has_holes()) else { return Ok(None) };
         // Triangles may lie below the relief by their error.
-        let error_m = base.certificate().map_or(0.0, |certificate| certificate.error_m);
-        let lowest_m = relief.metres(f64::from(relief.map().extremes()[0]));
+        let error_m = error_m(base);
+        let lowest_m = lowest_m(relief);
         let of_plane = |walls| plane::Solid::new(walls, lowest_m - error_m - solid_m);
         let solid = match base {
             Base::Grid(grid, _) => Self::Plane(of_plane(grid.walls(relief))),
@@ -36,8 +40,13 @@ impl Solid {
             }
         };
         match &solid {
+            Self::Outline(_) => {}
             Self::Plane(solid) => plan.solid(solid)?,
-            Self::Triangles(solid) => plan.underside(solid)?,
+            Self::Triangles(solid) => {
+                if let Some(base) = base.triangles() {
+                    plan.underside(base, solid)?;
+                }
+            }
         }
         Ok(Some(solid))
     }
@@ -56,6 +65,17 @@ impl Solid {
         match self {
             Self::Plane(solid) => solid.bytes(),
             Self::Triangles(solid) => solid.bytes(),
+            Self::Outline(outline) => outline.bytes(),
         }
     }
+}
+
+/// How far the relief may be from the triangles.
+pub fn error_m(base: &Base) -> f64 {
+    base.certificate().map_or(0.0, |certificate| certificate.error_m)
+}
+
+/// The lowest displacement.
+pub fn lowest_m(relief: &Relief) -> f64 {
+    relief.metres(f64::from(relief.map().extremes()[0]))
 }

@@ -199,8 +199,9 @@ impl Adapted {
     pub fn walls(&self, relief: &Relief) -> [Vec<BorderPoint>; 4] {
         let [across, down] = self.across();
         let corner = |i: usize, j: usize| {
-            let (place, height) = self.corner(relief, j * (across + 1) + i);
-            (place, f64::from(height) + self.raise)
+            let number = j * (across + 1) + i;
+            let (place, height) = self.corner(relief, number);
+            (place, f64::from(height) + self.raise, number as u32)
         };
         // The corners and the points between them, as places grow.
         let level = |j: usize| -> Vec<BorderPoint> {
@@ -221,9 +222,9 @@ impl Adapted {
 
     /// The points of a side, without its ends.
     fn points_on(&self, side: usize) -> impl Iterator<Item = BorderPoint> {
-        self.sides[side]
-            .iter()
-            .map(move |&(step, height)| (self.place_on(side, step), f64::from(height) + self.raise))
+        (self.first_of_side[side]..).zip(&self.sides[side]).map(move |(number, &(step, height))| {
+            (self.place_on(side, step), f64::from(height) + self.raise, number)
+        })
     }
 
     /// The vertex at a corner of tiles.

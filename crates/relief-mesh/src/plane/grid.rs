@@ -110,7 +110,7 @@ impl Grid {
         let [last_i, last_j] = self.lines.each_ref().map(|lines| lines.len() - 1);
         let point = |lines: [usize; 2]| {
             let place = self.place(lines);
-            (place, relief.height(place))
+            (place, relief.height(place), self.number(lines))
         };
         [
             (0..=last_i).map(|i| point([i, 0])).collect(),

@@ -13,6 +13,7 @@ pub use grid::{Grid, Tile};
 pub use solid::{BorderPoint, Faces, Solid};
 
 use crate::error::MOST;
+use crate::mesher::Bottom;
 use crate::surface::{Frame, Relief, Seen};
 use crate::{MesherError, Part, point};
 
@@ -170,6 +171,23 @@ impl Rectangle {
     /// The texture coordinates of a place.
     fn uv(&self, relief: &Relief, place: [f64; 2]) -> DVec2 {
         self.base(relief, place).uv
+    }
+
+    /// The plane of a bottom, displaced by so many metres.
+    pub fn bottom(&self, relief: &Relief, metres: f64) -> Bottom {
+        let up = self.normal.normalize_or_zero();
+        let base = BasePoint { position: self.corner, normal: self.normal, uv: self.uvs[0] };
+        let height_m = (relief.displaced_by(&base, metres) - self.corner).dot(up);
+        Bottom { corner: self.corner, up, height_m }
+    }
+
+    /// The shorter side of a texel in metres.
+    pub fn texel_m(&self, relief: &Relief) -> f64 {
+        let sides = relief.sides();
+        [0, 1]
+            .map(|axis| self.tangents[axis].length() / sides[axis])
+            .into_iter()
+            .fold(f64::INFINITY, f64::min)
     }
 
     /// The position of a place displaced by so many metres.

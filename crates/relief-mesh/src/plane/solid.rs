@@ -5,9 +5,10 @@ use relief_core::mesh::Vertex;
 
 use super::Rectangle;
 use crate::surface::Relief;
+use crate::triangles::Numbered;
 
-/// A point of a plane's border: its place and its height.
-pub type BorderPoint = ([f64; 2], f64);
+/// A point of a plane's border: its place, its height, and the number of its vertex.
+pub type BorderPoint = ([f64; 2], f64, u32);
 
 /// Walls and a bottom.
 #[derive(Debug)]
@@ -19,10 +20,13 @@ pub struct Solid {
     bottom_m: f64,
 }
 
-/// Faces with vertices of their own, which triangles name by their places.
+/// Faces between vertices, which triangles name by their places.
 #[derive(Debug, Default)]
 pub struct Faces {
-    pub vertices: Vec<Vertex>,
+    /// Vertices that are made for them.
+    pub own: Vec<(Vertex, Numbered)>,
+    /// All corners.
+    pub points: Vec<(Numbered, Vec3)>,
     pub triangles: Vec<[u32; 3]>,
 }
 
@@ -36,9 +40,9 @@ impl Solid {
         self.walls.iter().map(|wall| wall.len() as u64 - 1).sum()
     }
 
-    /// Vertices: every face has its own. The bottom has one in its middle.
+    /// Vertices: one below each of the border, and one in the middle of the bottom.
     pub fn vertices(&self) -> u64 {
-        2 * (self.border() + 4) + self.border() + 1
+        self.border() + 1
     }
 
     /// Triangles.
@@ -51,50 +55,34 @@ impl Solid {
         self.walls.iter().map(|wall| size_of_val(&wall[..]) as u64).sum()
     }
 
-    /// Makes them. They turn as the triangles of a grid do, and meet those of the plane at its border.
-    pub fn faces(&self, rectangle: &Rectangle, relief: &Relief) -> Faces {
+    /// Makes them, with vertices numbered from `first` on. They turn as the triangles of a grid do, and share
+    /// the vertices of the plane's border.
+    pub fn faces(&self, rectangle: &Rectangle, relief: &Relief, first: u32) -> Faces {
         let mut faces = Faces::default();
-        let [along, down] = rectangle.tangents.map(|tangent| tangent.normalize_or_zero());
-        let up = rectangle.normal.normalize_or_zero();
-        let below = |place: [f64; 2]| rectangle.displaced(relief, place, self.bottom_m);
-        let vertex = |place: [f64; 2], position: Vec3, normal: Vec3, tangents: [Vec3; 2]| Vertex {
-            position,
-            normal,
-            tangent: tangents[0],
-            bitangent: tangents[1],
-            uv: rectangle.uv(relief, place).as_vec2(),
+        let [tangent, bitangent] = rectangle.tangents.map(|tangent| tangent.normalize_or_zero().as_vec3());
+        let normal = -rectangle.normal.normalize_or_zero().as_vec3();
+        let mut add = |place: [f64; 2]| {
+            let position = rectangle.displaced(relief, place, self.bottom_m);
+            let numbered = Numbered::both(first + faces.own.len() as u32);
+            let uv = rectangle.uv(relief, place).as_vec2();
+            faces.own.push((Vertex { position, normal, tangent, bitangent, uv }, numbered));
+            faces.points.push((numbered, position));
         };
-        for (wall, (outward, ahead)) in
-            self.walls.iter().zip([(-down, along), (along, down), (down, -along), (-along, -down)])
-        {
-            let tangents = [ahead.as_vec3(), up.as_vec3()];
-            let first = faces.vertices.len() as u32;
-            for &(place, height) in wall {
-                let top = rectangle.position(relief, place, height);
-                for position in [top, below(place)] {
-                    faces.vertices.push(vertex(place, position, outward.as_vec3(), tangents));
-                }
-            }
-            for at in (first..).step_by(2).take(wall.len() - 1) {
-                let [top, bottom, next_top, next_bottom] = [at, at + 1, at + 2, at + 3];
-                faces.triangles.push([top, next_top, next_bottom]);
-                faces.triangles.push([top, next_bottom, bottom]);
-            }
-        }
-        let tangents = [along.as_vec3(), down.as_vec3()];
-        let first = faces.vertices.len() as u32;
-        for wall in &self.walls {
-            for &(place, _) in &wall[..wall.len() - 1] {
-                faces.vertices.push(vertex(place, below(place), -up.as_vec3(), tangents));
-            }
-        }
-        let middle = faces.vertices.len() as u32;
+        let border: Vec<BorderPoint> =
+            self.walls.iter().flat_map(|wall| &wall[..wall.len() - 1]).copied().collect();
+        border.iter().for_each(|&(place, ..)| add(place));
         let corner = |wall: usize| self.walls[wall][0].0;
-        let centre = [0, 1].map(|axis| 0.5 * (corner(0)[axis] + corner(2)[axis]));
-        faces.vertices.push(vertex(centre, below(centre), -up.as_vec3(), tangents));
-        for at in first..middle {
-            let next = if at + 1 == middle { first } else { at + 1 };
-            faces.triangles.push([at, next, middle]);
+        add([0, 1].map(|axis| 0.5 * (corner(0)[axis] + corner(2)[axis])));
+        for &(place, height, number) in &border {
+            faces.points.push((Numbered::both(number), rectangle.position(relief, place, height)));
+        }
+        let count = border.len() as u32;
+        let top = |at: u32| count + 1 + at;
+        for at in 0..count {
+            let next = (at + 1) % count;
+            faces.triangles.push([top(at), top(next), next]);
+            faces.triangles.push([top(at), next, at]);
+            faces.triangles.push([at, next, count]);
         }
         faces
     }

@@ -36,20 +36,36 @@ pub struct Corners {
     numbers: Vec<u32>,
     /// The number of the first vertex at the same position with the same normal, for each.
     smooth: Vec<u32>,
+    /// Whether all vertices at a position are one, as in a solid.
+    is_shared: bool,
 }
 
 impl Corners {
-    pub fn new(mesh: &Mesh, point_of: &[u32], is_welded: bool, along: Directions) -> Self {
+    /// Those of a mesh. In a welded one the vertices at a position may be `shared`: one for all of them.
+    pub fn new(mesh: &Mesh, point_of: &[u32], [is_welded, shared]: [bool; 2], along: Directions) -> Self {
         let vertices = mesh.vertices().to_vec();
         let directions = if is_welded { welded_directions(mesh, point_of) } else { Vec::new() };
         let (between, turns, seen, used) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let (numbers, smooth) = (Vec::new(), Vec::new());
         let is_by_angle = along == Directions::Angle;
-        let mut corners =
-            Self { vertices, is_by_angle, directions, between, turns, seen, used, numbers, smooth };
+        let mut corners = Self {
+            vertices,
+            is_by_angle,
+            directions,
+            between,
+            turns,
+            seen,
+            used,
+            numbers,
+            smooth,
+            is_shared: false,
+        };
         corners.keep(mesh.triangles());
         if is_welded {
             corners.seen = first_used(point_of, &corners.used);
+        }
+        if is_welded && shared {
+            corners.share();
         }
         corners.turns = corners.turns_of(mesh);
         corners
@@ -73,6 +89,25 @@ impl Corners {
             number => *first.entry(surface_bits(vertex)).or_insert(number),
         });
         self.smooth = smooth.collect();
+    }
+
+    /// Makes all vertices at a position the first of them.
+    fn share(&mut self) {
+        self.is_shared = true;
+        let all = std::mem::take(&mut self.used);
+        self.used = all.iter().copied().filter(|&vertex| self.seen(vertex) == vertex).collect();
+        for (number, &vertex) in self.used.iter().enumerate() {
+            self.numbers[vertex as usize] = number as u32;
+        }
+        for &vertex in &all {
+            self.numbers[vertex as usize] = self.numbers[self.seen(vertex) as usize];
+        }
+        self.smooth.clone_from(&self.numbers);
+    }
+
+    /// Whether all vertices at a position are one.
+    pub fn is_shared(&self) -> bool {
+        self.is_shared
     }
 
     /// The same with vertices that lie half-way between others: the first ones are those of a whole mesh, and
@@ -99,11 +134,6 @@ impl Corners {
     /// How many vertices there are.
     pub fn count(&self) -> usize {
         self.vertices.len()
-    }
-
-    /// The first vertex at the same position with the same normal as one that triangles have.
-    pub fn first_smooth(&self, vertex: u32) -> u32 {
-        self.used[self.smooth[vertex as usize] as usize]
     }
 
     pub fn vertex(&self, vertex: u32) -> &Vertex {

@@ -60,6 +60,8 @@ pub struct Edges {
     sides: Vec<[u32; 3]>,
     /// Which edges have points of their own; empty where all have.
     is_used: Vec<bool>,
+    /// Whether all edges at a seam have the points of the first.
+    is_shared: bool,
     /// The number after the last inner point.
     end: u64,
 }
@@ -128,7 +130,9 @@ impl Edges {
                 }
             }
         }
-        let mut edges = Self { edges, seams, steps: all_steps, sides, is_used: Vec::new(), end: 0 };
+        let mut edges =
+            Self { edges, seams, steps: all_steps, sides, is_used: Vec::new(), is_shared: false, end: 0 };
+        edges.is_shared = corners.is_shared();
         edges.number(corners)?;
         Ok(edges)
     }
@@ -140,7 +144,13 @@ impl Edges {
         let mut seam = u32::MAX;
         for number in 0..self.count() {
             let points = self.points(number);
+            let first = self.edges[self.first_at_seam(number) as usize].first;
+            let is_shared = self.shares(number);
             let edge = &mut self.edges[number as usize];
+            if is_shared {
+                (edge.first, edge.smooth) = (first, first);
+                continue;
+            }
             if edge.seam != seam {
                 first_of.clear();
                 seam = edge.seam;
@@ -172,7 +182,13 @@ impl Edges {
 
     /// The inner points of an edge.
     pub fn points(&self, edge: u32) -> u32 {
-        if self.is_used.get(edge as usize).is_none_or(|is_used| *is_used) { self.parts(edge) - 1 } else { 0 }
+        let is_used = self.is_used.get(edge as usize).is_none_or(|is_used| *is_used);
+        if is_used && !self.shares(edge) { self.parts(edge) - 1 } else { 0 }
+    }
+
+    /// Whether an edge has the points of another one at the seam.
+    fn shares(&self, edge: u32) -> bool {
+        self.is_shared && self.first_at_seam(edge) != edge
     }
 
     pub fn end(&self) -> u64 {

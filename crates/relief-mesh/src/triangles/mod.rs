@@ -95,7 +95,8 @@ impl Triangles {
         let is_welded = settings.seams == Seams::Weld;
         let sides = relief.sides();
         let mut point_of = mesh.welded();
-        let mut corners = Corners::new(mesh, &point_of, is_welded, settings.directions);
+        let shared = [is_welded, settings.solid_m.is_some()];
+        let mut corners = Corners::new(mesh, &point_of, shared, settings.directions);
         let limits = Limits { most, max_bytes: settings.max_bytes, watch: *watch };
         let (mut creases, mut halved) = (None, None);
         let part = settings.side.part();
@@ -119,7 +120,7 @@ impl Triangles {
                 parts = Some(Parts::new(mesh, &point_of, &corners, whole, halved)?);
             }
             point_of = halved.mesh.welded();
-            corners = Corners::new(&halved.mesh, &point_of, is_welded, settings.directions)
+            corners = Corners::new(&halved.mesh, &point_of, shared, settings.directions)
                 .between(&corners, &halved.parents);
         }
         let mesh = halved.as_ref().map_or(mesh, |halved| &halved.mesh);

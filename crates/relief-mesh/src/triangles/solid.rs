@@ -24,7 +24,7 @@ const NONE: u32 = u32::MAX;
 pub struct Solid {
     /// Vertices of the base that the underside has.
     corners: Vec<u32>,
-    /// The place of each vertex in these.
+    /// The place of each in these, by the first vertex at its position.
     places: Vec<u32>,
     /// Triangles of the base that it has.
     patches: Vec<u32>,
@@ -32,8 +32,6 @@ pub struct Solid {
     walls: Vec<[u32; 2]>,
     /// The number of the first vertex of the underside.
     first: u32,
-    /// The number of the first vertex of each wall, and one more.
-    first_of_wall: Vec<u32>,
     /// The displacement of the underside.
     metres: f64,
 }
@@ -54,21 +52,16 @@ impl Solid {
         let mut places = vec![NONE; base.corners.count()];
         let mut corners = Vec::new();
         for vertex in patches.iter().flat_map(|&patch| base.triangles[patch as usize]) {
+            let vertex = base.corners.seen(vertex);
             let place = &mut places[vertex as usize];
             if *place == NONE {
                 *place = corners.len() as u32;
                 corners.push(vertex);
             }
         }
-        let mut next = first + corners.len() as u64;
-        let mut first_of_wall = Vec::with_capacity(walls.len() + 1);
-        for &wall in &walls {
-            first_of_wall.push(counted(next)?);
-            next += u64::from(base.parts_of(wall)) + 3;
-        }
-        first_of_wall.push(counted(next)?);
+        counted(first + corners.len() as u64)?;
         let metres = displacement(base, relief, &patches, [lowest_m, solid_m]);
-        Ok(Self { corners, places, patches, walls, first: counted(first)?, first_of_wall, metres })
+        Ok(Self { corners, places, patches, walls, first: counted(first)?, metres })
     }
 
     /// Vertices of the underside.
@@ -86,26 +79,20 @@ impl Solid {
         self.walls.len() as u32
     }
 
-    /// Vertices of a wall: as many as the border has there, and two below.
-    pub fn wall_vertices(&self, wall: u32) -> u64 {
-        let [first, end] = [0, 1].map(|more| self.first_of_wall[wall as usize + more]);
-        u64::from(end - first)
-    }
-
-    /// Triangles of a wall.
-    pub fn wall_triangles(&self, wall: u32) -> u64 {
-        self.wall_vertices(wall) - 2
+    /// Triangles of a wall, whose corners are those of the border and of the underside.
+    pub fn wall_triangles(&self, base: &Triangles, wall: u32) -> u64 {
+        u64::from(base.parts_of(self.walls[wall as usize])) + 1
     }
 
     /// The number after the last vertex.
     pub fn end(&self) -> u64 {
-        self.first_of_wall.last().copied().map_or(0, u64::from)
+        u64::from(self.first) + self.corners.len() as u64
     }
 
     /// Bytes that are held.
     pub fn bytes(&self) -> u64 {
-        let Self { corners, places, patches, walls, first_of_wall, .. } = self;
-        let of_numbers = [corners, places, patches, first_of_wall].map(|list| size_of_val(&list[..]));
+        let Self { corners, places, patches, walls, .. } = self;
+        let of_numbers = [corners, places, patches].map(|list| size_of_val(&list[..]));
         (of_numbers.iter().sum::<usize>() + size_of_val(&walls[..])) as u64
     }
 
@@ -126,11 +113,6 @@ impl Solid {
         (patch, corners.map(|vertex| (self.numbered(base, vertex), self.below(base, vertex))))
     }
 
-    /// The number of the first vertex of a wall.
-    pub fn first_of_wall(&self, wall: u32) -> u32 {
-        self.first_of_wall[wall as usize]
-    }
-
     /// A wall: first the points of the border, then the two below its ends. Between them lies what is left of
     /// a polygon when its corners are cut off as they come, each that stands out.
     pub fn wall(&self, base: &Triangles, relief: &Relief, wall: u32) -> Faces {
@@ -142,27 +124,13 @@ impl Solid {
         let along = of_ends[1].position - of_ends[0].position;
         let up = (of_ends[0].normal + of_ends[1].normal).normalize_or_zero();
         let normal = along.cross(up).normalize_or_zero();
-        let own = ends.map(|end| base.corners.base(end).uv);
-        let vertex = |position: Vec3, part: f64| Vertex {
-            position,
-            normal: normal.as_vec3(),
-            tangent: along.as_vec3(),
-            bitangent: up.as_vec3(),
-            uv: (own[0] * (1.0 - part) + own[1] * part).as_vec2(),
-        };
         let border = PatchBorder::new(base, relief, patch);
-        let mut vertices = Vec::with_capacity(parts as usize + 3);
-        for at in 0..=parts {
-            let (side, at) = if at == parts { ((side + 1) % 3, 0) } else { (side, at) };
-            let (_, position) = border.point(side, at);
-            let part = if vertices.len() == parts as usize { 1.0 } else { base.part_of([patch, side], at) };
-            vertices.push(vertex(position, part));
-        }
-        for (end, part) in ends.into_iter().zip([0.0, 1.0]) {
-            vertices.push(vertex(self.below(base, end), part));
-        }
+        let on_border =
+            |at: u32| if at == parts { border.point((side + 1) % 3, 0) } else { border.point(side, at) };
+        let below = ends.map(|end| (self.numbered(base, end), self.below(base, end)));
+        let points: Vec<(Numbered, Vec3)> = (0..=parts).map(on_border).chain(below).collect();
         let [from, to] = [parts + 1, parts + 2];
-        let at = |corner: u32| vertices[corner as usize].position.as_dvec3();
+        let at = |corner: u32| points[corner as usize].1.as_dvec3();
         let stands_out = |[a, b, c]: [u32; 3]| (at(c) - at(b)).cross(at(a) - at(b)).dot(normal) > 0.0;
         let mut triangles = Vec::with_capacity(parts as usize + 1);
         let mut open = vec![from];
@@ -176,7 +144,7 @@ impl Solid {
             }
             open.push(next);
         }
-        Faces { vertices, triangles }
+        Faces { own: Vec::new(), points, triangles }
     }
 
     /// The position below a vertex of the base.
@@ -185,11 +153,7 @@ impl Solid {
     }
 
     fn numbered(&self, base: &Triangles, vertex: u32) -> Numbered {
-        let number = |vertex: u32| self.first + self.places[vertex as usize];
-        let smooth = base.corners.first_smooth(vertex);
-        // A piece that is closed may touch one that is not.
-        let smooth = if self.places[smooth as usize] == NONE { vertex } else { smooth };
-        Numbered { number: number(vertex), smooth: number(smooth) }
+        Numbered::both(self.first + self.places[base.corners.seen(vertex) as usize])
     }
 }
 
@@ -232,17 +196,6 @@ impl Triangles {
     /// The parts of a side.
     fn parts_of(&self, [patch, side]: [u32; 2]) -> u32 {
         self.edges.parts(self.edges.sides(patch)[side as usize])
-    }
-
-    /// The part of a side that lies before a point of it.
-    fn part_of(&self, [patch, side]: [u32; 2], at: u32) -> f64 {
-        if at == 0 {
-            return 0.0;
-        }
-        let (edge, is_forth) = self.side(patch, side);
-        let (_, at) = self.on_side(patch, side, at);
-        let [before, all] = self.edges.place(edge, at).map(f64::from);
-        if is_forth { before / all } else { 1.0 - before / all }
     }
 
     /// How far the smooth base lies below its triangles, at most, in metres of displacement along directions

@@ -102,7 +102,7 @@ impl BaseTables {
         }
         let relief = Relief::new(map, Directions::Raw, Shading::Exact).with_levels(coarser);
         let sides = relief.sides();
-        let whole = Corners::new(mesh, &mesh.welded(), true, Directions::Raw);
+        let whole = Corners::new(mesh, &mesh.welded(), [true, false], Directions::Raw);
         let limits = Limits { most: u64::MAX, max_bytes: u64::MAX, watch: *watch };
         let cut = halved(mesh, &relief, &limits, |halves, triangles| {
             let few = triangles.len() <= TRIANGLES.max(2 * mesh.triangles().len());
@@ -118,7 +118,7 @@ impl BaseTables {
         let (mesh, corners) = match &cut {
             None => (mesh, whole),
             Some(cut) => {
-                let corners = Corners::new(&cut.mesh, &cut.mesh.welded(), true, Directions::Raw);
+                let corners = Corners::new(&cut.mesh, &cut.mesh.welded(), [true, false], Directions::Raw);
                 (&cut.mesh, corners.between(&whole, &cut.parents))
             }
         };

@@ -4,7 +4,7 @@
 use std::fmt::Write;
 
 use relief_core::Wrap;
-use relief_io::HeightRange;
+use relief_io::{HeightRange, Up};
 
 use super::{BackendChoice, ProjectionChoice, Sampling, SceneSpec, SurfaceSpec, UvProjection, View};
 use crate::depth_buffer::Clip;
@@ -120,6 +120,12 @@ pub fn keys() -> Vec<Key> {
             Form::Name(UvProjection::ALL.map(UvProjection::name).to_vec()),
             "",
             "texture coordinates for a mesh of a file, in place of its own",
+        ),
+        surface(
+            "mesh-up",
+            Form::Name(Up::ALL.map(Up::name).to_vec()),
+            "",
+            "axis of the mesh's file that points up; else z in STL, y in others",
         ),
         surface("tile", Form::Numbers(2), "[1, 1]", "tiles along u and v"),
         surface(
@@ -261,6 +267,7 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
         "green" => spec.green.map(|green| quoted(green.name())),
         "mesh" => spec.mesh.as_ref().map(|mesh| quoted(&mesh.to_string())),
         "project" => spec.project.map(|projection| quoted(projection.name())),
+        "mesh-up" => spec.mesh_up.map(|up| quoted(up.name())),
         "tile" => spec.tile.map(|tile| list(&tile)),
         "tile-size" => spec.tile_size.map(|size| list(&size)),
         "position" => spec.position.map(|position| list(&position)),

@@ -11,7 +11,9 @@ use crate::mesh::{Builtin, Mesh, Placement, UvProjection, square};
 use glam::{Vec2, Vec3};
 use relief_core::object::ImageObject;
 use relief_core::{ByteSize, HeightMap, Wrap};
-use relief_io::{Convention, Fill, HeightOptions, HeightRange, MeshOptions, Picture, ReadError, ReadProblem};
+use relief_io::{
+    Convention, Fill, HeightOptions, HeightRange, MeshOptions, Picture, ReadError, ReadProblem, Up,
+};
 use relief_object::{ObjectFile, ObjectOptions};
 use relief_shaders::{AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
 use std::path::{Path, PathBuf};
@@ -150,10 +152,10 @@ impl Maps {
     fn mesh(
         &mut self,
         path: &Path,
-        projection: Option<UvProjection>,
+        (projection, up): (Option<UvProjection>, Option<Up>),
         colors: bool,
     ) -> Result<(Mesh, Option<FileColors>), SceneError> {
-        let options = MeshOptions { projection, colors, max_bytes: self.left };
+        let options = MeshOptions { projection, up, colors, max_bytes: self.left };
         let is_same = |(known, with, _, _): &&(PathBuf, MeshOptions, _, _)| {
             known == path && MeshOptions { max_bytes: options.max_bytes, ..*with } == options
         };
@@ -242,6 +244,9 @@ impl SurfaceSpec {
         }
         if self.project.is_some() && !matches!(self.mesh, Some(MeshChoice::File(_))) {
             return Err(ValueProblem::Needs(MESH_OF_FILE).of("project"));
+        }
+        if self.mesh_up.is_some() && !matches!(self.mesh, Some(MeshChoice::File(_))) {
+            return Err(ValueProblem::Needs(MESH_OF_FILE).of("mesh-up"));
         }
         Ok(Parts {
             mesh: self.placed(self.mesh_without_file([1.0, 1.0])?)?,
@@ -365,7 +370,7 @@ impl SurfaceSpec {
             Some(MeshChoice::File(file)) => {
                 let own =
                     self.color.is_some() || self.material.as_ref().is_some_and(|own| own.diffuse.is_some());
-                let (mesh, colors) = maps.mesh(file, self.project, !own)?;
+                let (mesh, colors) = maps.mesh(file, (self.project, self.mesh_up), !own)?;
                 let of_number = |error: ValueError| error.of_surface(number);
                 let mesh = self.placed(mesh).map_err(of_number)?;
                 let material = match &colors {

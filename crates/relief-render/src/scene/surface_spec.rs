@@ -5,7 +5,7 @@ use super::keys::{numbers, parsed, range};
 use super::settings::settings;
 use relief_core::Wrap;
 use relief_core::mesh::UvProjection;
-use relief_io::{GivenUnits, GreenSign, HeightRange, RawLayout};
+use relief_io::{GivenUnits, GreenSign, HeightRange, RawLayout, Up};
 use relief_shaders::{
     AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES,
 };
@@ -88,6 +88,10 @@ pub struct SurfaceSpec {
     /// they are the file's.
     #[serde(deserialize_with = "parsed")]
     pub project: Option<UvProjection>,
+    /// Which axis of the mesh's file points up: `y` or `z`. By default as a file of Relief says itself, else
+    /// `z` in STL and `y` in all others.
+    #[serde(deserialize_with = "parsed")]
+    pub mesh_up: Option<Up>,
     /// Tiles along `u` and `v`. By default 1 and 1.
     #[serde(deserialize_with = "numbers")]
     pub tile: Option<[f32; 2]>,
@@ -150,10 +154,11 @@ impl SurfaceSpec {
     /// This description with everything that `over` says in place of what it said itself.
     ///
     /// What belongs to something replaced goes with it: another height file drops how the old one was to be
-    /// read (`channel`, `depth`, `range`, `nodata`, `unit`, `raw`, `fill`), another normal map drops `green`, another mesh
-    /// `project`, another method or stage its own settings, another shadow its search, another ambient light
-    /// than `environment` what is refracted and what is refracted another ambient light, and a scale without
-    /// a bias the old bias.
+    /// read (`channel`, `depth`, `range`, `nodata`, `unit`, `raw`, `fill`), another normal map drops `green`,
+    /// another mesh
+    /// `project` and `mesh-up`, another method or stage its own settings, another shadow its search, another
+    /// ambient light than `environment` what is refracted and what is refracted another ambient light, and a
+    /// scale without a bias the old bias.
     #[must_use]
     pub fn overridden_by(mut self, over: SurfaceSpec) -> SurfaceSpec {
         if over.height.is_some() {
@@ -169,7 +174,7 @@ impl SurfaceSpec {
             self.green = None;
         }
         if over.mesh.is_some() {
-            self.project = None;
+            (self.project, self.mesh_up) = (None, None);
         }
         if over.scale.is_some() {
             self.bias = None;
@@ -204,6 +209,7 @@ impl SurfaceSpec {
             green: over.green.or(self.green),
             mesh: over.mesh.or(self.mesh),
             project: over.project.or(self.project),
+            mesh_up: over.mesh_up.or(self.mesh_up),
             tile: over.tile.or(self.tile),
             tile_size: over.tile_size.or(self.tile_size),
             position: over.position.or(self.position),
@@ -279,6 +285,7 @@ impl SurfaceSpec {
             ("tile-size", self.tile_size.is_some()),
             ("mesh", self.mesh.is_some()),
             ("project", self.project.is_some()),
+            ("mesh-up", self.mesh_up.is_some()),
             ("tile", self.tile.is_some()),
             ("two-sided", self.two_sided.is_some()),
         ];

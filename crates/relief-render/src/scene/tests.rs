@@ -69,6 +69,7 @@ normal = "c.png"
 green = "-y"
 mesh = "meshes/column.glb"
 project = "box"
+mesh-up = "z"
 tile = [8, 3.5]
 tile-size = [50, 20]
 position = [0, -0.5, 0]
@@ -137,6 +138,7 @@ fn every_key_is_read() {
         green: "-y".parse().ok(),
         mesh: Some(MeshChoice::File(folder.path().join("meshes/column.glb"))),
         project: Some(UvProjection::Box),
+        mesh_up: Some(relief_io::Up::Z),
         tile: Some([8.0, 3.5]),
         tile_size: Some([50.0, 20.0]),
         position: Some([0.0, -0.5, 0.0]),

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use glam::Vec2;
 use relief_core::ByteSize;
 use relief_core::mesh::{Mesh, Placement, UvProjection, Vertex};
-use relief_io::{MeshColors, MeshFile, MeshOptions, Picture, ReadError, read_mesh, read_picture};
+use relief_io::{MeshColors, MeshFile, MeshOptions, Picture, ReadError, Up, read_mesh, read_picture};
 use relief_mesh::{MeshSettings, Mesher};
 use relief_render::scene::{MeshChoice, SceneSpec, SurfaceSpec, read_scene};
 
@@ -51,7 +51,9 @@ impl Subject {
         let mut notes = Vec::new();
         let (mesh, own) = match surface.mesh.clone().unwrap_or_default() {
             MeshChoice::Builtin(builtin) => (builtin.build(SQUARE).map_err(Failure::work)?, None),
-            MeshChoice::File(path) => of_mesh_file(&path, surface.project, max_bytes, &mut notes)?,
+            MeshChoice::File(path) => {
+                of_mesh_file(&path, (surface.project, surface.mesh_up), max_bytes, &mut notes)?
+            }
         };
         let at = |error| Failure::Work(format!("{}: {error}", arguments.input.display()));
         let tile = Vec2::from(surface.tile.unwrap_or([1.0, 1.0]));
@@ -137,11 +139,11 @@ fn displaced(
 /// The mesh of a file, and its colours if it has any.
 fn of_mesh_file(
     path: &Path,
-    projection: Option<UvProjection>,
+    (projection, up): (Option<UvProjection>, Option<Up>),
     max_bytes: u64,
     notes: &mut Vec<String>,
 ) -> Result<(Mesh, Option<MeshColors>), Failure> {
-    let options = MeshOptions { projection, colors: true, max_bytes };
+    let options = MeshOptions { projection, up, colors: true, max_bytes };
     let MeshFile { mesh, colors, .. } = match read_mesh(path, &options) {
         Err(ReadError { problem, .. }) if advice::has_no_texture(&problem) && projection.is_none() => {
             // No picture lies on it by coordinates that it has not, and nothing else needs them.

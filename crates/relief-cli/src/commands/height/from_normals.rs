@@ -140,6 +140,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     // Until here nothing exists that an interrupted program would leave behind.
     let cancel = interrupt::catch()?;
     let mut staged = Staged::open(&[&output.path], common.json, cancel)?;
+    let mut other_misfit = None;
     let (heights, slopes, fit) = {
         let bar = Progress::bar("integrating", common.json);
         let report = |part: f32| bar.show(part);
@@ -147,7 +148,18 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         match known {
             Known::Axes(..) => {
                 let heights = heights_from_known_slopes(&slopes, &how, &progress).map_err(of_integration)?;
-                (heights, slopes, None)
+                let steepness = slopes.steepness();
+                let is_beyond = 100.0 * heights.misfit > arguments.max_misfit * steepness;
+                if is_beyond && axes != Axes::World {
+                    // They may fit one with green the other way.
+                    let turned = slopes.turned_over();
+                    let other =
+                        heights_from_known_slopes(&turned, &how, &progress).map_err(of_integration)?;
+                    other_misfit = Some(other.misfit / steepness);
+                    (heights, turned.turned_over(), None)
+                } else {
+                    (heights, slopes, None)
+                }
             }
             Known::Unknown => {
                 let (heights, slopes, fit) =
@@ -166,7 +178,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         ("source_green", green.way.to_owned()),
     ];
     let relief = Relief::new(heights, with_height.as_deref(), steepness, how, &output, more)?;
-    arguments.judge_misfit(relief.misfit, &suspects)?;
+    let other_misfit = other_misfit.filter(|misfit| 100.0 * misfit <= arguments.max_misfit);
+    if other_misfit.is_none() {
+        arguments.judge_misfit(relief.misfit, &suspects)?;
+    }
     output.write(&mut staged, &relief.content, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
@@ -182,11 +197,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
         relief.print(out, &output, seconds)?;
         writeln!(out, "  green       {}", green.text())?;
+        if let Some(misfit) = other_misfit {
+            let percent = 100.0 * misfit;
+            writeln!(out, "  green       the other way only {percent:.2} % of the slopes fit no relief")?;
+        }
         print_faults(out, &faults, arguments.fill)?;
         Ok(())
     })?;
     if !common.json {
-        suspects.iter().for_each(|suspect| say::note(format!("the normal map may be {suspect}")));
+        let sure = suspects.iter().filter(|suspect| suspect.is_sure());
+        sure.for_each(|suspect| say::note(format!("the normal map may be {suspect}")));
     }
     Ok(())
 }

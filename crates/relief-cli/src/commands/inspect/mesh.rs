@@ -25,7 +25,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Usage(format!("{flag} is for height maps: leave it out")));
     }
     let max_bytes = arguments.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0);
-    let options = MeshOptions { projection: arguments.project, max_bytes, ..MeshOptions::default() };
+    let (projection, up) = (arguments.project, arguments.mesh_up);
+    let options = MeshOptions { projection, up, max_bytes, ..MeshOptions::default() };
     let (file, measures) = {
         let _reading = Progress::spinner("reading", arguments.json);
         let file = read_mesh(&arguments.file, &options).map_err(Failure::of_mesh)?;

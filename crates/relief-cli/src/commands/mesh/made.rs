@@ -8,7 +8,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use glam::Vec3;
 use relief_core::mesh::PositionGrid;
 use relief_io::{
-    GlbLayout, GlbLevel, GlbNode, MeshCounts, MeshFormat, MeshSink, Quantization, write_glb, write_mesh,
+    GlbLayout, GlbLevel, GlbNode, MeshCounts, MeshFormat, MeshSink, Quantization, Standing, write_glb,
+    write_mesh_standing,
 };
 use relief_mesh::{Bounds, Certificate, Mesher, Stream, StreamError, Streamed, Watch};
 
@@ -98,6 +99,20 @@ pub fn write(
     )))
 }
 
+/// How a mesh is stored.
+#[derive(Clone, Copy)]
+struct Stored {
+    quantization: Option<Quantization>,
+    standing: Standing,
+}
+
+impl Stored {
+    /// In a GLB.
+    fn of(quantization: Option<Quantization>) -> Self {
+        Self { quantization, standing: Standing::usual(MeshFormat::Gltf) }
+    }
+}
+
 struct Making<'a> {
     arguments: &'a Arguments,
     seen: &'a Seen<'a>,
@@ -163,22 +178,53 @@ impl Making<'_> {
         [expected, size]: [f64; 2],
     ) -> Result<Vec<WrittenPart>, Failure> {
         let Some(bits) = self.arguments.quantize else {
-            let written = |file| self.written(file, &self.meshers(file, expected)?, None, staged, size);
-            return files.iter().map(written).collect();
+            return self.all_in_floats(files, staged, [expected, size]);
         };
         // A lattice begins where the mesh does, which is known when it was made once. Parts share theirs.
         if let [file] = files {
             let meshers = self.meshers(file, expected)?;
             let bounds = self.bounds(&meshers, size)?;
-            let quantization = quantizations(&[bounds], bits)?.pop();
-            return Ok(vec![self.written(file, &meshers, quantization, staged, size)?]);
+            let how = Stored::of(quantizations(&[bounds], bits)?.pop());
+            return Ok(vec![self.written(file, &meshers, how, staged, size)?]);
         }
         let bounds = files.iter().map(|file| self.bounds(&self.meshers(file, expected)?, size));
         let quantizations = quantizations(&bounds.collect::<Result<Vec<_>, _>>()?, bits)?;
         let of_parts = files.iter().zip(quantizations);
-        let written =
-            |(file, how)| self.written(file, &self.meshers(file, expected)?, Some(how), staged, size);
+        let written = |(file, how)| {
+            self.written(file, &self.meshers(file, expected)?, Stored::of(Some(how)), staged, size)
+        };
         of_parts.map(written).collect()
+    }
+
+    /// The same without rounding.
+    fn all_in_floats(
+        &self,
+        files: &[PartFile],
+        staged: &mut Staged,
+        [expected, size]: [f64; 2],
+    ) -> Result<Vec<WrittenPart>, Failure> {
+        let usual = Standing::usual(self.format);
+        let mut standing = Standing { up: self.arguments.up.unwrap_or(usual.up), ..usual };
+        let is_print = self.arguments.print_size.is_some() || self.arguments.solid.is_some();
+        let mut made = None;
+        if self.format == MeshFormat::Stl && is_print {
+            // It stands on the plate, all parts on the same one.
+            let mut base_m = f64::INFINITY;
+            for file in files {
+                let meshers = self.meshers(file, expected)?;
+                base_m = base_m.min(self.bounds(&meshers, size)?.positions_m[0].y.into());
+                made = (files.len() == 1).then_some(meshers);
+            }
+            standing.base_m = base_m;
+        }
+        let how = Stored { quantization: None, standing };
+        if let (Some(meshers), [file]) = (made, files) {
+            return Ok(vec![self.written(file, &meshers, how, staged, size)?]);
+        }
+        files
+            .iter()
+            .map(|file| self.written(file, &self.meshers(file, expected)?, how, staged, size))
+            .collect()
     }
 
     /// Writes a part whose levels of detail were counted.
@@ -186,7 +232,7 @@ impl Making<'_> {
         &self,
         file: &PartFile,
         meshers: &[Mesher],
-        quantization: Option<Quantization>,
+        Stored { quantization, standing }: Stored,
         staged: &mut Staged,
         size: f64,
     ) -> Result<WrittenPart, Failure> {
@@ -202,7 +248,7 @@ impl Making<'_> {
         };
         is_storable.map_err(|problem| Failure::Work(format!("{name}: {problem} ({COARSER})")))?;
         let aside = staged.aside(&file.path)?;
-        let (streamed, indices) = self.stream(meshers, &name, &aside, &layout, size)?;
+        let (streamed, indices) = self.stream(meshers, (&name, &aside), (&layout, &standing), size)?;
         let bytes = std::fs::metadata(&aside).map_err(Failure::work)?.len();
         let of_levels = meshers.iter().zip(&layout.levels).zip(streamed).enumerate();
         let mut levels = of_levels.map(|(at, ((mesher, level), streamed))| {
@@ -241,9 +287,8 @@ impl Making<'_> {
     fn stream(
         &self,
         meshers: &[Mesher],
-        name: &str,
-        aside: &Path,
-        layout: &GlbLayout,
+        (name, aside): (&str, &Path),
+        (layout, standing): (&GlbLayout, &Standing),
         size: f64,
     ) -> Result<(Vec<Streamed>, Vec<u64>), Failure> {
         let bar = Progress::bar("meshing", self.arguments.json);
@@ -275,7 +320,9 @@ impl Making<'_> {
         };
         let written = match self.format {
             MeshFormat::Gltf => write_glb(aside, layout, blocks),
-            format => write_mesh(aside, format, layout.counts(), blocks).map(|()| Vec::new()),
+            format => {
+                write_mesh_standing(aside, format, standing, layout.counts(), blocks).map(|()| Vec::new())
+            }
         };
         if self.cancel.load(Ordering::Relaxed) {
             return Err(cancelled());

@@ -52,9 +52,11 @@ pub fn of_mesher(error: MesherError) -> Failure {
         MesherError::BadSolid { .. }
         | MesherError::SolidOfClosed
         | MesherError::SolidOfView
-        | MesherError::SolidOfHoles
         | MesherError::SolidBranches { .. }
         | MesherError::SolidTouches { .. } => Failure::Work(format!("--solid: {error}")),
+        MesherError::SolidOfHoles => {
+            Failure::Work(format!("--solid: {error}: leave --holes out, and holes are filled"))
+        }
         MesherError::SolidOfSeams { .. } => Failure::Work(format!("--solid: {error}: --seams weld does")),
         MesherError::AllHoles => Failure::Work(format!("--holes: {error}")),
         MesherError::MoreThan { .. } => Failure::Work(format!("--triangles: {error}")),

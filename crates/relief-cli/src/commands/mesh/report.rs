@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use glam::Vec3;
-use relief_io::{MeshFormat, Quantization};
+use relief_io::{MeshFormat, Quantization, Up};
 use relief_mesh::{Certificate, Cracks, FoldedBase, Folds, Rounded, Streamed};
 use relief_render::scene::Surface;
 use serde_json::json;
@@ -150,7 +150,10 @@ impl About<'_> {
         let bounds = written.iter().map(|part| part.finest.streamed.bounds_m);
         let [least, greatest] = bounds
             .fold([Vec3::INFINITY, Vec3::NEG_INFINITY], |[low, high], [a, b]| [low.min(a), high.max(b)]);
-        let size_m = (greatest - least).to_array().map(|length| six_digits(f64::from(length)));
+        let up = arguments.up.unwrap_or(Up::usual(*format));
+        let rounded = |size: Vec3| size.abs().to_array().map(|length| six_digits(f64::from(length)));
+        let size_m = rounded(greatest - least);
+        let size_of_file_m = rounded(up.stored(greatest - least));
         let (map, put) = (surface.height_map(), metres.put(arguments, surface));
         let lifted_m = if put.lift_m == 0.0 { map.bias_m() } else { 0.0 };
         let [scale_m, bias_m] = [map.scale_m(), lifted_m].map(|of_scene| of_scene * metres.factor);
@@ -162,7 +165,7 @@ impl About<'_> {
                 "output": arguments.output.display().to_string(), "format": format.name(),
                 "vertices": vertices, "triangles": triangles,
                 "open_edges": open, "branching_edges": branching, "pieces": pieces,
-                "size_m": size_m, "scale_m": scale_m, "bias_m": bias_m, "bytes": bytes, "seconds": seconds,
+                "size_m": size_m, "up": up.name(), "scale_m": scale_m, "bias_m": bias_m, "bytes": bytes, "seconds": seconds,
             });
             if let Some(Certificate { error_m, uv, mean_m, seams_m, judge }) = certificate {
                 about["error"] = json!({
@@ -218,8 +221,8 @@ impl About<'_> {
             writeln!(out, "{files} files: {triangles} triangles, {bytes} bytes in {seconds:.2} s")?;
         }
         let (unit, factor) = fitting(size_m.into_iter().fold(0.0, f64::max));
-        let [x, y, z] = size_m.map(|length| six_digits(length * factor));
-        writeln!(out, "  size        {x} x {y} x {z} {unit}")?;
+        let [x, y, z] = size_of_file_m.map(|length| six_digits(length * factor));
+        writeln!(out, "  size        {x} x {y} x {z} {unit}, {up} up")?;
         if let Some(unknown) = metres.unknown() {
             writeln!(out, "  metres      {unknown}")?;
         }

@@ -10,12 +10,14 @@ use std::fs::File;
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::Path;
 
+use glam::{DVec3, Vec3};
 use relief_core::mesh::MeshBlock;
 
 pub use glb::{GlbLayout, GlbLevel, GlbNode, Quantization};
 pub use shells::{MAX_SHELLS, Shells, write_shells};
 
 use super::MeshFormat;
+use super::up::{Up, comment};
 use crate::write_whole::write_file;
 use crate::{WriteError, WriteProblem};
 
@@ -83,6 +85,8 @@ fn check_counts(MeshCounts { vertices, triangles }: MeshCounts) -> Result<(), Wr
 /// | OBJ | metres | the same; a block's faces follow its vertices |
 /// | STL | millimetres | triangles with their normals |
 ///
+/// In an STL `z` is up, in the others `y`, as in memory; [`write_mesh_standing`] has it otherwise.
+///
 /// A tangent's `w` is such that the green of glTF's normal maps points up in the picture. Nothing but a block
 /// is held. The same blocks give the same bytes.
 ///
@@ -115,7 +119,53 @@ pub fn write_mesh(
     counts: MeshCounts,
     blocks: impl FnOnce(&mut MeshSink) -> io::Result<()>,
 ) -> Result<(), WriteError> {
+    write_mesh_standing(path, format, &Standing::usual(format), counts, blocks)
+}
+
+/// How a mesh stands in its file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Standing {
+    /// The axis that points up.
+    pub up: Up,
+    /// The height that becomes 0, in metres.
+    pub base_m: f64,
+}
+
+impl Standing {
+    /// As is usual in a format, with heights as they are.
+    pub const fn usual(format: MeshFormat) -> Self {
+        Self { up: Up::usual(format), base_m: 0.0 }
+    }
+
+    /// A position as the file has it, where a metre is so many of its units.
+    fn point(&self, position: Vec3, units: f64) -> Vec3 {
+        let position = if self.base_m == 0.0 && units == 1.0 {
+            position
+        } else {
+            ((position.as_dvec3() - DVec3::Y * self.base_m) * DVec3::splat(units)).as_vec3()
+        };
+        self.up.stored(position)
+    }
+}
+
+/// Writes a mesh as [`write_mesh`] does, standing as it is told. A GLB always has `y` up.
+///
+/// # Errors
+///
+/// As [`write_mesh`]; and when a GLB is to stand otherwise than is usual.
+pub fn write_mesh_standing(
+    path: &Path,
+    format: MeshFormat,
+    standing: &Standing,
+    counts: MeshCounts,
+    blocks: impl FnOnce(&mut MeshSink) -> io::Result<()>,
+) -> Result<(), WriteError> {
     format.check(counts).map_err(|problem| problem.at(path))?;
+    if format == MeshFormat::Gltf && *standing != Standing::usual(format) {
+        let problem = WriteProblem::NotStorable("a GLB has y up, and heights as they are".to_owned());
+        return Err(problem.at(path));
+    }
+    let comment = comment(format, standing.up);
     write_file(path, |out| {
         let mut regions = Regions::new(out);
         match format {
@@ -123,16 +173,16 @@ pub fn write_mesh(
                 glb_blocks(&GlbLayout::of(counts), &mut regions, blocks)?;
             }
             MeshFormat::Ply => {
-                ply::begin(counts, &mut regions)?;
-                counted(counts, &mut regions, &mut ply::block, blocks)?;
+                ply::begin(counts, &comment, &mut regions)?;
+                counted(counts, &mut regions, &mut |block, to| ply::block(block, standing, to), blocks)?;
             }
             MeshFormat::Obj => {
-                regions.write(0, b"# Relief: a displaced mesh, in metres, y up\n")?;
-                counted(counts, &mut regions, &mut obj::block, blocks)?;
+                regions.write(0, format!("# {comment}\n").as_bytes())?;
+                counted(counts, &mut regions, &mut |block, to| obj::block(block, standing, to), blocks)?;
             }
             MeshFormat::Stl => {
-                stl::begin(counts, &mut regions)?;
-                counted(counts, &mut regions, &mut stl::block, blocks)?;
+                stl::begin(counts, &comment, &mut regions)?;
+                counted(counts, &mut regions, &mut |block, to| stl::block(block, standing, to), blocks)?;
             }
         }
         Ok(())

@@ -2,15 +2,12 @@
 
 use std::io;
 
-use glam::DVec3;
 use relief_core::mesh::MeshBlock;
 
 use super::super::stl::MILLIMETRES;
-use super::{MeshCounts, Regions, floats};
+use super::{MeshCounts, Regions, Standing, floats};
 
-/// The first 80 bytes. They may not begin with the word that marks texts.
-const TITLE: &[u8] = b"Relief: a displaced mesh, in millimetres, y up";
-
+/// The first bytes hold a comment. It may not begin with the word that marks texts.
 const HEADER: usize = 80;
 
 /// Bytes of a triangle: its normal, three corners, and two more.
@@ -20,18 +17,18 @@ pub fn bytes(counts: MeshCounts) -> u64 {
     HEADER as u64 + 4 + TRIANGLE * counts.triangles
 }
 
-pub fn begin(counts: MeshCounts, regions: &mut Regions<'_, '_>) -> io::Result<()> {
-    let mut header = TITLE.to_vec();
+pub fn begin(counts: MeshCounts, comment: &str, regions: &mut Regions<'_, '_>) -> io::Result<()> {
+    let mut header = comment.as_bytes().to_vec();
     header.resize(HEADER, 0);
     // It was checked that they are as few.
     header.extend((counts.triangles as u32).to_le_bytes());
     regions.write(0, &header)
 }
 
-pub fn block(block: &MeshBlock, regions: &mut Regions<'_, '_>) -> io::Result<()> {
+pub fn block(block: &MeshBlock, standing: &Standing, regions: &mut Regions<'_, '_>) -> io::Result<()> {
     let mut bytes = Vec::with_capacity(TRIANGLE as usize * block.corners.len());
     for points in block.positions() {
-        let points = points.map(|point| (point.as_dvec3() * DVec3::splat(MILLIMETRES)).as_vec3());
+        let points = points.map(|point| standing.point(point, MILLIMETRES));
         let [a, b, c] = points.map(|point| point.as_dvec3());
         floats(&mut bytes, (b - a).cross(c - a).normalize_or_zero().as_vec3().to_array());
         points.iter().for_each(|point| floats(&mut bytes, point.to_array()));
