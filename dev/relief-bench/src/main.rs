@@ -1,7 +1,7 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
-//! `embree`, `frame`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `mesh`, `object-slices`, `probe`, `pyramid`,
-//! `quadrics`, `remesh`, `shadow`, `sheet`, `slices`, `surfaces`, `tessellate` and `trace`. Results are kept
-//! in `docs/`.
+//! `embree`, `frame`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `mesh`, `object-slices`, `probe`,
+//! `pyramid`, `quadrics`, `remesh`, `shadow`, `sheet`, `slices`, `solids`, `surfaces`, `tessellate`, `trace` and
+//! `units`. Results are kept in `docs/`.
 
 use std::process::ExitCode;
 
@@ -39,6 +39,7 @@ mod surfaces;
 mod table;
 mod tessellate;
 mod trace;
+mod units;
 
 #[derive(Parser)]
 #[command(
@@ -106,6 +107,8 @@ enum Command {
     Tessellate(tessellate::Arguments),
     /// Rays a second of the exact tracer, beside other tracers and two other programs
     Trace(trace::Arguments),
+    /// Units of coordinate systems by their EPSG codes, beside pyproj: fails where one differs
+    Units(units::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -137,6 +140,7 @@ fn main() -> ExitCode {
         Command::Surfaces(arguments) => surfaces::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Tessellate(arguments) => tessellate::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Trace(arguments) => trace::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Units(arguments) => units::run(&arguments),
     };
     match done {
         Ok(code) => code,
