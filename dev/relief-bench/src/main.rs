@@ -35,6 +35,7 @@ mod samples;
 mod shadow;
 mod sheet;
 mod slices;
+mod solids;
 mod surfaces;
 mod table;
 mod tessellate;
@@ -101,6 +102,8 @@ enum Command {
     ObjectSlices(object_slices::Arguments),
     /// How near slices through the relief come to the truth, and how many a pixel shows
     Slices(slices::Arguments),
+    /// Solids around holes in every format, read by trimesh and manifold3d: fails where one is open
+    Solids(solids::Arguments),
     /// How near every surface comes to the exact judge on curved meshes
     Surfaces(surfaces::Arguments),
     /// Triangles a second that a GPU makes of a height map
@@ -137,6 +140,7 @@ fn main() -> ExitCode {
         Command::Impostors(arguments) => impostors::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::ObjectSlices(arguments) => object_slices::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Slices(arguments) => slices::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Solids(arguments) => solids::run(&arguments),
         Command::Surfaces(arguments) => surfaces::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Tessellate(arguments) => tessellate::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Trace(arguments) => trace::run(&arguments).map(|()| ExitCode::SUCCESS),
