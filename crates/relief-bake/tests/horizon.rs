@@ -118,7 +118,7 @@ fn an_even_slope_has_its_own_horizon_in_every_azimuth() {
             for at in 0..sines.len() as u32 {
                 let place = [at % SIDE, at / SIDE];
                 // Beyond the edges the ground is level.
-                if place.iter().any(|&along| !(16..SIDE - 16).contains(&along)) {
+                if place.iter().any(|&along| !(28..SIDE - 28).contains(&along)) {
                     continue;
                 }
                 let slope = 256.0 / ray.step_m * brute::slope(&map, place, &ray, f64::from(SIDE), highest);

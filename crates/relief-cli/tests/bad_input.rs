@@ -183,7 +183,7 @@ fn files_that_cannot_be_used_are_refused_with_their_name() {
             &["visibility", "256", "layers"],
         ),
         ("missing.toml", &["missing.toml"]),
-        ("map.png", &["map.png", "--height"]),
+        ("text.png", &["text.png"]),
         ("out", &["out"]),
     ];
     for (flags, words) in table {

@@ -104,12 +104,20 @@ impl Relief {
         DVec3::new(uv.x / self.tile[0] - 0.5, level, uv.y / self.tile[1] - 0.5)
     }
 
-    /// By central differences over two texels.
+    /// By central differences over two texels; of a clamped map over what of them lies between its outermost
+    /// centres.
     pub fn normal(&self, uv: DVec2) -> DVec3 {
-        let across = |step: DVec2| (self.point(uv + step) - self.point(uv - step)).normalize();
-        let along_u = across(DVec2::new(1.0 / f64::from(self.map.width), 0.0));
-        let along_v = across(DVec2::new(0.0, 1.0 / f64::from(self.map.height)));
-        along_v.cross(along_u).normalize()
+        let texel = 1.0 / DVec2::new(f64::from(self.map.width), f64::from(self.map.height));
+        let inside = |at: DVec2| match self.wrap {
+            Continuation::Clamp => at.clamp(0.5 * texel, 1.0 - 0.5 * texel),
+            Continuation::Repeat | Continuation::Mirror => at,
+        };
+        // Clamped along the axis of the step alone.
+        let across = |axis: DVec2| {
+            let place = |sign: f64| uv + (inside(uv + sign * axis * texel) - uv) * axis;
+            (self.point(place(1.0)) - self.point(place(-1.0))).normalize()
+        };
+        across(DVec2::Y).cross(across(DVec2::X)).normalize()
     }
 
     fn uv(&self, point: DVec3) -> DVec2 {
