@@ -220,9 +220,9 @@ fn solids_share_their_vertices_in_every_format() {
         ("--texels 4", 2.0),
         ("--error 1%", 2.0),
         ("--texels 4 --shading mesh", 2.0),
-        ("--mesh seam.obj --texels 9", 1.0),
-        ("--mesh seam.obj --error 1% --base lift", 1.0),
-        ("--mesh seam.obj --texels 9 --shading mesh", 1.0),
+        ("--mesh seam.obj --texels 9 --print-size 500", 1.0),
+        ("--mesh seam.obj --error 1% --base lift --print-size 500", 1.0),
+        ("--mesh seam.obj --texels 9 --shading mesh --print-size 500", 1.0),
     ] {
         let mut volumes = Vec::new();
         for ending in ["glb", "ply", "obj", "stl"] {

@@ -315,9 +315,9 @@ fn lengths_are_those_of_the_mesh_that_is_written() {
     let [on_ground, of_print] = ["on_ground_m", "greatest_m"].map(|name| number(&about["error"][name]));
     assert!(of_print <= 1e-4 && near(on_ground, of_print * 400.0 / 0.15), "{about}");
     let words = folder.relief("mesh metres.tif --texels 1 --print-size 150 -o out/a.stl").fine().stdout;
-    assert!(words.contains("150 x 37.5 x 90 mm") && words.contains("1 to 2666.67"), "{words}");
+    assert!(words.contains("150 x 90 x 37.5 mm, z up") && words.contains("1 to 2666.67"), "{words}");
     let words = folder.relief("mesh metres.tif --texels 1 -o out/a.glb").fine().stdout;
-    assert!(words.contains("400 x 100 x 240 m") && words.contains("EPSG:32633"), "{words}");
+    assert!(words.contains("400 x 100 x 240 m, y up") && words.contains("EPSG:32633"), "{words}");
     let words = folder.relief("mesh none.tif --tile-size 40km,24km -o out/a.glb").fine().stdout;
     assert!(words.contains(" x 24 km") && words.contains(" mm at uv"), "{words}");
     // Both commands mean the same by a factor on heights.

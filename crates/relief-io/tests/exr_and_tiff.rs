@@ -157,7 +157,8 @@ fn geotiff_georeference_and_nodata() {
     assert!(near(degrees(60.0), [55_800.0, 111_412.2]), "{:?}", degrees(60.0));
     // A rotated grid: texels of 5 m.
     let matrix = vec![3.0, 4.0, 0.0, 0.0, 4.0, -3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
-    assert_eq!(size(vec![(34264, Value::Double(matrix)), keys(&[[1024, 1]])]), Some([5.0, 5.0]));
+    let metres = keys(&[[1024, 1], [3076, 9001]]);
+    assert_eq!(size(vec![(34264, Value::Double(matrix)), metres]), Some([5.0, 5.0]));
 
     values[70] = 9999.0;
     let nodata =
