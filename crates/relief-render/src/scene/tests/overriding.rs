@@ -36,8 +36,9 @@ fn what_is_said_later_wins() {
     let mesh = SurfaceSpec { mesh: Some(Builtin::Plane.into()), ..SurfaceSpec::default() };
     let flags = SceneSpec { fov: Some(20.0), ..of(mesh) };
     let both = file.clone().overridden_by(flags);
-    // A projection is for the mesh that it was given with.
-    let surface = SurfaceSpec { mesh: Some(Builtin::Plane.into()), project: None, ..file.surface.clone() };
+    // A projection, and what points up in a file, are for the mesh that they were given with.
+    let mesh = Some(Builtin::Plane.into());
+    let surface = SurfaceSpec { mesh, project: None, mesh_up: None, ..file.surface.clone() };
     assert_eq!(both, SceneSpec { fov: Some(20.0), surface, ..file });
 }
 
