@@ -10,9 +10,9 @@ use std::sync::OnceLock;
 
 use common::command::{Folder, Ran, json_of};
 use common::files::{Samples, exr, georeference, tiff};
-use common::maps::Map;
+use common::maps::{Map, encoded};
 use common::meshes::obj;
-use image::RgbImage;
+use image::{ImageFormat, RgbImage, Rgba, RgbaImage};
 use relief_core::mesh::{sphere, square, torus};
 
 /// Commands with examples, as help is asked for.
@@ -116,14 +116,18 @@ fn stand_ins() -> Folder {
         let [u, v] = [x, y].map(|at| f64::from(at) / 128.0 * std::f64::consts::TAU);
         ((0.5 + 0.25 * ((3.0 * u).sin() * (4.0 * v).cos() + (3.0 * v + 2.0 * u).sin())) * 65535.0) as u16
     });
-    for name in
-        ["wall.png", "bark.png", "rock.png", "bricks.png", "brickwork.png", "wave_0000.png", "wave_0001.png"]
-    {
+    for name in ["wall.png", "bark.png", "bricks.png", "brickwork.png", "wave_0000.png", "wave_0001.png"] {
         folder.write(name, hills.png());
     }
     for name in ["waves_0000.png", "waves_0001.png"] {
         folder.write(name, Map::hills().png());
     }
+    // Heights in the opacity, too.
+    let rock = RgbaImage::from_fn(128, 128, |x, y| {
+        let height = (hills.texels[(y * 128 + x) as usize] >> 8) as u8;
+        Rgba([height; 4])
+    });
+    folder.write("rock.png", encoded(&rock.into(), ImageFormat::Png));
     let floats: Vec<f32> = hills.texels.iter().map(|&texel| f32::from(texel) / 65535.0).collect();
     for name in ["map.exr", "wall.exr"] {
         folder.write(name, exr([hills.width, hills.height], &[("Y", floats.clone())]));
@@ -137,6 +141,12 @@ fn stand_ins() -> Folder {
         })
         .collect();
     folder.write("dem.tif", tiff([64, 48], Samples::Float, &ground, &georeference()));
+    // An island of it.
+    let island = ground.chunks_exact(4).enumerate().flat_map(|(at, height)| {
+        let [x, y] = [(at % 64) as f32 - 31.5, (at / 64) as f32 - 23.5];
+        if x.hypot(y) < 20.0 { height.to_vec() } else { (-9999.0f32).to_le_bytes().to_vec() }
+    });
+    folder.write("island.tif", tiff([64, 48], Samples::Float, &island.collect::<Vec<u8>>(), &georeference()));
     let ring = obj(&torus(24, 12).expect("a mesh"));
     for name in ["tree.obj", "hall.obj", "spot.obj", "column.obj"] {
         folder.write(name, &ring);
@@ -164,7 +174,7 @@ fn stand_ins() -> Folder {
     folder.write("flight.toml", "height = \"wall.png\"\nsize = [64, 48]\n");
     folder.relief("bake rock.png --kind normal -q -o rock_normal.png").fine();
     folder.relief("bake wall.png --kind normal --set normal.green_down=1 -q -o wall_dx.png").fine();
-    folder.relief("capture spot.obj --size 16 --verify 0 --cover centre -q -o spot").fine();
+    folder.relief("capture spot.obj --color bark.png --size 16 --verify 0 --cover centre -q -o spot").fine();
     folder
         .relief("capture spot.obj --views octahedral --grid 3 --size 16 --verify 0 --cover centre -q -o grid")
         .fine();

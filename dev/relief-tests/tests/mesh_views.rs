@@ -397,7 +397,7 @@ fn what_cannot_be_seen_is_refused() {
     let refused = |settings: &MeshSettings| Mesher::new(&base, &map, settings).expect_err("it is refused");
     assert!(matches!(refused(&MeshSettings { view: None, ..settings }), MesherError::NoView { .. }));
     assert!(matches!(refused(&MeshSettings { solid_m: Some(0.1), ..settings }), MesherError::SolidOfView));
-    let finer = View { pixels: 1e-3, ..View::new(camera, [300, 200]) };
+    let finer = View { pixels: 2e-3, ..View::new(camera, [300, 200]) };
     let found = Mesher::new(&base, &map, &MeshSettings::seen_by(finer));
     assert!(matches!(found, Err(MesherError::TooLarge { .. })));
     let kept = MeshSettings { seams: Seams::Keep, ..settings };
