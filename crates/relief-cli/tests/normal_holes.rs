@@ -9,6 +9,12 @@ use image::{DynamicImage, ImageFormat, RgbImage, RgbaImage};
 use relief_core::Wrap;
 use relief_io::{Fill, HeightOptions, read_height};
 
+/// Which texels hold no normal.
+type Mask<'a> = &'a dyn Fn(u32, u32) -> bool;
+
+/// What a map stores for a normal.
+type Texel<'a> = &'a dyn Fn([f64; 3]) -> [u8; 4];
+
 const SIDE: u32 = 128;
 
 /// Heights in metres on a tile of 1 m, and the unit normals of them by central differences.
@@ -75,7 +81,7 @@ fn background_does_not_change_the_heights_beside_it() {
     };
     let is_hole_in_it = |i: u32, j: u32| (40..60).contains(&i) && (70..85).contains(&j);
     let none = |_: u32, _: u32| false;
-    let masks: [(&str, &dyn Fn(u32, u32) -> bool); 4] =
+    let masks: [(&str, Mask); 4] =
         [("frame", &is_frame), ("one", &is_one), ("disc", &is_disc), ("inside", &is_hole_in_it)];
     let colours = [("black", [0u8; 3]), ("white", [255; 3]), ("grey", [128; 3]), ("blue", [0, 0, 255])];
     folder.write("whole.png", png(picture(&none, [0; 3])));
@@ -167,7 +173,7 @@ fn what_is_no_normal_map_is_told_by_what_is_measured() {
         let [r, g, b] = normal.map(|x| (255.0 * curve(0.5 * x + 0.5)).round() as u8);
         [r, g, b, 255]
     };
-    let cases: [(&str, &str, &dyn Fn([f64; 3]) -> [u8; 4]); 5] = [
+    let cases: [(&str, &str, Texel); 5] = [
         // The ground of a world with y up.
         ("object space", "object", &|[x, y, z]| [code(x), code(z), code(-y), 255]),
         // The side of a house.
