@@ -1,5 +1,5 @@
-// Exports shaders as WGSL and compiles each with Tint, the compiler of Chromium, which refuses some texts that
-// naga takes. Needs no GPU: the device is Dawn's null device.
+// Exports shaders as WGSL and compiles each with Tint, Chromium's compiler. It refuses some texts that naga takes.
+// Needs no GPU: the device is Dawn's null device.
 //
 //     node tint.mjs PATH/TO/relief
 //
@@ -42,7 +42,8 @@ async function errors(code) {
     const compiled = device.createShaderModule({ code });
     const { messages } = await compiled.getCompilationInfo();
     await device.popErrorScope();
-    return messages.filter(({ type }) => type === "error").map(({ lineNum, message }) => `${lineNum}: ${message}`);
+    const wrong = messages.filter(({ type }) => type === "error");
+    return wrong.map(({ lineNum, message }) => `${lineNum}: ${message}`);
 }
 
 // The export of a selection, by the flags that make it.
@@ -58,7 +59,8 @@ function exported(flags) {
     }
 }
 
-const known = JSON.parse(execFileSync(relief, ["methods", "--json"], { encoding: "utf8", maxBuffer: 1 << 26 }));
+const all = execFileSync(relief, ["methods", "--json"], { encoding: "utf8", maxBuffer: 1 << 26 });
+const known = JSON.parse(all);
 const selections = known.methods.map(({ name }) => ["--method", name]);
 for (const [stage, flag] of Object.entries(STAGES)) {
     for (const { name } of known[stage]) {

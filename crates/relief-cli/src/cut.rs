@@ -12,7 +12,7 @@ const LINE: Limit = Limit { most: 4000, start: 3000, end: 600 };
 struct Limit {
     /// The most characters that are said as they are.
     most: usize,
-    /// Of more so many are said from the start, and so many up to the end.
+    /// Of a longer text the first `start` and the last `end` characters are said.
     start: usize,
     end: usize,
 }

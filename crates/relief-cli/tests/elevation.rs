@@ -273,9 +273,9 @@ fn notes_say_which_unit_is_taken() {
     let folder = Folder::new();
     let line = "mesh dem.tif -o dem.glb";
     for (numbers, part) in [
-        (&[[3072u16, 2263]] as &[_], "that of the ground is taken, us-ft"),
-        (&[[3072, 2222]], "that of the ground is taken, ft"),
-        (&[[3072, 32767], [4099, 9002]], "that of the heights is taken, ft"),
+        (&[[3072u16, 2263]] as &[_], "the unit of the ground is taken, us-ft"),
+        (&[[3072, 2222]], "the unit of the ground is taken, ft"),
+        (&[[3072, 32767], [4099, 9002]], "the unit of the heights is taken, ft"),
         (&[[3072, 32767]], "their metres are not known"),
         (&[[3072, 31000], [4096, 5703]], "(that of EPSG:31000)"),
         (&[[3072, 32617], [3076, 9999]], "(EPSG:9999)"),

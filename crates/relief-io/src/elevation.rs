@@ -175,8 +175,8 @@ impl Elevation {
 /// The deepest and the highest ground of the Earth in metres, with something to spare.
 const GROUND_M: [f64; 2] = [-11_100.0, 9_000.0];
 
-/// The deepest relief as a part of the longer side of a map, and that of one shorter than a kilometre, which
-/// a single cliff may fill.
+/// The deepest relief as a part of the longer side of a map. A map shorter than a kilometre may be deeper, since
+/// a single cliff may fill it.
 const DEEPEST: f64 = 1.0 / 3.0;
 const DEEPEST_OF_SHORT: f64 = 0.75;
 const SHORT_GROUND_M: f64 = 1000.0;

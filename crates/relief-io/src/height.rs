@@ -149,8 +149,8 @@ pub(crate) const BYTES_PER_TEXEL: u64 = 8;
 /// [`Elevation`](crate::Elevation)), and unknown where its unit is no length that is known here; the size of
 /// its texels is that on the ground (see [`Georeference`](crate::Georeference)).
 ///
-/// Units are those that it names, or those of the coordinate systems whose numbers it names. Where one of
-/// ground and heights has no unit, it has that of the other; where neither has, only their proportions are
+/// Its units are the ones that it names, or the units of the coordinate systems whose numbers it names. Where
+/// only one of ground and heights has a unit, both share it. Where neither has one, only their proportions are
 /// known. Heights that count downward are depths.
 ///
 /// Its row 0 lies in the north, however the file stores it. Texels that its mask leaves out, in the file or

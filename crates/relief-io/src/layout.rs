@@ -160,7 +160,7 @@ impl Layout {
         }
     }
 
-    /// Takes the units that a user gives, if any, for those of the file.
+    /// Puts the units that a user gives, if any, in the place of the file's.
     pub(crate) fn give_units(&mut self, units: Option<GivenUnits>) {
         if units.is_some() && self.terrain.is_ok() {
             self.terrain = self.facts.terrain(self.channels.len(), units);

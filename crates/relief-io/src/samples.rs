@@ -26,7 +26,7 @@ pub(crate) struct Samples {
     pub not_finite: u64,
     /// Texels that hold a nodata value: the file's, or one that was given.
     pub nodata: u64,
-    /// Those of them that hold the one that was given.
+    /// Texels among them that hold the value that was given.
     pub given_nodata: u64,
     /// Texels that the file's mask leaves out, whatever they hold.
     pub masked: u64,

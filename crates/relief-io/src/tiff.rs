@@ -89,8 +89,8 @@ impl<'a> TiffFile<'a> {
         &mut self.layout
     }
 
-    /// The sample of white of a channel of shades that are stored with 0 as white. Those of an elevation
-    /// model are numbers, and channels beside the grey are none.
+    /// The sample that is white, for a channel of shades that are stored with 0 as white. Samples of an
+    /// elevation model are numbers and no shades, and so are channels beside the grey.
     pub(crate) fn white_of_heights(&self, channel: usize) -> Option<f64> {
         let is_elevation = matches!(self.layout.terrain, Ok(Some(_)));
         self.raster.inverted_white.filter(|_| channel == GREY && !is_elevation)

@@ -51,8 +51,8 @@ pub struct LightViews {
 }
 
 impl LightViews {
-    /// The views of lights that surfaces look up their shadows in; none where none does. They are as fine as
-    /// a frame of these columns and rows asks for, and the surfaces are told the width of their filters.
+    /// The views of lights in which surfaces look up their shadows; none where no surface does. They are as fine
+    /// as a frame of these columns and rows asks for. Each surface gets the width of its filter.
     pub(crate) fn new(
         lights: &[Light],
         camera: &Camera,

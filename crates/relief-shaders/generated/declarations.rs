@@ -4038,7 +4038,7 @@ fn cell_slopes(h: vec4f, part: vec2f) -> vec2f {
         name: "sloped_cell",
         sampling: None,
         uses: &["WRAP_CLAMP", "height_texels", "surface_settings"],
-        text: r#"// The dual cell whose slopes stand for those of a cell: of a clamped map the nearest one inside.
+        text: r#"// The dual cell whose slopes are taken for a cell: of a clamped map the nearest cell inside.
 fn sloped_cell(i: vec2i) -> vec2i {
     if (surface_settings.wrap != WRAP_CLAMP) {
         return i;
@@ -4079,9 +4079,9 @@ fn slopes_between_creases(at: Entered, uv: vec2f) -> vec2f {
         name: "texels_apart",
         sampling: None,
         uses: &["WRAP_CLAMP", "surface_settings"],
-        text: r#"// How many texels lie between the heights a texel before and a texel behind a place along a side of so many
-// texels. Beyond the outermost centres of a clamped map heights are those of the centres. At its very edge
-// half a texel is left; farther out slopes fall to 0.
+        text: r#"// Texels between the heights a texel before and a texel behind a place, along a side of `side` texels: 2, or
+// less at the edges of a clamped map, whose heights do not change beyond the outermost centres. At the very edge
+// half a texel is left. Farther out slopes fall to 0.
 fn texels_apart(place: f32, side: f32) -> f32 {
     if (surface_settings.wrap != WRAP_CLAMP) {
         return 2.0;

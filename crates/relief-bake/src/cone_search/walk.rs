@@ -95,8 +95,8 @@ pub(crate) trait Look {
         None
     }
 
-    /// Those of the lanes, a bit each, to which a node may matter by more than its highest vertex tells. Its
-    /// first and last columns and rows are counted from the group's first texel.
+    /// The lanes, a bit each, to which a node may matter by more than its highest vertex says. Its first and
+    /// last columns and rows are counted from the group's first texel.
     fn may_matter_to(&self, _level: u32, _at: [u32; 2], _spans: [[f32; 2]; 2], lanes: u64) -> u64 {
         lanes
     }

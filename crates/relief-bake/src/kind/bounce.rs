@@ -119,7 +119,7 @@ pub fn light(
     Ok(received)
 }
 
-/// Whether so many looks end within hours.
+/// Refuses settings whose looks would take more than hours.
 fn check_looks(texels: usize, [azimuths, elevations]: [u32; 2], bounces: u32) -> Result<(), BakeError> {
     let looks = [texels as u64, azimuths.into(), elevations.into(), u64::from(bounces) + 1];
     let looks = looks.into_iter().fold(1, u64::saturating_mul);

@@ -1,4 +1,4 @@
-//! The files that a command reads, of which none is replaced.
+//! The files that a command reads. No output replaces one of them.
 
 use std::path::{Path, PathBuf};
 

@@ -41,7 +41,7 @@ pub fn notes(ground: &Ground) -> Vec<String> {
         }
         Some(Georeference { unit: Some(unit), unit_origin: UnitOrigin::Shared, .. }) => {
             notes.push(format!(
-                "its ground names no unit: that of the heights is taken, {}: --unit names another",
+                "its ground names no unit: the unit of the heights is taken, {}: --unit names another",
                 with_metres(unit, elevation.metres_per_unit)
             ));
         }
@@ -52,7 +52,7 @@ pub fn notes(ground: &Ground) -> Vec<String> {
         && (is_picture || elevation.metres_per_unit != Some(1.0))
     {
         notes.push(format!(
-            "its heights name no unit: that of the ground is taken, {}: --unit names another",
+            "its heights name no unit: the unit of the ground is taken, {}: --unit names another",
             with_metres(unit, elevation.metres_per_unit)
         ));
     }

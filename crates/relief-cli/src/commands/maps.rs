@@ -34,8 +34,8 @@ pub struct FileArguments {
         hide_short_help = true,
     )]
     pub nodata: Option<f64>,
-    /// Unit of the heights where the file does not say it or says it wrong: m, dm, cm, mm, km, ft, us-ft and
-    /// so on; with that of the ground's coordinates as in cm,ft
+    /// Unit of the heights, where the file does not say it or says it wrong: m, dm, cm, mm, km, ft, us-ft and
+    /// so on. A second unit is for the ground's coordinates, as in cm,ft
     /// [default: as the file or those beside it say]
     #[arg(long, value_name = "UNIT[,GROUND]", hide_short_help = true)]
     pub unit: Option<GivenUnits>,

@@ -106,7 +106,7 @@ impl Node {
         })
     }
 
-    /// The unit of its coordinates: its own, or that of its first axis.
+    /// The unit of its coordinates: its own, or its first axis' unit.
     fn unit(&self, origin: &UnitOrigin) -> Result<Option<Unit>, String> {
         const UNITS: [&str; 3] = ["UNIT", "LENGTHUNIT", "ANGLEUNIT"];
         let of_axis = || self.children(&["AXIS"]).next().and_then(|axis| axis.children(&UNITS).next());

@@ -39,8 +39,8 @@ fn read(source: Source<'_>) -> Result<Metadata, ReadProblem> {
     }
 }
 
-/// The texts of a PNG. Compressed ones are unpacked as far as all texts together have at most so many bytes;
-/// what is longer, or cannot be unpacked, is another program's and is left out.
+/// The texts of a PNG. Compressed texts are unpacked while all of them together have at most `most` bytes. A
+/// longer text, or one that cannot be unpacked, is another program's and is left out.
 fn of_png(file: SourceReader<'_>, most: usize) -> Result<Metadata, ReadProblem> {
     let problem = |error| match error {
         png::DecodingError::IoError(error) => io_problem(Format::Png, error),

@@ -10,7 +10,7 @@ const TAG_PIXEL_SCALE: u16 = 33550;
 const TAG_TIEPOINTS: u16 = 33922;
 const TAG_TRANSFORMATION: u16 = 34264;
 
-/// The raster type whose coordinates are those of texels' centres, not of their corners.
+/// The raster type whose coordinates name texels' centres, not their corners.
 const PIXEL_IS_POINT: u16 = 2;
 
 /// What the file says as an elevation model of that many channels. An error, with the reason, where what it

@@ -60,8 +60,8 @@ pub struct Room {
 pub struct Sides {
     /// Each from corner to corner as its triangle turns, with the triangle's third corner.
     border: Vec<[u32; 3]>,
-    /// The triangles around touching vertices, without that of the largest piece: lists of the two other
-    /// corners, each list from side to side.
+    /// The triangles around touching vertices, but for the largest piece: lists of the two other corners, each
+    /// list from side to side.
     fans: Vec<(u32, Vec<[u32; 2]>)>,
 }
 
@@ -69,7 +69,7 @@ impl Sides {
     /// Bytes that a triangle takes while they are found.
     pub const BYTES_PER_TRIANGLE: u64 = 48;
 
-    /// Those of triangles, of which there are fewer than a third of what 32 bits count.
+    /// Finds the sides of triangles. There are fewer triangles than a third of what 32 bits count.
     pub fn of(triangles: &[[u32; 3]]) -> Self {
         let mut sides: Vec<[u32; 3]> = Vec::with_capacity(3 * triangles.len());
         for (number, corners) in triangles.iter().enumerate() {

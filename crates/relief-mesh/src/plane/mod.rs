@@ -173,7 +173,7 @@ impl Rectangle {
         self.base(relief, place).uv
     }
 
-    /// The plane of a bottom, displaced by so many metres.
+    /// The plane of a bottom that is displaced by `metres`.
     pub fn bottom(&self, relief: &Relief, metres: f64) -> Bottom {
         let up = self.normal.normalize_or_zero();
         let base = BasePoint { position: self.corner, normal: self.normal, uv: self.uvs[0] };

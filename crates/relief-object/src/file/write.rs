@@ -77,8 +77,8 @@ impl ObjectFiles {
             .collect()
     }
 
-    /// The files of a folder that writing these replaces or removes, if they are there: those of these names,
-    /// and what an earlier capture has written into the folder.
+    /// The files of a folder that are replaced or removed when these are written: files with the same names,
+    /// and what an earlier capture wrote into the folder.
     pub fn changed(self, folder: &Path) -> Vec<PathBuf> {
         let names = self.names();
         let is_changed = |name: &&str| names.contains(name) || is_captured(folder, name);

@@ -109,7 +109,7 @@ impl SceneSpec {
         })
     }
 
-    /// Bytes that surfaces take by themselves and for built-in meshes, of which each has its own.
+    /// Bytes that surfaces take by themselves, and for built-in meshes. Each surface has a mesh of its own.
     fn surface_bytes(&self) -> u64 {
         let bytes = Builtin::ALL.map(|builtin| {
             builtin.build([1.0; 2]).map_or(0, |mesh| BYTES_PER_TRIANGLE * mesh.triangles().len() as u64)

@@ -36,7 +36,7 @@ pub struct SurfaceSpec {
     /// The value of texels without one, as the file stores it, beside the value that the file declares. By
     /// default that one alone.
     pub nodata: Option<f64>,
-    /// The unit of the heights, as in `"cm"`, or that of the heights and that of the ground, as in `"cm,ft"`.
+    /// The unit of the heights, as in `"cm"`, or the units of the heights and of the ground, as in `"cm,ft"`.
     /// By default the units that the file says.
     #[serde(deserialize_with = "parsed")]
     pub unit: Option<GivenUnits>,

@@ -135,7 +135,7 @@ impl Edge {
         }
     }
 
-    /// The slopes of the patches before and behind: beyond an edge that of the patch inside.
+    /// The slopes of the patches before and behind. Beyond an edge the patch inside goes on.
     #[inline(always)]
     fn of_patches(self, [before, behind]: [f32; 2]) -> [f32; 2] {
         match self {

@@ -11,8 +11,8 @@ use relief_core::HeightMap;
 use super::fall::ROUNDING;
 use crate::cone_search::{Apexes, Field, LANE_BITS, LANES, Lanes, Region, Search, Seen, bits_of};
 
-/// The levels of the pyramid that are told: on lower ones there are few cells, and on higher ones their
-/// columns take long to go through.
+/// The levels of the pyramid whose nodes are looked at. Lower ones have few cells. The columns of higher ones
+/// take long to go through.
 const FIRST: u32 = 3;
 const LAST: u32 = 6;
 
@@ -48,7 +48,7 @@ pub(super) struct Found<'a> {
 }
 
 impl Extrusions {
-    /// Those of a map.
+    /// Finds the extrusions of a map.
     pub fn new(map: &HeightMap) -> Self {
         let (field, size) = (Field::new(map), [map.width(), map.height()]);
         let [width, height] = size.map(|side| side.div_ceil(1 << FIRST) as usize);
@@ -114,8 +114,8 @@ fn of_cell([h00, h10, h01, h11]: [f64; 4]) -> u8 {
 }
 
 impl AlikeNode {
-    /// Those of the lanes, a bit each, that a cell of the node may ask for more than they have found. The
-    /// others are asked for no more, to the last bit, by what each cell is asked.
+    /// The lanes, a bit each, for which a cell of the node may matter more than what they have found. For the
+    /// other lanes no cell of it changes a bit.
     ///
     /// Such a cell has the slope `b` across and no twist. So an apex `p` that it falls from is at most as far
     /// below it as the cell extended over `p` is above `p`, whatever the row; and the cell matters less, the

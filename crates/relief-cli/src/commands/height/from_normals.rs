@@ -257,7 +257,7 @@ impl Arguments {
         )))
     }
 
-    /// Refuses a map whose slopes are hardly those of any relief.
+    /// Refuses a map whose slopes fit no relief.
     fn judge_misfit(&self, misfit: Option<f64>, suspects: &[NormalSource]) -> Result<(), Failure> {
         let Some(percent) = misfit.map(|misfit| 100.0 * misfit).filter(|percent| *percent > self.max_misfit)
         else {

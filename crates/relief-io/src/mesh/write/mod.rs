@@ -137,7 +137,7 @@ impl Standing {
         Self { up: Up::usual(format), base_m: 0.0 }
     }
 
-    /// A position as the file has it, where a metre is so many of its units.
+    /// A position as the file has it. `units` is how many of its units are a metre.
     fn point(&self, position: Vec3, units: f64) -> Vec3 {
         let position = if self.base_m == 0.0 && units == 1.0 {
             position
@@ -148,7 +148,7 @@ impl Standing {
     }
 }
 
-/// Writes a mesh as [`write_mesh`] does, standing as it is told. A GLB always has `y` up.
+/// Writes a mesh as [`write_mesh`] does, standing as `standing` says. A GLB always has `y` up.
 ///
 /// # Errors
 ///
