@@ -178,9 +178,13 @@ fn help_begins_with_what_is_used_most() {
     ] {
         let help = folder.relief(&format!("{command} -h")).fine().stdout;
         let options = help.split("Options:").nth(1).expect("a section").split("\n\n").next().expect("lines");
-        let flags_of = options.lines().map(str::trim).filter(|line| line.starts_with('-'));
-        let listed: Vec<&str> =
-            flags_of.filter_map(|line| line.split_whitespace().find(|word| word.starts_with("--"))).collect();
+        // The texts of flags stand further to the right, and may begin with the name of another flag.
+        let of_a_flag = |line: &&str| line.trim_start().starts_with('-') && line.find('-') <= Some(6);
+        let listed: Vec<&str> = options
+            .lines()
+            .filter(of_a_flag)
+            .filter_map(|line| line.split_whitespace().find(|word| word.starts_with("--")))
+            .collect();
         let places: Vec<_> = flags.iter().map(|flag| listed.iter().position(|known| known == flag)).collect();
         assert!(places.iter().all(|place| place.is_some_and(|place| place < 10)), "{command}: {listed:?}");
         assert!(places.is_sorted(), "{command}: {listed:?}");
