@@ -4,7 +4,7 @@
 use std::io::ErrorKind;
 
 use relief_core::mesh::FramingError;
-use relief_io::ReadProblem;
+use relief_io::{ReadNote, ReadProblem, omissions};
 use relief_render::scene::SceneError;
 use relief_render::{Reason, RenderError};
 
@@ -66,6 +66,29 @@ pub fn of_picture(problem: &ReadProblem) -> Option<Mend> {
         ReadProblem::TooMuchMemory { .. } => Some(Mend::everywhere("--max-memory raises it")),
         ReadProblem::Mask { problem, .. } => of_picture(problem),
         _ => None,
+    }
+}
+
+/// What reads a file in another way than a note says: what is written behind the note, with a flag or with
+/// the key of a scene file.
+pub fn of_note(note: &ReadNote) -> Option<[String; 2]> {
+    let row = note.remark.row;
+    let with = |number: &dyn Fn(&str) -> [String; 2]| note.remark.mend.as_deref().map(number);
+    if *row == omissions::UNDECLARED_NODATA {
+        with(&|number| [format!(" --nodata {number}"), format!(" nodata = {number}")])
+    } else if *row == omissions::NARROW_RANGE {
+        with(&|range| {
+            [
+                format!(": --range {range} gives it the whole depth, as --range auto does"),
+                format!(": range = [{range}] gives it the whole depth, as range = \"auto\" does"),
+            ]
+        })
+    } else if *row == omissions::FITTED_RANGE {
+        with(&|range| [format!(", as with --range {range}"), format!(", as with range = [{range}]")])
+    } else if *row == omissions::NAMED_LIKE_DEPTH {
+        Some([" give --depth".to_owned(), " give depth = true".to_owned()])
+    } else {
+        None
     }
 }
 

@@ -319,11 +319,12 @@ fn the_smallest_maps_are_fine() {
     let folder = with_out();
     for [width, height] in [[1, 1], [1, 13], [13, 1]] {
         let size = [width, height];
-        let grey =
-            DynamicImage::ImageLuma8(GrayImage::from_fn(width, height, |x, y| image::Luma([(x + y) as u8])));
+        let grey = DynamicImage::ImageLuma8(GrayImage::from_fn(width, height, |x, y| {
+            image::Luma([20 * (x + y) as u8])
+        }));
         folder.write("map.png", encoded(&grey, ImageFormat::Png));
         folder.write("map.jpg", encoded(&grey, ImageFormat::Jpeg));
-        let values = (0..width * height).map(|at| at as f32).collect();
+        let values = (0..width * height).map(|at| at as f32 / 12.0).collect();
         folder.write("map.exr", exr(size, &[("Y", values)]));
         folder.write("map.pgm", [format!("P5 {width} {height} 255\n").as_bytes(), grey.as_bytes()].concat());
         folder.write("map.r16", vec![5; 2 * (width * height) as usize]);

@@ -7,11 +7,14 @@ use relief_core::registry::UnknownName;
 use relief_core::{HeightMap, TexelMask, Wrap};
 
 use crate::elevation::{Elevation, UnitOrigin};
+use crate::examine::examine;
 use crate::fill::fill_holes;
 use crate::image_file::ImageFile;
 use crate::layout::{Layout, Terrain};
 use crate::samples::{Samples, Selection};
-use crate::{GivenUnits, HeightNote, HeightRange, RawLayout, ReadError, ReadProblem, Source};
+use crate::{
+    GivenUnits, HeightNote, HeightRange, RawLayout, ReadError, ReadNote, ReadProblem, Remark, Source,
+};
 
 /// What white means in a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -173,11 +176,34 @@ pub fn read_height<'a>(
     source: impl Into<Source<'a>>,
     options: &HeightOptions,
 ) -> Result<HeightMap, ReadError> {
-    let source = source.into();
-    read(source, options).map_err(|problem| source.error(problem))
+    Ok(read_height_file(source, options)?.map)
 }
 
-fn read(source: Source<'_>, options: &HeightOptions) -> Result<HeightMap, ReadProblem> {
+/// A height map with what its reader left out or assumed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HeightFile {
+    /// The map.
+    pub map: HeightMap,
+    /// What is to be said of reading it.
+    pub notes: Vec<ReadNote>,
+}
+
+/// As [`read_height`], with notes.
+///
+/// # Errors
+///
+/// As [`read_height`].
+pub fn read_height_file<'a>(
+    source: impl Into<Source<'a>>,
+    options: &HeightOptions,
+) -> Result<HeightFile, ReadError> {
+    let source = source.into();
+    let (map, remarks) = read(source, options).map_err(|problem| source.error(problem))?;
+    let notes = remarks.into_iter().map(|remark| remark.of(source.name())).collect();
+    Ok(HeightFile { map, notes })
+}
+
+fn read(source: Source<'_>, options: &HeightOptions) -> Result<(HeightMap, Vec<Remark>), ReadProblem> {
     if let Some(range) = options.range.and_then(HeightRange::between)
         && !(range[0] < range[1] && (range[1] - range[0]).is_finite())
     {
@@ -185,13 +211,16 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<HeightMap, ReadPr
     }
     let file = ImageFile::open(source, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
     let file = file.in_units(options.unit);
-    let layout = file.layout().clone();
+    let mut layout = file.layout().clone();
+    let mut remarks = std::mem::take(&mut layout.remarks);
     let selection = select(&layout, options.channel.as_deref())?;
+    let sample = layout.channels[selection.first()].sample;
     let terrain = layout.terrain()?;
     let elevation = terrain.map(|terrain| &terrain.channels[selection.first()]);
     let note = HeightNote::of_file(source, layout.format);
-    let samples = Samples::read(file, &selection, options.nodata)
+    let mut samples = Samples::read(file, &selection, options.nodata)
         .map_err(|problem| with_alpha(problem, source, options))?;
+    remarks.extend(examine(&mut samples, &layout, sample, options, note.is_some()));
     let (holes, nearly_grey) = (samples.holes(), samples.nearly_grey);
     let full_scale = layout.height_full_scale();
     let range = range(&samples, full_scale, options)?;
@@ -227,7 +256,7 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<HeightMap, ReadPr
     } else if let Some(size) = terrain.and_then(|terrain| terrain.relative_texel_size) {
         map = map.with_texel_size_m(size)?.with_unnamed_unit();
     }
-    Ok(map)
+    Ok((map, remarks))
 }
 
 /// Reads heights that lie from 0 to 1 as they are stored: floats as they are, integers of up to 16 bit
@@ -246,7 +275,8 @@ pub fn read_stored_heights<'a>(
             ImageFile::open(source, None, BYTES_PER_TEXEL, max_bytes)?.layout().height_full_scale();
         let range = full_scale.is_none().then_some(HeightRange::Between([0.0, 1.0]));
         let wrap = Some(Wrap::Clamp);
-        read(source, &HeightOptions { range, wrap, max_bytes, ..HeightOptions::default() })
+        let options = HeightOptions { range, wrap, max_bytes, ..HeightOptions::default() };
+        Ok(read(source, &options)?.0)
     };
     read_as_stored().map_err(|problem| source.error(problem))
 }

@@ -1,10 +1,11 @@
 //! What a file holds, without judging it.
 
+use crate::examine::examine;
 use crate::height::{BYTES_PER_TEXEL, HeightOptions, select};
 use crate::image_file::ImageFile;
 use crate::layout::{Channel, Format};
 use crate::samples::Samples;
-use crate::{Elevation, Georeference, HeightNote, ReadError, ReadProblem, Source};
+use crate::{Elevation, Georeference, HeightNote, ReadError, ReadNote, ReadProblem, Source};
 
 /// Bins of [`Values::histogram`].
 pub const HISTOGRAM_BINS: usize = 64;
@@ -30,6 +31,8 @@ pub struct SourceInfo {
     pub note: Option<HeightNote>,
     /// The values of the channel that [`crate::read_height`] would read; none where it would ask for one.
     pub values: Option<Values>,
+    /// What [`crate::read_height_file`] would say of reading it.
+    pub notes: Vec<ReadNote>,
 }
 
 /// The values of one channel, in the file's own units.
@@ -77,7 +80,7 @@ pub struct Tiling {
 pub const SEAM_LIMIT: f64 = 1.25;
 
 /// Reads a file, or the bytes of one, and says what it holds. Options are used as in [`crate::read_height`]:
-/// `channel`, `nodata`, `unit`, `raw` and `max_bytes`.
+/// `channel`, `nodata`, `unit`, `range` (for notes alone), `raw` and `max_bytes`.
 ///
 /// Texels without a value are counted, not an error; nor is a picture in colour, of which `values` are not
 /// given.
@@ -94,7 +97,8 @@ pub fn inspect<'a>(source: impl Into<Source<'a>>, options: &HeightOptions) -> Re
 fn read(source: Source<'_>, options: &HeightOptions) -> Result<SourceInfo, ReadProblem> {
     let file = ImageFile::open(source, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
     let file = file.in_units(options.unit);
-    let layout = file.layout().clone();
+    let mut layout = file.layout().clone();
+    let mut remarks = std::mem::take(&mut layout.remarks);
     let terrain = layout.terrain()?.cloned();
     let note = HeightNote::of_file(source, layout.format);
     let values = match select(&layout, options.channel.as_deref()) {
@@ -102,7 +106,9 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<SourceInfo, ReadP
             let channel = selection.first();
             let elevation = terrain.as_ref().map(|terrain| terrain.channels[channel].clone());
             match Samples::read(file, &selection, options.nodata) {
-                Ok(samples) => {
+                Ok(mut samples) => {
+                    let sample = layout.channels[channel].sample;
+                    remarks.extend(examine(&mut samples, &layout, sample, options, note.is_some()));
                     let name = &layout.channels[channel].name;
                     Some(values(samples, name, layout.height_full_scale(), elevation))
                 }
@@ -125,6 +131,7 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<SourceInfo, ReadP
         georeference: terrain.and_then(|terrain| terrain.georeference),
         note,
         values,
+        notes: remarks.into_iter().map(|remark| remark.of(source.name())).collect(),
     })
 }
 

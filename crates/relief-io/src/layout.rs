@@ -4,6 +4,7 @@
 use crate::ReadProblem;
 use crate::elevation::{Elevation, Georeference};
 use crate::georeference::{Facts, GivenUnits};
+use crate::omissions::Remark;
 
 /// A file format that is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -115,6 +116,8 @@ pub(crate) struct Layout {
     pub terrain: Result<Option<Terrain>, String>,
     /// What that follows from.
     pub facts: Facts,
+    /// What the format's reader leaves out or assumes, for notes.
+    pub remarks: Vec<Remark>,
 }
 
 /// What makes a file an elevation model.
@@ -146,7 +149,17 @@ impl Layout {
         };
         let channels = names.iter().map(channel).collect();
         let (terrain, facts) = (Ok(None), Facts::default());
-        Self { format, width, height, channels, full_scale, nodata: None, terrain, facts }
+        Self {
+            format,
+            width,
+            height,
+            channels,
+            full_scale,
+            nodata: None,
+            terrain,
+            facts,
+            remarks: Vec::new(),
+        }
     }
 
     /// Takes what is said of ground and heights.
@@ -173,6 +186,11 @@ impl Layout {
             .as_ref()
             .map(Option::as_ref)
             .map_err(|what| ReadProblem::Georeference { what: what.clone() })
+    }
+
+    /// Whether it is an elevation model.
+    pub(crate) fn is_elevation(&self) -> bool {
+        matches!(self.terrain, Ok(Some(_)))
     }
 
     /// The raw value that stands for height 1; none where the range of the values decides, as in every

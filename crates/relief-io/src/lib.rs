@@ -15,6 +15,9 @@
 //!
 //! Writers leave a whole file or none; [`file_set`] does the same for several files at once.
 //!
+//! What a reader of heights leaves out or assumes it says by a [`ReadNote`], whose row in [`OMISSIONS`] says
+//! what was met and what was done. [`read_height_file`] and [`inspect`](inspect()) give them.
+//!
 //! Every reader takes a [`Source`]: a file's path, or the bytes of a file that are in memory already.
 //!
 //! # Memory
@@ -33,6 +36,7 @@
 mod convention;
 mod elevation;
 mod error;
+mod examine;
 mod exr;
 pub mod file_set;
 mod fill;
@@ -52,6 +56,7 @@ mod layout;
 mod mesh;
 mod nodata;
 mod normal_map;
+pub mod omissions;
 mod pgm;
 mod picture;
 mod picture_file;
@@ -72,7 +77,10 @@ pub use elevation::{CoordinateSystem, Doubt, Elevation, Georeference, GridTransf
 pub use error::{ReadError, ReadProblem, WriteError, WriteProblem};
 pub use georeference::{GivenUnits, LengthUnit, epsg};
 pub use ground::{Ground, read_ground};
-pub use height::{Convention, DEFAULT_MAX_BYTES, Fill, HeightOptions, read_height, read_stored_heights};
+pub use height::{
+    Convention, DEFAULT_MAX_BYTES, Fill, HeightFile, HeightOptions, read_height, read_height_file,
+    read_stored_heights,
+};
 pub use height_note::HeightNote;
 pub use height_range::HeightRange;
 pub use inspect::{HISTOGRAM_BINS, SEAM_LIMIT, SourceInfo, Tiling, Values, inspect};
@@ -83,6 +91,7 @@ pub use mesh::{
     read_raw_mesh, write_glb, write_mesh, write_mesh_standing, write_shells,
 };
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
+pub use omissions::{OMISSIONS, Omission, ReadNote, Remark};
 pub use picture::{Curve, Picture, linear_to_srgb, read_picture, read_picture_as, srgb_to_linear};
 pub use picture_file::{PictureFormat, PictureSink, write_picture};
 pub use raw_layout::{BadRawLayout, ByteOrder, RawLayout};

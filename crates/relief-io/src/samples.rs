@@ -110,6 +110,34 @@ impl Samples {
         Ok(collector.samples)
     }
 
+    /// The raw value of a stored number, or the other way round: both are the same.
+    pub(crate) fn raw(&self, stored: f64) -> f64 {
+        self.white.map_or(stored, |white| white - stored)
+    }
+
+    /// The stored numbers of two raw values, the lesser first.
+    pub(crate) fn stored(&self, values: [f64; 2]) -> [f64; 2] {
+        let [a, b] = values.map(|value| self.raw(value));
+        [a.min(b), a.max(b)]
+    }
+
+    /// The raw values of all texels that have one.
+    pub(crate) fn raw_values(&self) -> impl Iterator<Item = f64> {
+        self.values.iter().filter(|value| !value.is_nan()).map(|value| f64::from(*value) + self.offset)
+    }
+
+    /// Makes texels of some raw values ones that hold a nodata value. The others have these extremes.
+    pub(crate) fn forget(&mut self, is_nodata: impl Fn(f64) -> bool, extremes: [f64; 2]) {
+        for (at, value) in self.values.iter_mut().enumerate() {
+            if !value.is_nan() && is_nodata(f64::from(*value) + self.offset) {
+                *value = f32::NAN;
+                self.nodata += 1;
+                self.first_hole = Some(self.first_hole.map_or(at, |hole| hole.min(at)));
+            }
+        }
+        self.extremes = extremes;
+    }
+
     /// How many texels have no value.
     pub(crate) fn holes(&self) -> u64 {
         self.not_finite + self.nodata + self.masked

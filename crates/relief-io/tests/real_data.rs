@@ -213,3 +213,30 @@ fn real_pairs_show_their_conventions() {
         assert!(found.convention_confidence > 0.5 && found.green_confidence > 0.5, "{height}: {found:?}");
     }
 }
+
+#[test]
+fn sound_maps_are_read_without_a_word() {
+    let Some(data) = real_data() else { return };
+    let mut looked = 0;
+    let folders = [data.clone(), data.join("derived"), data.join("dem_matrix")];
+    let entries = folders.iter().flat_map(|folder| std::fs::read_dir(folder).into_iter().flatten());
+    for path in entries.map(|entry| entry.expect("an entry").path()).filter(|path| path.is_file()) {
+        let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        for channel in [None, Some("a")] {
+            let raw = name.ends_with(".r16").then(|| "403x344,le".parse().expect("a layout"));
+            let channel = channel.filter(|_| raw.is_none()).map(str::to_owned);
+            let options = HeightOptions { channel, raw, ..HeightOptions::default() };
+            let Ok(info) = inspect(&path, &options) else { continue };
+            if info.values.is_none() {
+                continue;
+            }
+            let rows: Vec<&str> = info.notes.iter().map(|note| note.remark.row.name).collect();
+            // The least and greatest values of floats are taken, which is no fault of theirs.
+            let faults: Vec<&str> = rows.into_iter().filter(|row| *row != "fitted-range").collect();
+            let expected: &[&str] = if name == "canyon_height.jpg" { &["narrow-range"] } else { &[] };
+            assert_eq!(faults, expected, "{name}");
+            looked += 1;
+        }
+    }
+    assert!(looked >= 20, "{looked} maps");
+}

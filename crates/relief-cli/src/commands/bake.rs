@@ -15,6 +15,7 @@ mod storage;
 mod tests;
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -25,7 +26,7 @@ use relief_bake::{BakeError, KINDS, Kind, Progress as BakeProgress, Settings, Sh
 use relief_core::registry::UnknownName;
 use relief_core::{ByteSize, HeightMap, Metric, Wrap};
 use relief_io::file_set::is_same_file;
-use relief_io::{read_ground, read_height};
+use relief_io::read_height_file;
 
 use self::files::{FilesError, Packing, Plan};
 use self::identity::Identity;
@@ -33,8 +34,7 @@ use self::outputs::{Earlier, Outputs};
 use self::report::Baked;
 use self::spool::Spool;
 use self::storage::{FileFormat, Storage, TexelChoice};
-use super::lengths;
-use super::maps::{HeightArguments, inside_out, is_depth, nearly_grey};
+use super::maps::{self, HeightArguments, Note};
 use crate::failure::Failure;
 use crate::interrupt::{self, cancelled};
 use crate::progress::Progress;
@@ -266,6 +266,8 @@ struct Job<'a> {
     source_hash: String,
     /// The beginning of the files' names.
     stem: String,
+    /// What is said of reading the map.
+    notes: BTreeSet<Note>,
 }
 
 /// A kind to bake.
@@ -306,21 +308,19 @@ impl<'a> Job<'a> {
             None => (stem, None),
         };
         let options = arguments.reading.options(arguments.max_memory);
-        let map = read_height(&arguments.height, &options).map_err(Failure::of_map)?;
+        let file = read_height_file(&arguments.height, &options).map_err(Failure::of_map)?;
+        let notes = maps::of_file(&arguments.height, &file, &arguments.reading);
         if !arguments.json {
-            let name = arguments.height.display().to_string();
-            let ground = read_ground(&arguments.height, &options).map_err(Failure::of_map)?;
-            let is_depth = arguments.reading.depth || is_depth(&ground);
-            let turned = inside_out(&arguments.height).filter(|_| !is_depth);
-            let of_units = lengths::of_map(&ground, &map).into_iter().map(|note| format!("{name}: {note}"));
-            nearly_grey(&name, &map).into_iter().chain(turned).chain(of_units).for_each(say::note);
+            notes.iter().for_each(say::note);
         }
+        let map = file.map;
         let metric = metric(arguments, &map)?;
         let map = map.with_displacement(metric.scale_m, -metric.scale_m).map_err(Failure::usage)?;
         let source_hash = map.heights_hash().to_string();
         let (size, wrap) = ([map.width(), map.height()], map.wrap());
         let (folder, tasks) = (arguments.folder(), Vec::new());
-        let mut job = Self { arguments, folder, file_name, tasks, size, wrap, metric, source_hash, stem };
+        let mut job =
+            Self { arguments, folder, file_name, tasks, size, wrap, metric, source_hash, stem, notes };
         let count = kinds.len();
         for (at, (kind, settings)) in kinds.into_iter().enumerate() {
             let task = job.task(kind, settings, &map, at + 1 < count)?;

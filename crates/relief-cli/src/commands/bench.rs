@@ -60,7 +60,7 @@ impl Arguments {
     }
 
     fn comparison(&self) -> Result<Comparison, Failure> {
-        let mut comparison = self.contest.contest()?.comparison()?;
+        let mut comparison = self.contest.contest()?.comparison(self.json)?;
         (comparison.rays, comparison.flicker_samples) = (0, None);
         comparison.timing = Some(Timing { frames: self.frames, warm: self.warm, pixels: 1 });
         comparison.check().map_err(of_comparison)?;

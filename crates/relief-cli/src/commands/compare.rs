@@ -203,7 +203,7 @@ impl Arguments {
         spec.size = spec.size.or(Some(if self.quick { QUICK_SIZE } else { SIZE }));
         let has_scale = spec.each_surface().iter().any(|surface| surface.scale.is_some());
         let is_scene = self.contest.scene.file().is_some();
-        let mut comparison = contest.comparison()?;
+        let mut comparison = contest.comparison(self.json)?;
         comparison.steps.clone_from(&self.steps);
         comparison.angles_deg.clone_from(&self.angles);
         let has_own = is_scene || has_scale || self.goal().is_some();

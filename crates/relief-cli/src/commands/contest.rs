@@ -14,6 +14,7 @@ use relief_render::{RenderError, Renderer};
 use relief_shaders::{Choice, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SLICES, STAGES, Selection, geometry};
 use tempfile::TempDir;
 
+use super::maps::{self, By};
 use super::numbered::{Numbering, ONE_FRAME, files};
 use super::scene_arguments::{SceneArguments, of_scene};
 use crate::failure::Failure;
@@ -167,9 +168,13 @@ impl ContestArguments {
 }
 
 impl Contest {
-    /// Reads the maps. Everything that is not named here is as [`Comparison::new`] has it.
-    pub fn comparison(&self) -> Result<Comparison, Failure> {
+    /// Reads the maps, and says what is to be said of that unless it is to be quiet. Everything that is not
+    /// named here is as [`Comparison::new`] has it.
+    pub fn comparison(&self, quiet: bool) -> Result<Comparison, Failure> {
         let scene = self.spec.load().map_err(of_scene)?;
+        if !quiet {
+            maps::of_reading(&self.spec, &scene, By::Flags).iter().for_each(say::note);
+        }
         let map = self.spec.each_surface().into_iter().find_map(|surface| surface.height);
         let name = map.as_deref().and_then(|path| path.file_stem()).unwrap_or_default();
         let mut comparison = Comparison::new(name.to_string_lossy(), scene);

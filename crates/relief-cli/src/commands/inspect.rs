@@ -16,7 +16,7 @@ use relief_io::{
 use serde_json::{Value, json};
 
 use super::lengths;
-use super::maps::FileArguments;
+use super::maps::{self, By, FileArguments};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::streams::{Files, answer};
@@ -144,6 +144,9 @@ fn print(
     }
     for note in lengths::notes(&ground_of(info)) {
         writeln!(out, "  units       {note}")?;
+    }
+    for note in &info.notes {
+        writeln!(out, "  note        {}{}", note.remark.text, By::Flags.advice(note))?;
     }
     if let (None, Some(guess)) = (detection, guess_by_name(&arguments.file)) {
         let (kind, hint) = match guess.convention {
@@ -358,5 +361,6 @@ fn as_json(arguments: &Arguments, info: &SourceInfo, detection: Option<&Detectio
         "channels": channels, "nodata": info.nodata_value, "texel_m": info.texel_size_m,
         "georeference": georeference, "scale_m": info.note.map(|note| note.scale_m), "bias_m": info.note.map(|note| note.bias_m), "values": values,
         "detection": detection, "guess": guess,
+        "notes": maps::as_json(&info.notes.iter().map(|note| By::Flags.note(note)).collect()),
     })
 }

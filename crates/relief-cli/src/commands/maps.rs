@@ -1,18 +1,20 @@
 //! How a height map is to be read: the flags that commands share.
 
 use std::collections::BTreeSet;
+use std::fmt;
 use std::path::Path;
 
 use clap::Args;
 use relief_core::{ByteSize, HeightMap, Wrap};
 use relief_io::{
-    Convention, DEFAULT_MAX_BYTES, Fill, GivenUnits, Ground, HeightOptions, HeightRange, RawLayout,
-    guess_by_name, read_ground,
+    Convention, DEFAULT_MAX_BYTES, Fill, GivenUnits, Ground, HeightFile, HeightOptions, HeightRange,
+    Omission, RawLayout, ReadNote, Remark, guess_by_name, omissions, read_ground,
 };
 use relief_render::scene::{Scene, SceneSpec, SurfaceSpec};
+use serde_json::{Value, json};
 
 use super::lengths;
-use crate::values;
+use crate::{advice, values};
 
 /// How the height map's file is read.
 #[derive(Args)]
@@ -95,26 +97,97 @@ impl HeightArguments {
     }
 }
 
+/// What is said of reading a file.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Note {
+    text: String,
+    /// The row of [`OMISSIONS`](relief_io::OMISSIONS).
+    about: &'static str,
+}
+
+impl Note {
+    /// Whether it belongs to that row.
+    pub fn is_about(&self, row: &Omission) -> bool {
+        self.about == row.name
+    }
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+/// How a user chooses what is read in another way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    /// By flags of the command.
+    Flags,
+    /// By keys of the scene file alone.
+    Keys,
+}
+
+impl By {
+    /// A reader's note, with what reads the file in another way.
+    pub fn note(self, note: &ReadNote) -> Note {
+        let text = format!("{note}{}", self.advice(note));
+        // What is said of units names the flag itself.
+        let text = match self {
+            By::Keys if *note.remark.row == omissions::UNITS => text.replace("--unit", "the key unit"),
+            _ => text,
+        };
+        Note { text, about: note.remark.row.name }
+    }
+
+    /// What is written behind a note.
+    pub fn advice(self, note: &ReadNote) -> String {
+        let [flag, key] = advice::of_note(note).unwrap_or_default();
+        match self {
+            By::Flags => flag,
+            By::Keys => key,
+        }
+    }
+}
+
+/// Notes for programs.
+pub fn as_json(notes: &BTreeSet<Note>) -> Value {
+    notes.iter().map(|Note { text, about }| json!({ "about": about, "text": text })).collect()
+}
+
 /// What is said of a picture whose red, green and blue are not quite equal.
-pub fn nearly_grey(name: &str, map: &HeightMap) -> Option<String> {
+fn nearly_grey(map: &HeightMap) -> Option<Remark> {
     let count = map.nearly_grey_texels();
     (count > 0).then(|| {
-        format!(
-            "{name}: nearly grey; the mean of red, green and blue is taken for the height ({count} texels \
-             differ)"
-        )
+        let what = "nearly grey; the mean of red, green and blue is taken for the height";
+        Remark::new(&omissions::NEARLY_GREY, format!("{what} ({count} texels differ)"))
     })
 }
 
 /// What is said of a map that is named as depths are and read as heights.
-pub fn inside_out(path: &Path) -> Option<String> {
+fn inside_out(path: &Path) -> Option<Remark> {
     let guess = guess_by_name(path).filter(|guess| guess.convention == Convention::Depth)?;
     let percent = 100.0 * guess.confidence;
-    Some(format!(
-        "{}: is named like a depth map ({percent:.0} % of such maps are), and read as heights: if the relief \
-         is inside out, give --depth",
-        path.display()
-    ))
+    let text = format!(
+        "is named like a depth map ({percent:.0} % of such maps are), and read as heights: if the relief is \
+         inside out,"
+    );
+    Some(Remark::new(&omissions::NAMED_LIKE_DEPTH, text))
+}
+
+/// Of a height map's file how it was read where that was not asked for.
+pub fn of_file(path: &Path, file: &HeightFile, reading: &HeightArguments) -> BTreeSet<Note> {
+    let ground = read_ground(path, &reading.options(None)).ok();
+    let is_depth = reading.depth || ground.as_ref().is_some_and(is_depth);
+    let turned = inside_out(path).filter(|_| !is_depth);
+    let more = nearly_grey(&file.map).into_iter().chain(turned).chain(of_units(ground.as_ref(), &file.map));
+    let more = more.map(|remark| remark.of(path));
+    file.notes.iter().cloned().chain(more).map(|note| By::Flags.note(&note)).collect()
+}
+
+/// What is said of the units of a map.
+fn of_units(ground: Option<&Ground>, map: &HeightMap) -> Vec<Remark> {
+    let notes = ground.map(|ground| lengths::of_map(ground, map)).unwrap_or_default();
+    notes.into_iter().map(|note| Remark::new(&omissions::UNITS, note)).collect()
 }
 
 /// What the header of a surface's height map says of the ground; none where there is no such file.
@@ -134,26 +207,31 @@ pub fn is_depth(ground: &Ground) -> bool {
 }
 
 /// Of each height map how it was read where that was not asked for, once.
-pub fn of_reading(spec: &SceneSpec, scene: &Scene) -> BTreeSet<String> {
+pub fn of_reading(spec: &SceneSpec, scene: &Scene, by: By) -> BTreeSet<Note> {
     let surfaces = spec.each_surface().into_iter().zip(scene.surfaces());
     let notes = surfaces.flat_map(|(described, surface)| {
         let ground = ground_of(&described);
         let path = described.height.unwrap_or_default();
         let is_depth = ground.as_ref().is_some_and(is_depth);
         let turned = inside_out(&path).filter(|_| described.depth.is_none() && !is_depth);
-        let name = path.display().to_string();
         let count = surface.height_map().filled_texels();
+        let missing = format!("{count} of its texels have no value");
         let filled = match (surface.has_holes(), described.fill.is_none(), count) {
-            (true, _, 0) => Some(format!("{name}: every texel has a value: there are no holes to be seen")),
-            (true, _, _) => Some(format!("{name}: {count} of its texels have no value; they are holes")),
-            (false, true, 1..) => Some(format!(
-                "{name}: {count} of its texels have no value; they are filled from their surroundings"
-            )),
+            (true, _, 0) => {
+                let text = "every texel has a value: there are no holes to be seen";
+                Some(Remark::new(&omissions::NO_HOLES, text))
+            }
+            (true, _, _) => Some(Remark::new(&omissions::HOLES, format!("{missing}; they are holes"))),
+            (false, true, 1..) => {
+                let text = format!("{missing}; they are filled from their surroundings");
+                Some(Remark::new(&omissions::FILLED, text))
+            }
             _ => None,
         };
-        let of_units = ground.iter().flat_map(|ground| lengths::of_map(ground, surface.height_map()));
-        let of_units: Vec<String> = of_units.map(|note| format!("{name}: {note}")).collect();
-        filled.into_iter().chain(nearly_grey(&name, surface.height_map())).chain(turned).chain(of_units)
+        let map = surface.height_map();
+        let remarks = filled.into_iter().chain(nearly_grey(map)).chain(turned);
+        let remarks = remarks.chain(of_units(ground.as_ref(), map));
+        remarks.map(|remark| remark.of(&path)).collect::<Vec<_>>()
     });
-    notes.collect()
+    scene.notes().iter().cloned().chain(notes).map(|note| by.note(&note)).collect()
 }

@@ -15,6 +15,7 @@ use std::time::Instant;
 use clap::{Args, ValueEnum};
 use relief_core::ByteSize;
 use relief_core::registry::UnknownName;
+use relief_io::omissions::UNDECLARED_NODATA;
 use relief_io::{DEFAULT_MAX_BYTES, MeshFormat, Up};
 use relief_mesh::{
     BaseSurface, Directions, EDGE_RULES, EdgeRule, Fit, INTERIORS, Interior, Judge, Mesher, Seams, Shading,
@@ -27,7 +28,7 @@ use self::ground::Metres;
 use self::refused::COARSER;
 use self::seen::{LevelFilter, Seen};
 use super::lengths;
-use super::maps::{self, HeightArguments};
+use super::maps::{self, By, HeightArguments};
 use super::placed::PlacedArguments;
 use super::scene_arguments::of_scene;
 use super::staged::{Staged, format_of};
@@ -332,13 +333,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         spec.load().map_err(of_scene)?
     };
     let surface = scene.surfaces()[0].clone();
-    if let Some(ground) = spec.each_surface().first().and_then(maps::ground_of)
+    let notes = maps::of_reading(&spec, &scene, By::Flags);
+    // Heights with a value for none among them are no reason to doubt their unit.
+    if !notes.iter().any(|note| note.is_about(&UNDECLARED_NODATA))
+        && let Some(ground) = spec.each_surface().first().and_then(maps::ground_of)
         && let Some(doubt) = lengths::doubt_of(&ground, surface.height_map())
     {
         return Err(Failure::Work(format!("{}: {doubt}", arguments.height.display())));
     }
     if !arguments.json {
-        maps::of_reading(&spec, &scene).into_iter().for_each(say::note);
+        notes.iter().for_each(say::note);
     }
     let view = arguments.view_of(&spec, &scene);
     if surface.object().is_some() {
@@ -365,7 +369,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let written = made::write(arguments, &seen, format, &files, &mut staged, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
-    let about = report::About { format, written: &written, seconds, surface: &surface, metres: &metres };
+    let about = report::About {
+        format,
+        written: &written,
+        seconds,
+        surface: &surface,
+        metres: &metres,
+        notes: &notes,
+    };
     tell_written(arguments.json, |out| about.tell(arguments, out))
 }
 

@@ -17,7 +17,7 @@ use relief_render::{Made, RenderError, Renderer};
 use self::baked_maps::CacheArguments;
 use self::output::{Bits, Counts, Outputs, StreamFormat};
 use self::report::Picture;
-use super::maps;
+use super::maps::{self, By};
 use super::numbered::Numbering;
 use super::scene_arguments::{MachineArguments, SceneArguments, of_scene};
 use crate::failure::Failure;
@@ -155,7 +155,8 @@ impl<'a> Studio<'a> {
     fn notes(&self, spec: &SceneSpec, scene: &Scene, made: &Made) -> Vec<String> {
         // Where no map was baked nobody misses a place to keep it.
         let no_cache = self.no_cache.clone().filter(|_| !made.maps.is_empty());
-        let notes = maps::of_reading(spec, scene).into_iter().chain(no_cache);
+        let of_reading = maps::of_reading(spec, scene, By::Flags);
+        let notes = of_reading.iter().map(ToString::to_string).chain(no_cache);
         notes.chain(made.maps.iter().filter_map(baked_maps::note)).collect()
     }
 }

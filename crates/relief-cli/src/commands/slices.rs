@@ -12,13 +12,14 @@ use relief_io::{DEFAULT_MAX_BYTES, MAX_SHELLS, MeshCounts, Shells, WriteError, w
 use relief_render::scene::{SceneError, SceneSpec, Surface, read_scene};
 use serde_json::json;
 
+use super::maps::{self, By};
 use super::numbered::{Numbering, ONE_FRAME, files};
 use super::scene_arguments::of_scene_file;
 use super::staged::{Staged, format_of};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::streams::{Files, tell_written};
-use crate::{interrupt, values};
+use crate::{interrupt, say, values};
 
 /// What `relief slices` is given.
 #[derive(Args)]
@@ -134,6 +135,9 @@ impl Arguments {
             ..spec
         };
         let scene = spec.load().map_err(of_scene_file)?;
+        if !self.json {
+            maps::of_reading(&spec, &scene, By::Keys).iter().for_each(say::note);
+        }
         match scene.surfaces() {
             [surface] if surface.object().is_some() => {
                 Err(refused("its surface is an object of images, which has no base for shells"))

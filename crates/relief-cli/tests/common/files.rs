@@ -216,7 +216,7 @@ fn hdr(size: [u32; 2], values: &[f32]) -> Vec<u8> {
     hdr_header(size).into_bytes().into_iter().chain(texels).collect()
 }
 
-fn pgm([width, height]: [u32; 2], texels: &[u16]) -> Vec<u8> {
+pub fn pgm([width, height]: [u32; 2], texels: &[u16]) -> Vec<u8> {
     let samples = texels.iter().flat_map(|texel| texel.to_be_bytes());
     format!("P5 {width} {height} 65535\n").into_bytes().into_iter().chain(samples).collect()
 }

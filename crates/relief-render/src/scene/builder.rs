@@ -321,6 +321,7 @@ impl SceneBuilder {
             sampling: self.sampling,
             geometry_memory: self.geometry_memory,
             culls: self.culls,
+            notes: Vec::new(),
         })
     }
 }

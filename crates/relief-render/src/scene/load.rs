@@ -94,7 +94,8 @@ impl SceneSpec {
         if let Some(environment) = environment {
             builder = builder.environment(environment);
         }
-        Ok(builder.geometry_memory(ByteSize(maps.left())).build()?)
+        let scene = builder.geometry_memory(ByteSize(maps.left())).build()?;
+        Ok(Scene { notes: maps.into_notes(), ..scene })
     }
 
     /// Every surface, with its number where there are several, and with what needs no file.

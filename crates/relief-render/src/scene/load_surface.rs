@@ -12,7 +12,8 @@ use glam::{Vec2, Vec3};
 use relief_core::object::ImageObject;
 use relief_core::{ByteSize, HeightMap, Wrap};
 use relief_io::{
-    Convention, Fill, HeightOptions, HeightRange, MeshOptions, Picture, ReadError, ReadProblem, Up,
+    Convention, Fill, HeightFile, HeightOptions, HeightRange, MeshOptions, Picture, ReadError, ReadNote,
+    ReadProblem, Up,
 };
 use relief_object::{ObjectFile, ObjectOptions};
 use relief_shaders::{AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
@@ -113,12 +114,19 @@ pub struct Maps {
     heights: Vec<(PathBuf, HeightOptions, HeightMap)>,
     colors: Vec<(PathBuf, Arc<Picture>)>,
     meshes: Vec<(PathBuf, MeshOptions, Mesh, Option<FileColors>)>,
+    /// What is to be said of reading the files.
+    notes: Vec<ReadNote>,
 }
 
 impl Maps {
     /// Of a limit to all memory so much is left for maps.
     pub fn new(limit: ByteSize, left: u64) -> Self {
-        Self { limit, left, heights: Vec::new(), colors: Vec::new(), meshes: Vec::new() }
+        Self { limit, left, heights: Vec::new(), colors: Vec::new(), meshes: Vec::new(), notes: Vec::new() }
+    }
+
+    /// What is to be said of reading the files.
+    pub fn into_notes(self) -> Vec<ReadNote> {
+        self.notes
     }
 
     /// The memory that is left.
@@ -133,7 +141,8 @@ impl Maps {
         if let Some((_, _, map)) = self.heights.iter().find(same) {
             return Ok(map.clone());
         }
-        let map = relief_io::read_height(path, &options)?;
+        let HeightFile { map, notes } = relief_io::read_height_file(path, &options)?;
+        self.notes.extend(notes);
         self.heights.push((path.to_owned(), options, map.clone()));
         Ok(map)
     }

@@ -46,6 +46,7 @@ use crate::tone::Tone;
 use glam::Vec3;
 use relief_core::ByteSize;
 pub use relief_core::mesh::UvProjection;
+use relief_io::ReadNote;
 use relief_shaders::Selection;
 pub use relief_shaders::wgsl::Sampling;
 use std::sync::Arc;
@@ -68,6 +69,7 @@ pub struct Scene {
     pub(crate) sampling: Sampling,
     pub(crate) geometry_memory: ByteSize,
     pub(crate) culls: bool,
+    pub(crate) notes: Vec<ReadNote>,
 }
 
 impl Scene {
@@ -150,6 +152,11 @@ impl Scene {
     /// The most memory that all displaced triangles may take, with what is built on them.
     pub fn geometry_memory(&self) -> ByteSize {
         self.geometry_memory
+    }
+
+    /// What the readers of its files left out or assumed.
+    pub fn notes(&self) -> &[ReadNote] {
+        &self.notes
     }
 
     /// Whether displaced triangles that nothing sees are left out.

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use serde_json::{Value, json};
 
-use super::{Job, Task};
+use super::{Job, Task, maps};
 use crate::failure::Failure;
 use crate::say;
 
@@ -79,6 +79,7 @@ impl Job<'_> {
             "input": self.arguments.height, "output": self.arguments.output, "source": self.source_hash,
             "width": self.size[0], "height": self.size[1], "wrap": self.wrap.name(),
             "tile_m": self.metric.tile_m, "scale_m": self.metric.scale_m, "baked": baked, "kept": kept,
+            "notes": maps::as_json(&self.notes),
         })
     }
 }

@@ -11,7 +11,7 @@ use std::path::Path;
 use clap::Parser;
 use relief_bake::Channel;
 use relief_core::Rounding;
-use relief_io::{TexelFormat, read_ktx2, read_metadata, write_png16};
+use relief_io::{TexelFormat, read_height, read_ktx2, read_metadata, write_png16};
 use serde_json::{Value, json};
 
 use self::kinds::{find, shade};

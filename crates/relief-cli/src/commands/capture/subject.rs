@@ -11,6 +11,7 @@ use relief_render::scene::{MeshChoice, SceneSpec, SurfaceSpec, read_scene};
 
 use super::Arguments;
 use crate::advice;
+use crate::commands::maps::{self, By};
 use crate::commands::numbered::{Numbering, ONE_FRAME, files};
 use crate::commands::scene_arguments::of_scene_file;
 use crate::failure::Failure;
@@ -133,7 +134,8 @@ fn displaced(
     };
     let colors = picture.map(|picture| with_picture(picture, surface));
     inputs.extend(arguments.color.clone());
-    Ok(Subject { mesh, colors, inputs, notes: Vec::new() })
+    let notes = maps::of_reading(&spec, &scene, By::Keys);
+    Ok(Subject { mesh, colors, inputs, notes: notes.iter().map(ToString::to_string).collect() })
 }
 
 /// The mesh of a file, and its colours if it has any.

@@ -7,19 +7,19 @@ use std::time::Instant;
 use clap::Args;
 use relief_core::mesh::Mesh;
 use relief_core::{ByteSize, HeightMap};
-use relief_io::{DEFAULT_MAX_BYTES, HeightNote, MeshOptions, read_height, read_mesh};
+use relief_io::{DEFAULT_MAX_BYTES, HeightNote, MeshOptions, read_height_file, read_mesh};
 use relief_render::scene::{MeshChoice, Surface};
 use serde_json::json;
 
 use super::described::Described;
 use super::output::{Content, Format, Output};
 use super::{check_memory, of_unwrapped};
-use crate::commands::maps::HeightArguments;
+use crate::commands::maps::{self, HeightArguments};
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::streams::{Files, Written, tell_written};
-use crate::{interrupt, units, values};
+use crate::{interrupt, say, units, values};
 
 /// Displacement in metres between heights 0 and 1 unless something says otherwise; that of `relief render`.
 const DEFAULT_SCALE_M: f64 = 0.05;
@@ -92,10 +92,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         ));
     }
     let max_bytes = arguments.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0);
-    let (map, mesh) = {
+    let (map, notes, mesh) = {
         let _reading = Progress::spinner("reading", *json);
-        let map = read_height(path, &arguments.reading.options(arguments.max_memory));
-        let map = map.map_err(Failure::of_map)?;
+        let file = read_height_file(path, &arguments.reading.options(arguments.max_memory));
+        let file = file.map_err(Failure::of_map)?;
+        let notes = maps::of_file(path, &file, &arguments.reading);
+        let map = file.map;
         let mesh = match &arguments.mesh {
             MeshChoice::File(file) => {
                 let options = MeshOptions { max_bytes, ..MeshOptions::default() };
@@ -103,8 +105,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             }
             MeshChoice::Builtin(builtin) => builtin.build(map.proportions()).map_err(Failure::work)?,
         };
-        (map, mesh)
+        (map, notes, mesh)
     };
+    if !json {
+        notes.iter().for_each(say::note);
+    }
     check_memory([map.width(), map.height()], BYTES_PER_TEXEL, max_bytes)?;
     let map = arguments.displaced(map, &mesh)?;
     let cancel = interrupt::catch()?;
@@ -123,7 +128,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
                 "input": path.display().to_string(), "mesh": arguments.mesh.to_string(),
                 "output": output.path.display().to_string(), "width": width, "height": height, "scale_m": scale_m,
                 "bias_m": bias_m, "tile_m": tile_m, "lift_m": made.lift_m, "without_value": made.without_value,
-                "seconds": seconds,
+                "seconds": seconds, "notes": maps::as_json(&notes),
             });
             writeln!(out, "{about:#}")?;
             return Ok(());

@@ -1,5 +1,6 @@
 //! What is said of a mesh that was made.
 
+use std::collections::BTreeSet;
 use std::io::Write;
 
 use glam::Vec3;
@@ -11,6 +12,7 @@ use serde_json::json;
 use super::Arguments;
 use super::ground::Metres;
 use super::made::{WrittenLevel, WrittenPart};
+use crate::commands::maps::{self, Note};
 use crate::failure::Failure;
 use crate::say;
 use crate::units::{fitting, in_words};
@@ -23,6 +25,7 @@ pub struct About<'a> {
     pub seconds: f64,
     pub surface: &'a Surface,
     pub metres: &'a Metres,
+    pub notes: &'a BTreeSet<Note>,
 }
 
 /// What seams are off by is told from this part of the error on.
@@ -133,7 +136,7 @@ impl About<'_> {
 
     /// Says it.
     pub fn tell(&self, arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
-        let Self { format, written, seconds, surface, metres } = self;
+        let Self { format, written, seconds, surface, metres, notes } = self;
         let size = written.first().map_or(1.0, |part| part.size);
         // Of the mesh that is written beside the ground.
         let of_ground = size / metres.factor;
@@ -166,6 +169,7 @@ impl About<'_> {
                 "vertices": vertices, "triangles": triangles,
                 "open_edges": open, "branching_edges": branching, "pieces": pieces,
                 "size_m": size_m, "up": up.name(), "scale_m": scale_m, "bias_m": bias_m, "bytes": bytes, "seconds": seconds,
+                "notes": maps::as_json(notes),
             });
             if let Some(Certificate { error_m, uv, mean_m, seams_m, judge }) = certificate {
                 about["error"] = json!({

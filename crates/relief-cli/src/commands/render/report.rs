@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 
 use super::baked_maps;
 use super::output::{Counts, Outputs};
+use crate::commands::maps::{self, By};
 use crate::{advice, values};
 
 /// What is counted as reads: those of the method's own shader, or where the CPU answers `exact` by the exact
@@ -43,7 +44,7 @@ impl Picture<'_> {
 
     /// Says for machines what was rendered and how.
     pub fn as_json(&self) -> Value {
-        let Self { scene, outputs, made, .. } = self;
+        let Self { spec, scene, outputs, made, .. } = self;
         let Counts { covered, exhausted, .. } = self.counts;
         let [width, height] = scene.size();
         // Names that are no Unicode have no exact form in JSON.
@@ -64,6 +65,7 @@ impl Picture<'_> {
             "surfaces": scene.surfaces().iter().map(surface).collect::<Vec<_>>(),
             "covered": covered, "exhausted": exhausted,
             "mean_reads": self.mean_reads(), "reads_are": what_reads_are(scene, made.backend),
+            "notes": maps::as_json(&maps::of_reading(spec, scene, By::Flags)),
             "maps": made.maps.iter().map(baked_maps::as_json).collect::<Vec<_>>(),
         })
     }

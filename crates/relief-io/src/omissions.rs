@@ -1,0 +1,113 @@
+//! What readers meet in files and leave out, assume, or take in another way than a user may expect. Every
+//! such thing is a row of one table, and every note that is given of it names its row.
+
+use std::fmt;
+use std::path::PathBuf;
+
+/// A row of the table of what readers meet.
+#[derive(Debug, PartialEq, Eq, Hash)]
+pub struct Omission {
+    /// The name by which programs know it, as in `undeclared-nodata`.
+    pub name: &'static str,
+    /// The reader that meets it: of heights, of meshes or of pictures, or a format.
+    pub reader: &'static str,
+    /// What it meets.
+    pub met: &'static str,
+    /// What it does then.
+    pub done: &'static str,
+}
+
+/// Declares the rows, each a constant, and the list of all of them.
+macro_rules! omissions {
+    ($($row:ident: $name:literal, $reader:literal, $met:literal, $done:literal;)*) => {
+        $(
+            #[doc = concat!("Met by the reader of ", $reader, ": ", $met, ". Then: ", $done, ".")]
+            pub const $row: Omission = Omission { name: $name, reader: $reader, met: $met, done: $done };
+        )*
+
+        /// All rows.
+        pub const OMISSIONS: &[Omission] = &[$($row),*];
+    };
+}
+
+// A new row needs a file that makes it appear: `FEEDS` in `crates/relief-cli/tests/notes.rs`.
+omissions! {
+    UNDECLARED_NODATA: "undeclared-nodata", "heights",
+        "a value far beyond all others, which no file and no user declares as a value for none",
+        "it is taken for a height";
+    NEAR_NODATA: "near-nodata", "heights",
+        "values that are the declared value for none but for a little, as lossy compression leaves it",
+        "their texels have no value";
+    ABSENT_NODATA: "absent-nodata", "heights",
+        "a value for none that is given, and that no texel has",
+        "all texels keep their values";
+    NARROW_RANGE: "narrow-range", "heights",
+        "integers that use less than a tenth of what their type holds",
+        "heights 0 and 1 are the type's least and greatest value";
+    FITTED_RANGE: "fitted-range", "heights",
+        "floats between 0 and 1 that use less than nine tenths of it",
+        "heights 0 and 1 are their least and greatest value";
+    NEARLY_GREY: "nearly-grey", "heights",
+        "red, green and blue that are nearly equal",
+        "their mean is the height";
+    FILLED: "filled", "heights",
+        "texels without a value, with nothing said of them",
+        "they are filled from their surroundings";
+    HOLES: "holes", "heights",
+        "texels without a value where holes are asked for",
+        "what is behind them is seen";
+    NO_HOLES: "no-holes", "heights",
+        "no texel without a value where holes are asked for",
+        "the whole surface is seen";
+    NAMED_LIKE_DEPTH: "named-like-depth", "heights",
+        "a name as depth maps have",
+        "white is high all the same";
+    UNITS: "units", "heights",
+        "heights or a ground whose unit is not named or not known, or heights that are no metres",
+        "the unit of the other is taken, or metres are not known";
+}
+
+/// Something that a reader met in a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Remark {
+    /// The row of the table.
+    pub row: &'static Omission,
+    /// What was met in this file, as a sentence without a full stop.
+    pub text: String,
+    /// The value of an option that reads the file in another way, where there is one: a number, or numbers
+    /// between commas.
+    pub mend: Option<String>,
+}
+
+impl Remark {
+    /// A remark without an option that mends it.
+    pub fn new(row: &'static Omission, text: impl Into<String>) -> Self {
+        Self { row, text: text.into(), mend: None }
+    }
+
+    /// The same with the value of an option.
+    #[must_use]
+    pub fn with_mend(self, mend: impl Into<String>) -> Self {
+        Self { mend: Some(mend.into()), ..self }
+    }
+
+    /// A note of a file.
+    pub fn of(self, path: impl Into<PathBuf>) -> ReadNote {
+        ReadNote { path: path.into(), remark: self }
+    }
+}
+
+/// What a reader met in a file of that name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ReadNote {
+    /// The file's path, or the name given with its bytes.
+    pub path: PathBuf,
+    /// What it met.
+    pub remark: Remark,
+}
+
+impl fmt::Display for ReadNote {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.path.display(), self.remark.text)
+    }
+}
