@@ -35,7 +35,7 @@ pub enum ReadProblem {
     #[error("is empty")]
     Empty,
     /// The content is none of the formats that are read.
-    #[error("is not a PNG, JPEG, EXR, TIFF, Radiance HDR or PGM file: convert it")]
+    #[error("is not a PNG, JPEG, EXR, TIFF, Radiance HDR, PGM or WebP file: convert it")]
     Unrecognised,
     /// A headerless file, by its name, without its layout.
     #[error("holds samples without a header: give its size and byte order")]

@@ -14,6 +14,7 @@ use crate::png::PngFile;
 use crate::raw::RawFile;
 use crate::text::MARK;
 use crate::tiff::TiffFile;
+use crate::webp::WebpFile;
 use crate::{GivenUnits, RawLayout, ReadProblem, Source};
 
 /// A recognised file. Its header is checked; no memory has been taken for samples.
@@ -24,6 +25,7 @@ pub(crate) enum ImageFile<'a> {
     Tiff(Box<TiffFile<'a>>),
     Hdr(HdrFile<'a>),
     Pgm(PgmFile<'a>),
+    Webp(Box<WebpFile<'a>>),
     Raw(RawFile<'a>),
 }
 
@@ -65,6 +67,7 @@ impl<'a> ImageFile<'a> {
             }
             Some(Format::Hdr) => Ok(Self::Hdr(HdrFile::open(input)?)),
             Some(Format::Pgm) => Ok(Self::Pgm(PgmFile::open(input)?)),
+            Some(Format::Webp) => Ok(Self::Webp(Box::new(WebpFile::open(input)?))),
             Some(Format::Raw) | None => {
                 let extension = source.name().extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
                 match extension.as_deref() {
@@ -83,6 +86,7 @@ impl<'a> ImageFile<'a> {
             Self::Tiff(file) => file.layout(),
             Self::Hdr(file) => file.layout(),
             Self::Pgm(file) => file.layout(),
+            Self::Webp(file) => file.layout(),
             Self::Raw(file) => file.layout(),
         }
     }
@@ -95,6 +99,7 @@ impl<'a> ImageFile<'a> {
             Self::Tiff(file) => file.layout_mut(),
             Self::Hdr(file) => file.layout_mut(),
             Self::Pgm(file) => file.layout_mut(),
+            Self::Webp(file) => file.layout_mut(),
             Self::Raw(file) => file.layout_mut(),
         }
     }
@@ -180,6 +185,7 @@ impl<'a> ImageFile<'a> {
             Self::Tiff(file) => file.decode(channels, sink),
             Self::Hdr(file) => file.decode(channels, sink),
             Self::Pgm(file) => file.decode(channels, sink),
+            Self::Webp(file) => file.decode(channels, sink),
             Self::Raw(file) => file.decode(sink),
         }
     }
@@ -200,6 +206,7 @@ fn recognise(signature: &[u8]) -> Option<Format> {
         [0x76, 0x2f, 0x31, 0x01, ..] => Some(Format::Exr),
         [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..] => Some(Format::Tiff),
         [b'#', b'?', ..] => Some(Format::Hdr),
+        [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => Some(Format::Webp),
         [b'P', b'2' | b'3' | b'5' | b'6', after, ..] if after.is_ascii_whitespace() || *after == b'#' => {
             Some(Format::Pgm)
         }

@@ -21,6 +21,8 @@ pub enum Format {
     Hdr,
     /// Netpbm grey and colour maps: P2, P3, P5, P6.
     Pgm,
+    /// WebP, 8 bit, lossy or lossless; of an animation its first picture.
+    Webp,
     /// 16-bit samples without a header.
     Raw,
 }
@@ -35,6 +37,7 @@ impl Format {
             Format::Tiff => "TIFF",
             Format::Hdr => "Radiance HDR",
             Format::Pgm => "PGM",
+            Format::Webp => "WebP",
             Format::Raw => "raw",
         }
     }

@@ -11,6 +11,7 @@
 //! | TIFF, GeoTIFF | content | 8 to 64-bit integers and floats | metres, nodata, masks; not LZMA |
 //! | Radiance HDR | content | RGBE | |
 //! | PGM (PPM) | content | 8 and 16 bit, plain and binary | |
+//! | WebP | content | 8 bit, colour, opacity | of animations the first picture |
 //! | raw | [`RawLayout`] given | 16 bit | |
 //!
 //! Writers leave a whole file or none; [`file_set`] does the same for several files at once.
@@ -68,6 +69,7 @@ mod source;
 mod text;
 mod texture;
 mod tiff;
+mod webp;
 mod write;
 mod write_whole;
 

@@ -53,6 +53,16 @@ fn gltfs_are_read_or_refused() {
     let right = |what, replaced: &[(&str, &str)], triangles, degenerate| {
         case(what, "a.glb", square_glb(replaced), Right::Mesh(triangles, degenerate, 0))
     };
+    // A required extension is named, with the tool that unpacks it.
+    let names = |name: &str| {
+        let file =
+            square_glb(&[(r#""scene": 0"#, &format!(r#""extensionsRequired": ["{name}"], "scene": 0"#))]);
+        read("a.glb", &file).expect_err(name).to_string()
+    };
+    for name in ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"] {
+        assert!(names(name).contains(name) && names(name).contains("gltf-transform copy"), "{}", names(name));
+    }
+    assert!(names("VENDOR_shapes").contains("VENDOR_shapes") && !names("VENDOR_shapes").contains("gltf-tr"));
     let extension = |name: &str| format!(r#""extensionsRequired": ["{name}"], "scene": 0"#);
     let (draco, meshopt, sheen) = (
         extension("KHR_draco_mesh_compression"),

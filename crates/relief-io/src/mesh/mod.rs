@@ -112,6 +112,8 @@ pub struct MeshFile {
     /// The colours, if they were asked for and the file has them: a glTF whose triangles all have one
     /// material. Its picture is left out where texture coordinates are projected, or are not the first ones.
     pub colors: Option<MeshColors>,
+    /// What of the file is read otherwise than it may be meant, or left out: a sentence for each.
+    pub notes: Vec<String>,
     /// Triangles without an area, which were left out.
     pub degenerate: usize,
     /// Triangles that lay on an earlier one with the same corners and front, which were left out.
@@ -145,7 +147,8 @@ pub struct MeshFile {
 ///
 /// A glTF without a default scene has its first one read. Triangles are in the places of their nodes; they may
 /// be strips, of which the triangles that join them are left out, or fans, and accessors sparse or quantised.
-/// Poses of skins and morphs are not read, nor are compressed meshes.
+/// Morph targets and skins put vertices where the file's nodes and weights say; animations are not played. A
+/// vertex whose weights add up to 0 follows its first joint. Compressed meshes are refused.
 ///
 /// Files that a glTF names have to lie in its folder or below. Bytes in memory have no folder: there all
 /// buffers are in the file itself.
@@ -221,34 +224,39 @@ pub fn beside_file(naming: &Path, name: &Path) -> Result<PathBuf, ReadError> {
 pub fn read_raw_mesh<'a>(source: impl Into<Source<'a>>, max_bytes: u64) -> Result<RawMesh, ReadError> {
     let source = source.into();
     let options = MeshOptions { max_bytes, ..MeshOptions::default() };
-    let raw = read_raw(source, &options).map(|(raw, ..)| raw);
+    let raw = read_raw(source, &options).map(|read| read.raw);
     raw.map_err(|problem| source.error(problem))
 }
 
 fn read(source: Source<'_>, options: &MeshOptions) -> Result<MeshFile, ReadProblem> {
-    let (mut raw, format, colors) = read_raw(source, options)?;
+    let Read { mut raw, format, colors, notes } = read_raw(source, options)?;
     if let Some(projection) = options.projection {
         raw = raw.projected(projection)?;
     }
     let Framed { mesh, degenerate, double } = raw.framed()?;
-    Ok(MeshFile { mesh, format, colors, degenerate, double })
+    Ok(MeshFile { mesh, format, colors, notes, degenerate, double })
 }
 
-fn read_raw(
-    source: Source<'_>,
-    options: &MeshOptions,
-) -> Result<(RawMesh, MeshFormat, Option<MeshColors>), ReadProblem> {
+/// What a file holds, before anything is made of it.
+struct Read {
+    raw: RawMesh,
+    format: MeshFormat,
+    colors: Option<MeshColors>,
+    notes: Vec<String>,
+}
+
+fn read_raw(source: Source<'_>, options: &MeshOptions) -> Result<Read, ReadProblem> {
     let format = MeshFormat::by_name(source.name()).ok_or(ReadProblem::NoMesh)?;
     let mut builder = Builder::new(options.max_bytes);
     let bytes = source.whole(|len| builder.take(len))?;
     builder.up = options.up.unwrap_or_else(|| Up::of_file(format, &bytes));
-    let mut colors = None;
+    let (mut colors, mut notes) = (None, Vec::new());
     match format {
-        MeshFormat::Gltf => colors = gltf::read(source, &bytes, options, &mut builder)?,
+        MeshFormat::Gltf => colors = gltf::read(source, &bytes, options, &mut builder, &mut notes)?,
         MeshFormat::Obj => obj::read(&bytes, &mut builder)?,
         MeshFormat::Ply => ply::read(&bytes, &mut builder)?,
         MeshFormat::Stl => stl::read(&bytes, &mut builder)?,
     }
     drop(bytes);
-    Ok((builder.finish(), format, colors))
+    Ok(Read { raw: builder.finish(), format, colors, notes })
 }

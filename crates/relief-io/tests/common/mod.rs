@@ -7,6 +7,7 @@ pub mod broken;
 pub mod broken_mesh;
 pub mod exr_file;
 pub mod files;
+pub mod gltf_file;
 pub mod mesh_file;
 pub mod tiff_file;
 

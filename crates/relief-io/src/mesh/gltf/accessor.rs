@@ -50,8 +50,15 @@ pub(super) fn floats<const N: usize>(
 where
     [f32; N]: Default,
 {
-    let wanted = if N == 2 { Dimensions::Vec2 } else { Dimensions::Vec3 };
-    if accessor.dimensions() != wanted || accessor.data_type() == DataType::U32 {
+    let wanted = match N {
+        2 => Dimensions::Vec2,
+        3 => Dimensions::Vec3,
+        4 => Dimensions::Vec4,
+        _ => Dimensions::Mat4,
+    };
+    // Columns of matrices of short numbers are padded, and no file has them so.
+    let is_padded = wanted == Dimensions::Mat4 && accessor.data_type() != DataType::F32;
+    if accessor.dimensions() != wanted || accessor.data_type() == DataType::U32 || is_padded {
         let what = format!("accessor {} has the wrong type for what it is used for", accessor.index());
         return Err(damaged(what));
     }

@@ -3,9 +3,9 @@
 use ::gltf::Document;
 
 use super::buffers::Buffers;
-use super::damaged;
+use super::image::{self, Image};
 use crate::mesh::builder::Builder;
-use crate::{MeshColors, ReadProblem, Source, read_picture};
+use crate::{MeshColors, ReadProblem};
 
 /// The base colour of a material, without its picture where texture coordinates are not the file's.
 pub(super) fn read(
@@ -14,27 +14,30 @@ pub(super) fn read(
     is_projected: bool,
     buffers: &mut Buffers<'_>,
     builder: &mut Builder,
+    notes: &mut Vec<String>,
 ) -> Result<Option<MeshColors>, ReadProblem> {
     let Some(material) = document.materials().nth(material) else { return Ok(None) };
     let base = material.pbr_metallic_roughness();
     let [red, green, blue, _] = base.base_color_factor();
     let part = |part: f32| if part.is_finite() { part.clamp(0.0, 1.0) } else { 1.0 };
     let factor = [red, green, blue].map(part);
-    let texture = base.base_color_texture().filter(|texture| texture.tex_coord() == 0 && !is_projected);
-    let Some(texture) = texture else { return Ok(Some(MeshColors { factor, picture: None })) };
-
-    let number = texture.texture().source().index();
-    let image = document.as_json().images.get(number);
-    let image = image.ok_or_else(|| damaged(format!("image {number} is not there")))?;
-    let name = format!("image {number}");
-    let view = image.buffer_view.and_then(|view| document.views().nth(view.value()));
-    let bytes = match (view, &image.uri) {
-        (Some(view), _) => buffers.view(&view, builder)?.to_vec(),
-        (None, Some(uri)) => buffers.named(&name, uri, builder)?.into_owned(),
-        (None, None) => return Err(damaged(format!("{name} has no bytes"))),
+    let Some(texture) = base.base_color_texture() else {
+        return Ok(Some(MeshColors { factor, picture: None }));
     };
-    let picture = read_picture(Source::bytes(&name, &bytes), builder.left());
-    let picture = picture
-        .map_err(|error| ReadProblem::Part { file: error.path.clone(), problem: Box::new(error.problem) })?;
+    let left_out = match Image::of(&texture.texture()) {
+        _ if is_projected => Some("texture coordinates are projected".to_owned()),
+        _ if texture.tex_coord() != 0 => Some("it lies by other texture coordinates than maps".to_owned()),
+        Image::LeftOut(format) => {
+            Some(format!("{format} is not read (gltf-transform ktxdecompress unpacks Basis)"))
+        }
+        Image::None => Some("it has no image".to_owned()),
+        Image::Read(_) => None,
+    };
+    let (Image::Read(number), None) = (Image::of(&texture.texture()), &left_out) else {
+        let why = left_out.unwrap_or_default();
+        notes.push(format!("the picture of its colours is left out: {why}"));
+        return Ok(Some(MeshColors { factor, picture: None }));
+    };
+    let picture = image::read(document, number, buffers, builder)?;
     Ok(Some(MeshColors { factor, picture: Some(picture) }))
 }

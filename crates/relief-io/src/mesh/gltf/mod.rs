@@ -8,14 +8,17 @@ pub(super) mod buffers;
 mod colors;
 pub(super) mod container;
 pub(super) mod extras;
+mod image;
 mod nodes;
+mod pose;
 
 use ::gltf::mesh::Mode;
-use ::gltf::{Document, Error, Primitive, Semantic, json};
-use glam::{DMat3, DMat4, DVec3, Vec2, Vec3};
+use ::gltf::{Document, Error, Node, Primitive, Semantic, json};
+use glam::{DMat4, DVec3, Vec2, Vec3};
 use relief_core::mesh::RawCorner;
 
 use self::buffers::Buffers;
+use self::pose::Poses;
 use super::builder::Builder;
 use crate::{MeshColors, MeshOptions, ReadProblem, Source};
 
@@ -45,19 +48,26 @@ pub(super) fn read(
     bytes: &[u8],
     options: &MeshOptions,
     builder: &mut Builder,
+    notes: &mut Vec<String>,
 ) -> Result<Option<MeshColors>, ReadProblem> {
     let (text, binary) = container::split(bytes)?;
     let for_json = take_json(text, builder)?;
     let document = document(text)?;
     let mut buffers = Buffers::new(source, binary, document.buffers().len());
-    let (mut triangles, mut others, mut materials) = (0, false, Vec::new());
+    let mut poses = Poses::new();
+    let (mut triangles, mut others, mut has_colors, mut materials) = (0, false, false, Vec::new());
     for (node, transform) in nodes::placed(&document)? {
         for primitive in node.mesh().into_iter().flat_map(|mesh| mesh.primitives()) {
             match primitive.mode() {
                 Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan => {
-                    triangles += add(&primitive, transform, &mut buffers, builder)?;
-                    materials.push(primitive.material().index());
-                    materials.dedup();
+                    let placed = (&document, &node, transform);
+                    triangles += add(placed, &primitive, &mut poses, &mut buffers, builder)?;
+                    let material = primitive.material().index();
+                    if materials.binary_search(&material).is_err() {
+                        materials.push(material);
+                        materials.sort_unstable();
+                    }
+                    has_colors |= primitive.get(&Semantic::Colors(0)).is_some();
                 }
                 _ => others = true,
             }
@@ -69,11 +79,30 @@ pub(super) fn read(
         return Err(damaged(but));
     }
     builder.give_back(for_json);
+    if poses.unweighted > 0 {
+        let count = poses.unweighted;
+        notes.push(format!(
+            "{count} vertices of its skins have weights that add up to 0: each follows its first joint"
+        ));
+    }
+    if !options.colors {
+        return Ok(None);
+    }
+    if has_colors {
+        notes.push("the colours of its vertices are left out".to_owned());
+    }
     match materials.as_slice() {
-        [Some(material)] if options.colors => {
-            colors::read(&document, *material, options.projection.is_some(), &mut buffers, builder)
+        [Some(material)] => {
+            let is_projected = options.projection.is_some();
+            colors::read(&document, *material, is_projected, &mut buffers, builder, notes)
         }
-        _ => Ok(None),
+        [None] => Ok(None),
+        several => {
+            let count = several.len();
+            let what = "its triangles have their own, and only those of a single material are shown";
+            notes.push(format!("the colours of its {count} materials are left out: {what}"));
+            Ok(None)
+        }
     }
 }
 
@@ -91,11 +120,8 @@ fn document(text: &[u8]) -> Result<Document, ReadProblem> {
     let mut root: json::Root = json::deserialize::from_slice(text).map_err(damaged)?;
     let is_harmless = |name: &&String| HARMLESS.iter().any(|beginning| name.starts_with(beginning));
     if let Some(name) = root.extensions_required.iter().find(|name| !is_harmless(name)) {
-        let advice = if name.contains("compression") {
-            "export it again without compression"
-        } else {
-            "export it again without this extension"
-        };
+        let name: String = name.chars().take(100).collect();
+        let advice = unpacked_by(&name);
         return Err(ReadProblem::Unsupported { what: format!("the extension {name}"), advice });
     }
     root.extensions_required.clear();
@@ -114,17 +140,27 @@ fn document(text: &[u8]) -> Result<Document, ReadProblem> {
     })
 }
 
-/// Adds the triangles of a primitive and says how many they are.
+/// What to do about a file that needs an extension which is not read.
+fn unpacked_by(extension: &str) -> &'static str {
+    if extension.contains("draco") || extension.contains("meshopt") {
+        "unpack it, with `gltf-transform copy in.glb out.glb`, or export it again without compression"
+    } else {
+        "export it again without this extension"
+    }
+}
+
+/// Adds the triangles of a primitive of a node in its place, and says how many they are.
 fn add(
+    (document, node, transform): (&Document, &Node<'_>, DMat4),
     primitive: &Primitive<'_>,
-    transform: DMat4,
+    poses: &mut Poses,
     buffers: &mut Buffers<'_>,
     builder: &mut Builder,
 ) -> Result<usize, ReadProblem> {
     let accessor = primitive.get(&Semantic::Positions);
     let accessor = accessor.ok_or_else(|| damaged("a primitive has no positions"))?;
     let count = accessor.count();
-    let positions = accessor::floats::<3>(&accessor, buffers, builder)?;
+    let mut positions = accessor::floats::<3>(&accessor, buffers, builder)?;
     let beside = |semantic: Semantic| match primitive.get(&semantic) {
         Some(accessor) if accessor.count() != count => {
             Err(damaged(format!("{semantic:?} has {} elements, the positions {count}", accessor.count())))
@@ -132,28 +168,22 @@ fn add(
         accessor => Ok(accessor),
     };
     let normals = beside(Semantic::Normals)?;
-    let normals = normals.map(|accessor| accessor::floats::<3>(&accessor, buffers, builder)).transpose()?;
+    let mut normals =
+        normals.map(|accessor| accessor::floats::<3>(&accessor, buffers, builder)).transpose()?;
+    pose::morph(node, primitive, &mut positions, normals.as_deref_mut(), buffers, builder)?;
     let uvs = beside(Semantic::TexCoords(0))?;
     let uvs = uvs.map(|accessor| accessor::floats::<2>(&accessor, buffers, builder)).transpose()?;
     let indices = primitive.indices();
     let indices =
         indices.map(|accessor| accessor::indices(&accessor, count, buffers, builder)).transpose()?;
 
-    let linear = DMat3::from_mat4(transform);
-    // The transposed inverse but for a factor, which is finite where there is no inverse.
-    let [x, y, z] = [linear.x_axis, linear.y_axis, linear.z_axis];
-    let is_mirrored = linear.determinant() < 0.0;
-    let sign = if is_mirrored { -1.0 } else { 1.0 };
-    let of_normals = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y)) * sign;
+    let placing = poses.placing(document, (node, transform), (primitive, count), buffers, builder)?;
     let mut first = None;
     for (at, position) in positions.iter().enumerate() {
-        let placed = transform.transform_point3(DVec3::from(position.map(f64::from)));
-        let position = builder.position(placed.as_vec3())?;
+        let turned = placing.of(at);
+        let position = builder.position(turned.position(*position).as_vec3())?;
         let normal = match &normals {
-            Some(normals) => {
-                let turned = of_normals * DVec3::from(normals[at].map(f64::from));
-                builder.normal(unit(turned))?
-            }
+            Some(normals) => builder.normal(unit(turned.normal(normals[at])))?,
             None => RawCorner::NONE,
         };
         let uv = match &uvs {
@@ -188,11 +218,13 @@ fn add(
             continue;
         }
         added += 1;
+        let is_mirrored = placing.of(a).is_mirrored;
         let [a, b, c] = [a, b, c].map(corner);
         builder.triangle(if is_mirrored { [a, c, b] } else { [a, b, c] })?;
     }
     let lists =
         [Some(3 * count), normals.map(|_| 3 * count), uvs.map(|_| 2 * count), indices.map(|list| list.len())];
+    builder.give_back(placing.bytes());
     builder
         .give_back(lists.into_iter().flatten().map(|numbers| size_of::<f32>() as u64 * numbers as u64).sum());
     Ok(added)

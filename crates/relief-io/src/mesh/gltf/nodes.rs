@@ -12,14 +12,32 @@ pub(super) fn placed(document: &Document) -> Result<Vec<(Node<'_>, DMat4)>, Read
     let scene = document.default_scene().or_else(|| document.scenes().next());
     let roots: Vec<Node<'_>> = match scene {
         Some(scene) => scene.nodes().collect(),
-        None => {
-            let mut is_child = vec![false; document.nodes().len()];
-            for child in document.nodes().flat_map(|node| node.children()) {
-                is_child[child.index()] = true;
-            }
-            document.nodes().filter(|node| !is_child[node.index()]).collect()
-        }
+        None => roots(document),
     };
+    below(document, roots)
+}
+
+/// The transformations of all nodes to the world, by their numbers, whatever the scene shows: joints of skins
+/// need not be in it. None of a node that is its own parent.
+pub(super) fn transforms(document: &Document) -> Result<Vec<Option<DMat4>>, ReadProblem> {
+    let mut transforms = vec![None; document.nodes().len()];
+    for (node, transform) in below(document, roots(document))? {
+        transforms[node.index()] = Some(transform);
+    }
+    Ok(transforms)
+}
+
+/// The nodes that are nobody's child.
+fn roots(document: &Document) -> Vec<Node<'_>> {
+    let mut is_child = vec![false; document.nodes().len()];
+    for child in document.nodes().flat_map(|node| node.children()) {
+        is_child[child.index()] = true;
+    }
+    document.nodes().filter(|node| !is_child[node.index()]).collect()
+}
+
+/// Those nodes and all below them.
+fn below<'a>(document: &'a Document, roots: Vec<Node<'a>>) -> Result<Vec<(Node<'a>, DMat4)>, ReadProblem> {
     let mut seen = vec![false; document.nodes().len()];
     let mut placed = Vec::new();
     // Chains may be deeper than a program's stack.

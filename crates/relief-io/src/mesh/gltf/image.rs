@@ -1,0 +1,65 @@
+//! The pictures of a glTF.
+
+use ::gltf::{Document, Texture};
+
+use super::buffers::Buffers;
+use super::damaged;
+use crate::mesh::builder::Builder;
+use crate::{Picture, ReadProblem, Source, read_picture};
+
+/// Extensions by which a texture names a picture in a format of its own, and whether that is read.
+const SOURCES: [(&str, bool); 4] = [
+    ("EXT_texture_webp", true),
+    ("KHR_texture_basisu", false),
+    ("EXT_texture_avif", false),
+    ("MSFT_texture_dds", false),
+];
+
+/// Where the picture of a texture is.
+pub enum Image {
+    /// The number of an image that is read.
+    Read(usize),
+    /// It is in a format that is not read, which the extension names.
+    LeftOut(&'static str),
+    /// There is none, which glTF allows.
+    None,
+}
+
+impl Image {
+    /// That of a texture: of an extension whose format is read, else the plain one.
+    pub fn of(texture: &Texture<'_>) -> Image {
+        let by_extension = |name: &str| texture.extension_value(name)?.get("source")?.as_u64();
+        let known = SOURCES.iter().filter(|(_, is_read)| *is_read);
+        if let Some(source) = known.filter_map(|(name, _)| by_extension(name)).next() {
+            return Image::Read(usize::try_from(source).unwrap_or(usize::MAX));
+        }
+        if let Some(image) = texture.source() {
+            return Image::Read(image.index());
+        }
+        let unread = SOURCES.iter().find(|(name, _)| texture.extension_value(name).is_some());
+        unread.map_or(Image::None, |(name, _)| Image::LeftOut(name))
+    }
+}
+
+/// Reads the image of that number.
+pub fn read(
+    document: &Document,
+    number: usize,
+    buffers: &mut Buffers<'_>,
+    builder: &mut Builder,
+) -> Result<Picture, ReadProblem> {
+    let image = document.as_json().images.get(number);
+    let image = image.ok_or_else(|| damaged(format!("image {number} is not there")))?;
+    let name = format!("image {number}");
+    let view = image.buffer_view.and_then(|view| document.views().nth(view.value()));
+    let bytes = match (view, &image.uri) {
+        (Some(view), _) => buffers.view(&view, builder)?.to_vec(),
+        (None, Some(uri)) => buffers.named(&name, uri, builder)?.into_owned(),
+        (None, None) => return Err(damaged(format!("{name} has no bytes"))),
+    };
+    let picture = read_picture(Source::bytes(&name, &bytes), builder.left());
+    let picture = picture
+        .map_err(|error| ReadProblem::Part { file: error.path.clone(), problem: Box::new(error.problem) })?;
+    builder.take(size_of_val(&picture.texels[..]) as u64)?;
+    Ok(picture)
+}

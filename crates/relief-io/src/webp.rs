@@ -1,0 +1,72 @@
+//! WebP, 8 bit, lossy and lossless. Orientation and colour profiles are not applied.
+//!
+//! The decoder gives the whole picture at once: 3 or 4 bytes a texel, and as much again while it decodes.
+
+use image_webp::{DecodingError, WebPDecoder};
+
+use crate::ReadProblem;
+use crate::input::{Input, io_problem, zeros};
+use crate::layout::{Format, Layout, SampleType, Sink, Span};
+use crate::source::SourceReader;
+
+/// Bytes that the decoder holds for a texel at its peak: the picture, and its planes or its codes.
+const DECODER_BYTES: u64 = 12;
+
+/// What the decoder may take for chunks other than picture data.
+const CHUNK_BYTES: usize = 16 << 20;
+
+pub(crate) struct WebpFile<'a> {
+    decoder: WebPDecoder<SourceReader<'a>>,
+    layout: Layout,
+}
+
+impl<'a> WebpFile<'a> {
+    pub(crate) fn open(input: Input<'a>) -> Result<Self, ReadProblem> {
+        let Input { source, file, file_len, bytes_per_texel, max_bytes } = input;
+        let mut decoder = WebPDecoder::new(file).map_err(problem)?;
+        let size = decoder.dimensions().into();
+        // The decoder has the file: what is left to check needs a reader of its own.
+        let input = Input { file: source.open()?.0, source, file_len, bytes_per_texel, max_bytes };
+        let [width, height] = size;
+        let texels = u64::from(width) * u64::from(height);
+        input.check_size(Format::Webp, size, texels.saturating_mul(DECODER_BYTES) + file_len, 0)?;
+        decoder.set_memory_limit(CHUNK_BYTES);
+        let channels: &[&str] = if decoder.has_alpha() { &["r", "g", "b", "a"] } else { &["r", "g", "b"] };
+        let layout = Layout::new(Format::Webp, size, channels, SampleType::unsigned(8));
+        Ok(Self { decoder, layout })
+    }
+
+    pub(crate) fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    pub(crate) fn layout_mut(&mut self) -> &mut Layout {
+        &mut self.layout
+    }
+
+    pub(crate) fn decode(mut self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
+        let per_texel = self.layout.channels.len();
+        let row_len = self.layout.width as usize * per_texel;
+        let mut bytes = zeros::<u8>(row_len * self.layout.height as usize)?;
+        if self.decoder.output_buffer_size() != Some(bytes.len()) {
+            return Err(ReadProblem::damaged("WebP", "its header contradicts itself"));
+        }
+        self.decoder.read_image(&mut bytes).map_err(problem)?;
+        let mut samples = Vec::with_capacity(self.layout.width as usize * channels.len());
+        for (row, texels) in (0..).zip(bytes.chunks_exact(row_len)) {
+            samples.clear();
+            for texel in texels.chunks_exact(per_texel) {
+                samples.extend(channels.iter().map(|&channel| f64::from(texel[channel])));
+            }
+            sink(Span { row, column: 0, step: 1, samples: &samples })?;
+        }
+        Ok(())
+    }
+}
+
+fn problem(error: DecodingError) -> ReadProblem {
+    match error {
+        DecodingError::IoError(error) => io_problem(Format::Webp, error),
+        other => ReadProblem::damaged("WebP", other),
+    }
+}
