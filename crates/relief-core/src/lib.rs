@@ -16,6 +16,7 @@ mod found;
 mod height_bounds;
 mod height_map;
 mod heights_hash;
+pub mod hierarchy;
 mod hit;
 mod lanes;
 pub mod mesh;

@@ -8,11 +8,13 @@
 //! ray cannot pass between them.
 
 use self::found::{Found, Nearest, Several};
+use crate::hierarchy::hierarchy;
 use crate::mesh::Mesh;
 use glam::{DVec2, DVec3, Vec3};
-use obvhs::BvhBuildParams;
-use obvhs::bvh2::{Bvh2, builder::build_bvh2_from_tris};
+use obvhs::aabb::Aabb;
+use obvhs::bvh2::{Bvh2, leaf_collapser::collapse, reinsertion::ReinsertionOptimizer};
 use obvhs::triangle::Triangle;
+use obvhs::{Boundable, BvhBuildParams};
 use std::fmt;
 
 mod found;
@@ -108,7 +110,7 @@ impl RayCaster {
         let bvh = if triangles.is_empty() {
             Bvh2::default()
         } else {
-            build_bvh2_from_tris(&triangles, BvhBuildParams::medium_build(), &mut Default::default())
+            collapsed(&triangles.iter().map(Boundable::aabb).collect::<Vec<_>>())
         };
         let corners: Vec<[DVec3; 3]> = triangles
             .iter()
@@ -165,12 +167,12 @@ impl RayCaster {
         std::iter::from_fn(move || {
             let hit = match several.as_mut().and_then(Several::next) {
                 Some(hit) => hit,
-                None if several.as_ref().is_some_and(Several::has_all) => return None,
                 None if last.is_none() => self.next_after(&ray, sides, None)?,
                 None => {
-                    let found = several.insert(Several::default());
-                    self.find_after(&ray, sides, last, found);
-                    found.next()?
+                    let mut found = several.take().map_or_else(|| Some(Several::new()), Several::more)?;
+                    self.find_after(&ray, sides, last, &mut found);
+                    found.sort();
+                    several.insert(found).next()?
                 }
             };
             last = Some((hit.t, hit.triangle));
@@ -313,6 +315,18 @@ impl Query {
 #[inline]
 fn precedes(a: (f64, u32), b: (f64, u32)) -> bool {
     a.0 < b.0 || a.0 == b.0 && a.1 < b.1
+}
+
+/// A hierarchy of boxes with several in a leaf where that is quicker to walk.
+fn collapsed(boxes: &[Aabb]) -> Bvh2 {
+    let params = BvhBuildParams::medium_build();
+    let mut bvh = hierarchy(boxes, &params);
+    let mut optimizer = ReinsertionOptimizer::default();
+    optimizer.run(&mut bvh, params.reinsertion_batch_ratio, None);
+    collapse(&mut bvh, params.max_prims_per_leaf, params.collapse_traversal_cost);
+    let again = params.reinsertion_batch_ratio * params.post_collapse_reinsertion_batch_ratio_multiplier;
+    optimizer.run(&mut bvh, again, None);
+    bvh
 }
 
 /// How many levels of inner nodes lie below the root, itself included: the most nodes that can wait during a

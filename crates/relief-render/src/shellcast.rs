@@ -10,7 +10,6 @@ use glam::{DVec3, Vec3, Vec3A};
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::{Bvh2, reinsertion::ReinsertionOptimizer};
-use obvhs::ploc::PlocBuilder;
 use relief_core::Lanes;
 use relief_core::pulp::{Simd, WithSimd};
 use relief_shaders::cpu::{BLOCK, Corner, Row, Triangle, Vec3 as ShaderVec3};
@@ -225,19 +224,9 @@ impl ShellCaster {
 
 /// A hierarchy of boxes with one in each leaf: to look into a shell takes far longer than to look at a box.
 pub fn hierarchy(boxes: &[Aabb]) -> Bvh2 {
-    if boxes.is_empty() {
-        return Bvh2::default();
-    }
-    // The parts of the library's builder, which asks for the time of day besides: on the web there is none.
     let params =
         if boxes.len() > MANY_BOXES { BvhBuildParams::medium_build() } else { BvhBuildParams::slow_build() };
-    let mut bvh = PlocBuilder::with_capacity(boxes.len()).build(
-        params.ploc_search_distance,
-        boxes,
-        (0..boxes.len() as u32).collect(),
-        params.sort_precision,
-        params.search_depth_threshold,
-    );
+    let mut bvh = relief_core::hierarchy::hierarchy(boxes, &params);
     let again = params.reinsertion_batch_ratio * params.post_collapse_reinsertion_batch_ratio_multiplier;
     for ratio in [params.reinsertion_batch_ratio, again] {
         ReinsertionOptimizer::default().run(&mut bvh, ratio, None);

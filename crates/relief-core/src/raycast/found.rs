@@ -1,9 +1,15 @@
 //! What a walk through the hierarchy keeps of the hits that it finds.
 
+use std::cmp::Ordering;
+
 use super::{SurfaceHit, precedes};
 
-/// How many hits are found at a time, where more than one is looked at.
+/// How many hits are found at a time at first, where more than one is looked at.
 const AT_A_TIME: usize = 16;
+
+/// How many times as many the next batch finds, and the most of a batch.
+const MORE: usize = 4;
+const MOST: usize = 1 << 14;
 
 /// Keeps the first hits of a ray.
 pub trait Found {
@@ -34,45 +40,74 @@ impl Found for Nearest {
     }
 }
 
-/// Some of the first hits, in their order.
-#[derive(Default)]
+/// Some of the first hits. Each batch wants more than the one before, so that a ray with many hits walks through the
+/// hierarchy a few times, and not as often as it hits something.
 pub struct Several {
-    hits: [Option<SurfaceHit>; AT_A_TIME],
-    /// How many were found, and how many of these were taken.
-    count: usize,
-    taken: usize,
+    /// Those that may be among the first, in no order while they are looked for, then from the last to the first.
+    hits: Vec<SurfaceHit>,
+    /// How many are wanted.
+    wanted: usize,
+    /// The last of the wanted ones, where so many were found.
+    last: Option<SurfaceHit>,
 }
 
 impl Several {
-    /// The next one.
-    pub fn next(&mut self) -> Option<SurfaceHit> {
-        let hit = self.hits[..self.count].get(self.taken).copied().flatten();
-        self.taken += usize::from(hit.is_some());
-        hit
+    /// Some first ones.
+    pub fn new() -> Self {
+        Self { hits: Vec::new(), wanted: AT_A_TIME, last: None }
     }
 
-    /// Whether there are no others than these.
-    pub fn has_all(&self) -> bool {
-        self.count < AT_A_TIME
+    /// More, for a walk that goes on after these; none if there are no others than these.
+    pub fn more(self) -> Option<Self> {
+        self.last?;
+        let Self { mut hits, wanted, .. } = self;
+        hits.clear();
+        Some(Self { hits, wanted: (MORE * wanted).min(MOST), last: None })
+    }
+
+    /// Ends the search.
+    pub fn sort(&mut self) {
+        self.keep_wanted();
+        self.hits.sort_unstable_by(|a, b| order(b, a));
+    }
+
+    /// The next one, once they are sorted.
+    pub fn next(&mut self) -> Option<SurfaceHit> {
+        self.hits.pop()
+    }
+
+    /// Drops what comes after the wanted ones, where so many were found.
+    fn keep_wanted(&mut self) {
+        if self.hits.len() >= self.wanted {
+            self.hits.select_nth_unstable_by(self.wanted - 1, order);
+            self.hits.truncate(self.wanted);
+            self.last = self.hits.last().copied();
+        }
     }
 }
 
 impl Found for Several {
     #[inline]
     fn reach(&self) -> f64 {
-        self.hits[AT_A_TIME - 1].map_or(f64::INFINITY, |hit| hit.t)
+        self.last.map_or(f64::INFINITY, |hit| hit.t)
     }
 
     #[inline]
     fn offer(&mut self, hit: SurfaceHit) {
-        let follows = |known: &Option<SurfaceHit>| known.is_some_and(|known| comes_before(&known, &hit));
-        let place = self.hits[..self.count].partition_point(follows);
-        if place < AT_A_TIME {
-            self.count = (self.count + 1).min(AT_A_TIME);
-            self.hits[place..self.count].rotate_right(1);
-            self.hits[place] = Some(hit);
+        if self.last.is_none_or(|last| comes_before(&hit, &last)) {
+            self.hits.push(hit);
+            if self.hits.len() >= 2 * self.wanted {
+                self.keep_wanted();
+            }
         }
     }
+}
+
+/// The order of hits along a ray.
+#[inline]
+fn order(a: &SurfaceHit, b: &SurfaceHit) -> Ordering {
+    // Those at the eye have a `t` of 0, of either sign.
+    a.t.partial_cmp(&b.t).unwrap_or(Ordering::Equal).then(a.triangle.cmp(&b.triangle))
 }
 
 #[inline]

@@ -94,16 +94,16 @@ fn hits_on_built_in_meshes_are_those_of_brute_force() {
 
 #[test]
 fn hits_on_many_layers_come_in_order_each_once() {
-    // Three triangles at each of 40 depths lie in the same place: their numbers decide.
-    let layers = (0..120).flat_map(|number: u32| {
-        let y = ((number * 7) % 40) as f32 * -0.1;
+    // Three triangles at each of 400 depths lie in the same place: their numbers decide.
+    let layers = (0..1200).flat_map(|number: u32| {
+        let y = ((number * 7) % 400) as f32 * -0.01;
         [[-1.0, y, 1.0], [1.0, y, 1.0], [0.0, y, -1.0]]
     });
     let mesh = soup(&layers.collect::<Vec<_>>());
     let caster = RayCaster::new(&mesh);
     let ray = Ray { origin: DVec3::new(0.05, 1.0, 0.1), direction: DVec3::new(0.0, -1.0, 0.0) };
     let found: Vec<SurfaceHit> = caster.hits(&ray, Sides::Both).collect();
-    assert_eq!(found.len(), 120);
+    assert_eq!(found.len(), 1200);
     let mut one_by_one = None;
     for hit in &found {
         one_by_one = caster.next_hit(&ray, Sides::Both, one_by_one.as_ref());
