@@ -6,6 +6,7 @@ mod common;
 use common::command::{Folder, Ran, json_of};
 use common::files::{Samples, exr, georeference, pgm, tiff};
 use common::maps::Map;
+use common::meshes::{factor, part, square};
 use relief_io::OMISSIONS;
 use serde_json::Value;
 
@@ -82,7 +83,56 @@ const FEEDS: &[Feed] = &[
         folder.write("dem.tif", tiff(SIZE, Samples::Float, &bytes(&high), &georeference()));
         "bake dem.tif --kind normal -o ."
     }),
+    ("unweighted-vertices", |folder| {
+        let attributes = r#"{"POSITION": 0, "TEXCOORD_0": 1, "JOINTS_0": 8, "WEIGHTS_0": 9}"#;
+        let part = format!(r#"{{"attributes": {attributes}, "indices": 4}}"#);
+        square(folder, "a.gltf", &part, r#", "skins": [{"joints": [1]}]"#);
+        let text = std::fs::read_to_string(folder.path("a.gltf")).expect("it was written");
+        folder.write("a.gltf", text.replace(r#"[{"mesh": 0}]"#, r#"[{"mesh": 0, "skin": 0}, {}]"#));
+        "inspect a.gltf"
+    }),
+    ("absent-coordinates", |folder| painted(folder, r#", "texCoord": 3"#, "", "")),
+    ("unread-picture", |folder| {
+        let line = painted(folder, "", "", "");
+        let text = std::fs::read_to_string(folder.path("a.gltf")).expect("it was written");
+        let basis = r#"[{"extensions": {"KHR_texture_basisu": {"source": 0}}}]"#;
+        folder.write("a.gltf", text.replace(r#"[{"source": 0, "sampler": 0}]"#, basis));
+        line
+    }),
+    ("blended", |folder| painted(folder, "", r#", "alphaMode": "BLEND""#, "")),
+    ("uneven-colours", |folder| {
+        let attributes = r#"{"POSITION": 0, "TEXCOORD_0": 1, "COLOR_0": 10}"#;
+        square(folder, "a.gltf", &format!(r#"{{"attributes": {attributes}, "indices": 4}}"#), "");
+        "render --mesh a.gltf --backend cpu --size 32x24 -o out.png"
+    }),
+    ("left-out-colours", |folder| {
+        let materials = format!(r#", "materials": [{}, {}]"#, factor("1, 0, 0, 1"), factor("0, 0, 1, 1"));
+        square(folder, "a.gltf", &[part(2, 0), part(3, 1)].join(", "), &materials);
+        folder.write("map.png", integers(0, 65535));
+        "render --height map.png --mesh a.gltf --method vertex --backend cpu --size 32x24 -o out.png"
+    }),
+    ("tiled-picture", |folder| {
+        painted(folder, "", "", "");
+        "render --mesh a.gltf --tile 2,2 --backend cpu --size 32x24 -o out.png"
+    }),
+    ("unwritten-materials", |folder| {
+        painted(folder, "", "", "");
+        "mesh map.png --mesh a.gltf -o out.stl"
+    }),
 ];
+
+/// A mesh with a picture, and a command that shows it. More of the keys of the picture's place, of the
+/// material and of the sampler.
+fn painted(folder: &Folder, info: &str, material: &str, sampler: &str) -> &'static str {
+    folder.write("map.png", integers(0, 65535));
+    let more = format!(
+        r#", "materials": [{{"pbrMetallicRoughness": {{"baseColorTexture": {{"index": 0{info}}}}}{material}}}],
+        "images": [{{"uri": "map.png"}}], "textures": [{{"source": 0, "sampler": 0}}],
+        "samplers": [{{{sampler}}}]"#
+    );
+    square(folder, "a.gltf", &part(4, 0), &more);
+    "render --mesh a.gltf --backend cpu --size 32x24 -o out.png"
+}
 
 /// What a note is about, of those that a command gives to programs.
 fn abouts(ran: &Ran) -> Vec<String> {

@@ -88,9 +88,9 @@ pub use height_range::HeightRange;
 pub use inspect::{HISTOGRAM_BINS, SEAM_LIMIT, SourceInfo, Tiling, Values, inspect};
 pub use layout::{Channel, Format, SampleKind, SampleType};
 pub use mesh::{
-    GlbLayout, GlbLevel, GlbNode, MAX_SHELLS, MeshColors, MeshCounts, MeshFile, MeshFormat, MeshOptions,
-    MeshSink, Quantization, Shells, Standing, Up, beside_file, files_of_mesh, read_mesh, read_mesh_extras,
-    read_raw_mesh, write_glb, write_mesh, write_mesh_standing, write_shells,
+    GlbLayout, GlbLevel, GlbNode, MAX_SHELLS, MeshColors, MeshCounts, MeshFile, MeshFormat, MeshMaterial,
+    MeshOptions, MeshSink, Quantization, Shells, Standing, Up, beside_file, files_of_mesh, read_mesh,
+    read_mesh_extras, read_raw_mesh, write_glb, write_mesh, write_mesh_standing, write_shells,
 };
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
 pub use omissions::{OMISSIONS, Omission, ReadNote, Remark};

@@ -65,6 +65,30 @@ omissions! {
     UNITS: "units", "heights",
         "heights or a ground whose unit is not named or not known, or heights that are no metres",
         "the unit of the other is taken, or metres are not known";
+    UNWEIGHTED: "unweighted-vertices", "meshes",
+        "vertices of a skin whose weights add up to 0",
+        "each follows its first joint";
+    ABSENT_COORDINATES: "absent-coordinates", "meshes",
+        "a material whose picture lies by texture coordinates that are not there",
+        "the mesh's own coordinates are taken";
+    UNREAD_PICTURE: "unread-picture", "meshes",
+        "a material's picture in a format that is not read, or a texture without a picture",
+        "the material has its colour alone";
+    BLENDED: "blended", "meshes",
+        "a material that is blended with what is behind it",
+        "it is opaque where its opacity is at least 0.5, and nothing elsewhere";
+    UNEVEN_COLORS: "uneven-colours", "meshes that are drawn",
+        "triangles whose vertices have several colours",
+        "each triangle has the mean of its vertices' colours";
+    LEFT_OUT_COLORS: "left-out-colours", "meshes that are drawn",
+        "more materials than are drawn, or several where triangles are displaced or sliced",
+        "the surface has the colour of its own material";
+    TILED_PICTURE: "tiled-picture", "meshes that are drawn",
+        "a material's picture where the height map is tiled",
+        "the picture is tiled as the height map is";
+    UNWRITTEN_MATERIALS: "unwritten-materials", "meshes that are displaced",
+        "materials of the base mesh",
+        "the file that is written has none of them";
 }
 
 /// Something that a reader met in a file.

@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use glam::DVec3;
 use rayon::prelude::*;
 use relief_core::Watch;
+use relief_core::camera::Ray;
 use relief_core::object::{ImageObject, JumpCells, View};
-use relief_core::raycast::{RayCaster, Sides};
 use relief_core::rng::Rng;
 
 use crate::{CaptureError, DEFAULT_JUMP_TEXELS, Measured};
@@ -91,12 +91,15 @@ impl Counts {
     }
 }
 
+/// Where a ray first meets a mesh, by its parameter.
+pub(crate) type FirstHit<'a> = dyn Fn(&Ray) -> Option<f64> + Sync + 'a;
+
 /// Compares an object with a mesh by parallel rays through a ball, from [`even_directions`].
 ///
 /// The rays see both sides of the mesh's triangles. None where it was cancelled, or where no picture is asked
 /// for.
 pub(crate) fn measure(
-    caster: &RayCaster,
+    first: &FirstHit<'_>,
     object: &ImageObject,
     (centre, radius): (DVec3, f64),
     verification: &Verification,
@@ -120,7 +123,7 @@ pub(crate) fn measure(
             if watch.cancel.load(Ordering::Relaxed) {
                 return Err(CaptureError::Cancelled);
             }
-            let row = (0..size).map(|x| pixel(caster, object, &view, [x, y]));
+            let row = (0..size).map(|x| pixel(first, object, &view, [x, y]));
             counts = row.fold(counts, Counts::and);
         }
         let part = done.fetch_add(1, Ordering::Relaxed) + 1;
@@ -146,10 +149,10 @@ pub(crate) fn measure(
 }
 
 /// What one pixel shows of both.
-fn pixel(caster: &RayCaster, object: &ImageObject, view: &View, [x, y]: [u32; 2]) -> Counts {
+fn pixel(first: &FirstHit<'_>, object: &ImageObject, view: &View, [x, y]: [u32; 2]) -> Counts {
     let [u, v] = [x, y].map(|at| (f64::from(at) + 0.5) / f64::from(view.size()[0]));
     let ray = view.ray(u, v);
-    let mesh = caster.next_hit(&ray, Sides::Both, None).map(|hit| hit.t);
+    let mesh = first(&ray);
     let object = object.first_hit(&ray).map(|hit| hit.t);
     match (mesh, object) {
         (Some(mesh), Some(object)) => Counts { both: 1, either: 1, apart_m: (mesh - object).abs() },

@@ -145,7 +145,7 @@ fn the_highest_point_of_a_texel_is_at_least_as_high_as_its_middle() {
 
 fn colors() -> MeshColors {
     let texels = (0..16).map(|at| [at as f32 / 15.0, 0.5, 0.25, 1.0]).collect();
-    MeshColors { factor: [1.0, 0.5, 1.0], picture: Some(Picture { width: 4, height: 4, texels }) }
+    MeshColors::of([1.0, 0.5, 1.0], Some(Picture { width: 4, height: 4, texels }))
 }
 
 #[test]

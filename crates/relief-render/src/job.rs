@@ -53,6 +53,10 @@ pub struct JobSurface {
     pub two_sided: bool,
 }
 
+/// Parts of the settings' `has_holes`: holes of the height map, and those of the colour map's opacity.
+pub(crate) const HOLES_OF_HEIGHTS: u32 = 1;
+pub(crate) const HOLES_OF_COLORS: u32 = 2;
+
 impl JobSurface {
     /// The baked maps in their slots.
     pub fn slots(&self) -> SlotMaps<'_> {
@@ -61,12 +65,15 @@ impl JobSurface {
 
     /// The holes of the height map, where they are to be seen.
     pub fn holes(&self) -> Option<&Arc<TexelMask>> {
-        self.height_map.holes().filter(|_| self.settings.has_holes == 1)
+        self.height_map.holes().filter(|_| self.settings.has_holes & HOLES_OF_HEIGHTS != 0)
     }
 
     /// Whether lights see the same of it as of another one.
     pub(crate) fn looks_same_to_lights(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.triangles, &other.triangles)
+        let colors = [self, other].map(|of| of.color.as_ref().map(Arc::as_ptr));
+        let is_masked = self.settings.has_holes & HOLES_OF_COLORS != 0;
+        (!is_masked || colors[0] == colors[1])
+            && Arc::ptr_eq(&self.triangles, &other.triangles)
             && Arc::ptr_eq(&self.height_map, &other.height_map)
             && self.maps.len() == other.maps.len()
             && self.maps.iter().zip(&other.maps).all(|(a, b)| a.0 == b.0 && Arc::ptr_eq(&a.1, &b.1))

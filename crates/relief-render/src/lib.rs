@@ -18,6 +18,7 @@ pub mod light;
 mod light_views;
 pub mod material;
 pub mod mipmaps;
+mod parts;
 pub mod picture;
 mod pictures;
 mod prepare;

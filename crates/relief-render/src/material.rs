@@ -81,6 +81,12 @@ impl Material {
         Ok(Self { transmission, ior, ..self })
     }
 
+    /// The same of another diffuse colour, whose parts are cut off at 0 and 1.
+    #[must_use]
+    pub(crate) fn with_diffuse(self, diffuse: Vec3) -> Self {
+        Self { diffuse: diffuse.clamp(Vec3::ZERO, Vec3::ONE), ..self }
+    }
+
     /// The part of the light that is scattered in all directions.
     pub fn diffuse(&self) -> Vec3 {
         self.diffuse

@@ -14,14 +14,16 @@ use relief_shaders::{MapNeed, MapSlot, SlotMaps};
 
 use crate::displaced::Displaced;
 use crate::environment::Environment;
-use crate::job::{Job, JobSurface};
+use crate::job::{HOLES_OF_COLORS, HOLES_OF_HEIGHTS, Job, JobSurface};
 use crate::kept_triangles::{KeptTriangles, extent_m, moved_out_m};
 use crate::light::Light;
 use crate::light_views::{LightViews, corner_position, relief_points};
 use crate::mipmaps::Mipmaps;
+use crate::parts::Parts;
 use crate::pictures::Pictures;
 use crate::renderer::RenderError;
-use crate::scene::{Scene, Surface};
+use crate::scene::{ColorPlace, Scene, Surface};
+use crate::triangles::Triangles;
 
 /// The least distance of the near plane, as a part of the distance of what is farthest away. Smaller, and
 /// what is nearest has more bits than it needs; larger, and the eye cannot come close to a surface.
@@ -38,6 +40,62 @@ pub struct Preparer {
     /// The baked maps of each of the last scene's surfaces.
     maps: Vec<Vec<(MapSlot, Arc<BakedMap>)>>,
     pictures: Pictures,
+    parts: Parts,
+}
+
+/// What jobs are made of, while one is made.
+struct Making<'a> {
+    scene: &'a Scene,
+    before: &'a Preparer,
+    triangles: KeptTriangles,
+    pictures: Pictures,
+}
+
+impl Making<'_> {
+    /// A surface of a job, by its number: of those triangles, or of its mesh's.
+    fn surface(
+        &mut self,
+        number: usize,
+        surface: &Surface,
+        maps: &[(MapSlot, Arc<BakedMap>)],
+        triangles: Option<Arc<Triangles>>,
+    ) -> JobSurface {
+        let levels = surface.selection().has_levels();
+        let before = &self.before.pictures;
+        let color = surface.color().map(|picture| self.pictures.of(picture, levels, before));
+        let normal_map = match surface.normal_map() {
+            Some(normals) => Some(self.pictures.of_normals(normals, levels, before)),
+            None if levels && surface.selection().has_normals_of_relief() => {
+                self.pictures.derived(surface, before)
+            }
+            None => None,
+        };
+        let mut maps = maps.to_vec();
+        if surface.selection().sees_environment() {
+            let environment = self.scene.environment().map_or_else(Environment::sky, Arc::clone);
+            maps.push((MapSlot::Environment, Arc::clone(environment.map())));
+        }
+        if let Some(object) = surface.object() {
+            maps.push((MapSlot::Object, Arc::clone(object.images())));
+        }
+        let slots = maps.iter().map(|(slot, map)| (*slot, &**map)).collect();
+        let settings = surface_settings(surface, &slots, color.as_deref(), normal_map.as_deref());
+        let settings = SurfaceSettings { number: number as u32, ..settings };
+        let shell_m = [settings.shell_m.x, settings.shell_m.y];
+        let triangles =
+            triangles.unwrap_or_else(|| self.triangles.of(surface, shell_m, &self.before.triangles));
+        JobSurface {
+            settings,
+            selection: *surface.selection(),
+            triangles,
+            height_map: Arc::clone(surface.height_map()),
+            color,
+            normal_map,
+            maps,
+            // Slices have no back.
+            two_sided: surface.two_sided() || surface.selection().paths().is_sliced(),
+        }
+    }
 }
 
 impl Job {
@@ -88,50 +146,38 @@ impl Preparer {
     /// When the displaced triangles of a surface cannot be made, or it was cancelled meanwhile.
     pub fn job(&mut self, scene: &Scene, cancel: &AtomicBool) -> Result<Job, RenderError> {
         let displaced = self.displaced.of_scene(scene, cancel)?;
-        let (mut triangles, mut pictures) = (KeptTriangles::default(), Pictures::default());
+        let mut making = Making {
+            scene,
+            before: self,
+            triangles: KeptTriangles::default(),
+            pictures: Pictures::default(),
+        };
+        let mut parts = Parts::default();
+        let mut surfaces: Vec<JobSurface> = Vec::new();
+        // The surface of the scene that each of these is of, or a part of.
+        let mut owners = Vec::new();
         let none = Vec::new();
         let maps = self.maps.iter().chain(std::iter::repeat(&none));
-        let environment = || scene.environment().map_or_else(Environment::sky, Arc::clone);
-        let numbered = (0u32..).zip(scene.surfaces().iter().zip(displaced));
-        let surfaces = numbered.zip(maps).map(|((number, (surface, displaced)), maps)| {
-            let levels = surface.selection().has_levels();
-            let color = surface.color().map(|picture| pictures.of(picture, levels, &self.pictures));
-            let normal_map = match surface.normal_map() {
-                Some(normals) => Some(pictures.of_normals(normals, levels, &self.pictures)),
-                None if levels && surface.selection().has_normals_of_relief() => {
-                    pictures.derived(surface, &self.pictures)
+        for ((surface, displaced), maps) in scene.surfaces().iter().zip(displaced).zip(maps) {
+            let colors = surface.colors().filter(|_| displaced.is_none());
+            let whole = making.surface(surfaces.len(), surface, maps, displaced);
+            match colors {
+                None => surfaces.push(whole),
+                Some(colors) => {
+                    for part in parts.of(colors, &whole.triangles, &self.parts) {
+                        let of_material = surface.of_material(&colors.materials[part.material]);
+                        let triangles = Some(part.triangles);
+                        surfaces.push(making.surface(surfaces.len(), &of_material, maps, triangles));
+                    }
                 }
-                None => None,
-            };
-            let mut maps = maps.clone();
-            if surface.selection().sees_environment() {
-                maps.push((MapSlot::Environment, Arc::clone(environment().map())));
             }
-            if let Some(object) = surface.object() {
-                maps.push((MapSlot::Object, Arc::clone(object.images())));
-            }
-            let slots = maps.iter().map(|(slot, map)| (*slot, &**map)).collect();
-            let settings = surface_settings(surface, &slots, color.as_deref(), normal_map.as_deref());
-            let settings = SurfaceSettings { number, ..settings };
-            let shell_m = [settings.shell_m.x, settings.shell_m.y];
-            let of_surface = displaced.unwrap_or_else(|| triangles.of(surface, shell_m, &self.triangles));
-            JobSurface {
-                settings,
-                selection: *surface.selection(),
-                triangles: of_surface,
-                height_map: Arc::clone(surface.height_map()),
-                color,
-                normal_map,
-                maps,
-                // Slices have no back.
-                two_sided: surface.two_sided() || surface.selection().paths().is_sliced(),
-            }
-        });
-        let mut surfaces: Vec<JobSurface> = surfaces.collect();
-        (self.triangles, self.pictures) = (triangles, pictures);
+            owners.resize(surfaces.len(), surface);
+        }
+        let Making { triangles, pictures, .. } = making;
+        (self.triangles, self.pictures, self.parts) = (triangles, pictures, parts);
         let [width, height] = scene.size();
         let light_views = LightViews::new(scene.lights(), scene.camera(), [width, height], &mut surfaces);
-        let mut frame = frame(scene, &surfaces);
+        let mut frame = frame(scene, &owners, &surfaces);
         light_views.tell(&mut frame);
         Ok(Job { width, height, samples: scene.samples(), frame, light_views, surfaces })
     }
@@ -146,7 +192,7 @@ fn place(v: DVec3, w: f32) -> [f32; 4] {
 }
 
 /// What changes with the frame: camera and lights.
-fn frame(scene: &Scene, surfaces: &[JobSurface]) -> Frame {
+fn frame(scene: &Scene, owners: &[&Surface], surfaces: &[JobSurface]) -> Frame {
     let camera = scene.camera();
     let [columns, rows] = scene.size();
     let across = 2.0 * camera.half_height() / f64::from(rows);
@@ -174,7 +220,7 @@ fn frame(scene: &Scene, surfaces: &[JobSurface]) -> Frame {
             }
         };
     }
-    let (view_projection, near) = view_projection(scene, surfaces);
+    let (view_projection, near) = view_projection(scene, owners, surfaces);
     Frame {
         view_projection: view_projection.as_mat4().to_cols_array_2d().map(Into::into),
         eye: place(eye, 1.0).into(),
@@ -234,6 +280,13 @@ fn surface_settings(
     // Derived normals begin with the second level.
     let derived = u32::from(surface.normal_map().is_none() && normals.is_some());
     let ([images, solids], cells, jump) = images(surface);
+    let ColorPlace { rows: [color_u, color_v], wrap } = surface.color_place();
+    let color_wraps = wrap.unwrap_or([height.wrap(); 2]);
+    // Texels of the picture are as many times closer along the axis where they are closest.
+    let axis = |k: usize| color_u[k].abs().max(color_v[k].abs());
+    let color_times = if surface.color_place() == ColorPlace::default() { 1.0 } else { axis(0).max(axis(1)) };
+    let of_heights = if surface.has_holes() && height.holes().is_some() { HOLES_OF_HEIGHTS } else { 0 };
+    let has_holes = of_heights + if surface.cutoff() > 0.0 { HOLES_OF_COLORS } else { 0 };
     SurfaceSettings {
         images,
         solids,
@@ -245,13 +298,18 @@ fn surface_settings(
         normal_size: size(normals).into(),
         color_levels: levels(color),
         normal_levels: levels(normals) + derived,
-        color_texels: texels(surface.color()),
+        color_u: [color_u[0], color_u[1], color_u[2], 0.0].into(),
+        color_v: [color_v[0], color_v[1], color_v[2], 0.0].into(),
+        color_wrap_u: color_wraps[0] as u32,
+        color_wrap_v: color_wraps[1] as u32,
+        color_texels: texels(surface.color()) * color_times,
         normal_texels: texels(surface.normal_map()),
         normal_tile_m: surface.metric().tile_m.map(|length| length as f32).into(),
         shininess: material.shininess(),
         has_color: u32::from(surface.color().is_some()),
         has_normal: u32::from(surface.normal_map().is_some()),
-        has_holes: u32::from(surface.has_holes() && height.holes().is_some()),
+        has_holes,
+        cutoff: surface.cutoff(),
         has_creases: u32::from(surface.has_creases()),
         transmission: material.transmission(),
         ior: material.ior(),
@@ -279,11 +337,11 @@ fn images(surface: &Surface) -> ([u32; 2], u32, f32) {
 
 /// The matrix for the rasteriser, with planes that hold all meshes, and how near to the eye hits are ordered
 /// as finely as farther away.
-fn view_projection(scene: &Scene, surfaces: &[JobSurface]) -> (DMat4, f64) {
+fn view_projection(scene: &Scene, owners: &[&Surface], surfaces: &[JobSurface]) -> (DMat4, f64) {
     let (camera, size) = (scene.camera(), scene.size());
     let depth = |point: DVec3| camera.forward().dot(point - camera.eye());
     let depths = |toward: f64| {
-        scene.surfaces().iter().zip(surfaces).flat_map(move |(surface, made)| {
+        owners.iter().zip(surfaces).flat_map(move |(surface, made)| {
             let moved = toward * f64::from(moved_out_m(surface));
             // The same planes whatever was left out.
             let known = made.triangles.depths_m();

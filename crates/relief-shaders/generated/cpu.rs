@@ -998,6 +998,9 @@ pub struct SurfaceSettings {
     pub maps: [MapSettings; 8],
     pub diffuse: rt::Vec4<f32>,
     pub specular: rt::Vec4<f32>,
+    /// What makes the colour map's coordinates of texture coordinates (u, v): x u + y v + z each.
+    pub color_u: rt::Vec4<f32>,
+    pub color_v: rt::Vec4<f32>,
     /// Columns and rows of the height map, the colour map and the normal map.
     pub height_size: rt::Vec2<u32>,
     pub color_size: rt::Vec2<u32>,
@@ -1012,11 +1015,16 @@ pub struct SurfaceSettings {
     pub normal_texels: f32,
     /// Metres of a tile along u and v for which normals were derived.
     pub normal_tile_m: rt::Vec2<f32>,
+    /// How the height map and the normal map go on beyond their sides, and the colour map along both of its
+    /// axes.
     pub wrap: u32,
+    pub color_wrap_u: u32,
+    pub color_wrap_v: u32,
     pub shininess: u32,
     pub has_color: u32,
     pub has_normal: u32,
-    /// 1 where hits in holes of the height map are none.
+    /// 1 where hits in holes of the height map are none, 2 where those are none at which the colour map's
+    /// opacity is below the cut-off, 3 for both.
     pub has_holes: u32,
     /// 1 where normals that are derived from heights are not taken across creases.
     pub has_creases: u32,
@@ -1034,7 +1042,7 @@ pub struct SurfaceSettings {
     /// refraction.
     pub transmission: f32,
     pub ior: f32,
-    /// Its number in the scene.
+    /// Its number among the surfaces that are drawn: a surface of several materials is drawn as one for each.
     pub number: u32,
     /// Texels of a face's side in the finest level of the surroundings, and their levels, at least 1 each.
     pub environment_side: u32,
@@ -1045,6 +1053,8 @@ pub struct SurfaceSettings {
     /// One of CELLS_*, and the difference of heights beyond which a cell of an image jumps.
     pub cells: u32,
     pub jump: f32,
+    /// The least opacity of the colour map that is seen.
+    pub cutoff: f32,
 }
 impl SurfaceSettings {
     pub fn new(
@@ -1052,6 +1062,8 @@ impl SurfaceSettings {
         maps: impl rt::Into<[MapSettings; 8]>,
         diffuse: impl rt::Into<rt::Vec4<f32>>,
         specular: impl rt::Into<rt::Vec4<f32>>,
+        color_u: impl rt::Into<rt::Vec4<f32>>,
+        color_v: impl rt::Into<rt::Vec4<f32>>,
         height_size: impl rt::Into<rt::Vec2<u32>>,
         color_size: impl rt::Into<rt::Vec2<u32>>,
         normal_size: impl rt::Into<rt::Vec2<u32>>,
@@ -1062,6 +1074,8 @@ impl SurfaceSettings {
         normal_texels: impl rt::Into<f32>,
         normal_tile_m: impl rt::Into<rt::Vec2<f32>>,
         wrap: impl rt::Into<u32>,
+        color_wrap_u: impl rt::Into<u32>,
+        color_wrap_v: impl rt::Into<u32>,
         shininess: impl rt::Into<u32>,
         has_color: impl rt::Into<u32>,
         has_normal: impl rt::Into<u32>,
@@ -1082,8 +1096,9 @@ impl SurfaceSettings {
         solids: impl rt::Into<u32>,
         cells: impl rt::Into<u32>,
         jump: impl rt::Into<f32>,
+        cutoff: impl rt::Into<f32>,
     ) -> Self {
-        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_holes: rt::into(has_holes), has_creases: rt::into(has_creases), has_vertex_normals: rt::into(has_vertex_normals), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), number: rt::into(number), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels), images: rt::into(images), solids: rt::into(solids), cells: rt::into(cells), jump: rt::into(jump) }
+        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), color_u: rt::into(color_u), color_v: rt::into(color_v), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), color_wrap_u: rt::into(color_wrap_u), color_wrap_v: rt::into(color_wrap_v), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_holes: rt::into(has_holes), has_creases: rt::into(has_creases), has_vertex_normals: rt::into(has_vertex_normals), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), number: rt::into(number), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels), images: rt::into(images), solids: rt::into(solids), cells: rt::into(cells), jump: rt::into(jump), cutoff: rt::into(cutoff) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -2044,11 +2059,11 @@ impl<'g> Resources<'g> {
     ) -> Around {
         let point_21 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_21);
-        let i_2 = _e8.to_i32();
-        let _e12 = self.v_wrap_index(i_2.x(), n_2.x());
-        let _e17 = self.v_wrap_index((i_2.x() + rt::Scalar(1i32)), n_2.x());
-        let _e21 = self.v_wrap_index(i_2.y(), n_2.y());
-        let _e26 = self.v_wrap_index((i_2.y() + rt::Scalar(1i32)), n_2.y());
+        let i_3 = _e8.to_i32();
+        let _e12 = self.v_wrap_index(i_3.x(), n_2.x());
+        let _e17 = self.v_wrap_index((i_3.x() + rt::Scalar(1i32)), n_2.x());
+        let _e21 = self.v_wrap_index(i_3.y(), n_2.y());
+        let _e26 = self.v_wrap_index((i_3.y() + rt::Scalar(1i32)), n_2.y());
         return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_21 - _e8));
     }
     pub(crate) fn level_texels(
@@ -2440,8 +2455,8 @@ impl<'g> Resources<'g> {
         let mut light: rt::Vec3<f32>;
 
         let mean_2 = normal_4.length();
-        let n_9 = normal_4.normalize();
-        let cosine_3 = n_9.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let n_10 = normal_4.normalize();
+        let cosine_3 = n_10.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         let ior = rt::Scalar(self.surface_settings.ior);
         let eta = (rt::Scalar(1f32) / ior);
         let inside_4 = (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine_3 * cosine_3)))).max(rt::Scalar(0f32)).sqrt();
@@ -2451,15 +2466,15 @@ impl<'g> Resources<'g> {
         let reflected = (rt::Scalar(0.5f32) * waves.dot(waves));
         let _e47 = rt::Scalar(self.surface_settings.shininess);
         let lean = ((rt::Scalar(2f32) / (_e47.to_f32() + rt::Scalar(2f32))) + (rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_2).max(rt::Scalar(0f32)))).sqrt();
-        let mirrored = ((n_9 * (rt::Scalar(2f32) * cosine_3)) - view_3);
+        let mirrored = ((n_10 * (rt::Scalar(2f32) * cosine_3)) - view_3);
         let _e67 = self.v_environment_in_lobe(mirrored, (rt::Scalar(2f32) * lean));
         light = (_e67 * reflected);
         let transmission = rt::Scalar(self.surface_settings.transmission);
         let _e73 = light;
-        let _e74 = self.v_environment_on(n_9);
+        let _e74 = self.v_environment_on(n_10);
         light = (_e73 + ((_e74 * color_4) * (rt::Scalar(1f32) - reflected)));
         if rt::Scalar::into_branch_condition(transmission.elementwise_gt(rt::Scalar(0f32))) {
-            let refracted = ((n_9 * ((eta * cosine_3) - inside_4)) - (view_3 * eta));
+            let refracted = ((n_10 * ((eta * cosine_3) - inside_4)) - (view_3 * eta));
             let _e90 = self.v_environment_in_lobe(refracted, ((rt::Scalar(1f32) - eta) * lean));
             let _e91 = light;
             light = (_e91 + (_e90 * (transmission * (rt::Scalar(1f32) - reflected))));
@@ -2866,14 +2881,14 @@ impl<'g> Resources<'g> {
         let limited = parts_4.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
         let w_3 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
         let normal_20 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
-        let place_24 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_20 * offset));
-        let t_35 = place_24.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
+        let place_25 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_20 * offset));
+        let t_35 = place_25.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let second_1 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
         let third_1 = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
         let volume = (second_1.cross(third_1).dot(normal_20) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
         let height_14 = (((offset - low_1) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
-        return <WayPoint>::new(<ShellPoint>::new(w_3, height_14), t_35, (place_24 - (along * t_35)).length(), volume);
+        return <WayPoint>::new(<ShellPoint>::new(w_3, height_14), t_35, (place_25 - (along * t_35)).length(), volume);
     }
     pub(crate) fn before_turn(
         &self,
@@ -3685,15 +3700,15 @@ impl<'g> Resources<'g> {
         sweep_1: Sweep,
         number_1: rt::Scalar<i32>,
     ) -> SweptPoint {
-        let n_10 = sweep_1.parts.x();
+        let n_11 = sweep_1.parts.x();
         let m_4 = sweep_1.parts.y();
         let apex_1 = sweep_1.apex;
-        if rt::Scalar::into_branch_condition(number_1.elementwise_le(n_10)) {
-            let _e12 = self.v_swept_border(sweep_1, sweep_1.corners.x(), sweep_1.corners.z(), number_1, n_10);
-            let sides = ON_FIRST.select(rt::Scalar(6u32), number_1.elementwise_eq(n_10));
-            return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number_1), (apex_1.y() * number_1), n_10, sides);
+        if rt::Scalar::into_branch_condition(number_1.elementwise_le(n_11)) {
+            let _e12 = self.v_swept_border(sweep_1, sweep_1.corners.x(), sweep_1.corners.z(), number_1, n_11);
+            let sides = ON_FIRST.select(rt::Scalar(6u32), number_1.elementwise_eq(n_11));
+            return <SweptPoint>::new(_e12.x(), _e12.y(), (apex_1.x() * number_1), (apex_1.y() * number_1), n_11, sides);
         }
-        let k_44 = (number_1 - n_10);
+        let k_44 = (number_1 - n_11);
         let _e29 = self.v_swept_border(sweep_1, sweep_1.corners.z(), sweep_1.corners.y(), k_44, m_4);
         let x_5 = ((apex_1.x() * (m_4 - k_44)) + (sweep_1.end.x() * k_44));
         let y_2 = ((apex_1.y() * (m_4 - k_44)) + (sweep_1.end.y() * k_44));
@@ -4371,38 +4386,107 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec3<i32> {
         return <rt::Vec3<i32>>::from_scalars((at_18.x() >> level_23), (at_18.y() >> level_23), (at_18.z() >> level_23));
     }
-    pub(crate) fn color_at(
+    pub(crate) fn color_index(
         &self,
-        uv_3: impl rt::Into<rt::Vec2<f32>>,
+        i_1: impl rt::Into<rt::Scalar<i32>>,
+        n_3: impl rt::Into<rt::Scalar<i32>>,
+        wrap: impl rt::Into<rt::Scalar<u32>>,
+    ) -> i32 {
+        rt::into(self.v_color_index(rt::into(i_1), rt::into(n_3), rt::into(wrap)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_color_index(
+        &self,
+        i_1: rt::Scalar<i32>,
+        n_3: rt::Scalar<i32>,
+        wrap: rt::Scalar<u32>,
+    ) -> rt::Scalar<i32> {
+        if rt::Scalar::into_branch_condition(wrap.elementwise_eq(WRAP_CLAMP)) {
+            return i_1.clamp(rt::Scalar(0i32), (n_3 - rt::Scalar(1i32)));
+        }
+        if rt::Scalar::into_branch_condition(wrap.elementwise_eq(WRAP_REPEAT)) {
+            return (((i_1 % n_3) + n_3) % n_3);
+        }
+        let period_1 = (rt::Scalar(2i32) * n_3);
+        let folded_1 = (((i_1 % period_1) + period_1) % period_1);
+        return ((period_1 - rt::Scalar(1i32)) - folded_1).select(folded_1, folded_1.elementwise_lt(n_3));
+    }
+    pub(crate) fn color_of_texels(
+        &self,
+        place_4: impl rt::Into<rt::Vec2<f32>>,
         level_24: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_color_at(rt::into(uv_3), rt::into(level_24)))
+        rt::into(self.v_color_of_texels(rt::into(place_4), rt::into(level_24)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_color_of_texels(
+        &self,
+        place_4: rt::Vec2<f32>,
+        level_24: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let _e4 = self.surface_settings.color_size;
+        let _e5 = self.v_level_texels(_e4, level_24);
+        let point_24 = ((place_4 * _e5.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e12 = self.v_cell_of(point_24);
+        let i_4 = _e12.to_i32();
+        let _e18 = rt::Scalar(self.surface_settings.color_wrap_u);
+        let _e19 = self.v_color_index(i_4.x(), _e5.x(), _e18);
+        let _e26 = rt::Scalar(self.surface_settings.color_wrap_u);
+        let _e27 = self.v_color_index((i_4.x() + rt::Scalar(1i32)), _e5.x(), _e26);
+        let _e32 = rt::Scalar(self.surface_settings.color_wrap_v);
+        let _e33 = self.v_color_index(i_4.y(), _e5.y(), _e32);
+        let _e40 = rt::Scalar(self.surface_settings.color_wrap_v);
+        let _e41 = self.v_color_index((i_4.y() + rt::Scalar(1i32)), _e5.y(), _e40);
+        let k_45 = level_24.to_i32();
+        let _e45 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e19, _e33), 0i32, 0i32, rt::Scalar::into_inner(k_45));
+        let _e48 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e27, _e33), 0i32, 0i32, rt::Scalar::into_inner(k_45));
+        let _e51 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e19, _e41), 0i32, 0i32, rt::Scalar::into_inner(k_45));
+        let _e54 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e27, _e41), 0i32, 0i32, rt::Scalar::into_inner(k_45));
+        let _e56 = self.v_bilinear(_e45, _e48, _e51, _e54, (point_24 - _e12));
+        return _e56;
+    }
+    pub(crate) fn color_place(&self, uv_3: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_color_place(rt::into(uv_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_color_place(&self, uv_3: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        let _e4 = self.surface_settings.color_u.x();
+        let _e10 = self.surface_settings.color_u.y();
+        let u_1 = ((_e4 * uv_3.x()) + (_e10 * uv_3.y()));
+        let _e17 = self.surface_settings.color_v.x();
+        let _e23 = self.surface_settings.color_v.y();
+        let v_3 = ((_e17 * uv_3.x()) + (_e23 * uv_3.y()));
+        let _e30 = self.surface_settings.color_u.z();
+        let _e35 = self.surface_settings.color_v.z();
+        return <rt::Vec2<f32>>::from_scalars((u_1 + _e30), (v_3 + _e35));
+    }
+    pub(crate) fn color_at(
+        &self,
+        uv_4: impl rt::Into<rt::Vec2<f32>>,
+        level_25: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_color_at(rt::into(uv_4), rt::into(level_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_color_at(
         &self,
-        uv_3: rt::Vec2<f32>,
-        level_24: rt::Scalar<u32>,
+        uv_4: rt::Vec2<f32>,
+        level_25: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = self.surface_settings.color_size;
-        let _e5 = self.v_level_texels(_e4, level_24);
-        let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_45 = level_24.to_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_45));
-        let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
-        return _e37;
+        let _e2 = self.v_color_place(uv_4);
+        let _e3 = self.v_color_of_texels(_e2, level_25);
+        return _e3;
     }
-    pub(crate) fn object_texel(&self, place_4: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
-        rt::into(self.v_object_texel(rt::into(place_4)))
+    pub(crate) fn object_texel(&self, place_5: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
+        rt::into(self.v_object_texel(rt::into(place_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_texel(&self, place_4: rt::Vec2<i32>) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.object_map), place_4, rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+    fn v_object_texel(&self, place_5: rt::Vec2<i32>) -> rt::Vec4<f32> {
+        let _e4 = rt::texture::Read::read_texel((&self.object_map), place_5, rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4;
     }
     pub(crate) fn frames_around(&self, toward: impl rt::Into<rt::Vec3<f32>>) -> Frames {
@@ -4445,9 +4529,9 @@ impl<'g> Resources<'g> {
         let _e81 = z;
         let _e82 = x_1;
         let along_23 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_4));
-        let place_25 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
-        let cell_29 = place_25.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
-        let part_10 = (place_25 - cell_29);
+        let place_26 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
+        let cell_29 = place_26.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
+        let part_10 = (place_26 - cell_29);
         let side_6 = (last_4.to_u32() + rt::Scalar(1u32));
         let first_11 = ((cell_29.y().to_u32() * side_6) + cell_29.x().to_u32());
         let beside_4 = (first_11 + side_6).select((first_11 + rt::Scalar(1u32)), part_10.x().elementwise_gt(part_10.y()));
@@ -4725,16 +4809,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn color_or_white(
         &self,
-        uv_4: impl rt::Into<rt::Vec2<f32>>,
+        uv_5: impl rt::Into<rt::Vec2<f32>>,
         footprint_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_color_or_white(rt::into(uv_4), rt::into(footprint_1)))
+        rt::into(self.v_color_or_white(rt::into(uv_5), rt::into(footprint_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_color_or_white(
         &self,
-        uv_4: rt::Vec2<f32>,
+        uv_5: rt::Vec2<f32>,
         footprint_1: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_color);
@@ -4744,10 +4828,10 @@ impl<'g> Resources<'g> {
         let _e13 = rt::Scalar(self.surface_settings.color_texels);
         let _e17 = rt::Scalar(self.surface_settings.color_levels);
         let _e18 = self.v_levels_of((footprint_1 * _e13), _e17);
-        let _e20 = self.v_color_at(uv_4, rt::Scalar(_e18.fine));
+        let _e20 = self.v_color_at(uv_5, rt::Scalar(_e18.fine));
         let fine = _e20.xyz();
         if rt::Scalar::into_branch_condition(rt::Scalar(_e18.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e28 = self.v_color_at(uv_4, (rt::Scalar(_e18.fine) + rt::Scalar(1u32)));
+            let _e28 = self.v_color_at(uv_5, (rt::Scalar(_e18.fine) + rt::Scalar(1u32)));
             return (fine + ((_e28.xyz() - fine) * rt::Scalar(_e18.part)));
         }
         return fine;
@@ -4829,28 +4913,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_texel(
         &self,
         path_13: Path,
-        place_5: impl rt::Into<rt::Vec2<i32>>,
+        place_6: impl rt::Into<rt::Vec2<i32>>,
         layer_1: impl rt::Into<rt::Scalar<i32>>,
-        level_25: impl rt::Into<rt::Scalar<i32>>,
+        level_26: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel(path_13, rt::into(place_5), rt::into(layer_1), rt::into(level_25)))
+        rt::into(self.v_search_texel(path_13, rt::into(place_6), rt::into(layer_1), rt::into(level_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_texel(
         &self,
         path_13: Path,
-        place_5: rt::Vec2<i32>,
+        place_6: rt::Vec2<i32>,
         layer_1: rt::Scalar<i32>,
-        level_25: rt::Scalar<i32>,
+        level_26: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_13.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_5, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_25));
+            let texel_7 = rt::texture::Read::read_texel((&self.shadow_search_map), place_6, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_26));
             let _e12 = self.surface_settings.maps[2usize];
             let _e13 = self.v_decoded(texel_7, _e12);
             return _e13;
         }
-        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_5, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_25));
+        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_6, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_26));
         let _e19 = self.surface_settings.maps[1usize];
         let _e20 = self.v_decoded(_e15, _e19);
         return _e20;
@@ -5017,8 +5101,8 @@ impl<'g> Resources<'g> {
         let part_11 = ((begin_4 - _e8) / (begin_4 - params_15.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_15.y()), _e19);
-        let level_46 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_46, _e4, part_11.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        let level_47 = rt::Scalar(_e20.fine);
+        return <Detail>::new(level_47, _e4, part_11.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
@@ -5085,44 +5169,44 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn detail_texel(
         &self,
-        place_6: impl rt::Into<rt::Vec2<i32>>,
+        place_7: impl rt::Into<rt::Vec2<i32>>,
         layer_2: impl rt::Into<rt::Scalar<i32>>,
-        level_26: impl rt::Into<rt::Scalar<i32>>,
+        level_27: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel(rt::into(place_6), rt::into(layer_2), rt::into(level_26)))
+        rt::into(self.v_detail_texel(rt::into(place_7), rt::into(layer_2), rt::into(level_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_texel(
         &self,
-        place_6: rt::Vec2<i32>,
+        place_7: rt::Vec2<i32>,
         layer_2: rt::Scalar<i32>,
-        level_26: rt::Scalar<i32>,
+        level_27: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_6, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_26));
+        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_7, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_27));
         let _e8 = self.surface_settings.maps[0usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
     pub(crate) fn detail_texel_between(
         &self,
-        uv_5: impl rt::Into<rt::Vec2<f32>>,
+        uv_6: impl rt::Into<rt::Vec2<f32>>,
         layer_3: impl rt::Into<rt::Scalar<i32>>,
-        level_27: impl rt::Into<rt::Scalar<u32>>,
+        level_28: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_detail_texel_between(rt::into(uv_5), rt::into(layer_3), rt::into(level_27)))
+        rt::into(self.v_detail_texel_between(rt::into(uv_6), rt::into(layer_3), rt::into(level_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_texel_between(
         &self,
-        uv_5: rt::Vec2<f32>,
+        uv_6: rt::Vec2<f32>,
         layer_3: rt::Scalar<i32>,
-        level_27: rt::Scalar<u32>,
+        level_28: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_27);
-        let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_46 = (level_27 - SEEN_FIRST_LEVEL).to_i32();
+        let _e3 = self.v_height_texels(level_28);
+        let _e4 = self.v_texels_around(uv_6, _e3);
+        let k_46 = (level_28 - SEEN_FIRST_LEVEL).to_i32();
         let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_46);
         let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_46);
         let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_46);
@@ -5133,18 +5217,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn one_of(
         &self,
         numbers: impl rt::Into<rt::Vec3<u32>>,
-        place_7: impl rt::Into<rt::Scalar<u32>>,
+        place_8: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_one_of(rt::into(numbers), rt::into(place_7)))
+        rt::into(self.v_one_of(rt::into(numbers), rt::into(place_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_one_of(
         &self,
         numbers: rt::Vec3<u32>,
-        place_7: rt::Scalar<u32>,
+        place_8: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        return numbers.z().select(numbers.y(), place_7.elementwise_eq(rt::Scalar(1u32))).select(numbers.x(), place_7.elementwise_eq(rt::Scalar(0u32)));
+        return numbers.z().select(numbers.y(), place_8.elementwise_eq(rt::Scalar(1u32))).select(numbers.x(), place_8.elementwise_eq(rt::Scalar(0u32)));
     }
     pub(crate) fn dice_border(
         &self,
@@ -5208,30 +5292,30 @@ impl<'g> Resources<'g> {
         slope: rt::Scalar<u32>,
         offset_1: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let mut n_3: rt::Scalar<u32>;
+        let mut n_4: rt::Scalar<u32>;
         let mut m_2: rt::Scalar<u32>;
         let mut a_10: rt::Scalar<u32>;
         let mut b_10: rt::Scalar<u32>;
         let mut sum_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        n_3 = count_2;
+        n_4 = count_2;
         m_2 = by;
         a_10 = slope;
         b_10 = offset_1;
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = n_3;
+                let _e10 = n_4;
                 if rt::Scalar::into_branch_condition(_e10.elementwise_gt(rt::Scalar(0u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = sum_2;
-                    let _e14 = n_3;
-                    let _e15 = n_3;
+                    let _e14 = n_4;
+                    let _e15 = n_4;
                     let _e21 = a_10;
                     let _e22 = m_2;
-                    let _e26 = n_3;
+                    let _e26 = n_4;
                     let _e27 = b_10;
                     let _e28 = m_2;
                     sum_2 = ((_e13 + (((_e14 * (_e15 - rt::Scalar(1u32))) / rt::Scalar(2u32)) * (_e21 / _e22))) + (_e26 * (_e27 / _e28)));
@@ -5242,11 +5326,11 @@ impl<'g> Resources<'g> {
                     let _e36 = m_2;
                     b_10 = (_e35 % _e36);
                     let _e38 = a_10;
-                    let _e39 = n_3;
+                    let _e39 = n_4;
                     let _e41 = b_10;
                     let last_6 = ((_e38 * _e39) + _e41);
                     let _e43 = m_2;
-                    n_3 = (last_6 / _e43);
+                    n_4 = (last_6 / _e43);
                     let _e45 = m_2;
                     b_10 = (last_6 % _e45);
                     let swapped = m_2;
@@ -5404,38 +5488,38 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_dice_share(rows_8, row_3, rows_8.parts.y());
         return _e4;
     }
-    pub(crate) fn dice_point(&self, rows_9: DiceRows, place_8: DicePlace) -> DicePoint {
-        rt::into(self.v_dice_point(rows_9, place_8))
+    pub(crate) fn dice_point(&self, rows_9: DiceRows, place_9: DicePlace) -> DicePoint {
+        rt::into(self.v_dice_point(rows_9, place_9))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_dice_point(&self, rows_9: DiceRows, place_8: DicePlace) -> DicePoint {
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_8.row).elementwise_eq(rt::Scalar(0u32))) {
+    fn v_dice_point(&self, rows_9: DiceRows, place_9: DicePlace) -> DicePoint {
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_9.row).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = self.v_dice_border(rows_9, rt::Scalar(0u32), rt::Scalar(0u32));
             return _e7;
         }
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_8.row).elementwise_eq(rt::Scalar(rows_9.count))) {
-            let _e13 = self.v_dice_border(rows_9, rt::Scalar(1u32), rt::Scalar(place_8.at));
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_9.row).elementwise_eq(rt::Scalar(rows_9.count))) {
+            let _e13 = self.v_dice_border(rows_9, rt::Scalar(1u32), rt::Scalar(place_9.at));
             return _e13;
         }
-        let _e15 = self.v_dice_row_parts(rows_9, rt::Scalar(place_8.row));
-        let _e19 = self.v_dice_share(rows_9, rt::Scalar(place_8.row), rows_9.parts.x());
-        let _e23 = self.v_dice_share(rows_9, rt::Scalar(place_8.row), rows_9.parts.z());
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_8.at).elementwise_eq(rt::Scalar(0u32))) {
+        let _e15 = self.v_dice_row_parts(rows_9, rt::Scalar(place_9.row));
+        let _e19 = self.v_dice_share(rows_9, rt::Scalar(place_9.row), rows_9.parts.x());
+        let _e23 = self.v_dice_share(rows_9, rt::Scalar(place_9.row), rows_9.parts.z());
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_9.at).elementwise_eq(rt::Scalar(0u32))) {
             let _e28 = self.v_dice_border(rows_9, rt::Scalar(0u32), _e19);
             return _e28;
         }
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_8.at).elementwise_eq(_e15)) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_9.at).elementwise_eq(_e15)) {
             let _e32 = self.v_dice_border(rows_9, rt::Scalar(2u32), _e23);
             return _e32;
         }
-        let on_short = (((_e15 - rt::Scalar(place_8.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_9.parts.x().to_f32()));
-        let on_other = ((rt::Scalar(place_8.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_9.parts.z().to_f32()));
+        let on_short = (((_e15 - rt::Scalar(place_9.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_9.parts.x().to_f32()));
+        let on_other = ((rt::Scalar(place_9.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_9.parts.z().to_f32()));
         let on_corner = ((rt::Scalar(1f32) - on_short) - on_other);
         let x_7 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(0u32)));
         let y_5 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(1u32)));
         let z_2 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(2u32)));
-        let _e88 = self.v_dice_points_before(rows_9, rt::Scalar(place_8.row));
-        let number_25 = ((_e88 + rt::Scalar(place_8.at)) - rt::Scalar(1u32));
+        let _e88 = self.v_dice_points_before(rows_9, rt::Scalar(place_9.row));
+        let number_25 = ((_e88 + rt::Scalar(place_9.at)) - rt::Scalar(1u32));
         return <DicePoint>::new(INSIDE, number_25, <rt::Vec3<f32>>::from_scalars(x_7, y_5, z_2));
     }
     pub(crate) fn dice_triangles_before(
@@ -5637,11 +5721,11 @@ impl<'g> Resources<'g> {
         let _e24 = self.v_dice_triangles_before(rows_13, (_e2 - rt::Scalar(1u32)));
         let step_5 = ((number_7 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
         let _e30 = self.v_dice_steps_below(_e5, _e6, step_5);
-        let i_3 = (step_5 - _e30);
+        let i_5 = (step_5 - _e30);
         let _e34 = self.v_dice_steps_below(_e5, _e6, (step_5 + rt::Scalar(1u32)));
         let goes_below = _e34.elementwise_gt(_e30);
-        let next_9 = <DicePlace>::new((_e2 - rt::Scalar(1u32)).select(_e2, goes_below), (i_3 + rt::Scalar(1u32)).select((_e30 + rt::Scalar(1u32)), goes_below));
-        return <DiceTriangle>::new(<DicePlace>::new((_e2 - rt::Scalar(1u32)), i_3), <DicePlace>::new(_e2, _e30), next_9);
+        let next_9 = <DicePlace>::new((_e2 - rt::Scalar(1u32)).select(_e2, goes_below), (i_5 + rt::Scalar(1u32)).select((_e30 + rt::Scalar(1u32)), goes_below));
+        return <DiceTriangle>::new(<DicePlace>::new((_e2 - rt::Scalar(1u32)), i_5), <DicePlace>::new(_e2, _e30), next_9);
     }
     pub(crate) fn displaced_derivative(
         &self,
@@ -5725,23 +5809,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn height_and_slope(
         &self,
-        uv_6: impl rt::Into<rt::Vec2<f32>>,
-        level_28: impl rt::Into<rt::Scalar<u32>>,
+        uv_7: impl rt::Into<rt::Vec2<f32>>,
+        level_29: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_6), rt::into(level_28)))
+        rt::into(self.v_height_and_slope(rt::into(uv_7), rt::into(level_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_height_and_slope(
         &self,
-        uv_6: rt::Vec2<f32>,
-        level_28: rt::Scalar<u32>,
+        uv_7: rt::Vec2<f32>,
+        level_29: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_height_size(level_28);
-        let point_24 = ((uv_6 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_24);
-        let f_1 = (point_24 - _e8);
-        let _e11 = self.v_height_cell(_e8.to_i32(), level_28);
+        let _e2 = self.v_height_size(level_29);
+        let point_25 = ((uv_7 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_25);
+        let f_1 = (point_25 - _e8);
+        let _e11 = self.v_height_cell(_e8.to_i32(), level_29);
         let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_3 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
         let left_4 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
@@ -5750,45 +5834,45 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn relief_between_levels(
         &self,
-        uv_7: impl rt::Into<rt::Vec2<f32>>,
-        level_29: impl rt::Into<rt::Scalar<f32>>,
+        uv_8: impl rt::Into<rt::Vec2<f32>>,
+        level_30: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_relief_between_levels(rt::into(uv_7), rt::into(level_29)))
+        rt::into(self.v_relief_between_levels(rt::into(uv_8), rt::into(level_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_relief_between_levels(
         &self,
-        uv_7: rt::Vec2<f32>,
-        level_29: rt::Scalar<f32>,
+        uv_8: rt::Vec2<f32>,
+        level_30: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let finer = level_29.to_u32();
-        let part_14 = (level_29 - finer.to_f32());
-        let _e5 = self.v_height_and_slope(uv_7, finer);
+        let finer = level_30.to_u32();
+        let part_14 = (level_30 - finer.to_f32());
+        let _e5 = self.v_height_and_slope(uv_8, finer);
         if rt::Scalar::into_branch_condition(part_14.elementwise_eq(rt::Scalar(0f32))) {
             return _e5;
         }
-        let _e10 = self.v_height_and_slope(uv_7, (finer + rt::Scalar(1u32)));
+        let _e10 = self.v_height_and_slope(uv_8, (finer + rt::Scalar(1u32)));
         return (_e5 + ((_e10 - _e5) * part_14));
     }
     pub(crate) fn sloped_uv(
         &self,
-        uv_8: impl rt::Into<rt::Vec2<f32>>,
-        level_30: impl rt::Into<rt::Scalar<f32>>,
+        uv_9: impl rt::Into<rt::Vec2<f32>>,
+        level_31: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_sloped_uv(rt::into(uv_8), rt::into(level_30)))
+        rt::into(self.v_sloped_uv(rt::into(uv_9), rt::into(level_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_sloped_uv(
         &self,
-        uv_8: rt::Vec2<f32>,
-        level_30: rt::Scalar<f32>,
+        uv_9: rt::Vec2<f32>,
+        level_31: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
         let mut local_28: rt::Scalar<bool>;
         let mut local_29: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(uv_8.x().min(uv_8.y()).elementwise_ge(rt::Scalar(0f32))) {
-            local_28 = uv_8.x().max(uv_8.y()).elementwise_le(rt::Scalar(1f32));
+        if rt::Scalar::into_branch_condition(uv_9.x().min(uv_9.y()).elementwise_ge(rt::Scalar(0f32))) {
+            local_28 = uv_9.x().max(uv_9.y()).elementwise_le(rt::Scalar(1f32));
         } else {
             local_28 = rt::Scalar(false);
         }
@@ -5801,11 +5885,11 @@ impl<'g> Resources<'g> {
         }
         let _e26 = local_29;
         if rt::Scalar::into_branch_condition(_e26) {
-            return uv_8;
+            return uv_9;
         }
-        let _e29 = self.v_height_size(level_30.ceil().to_u32());
+        let _e29 = self.v_height_size(level_31.ceil().to_u32());
         let least_4 = (rt::Vec2::splat_from_scalar(rt::Scalar(0.515625f32)) / _e29);
-        return uv_8.clamp(least_4, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - least_4).max(least_4));
+        return uv_9.clamp(least_4, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - least_4).max(least_4));
     }
     pub(crate) fn displaced_site(&self, grid_6: Tessellation, site_1: BaseSite) -> Corner {
         rt::into(self.v_displaced_site(grid_6, site_1))
@@ -5855,54 +5939,54 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_texel_between(
         &self,
         path_16: Path,
-        uv_9: impl rt::Into<rt::Vec2<f32>>,
+        uv_10: impl rt::Into<rt::Vec2<f32>>,
         layer_4: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel_between(path_16, rt::into(uv_9), rt::into(layer_4)))
+        rt::into(self.v_search_texel_between(path_16, rt::into(uv_10), rt::into(layer_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_texel_between(
         &self,
         path_16: Path,
-        uv_9: rt::Vec2<f32>,
+        uv_10: rt::Vec2<f32>,
         layer_4: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.v_height_texels(rt::Scalar(path_16.level));
-        let _e5 = self.v_texels_around(uv_9, _e4);
-        let level_47 = rt::Scalar(path_16.level).to_i32();
-        let _e13 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_47);
-        let _e19 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_47);
-        let _e25 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_47);
-        let _e31 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_47);
+        let _e5 = self.v_texels_around(uv_10, _e4);
+        let level_48 = rt::Scalar(path_16.level).to_i32();
+        let _e13 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_48);
+        let _e19 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_48);
+        let _e25 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_48);
+        let _e31 = self.v_search_texel(path_16, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_48);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
     pub(crate) fn distance_at(
         &self,
         path_17: Path,
-        uv_10: impl rt::Into<rt::Vec2<f32>>,
+        uv_11: impl rt::Into<rt::Vec2<f32>>,
         height_1: impl rt::Into<rt::Scalar<f32>>,
         slices: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_distance_at(path_17, rt::into(uv_10), rt::into(height_1), rt::into(slices)))
+        rt::into(self.v_distance_at(path_17, rt::into(uv_11), rt::into(height_1), rt::into(slices)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_distance_at(
         &self,
         path_17: Path,
-        uv_10: rt::Vec2<f32>,
+        uv_11: rt::Vec2<f32>,
         height_1: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_26 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_5 = place_26.floor();
-        let _e13 = self.v_search_texel_between(path_17, uv_10, below_5.to_i32());
+        let place_27 = ((height_1 * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_5 = place_27.floor();
+        let _e13 = self.v_search_texel_between(path_17, uv_11, below_5.to_i32());
         let lower_1 = _e13.x();
-        let _e21 = self.v_search_texel_between(path_17, uv_10, (below_5 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
+        let _e21 = self.v_search_texel_between(path_17, uv_11, (below_5 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).to_i32());
         let upper = _e21.x();
-        return (lower_1 + ((upper - lower_1) * (place_26 - below_5)));
+        return (lower_1 + ((upper - lower_1) * (place_27 - below_5)));
     }
     pub(crate) fn ends_on(&self, sweep_4: Sweep, chain_1: SweptChain, other: SweptChain) -> bool {
         rt::into(self.v_ends_on(sweep_4, chain_1, other))
@@ -5992,12 +6076,12 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_19);
         let _e5 = self.v_plane_distance(pixel_19, _e2);
-        let point_25 = (pixel_19.origin + (pixel_19.direction * _e5));
-        let _e8 = self.v_plane_weights(pixel_19, _e2, point_25);
+        let point_26 = (pixel_19.origin + (pixel_19.direction * _e5));
+        let _e8 = self.v_plane_weights(pixel_19, _e2, point_26);
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_33 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
+        let uv_34 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
         let tangent_1 = (((pixel_19.a.tangent * wa) + (pixel_19.b.tangent * wb_1)) + (pixel_19.c.tangent * wc_1));
         let bitangent = (((pixel_19.a.bitangent * wa) + (pixel_19.b.bitangent * wb_1)) + (pixel_19.c.bitangent * wc_1));
         let normal_22 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
@@ -6015,7 +6099,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_30;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_25, uv_33, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_26, uv_34, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -6063,10 +6147,10 @@ impl<'g> Resources<'g> {
         pixel_22: PixelIn,
         weights_1: impl rt::Into<rt::Vec3<f32>>,
         point_9: impl rt::Into<rt::Vec3<f32>>,
-        uv_11: impl rt::Into<rt::Vec2<f32>>,
+        uv_12: impl rt::Into<rt::Vec2<f32>>,
         facing: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_9), rt::into(uv_11), rt::into(facing)))
+        rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_9), rt::into(uv_12), rt::into(facing)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6075,7 +6159,7 @@ impl<'g> Resources<'g> {
         pixel_22: PixelIn,
         weights_1: rt::Vec3<f32>,
         point_9: rt::Vec3<f32>,
-        uv_11: rt::Vec2<f32>,
+        uv_12: rt::Vec2<f32>,
         facing: rt::Vec3<f32>,
     ) -> Entered {
         let _e6 = self.v_ordered(pixel_22, rt::Scalar(0u32));
@@ -6087,7 +6171,7 @@ impl<'g> Resources<'g> {
         let _e49 = rt::Scalar(self.surface_settings.scale_m);
         let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
         let unit = (normal_23.normalize() * rt::Scalar(pixel_22.side));
-        return <Entered>::new(rt::Scalar(1u32), point_9, uv_11, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(1u32), point_9, uv_12, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facing_of(
         &self,
@@ -6125,11 +6209,11 @@ impl<'g> Resources<'g> {
         let mut at_30: Entered;
 
         let third_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_34 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
+        let uv_35 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
         let _e17 = self.v_middle_of(pixel_24, along_7);
-        let point_26 = (pixel_24.origin + (along_7 * _e17));
+        let point_27 = (pixel_24.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_7);
-        let _e21 = self.v_frame_at(pixel_24, third_2, point_26, uv_34, _e20);
+        let _e21 = self.v_frame_at(pixel_24, third_2, point_27, uv_35, _e20);
         at_30 = _e21;
         rt::Scalar(at_30.segments) = rt::Scalar(0u32);
         let _e25 = at_30;
@@ -6139,11 +6223,11 @@ impl<'g> Resources<'g> {
         &self,
         along_8: impl rt::Into<rt::Vec3<f32>>,
         p: impl rt::Into<rt::Vec3<f32>>,
-        n_4: impl rt::Into<rt::Vec3<f32>>,
+        n_5: impl rt::Into<rt::Vec3<f32>>,
         q: impl rt::Into<rt::Vec3<f32>>,
         m_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_way_weight(rt::into(along_8), rt::into(p), rt::into(n_4), rt::into(q), rt::into(m_3)))
+        rt::into(self.v_way_weight(rt::into(along_8), rt::into(p), rt::into(n_5), rt::into(q), rt::into(m_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6151,13 +6235,13 @@ impl<'g> Resources<'g> {
         &self,
         along_8: rt::Vec3<f32>,
         p: rt::Vec3<f32>,
-        n_4: rt::Vec3<f32>,
+        n_5: rt::Vec3<f32>,
         q: rt::Vec3<f32>,
         m_3: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let most_9 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let middle_11 = (p.cross(m_3).min(most_9) + n_4.cross(q).min(most_9));
-        return <rt::Vec3<f32>>::from_scalars(along_8.dot(p.cross(q)), along_8.dot(middle_11), along_8.dot(n_4.cross(m_3))).min(most_9);
+        let middle_11 = (p.cross(m_3).min(most_9) + n_5.cross(q).min(most_9));
+        return <rt::Vec3<f32>>::from_scalars(along_8.dot(p.cross(q)), along_8.dot(middle_11), along_8.dot(n_5.cross(m_3))).min(most_9);
     }
     pub(crate) fn way_of(
         &self,
@@ -6285,28 +6369,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn root_behind(
         &self,
         c_6: impl rt::Into<rt::Vec3<f32>>,
-        place_9: impl rt::Into<rt::Scalar<f32>>,
+        place_10: impl rt::Into<rt::Scalar<f32>>,
         end: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_root_behind(rt::into(c_6), rt::into(place_9), rt::into(end)))
+        rt::into(self.v_root_behind(rt::into(c_6), rt::into(place_10), rt::into(end)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_root_behind(
         &self,
         c_6: rt::Vec3<f32>,
-        place_9: rt::Scalar<f32>,
+        place_10: rt::Scalar<f32>,
         end: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut first: rt::Scalar<f32>;
 
         let _e3 = self.v_both_roots(c_6);
         first = end;
-        if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_9)) {
+        if rt::Scalar::into_branch_condition(_e3.x().elementwise_gt(place_10)) {
             let _e7 = first;
             first = _e7.min(_e3.x());
         }
-        if rt::Scalar::into_branch_condition(_e3.y().elementwise_gt(place_9)) {
+        if rt::Scalar::into_branch_condition(_e3.y().elementwise_gt(place_10)) {
             let _e12 = first;
             first = _e12.min(_e3.y());
         }
@@ -6572,22 +6656,22 @@ impl<'g> Resources<'g> {
     fn v_passed_by(&self) -> Entered {
         let zero_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let zeros = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let uv_35 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_35, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_35, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let uv_36 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32), zero_1, uv_36, zero_1, zero_1, zero_1, zeros, rt::Scalar(0u32), zero_1, uv_36, zeros, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shell_point_from(
         &self,
         prism_9: Prism,
-        place_10: impl rt::Into<rt::Vec3<f32>>,
+        place_11: impl rt::Into<rt::Vec3<f32>>,
         from_point: ShellPoint,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_from(prism_9, rt::into(place_10), from_point))
+        rt::into(self.v_shell_point_from(prism_9, rt::into(place_11), from_point))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shell_point_from(
         &self,
         prism_9: Prism,
-        place_10: rt::Vec3<f32>,
+        place_11: rt::Vec3<f32>,
         from_point: ShellPoint,
     ) -> ShellPoint {
         let mut w_1: rt::Vec3<f32>;
@@ -6622,7 +6706,7 @@ impl<'g> Resources<'g> {
                     let _e53 = w_1.y();
                     let _e58 = w_1.z();
                     let base_1 = (((prism_9.p0_ * _e49) + (prism_9.p1_ * _e53)) + (prism_9.p2_ * _e58));
-                    let rest_3 = ((place_10 - base_1) - (normal_24 * offset_7));
+                    let rest_3 = ((place_11 - base_1) - (normal_24 * offset_7));
                     let _e66 = w_1.x();
                     let _e68 = w_1.y();
                     let _e72 = w_1.z();
@@ -6658,20 +6742,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn shell_point(
         &self,
         prism_10: Prism,
-        place_11: impl rt::Into<rt::Vec3<f32>>,
+        place_12: impl rt::Into<rt::Vec3<f32>>,
         height_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point(prism_10, rt::into(place_11), rt::into(height_2)))
+        rt::into(self.v_shell_point(prism_10, rt::into(place_12), rt::into(height_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shell_point(
         &self,
         prism_10: Prism,
-        place_11: rt::Vec3<f32>,
+        place_12: rt::Vec3<f32>,
         height_2: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let _e8 = self.v_shell_point_from(prism_10, place_11, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_2));
+        let _e8 = self.v_shell_point_from(prism_10, place_12, <ShellPoint>::new(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32)), height_2));
         return _e8;
     }
     pub(crate) fn surface_prism_enter(
@@ -7107,15 +7191,15 @@ impl<'g> Resources<'g> {
         let inside_6 = _e3.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
         return (inside_6 / rt::Vec3::splat_from_scalar(((inside_6.x() + inside_6.y()) + inside_6.z())));
     }
-    pub(crate) fn is_on_map(&self, uv_12: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_is_on_map(rt::into(uv_12)))
+    pub(crate) fn is_on_map(&self, uv_13: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_is_on_map(rt::into(uv_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_is_on_map(&self, uv_12: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    fn v_is_on_map(&self, uv_13: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let mut local_38: rt::Scalar<bool>;
 
-        let beyond_4 = ((uv_12.x() - rt::Scalar(0.5f32)).abs().max((uv_12.y() - rt::Scalar(0.5f32)).abs()) - rt::Scalar(0.5f32));
+        let beyond_4 = ((uv_13.x() - rt::Scalar(0.5f32)).abs().max((uv_13.y() - rt::Scalar(0.5f32)).abs()) - rt::Scalar(0.5f32));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition((!_e14.elementwise_ne(WRAP_CLAMP))) {
             local_38 = beyond_4.elementwise_le(rt::Scalar(0.000001f32));
@@ -7142,9 +7226,9 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_39);
         let _e5 = self.v_triangle_distance(pixel_39, _e2);
-        let point_27 = (pixel_39.origin + (pixel_39.direction * _e5));
-        let _e8 = self.v_triangle_weights(pixel_39, _e2, point_27);
-        let uv_36 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
+        let point_28 = (pixel_39.origin + (pixel_39.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_39, _e2, point_28);
+        let uv_37 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
         let tangent_3 = (((pixel_39.a.tangent * _e8.x()) + (pixel_39.b.tangent * _e8.y())) + (pixel_39.c.tangent * _e8.z()));
         let bitangent_2 = (((pixel_39.a.bitangent * _e8.x()) + (pixel_39.b.bitangent * _e8.y())) + (pixel_39.c.bitangent * _e8.z()));
         let sum_11 = ((((pixel_39.a.normal * _e8.x()) + (pixel_39.b.normal * _e8.y())) + (pixel_39.c.normal * _e8.z())) * rt::Scalar(pixel_39.side));
@@ -7152,14 +7236,14 @@ impl<'g> Resources<'g> {
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
         if rt::Scalar::into_branch_condition(_e2.dot(_e2).elementwise_gt(rt::Scalar(0f32))) {
-            let _e77 = self.v_is_on_map(uv_36);
+            let _e77 = self.v_is_on_map(uv_37);
             local_39 = _e77;
         } else {
             local_39 = rt::Scalar(false);
         }
         let _e79 = local_39;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_27, uv_36, tangent_3, bitangent_2, sum_11.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_28, uv_37, tangent_3, bitangent_2, sum_11.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
@@ -7180,9 +7264,9 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_plane_normal(pixel_40);
         let _e5 = self.v_triangle_distance(pixel_40, _e2);
-        let point_28 = (pixel_40.origin + (pixel_40.direction * _e5));
-        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_28);
-        let uv_37 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
+        let point_29 = (pixel_40.origin + (pixel_40.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_29);
+        let uv_38 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
         let tangent_4 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
         let bitangent_3 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
         let raw_ = (((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z()));
@@ -7195,7 +7279,7 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.scale_m);
         let height_m = (_e87 + (_e90 * slice_6.x()));
         let normal_25 = raw_.normalize();
-        let _e95 = self.v_is_on_map(uv_37);
+        let _e95 = self.v_is_on_map(uv_38);
         if rt::Scalar::into_branch_condition(_e95) {
             local_40 = ((slice_6.x() - rt::Scalar(0.5f32)).abs() - rt::Scalar(0.5f32)).elementwise_le(rt::Scalar(0.000001f32));
         } else {
@@ -7215,7 +7299,7 @@ impl<'g> Resources<'g> {
         }
         let _e122 = local_42;
         let _e128 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_28 - (raw_ * height_m)), uv_37, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_29 - (raw_ * height_m)), uv_38, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
@@ -7519,24 +7603,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_at(
         &self,
-        uv_13: impl rt::Into<rt::Vec2<f32>>,
+        uv_14: impl rt::Into<rt::Vec2<f32>>,
         layer_5: impl rt::Into<rt::Scalar<i32>>,
-        level_31: impl rt::Into<rt::Scalar<u32>>,
+        level_32: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_13), rt::into(layer_5), rt::into(level_31)))
+        rt::into(self.v_normal_at(rt::into(uv_14), rt::into(layer_5), rt::into(level_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_at(
         &self,
-        uv_13: rt::Vec2<f32>,
+        uv_14: rt::Vec2<f32>,
         layer_5: rt::Scalar<i32>,
-        level_31: rt::Scalar<u32>,
+        level_32: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.normal_size;
-        let _e6 = self.v_level_texels(_e5, level_31);
-        let _e7 = self.v_texels_around(uv_13, _e6);
-        let k_47 = level_31.to_i32();
+        let _e6 = self.v_level_texels(_e5, level_32);
+        let _e7 = self.v_texels_around(uv_14, _e6);
+        let k_47 = level_32.to_i32();
         let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
         let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
         let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_47));
@@ -7544,19 +7628,19 @@ impl<'g> Resources<'g> {
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
-    pub(crate) fn sloped_cell(&self, i_1: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec2<i32> {
-        rt::into(self.v_sloped_cell(rt::into(i_1)))
+    pub(crate) fn sloped_cell(&self, i_2: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec2<i32> {
+        rt::into(self.v_sloped_cell(rt::into(i_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_sloped_cell(&self, i_1: rt::Vec2<i32>) -> rt::Vec2<i32> {
+    fn v_sloped_cell(&self, i_2: rt::Vec2<i32>) -> rt::Vec2<i32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_ne(WRAP_CLAMP)) {
-            return i_1;
+            return i_2;
         }
         let _e7 = self.v_height_texels(rt::Scalar(0u32));
         let last_8 = (_e7 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(2i32), rt::Scalar(2i32))).max(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)));
-        return i_1.clamp(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), last_8);
+        return i_2.clamp(<rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), last_8);
     }
     pub(crate) fn slope_beside(
         &self,
@@ -7590,49 +7674,49 @@ impl<'g> Resources<'g> {
     pub(crate) fn slopes_between_creases(
         &self,
         at_40: Entered,
-        uv_14: impl rt::Into<rt::Vec2<f32>>,
+        uv_15: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_40, rt::into(uv_14)))
+        rt::into(self.v_slopes_between_creases(at_40, rt::into(uv_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slopes_between_creases(
         &self,
         at_40: Entered,
-        uv_14: rt::Vec2<f32>,
+        uv_15: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let mut part_4: rt::Vec2<f32>;
 
         let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let point_29 = ((uv_14 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e9 = self.v_cell_of(point_29);
+        let point_30 = ((uv_15 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e9 = self.v_cell_of(point_30);
         let _e11 = self.v_sloped_cell(_e9.to_i32());
         let cell_30 = _e11.to_f32();
-        part_4 = (point_29 - cell_30);
+        part_4 = (point_30 - cell_30);
         let _e17 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e17.elementwise_eq(WRAP_CLAMP)) {
             let _e20 = part_4;
             part_4 = _e20.clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
         }
-        let i_4 = cell_30.to_i32();
-        let _e30 = self.v_height_cell(i_4, rt::Scalar(0u32));
+        let i_6 = cell_30.to_i32();
+        let _e30 = self.v_height_cell(i_6, rt::Scalar(0u32));
         let _e31 = part_4;
         let _e32 = self.v_cell_slopes(_e30, _e31);
-        let _e37 = self.v_sloped_cell((i_4 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
+        let _e37 = self.v_sloped_cell((i_6 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
         let _e39 = self.v_height_cell(_e37, rt::Scalar(0u32));
         let _e40 = part_4;
         let _e41 = self.v_cell_slopes(_e39, _e40);
         let before_u = _e41.x();
-        let _e47 = self.v_sloped_cell((i_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
+        let _e47 = self.v_sloped_cell((i_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))));
         let _e49 = self.v_height_cell(_e47, rt::Scalar(0u32));
         let _e50 = part_4;
         let _e51 = self.v_cell_slopes(_e49, _e50);
         let behind_u = _e51.x();
-        let _e57 = self.v_sloped_cell((i_4 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
+        let _e57 = self.v_sloped_cell((i_6 - <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
         let _e59 = self.v_height_cell(_e57, rt::Scalar(0u32));
         let _e60 = part_4;
         let _e61 = self.v_cell_slopes(_e59, _e60);
         let before_v = _e61.y();
-        let _e67 = self.v_sloped_cell((i_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
+        let _e67 = self.v_sloped_cell((i_6 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))));
         let _e69 = self.v_height_cell(_e67, rt::Scalar(0u32));
         let _e70 = part_4;
         let _e71 = self.v_cell_slopes(_e69, _e70);
@@ -7673,41 +7757,41 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn texels_apart(
         &self,
-        place_12: impl rt::Into<rt::Scalar<f32>>,
+        place_13: impl rt::Into<rt::Scalar<f32>>,
         side_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_texels_apart(rt::into(place_12), rt::into(side_3)))
+        rt::into(self.v_texels_apart(rt::into(place_13), rt::into(side_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_texels_apart(
         &self,
-        place_12: rt::Scalar<f32>,
+        place_13: rt::Scalar<f32>,
         side_3: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e4.elementwise_ne(WRAP_CLAMP)) {
             return rt::Scalar(2f32);
         }
-        return ((rt::Scalar(2f32) - (rt::Scalar(1.5f32) - place_12).max(rt::Scalar(0f32))) - ((place_12 + rt::Scalar(1.5f32)) - side_3).max(rt::Scalar(0f32))).max(rt::Scalar(0.5f32));
+        return ((rt::Scalar(2f32) - (rt::Scalar(1.5f32) - place_13).max(rt::Scalar(0f32))) - ((place_13 + rt::Scalar(1.5f32)) - side_3).max(rt::Scalar(0f32))).max(rt::Scalar(0.5f32));
     }
     pub(crate) fn normal_from_height(
         &self,
         at_42: Entered,
-        uv_15: impl rt::Into<rt::Vec2<f32>>,
+        uv_16: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_42, rt::into(uv_15)))
+        rt::into(self.v_normal_from_height(at_42, rt::into(uv_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
         at_42: Entered,
-        uv_15: rt::Vec2<f32>,
+        uv_16: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_42, uv_15);
+            let _e9 = self.v_slopes_between_creases(at_42, uv_16);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
             let _e17 = self.v_normal_of_slopes(at_42, slopes.x(), slopes.y());
@@ -7715,15 +7799,15 @@ impl<'g> Resources<'g> {
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
-        let _e30 = self.v_height_at((uv_15 + du), rt::Scalar(0u32));
-        let _e33 = self.v_height_at((uv_15 - du), rt::Scalar(0u32));
+        let _e30 = self.v_height_at((uv_16 + du), rt::Scalar(0u32));
+        let _e33 = self.v_height_at((uv_16 - du), rt::Scalar(0u32));
         let rise_u_1 = (_e30 - _e33);
-        let _e37 = self.v_height_at((uv_15 + dv), rt::Scalar(0u32));
-        let _e40 = self.v_height_at((uv_15 - dv), rt::Scalar(0u32));
+        let _e37 = self.v_height_at((uv_16 + dv), rt::Scalar(0u32));
+        let _e40 = self.v_height_at((uv_16 - dv), rt::Scalar(0u32));
         let rise_v_1 = (_e37 - _e40);
-        let _e46 = self.v_texels_apart((uv_15.x() * _e3.x()), _e3.x());
+        let _e46 = self.v_texels_apart((uv_16.x() * _e3.x()), _e3.x());
         let rate_u_1 = (rt::Scalar(1f32) / _e46);
-        let _e53 = self.v_texels_apart((uv_15.y() * _e3.y()), _e3.y());
+        let _e53 = self.v_texels_apart((uv_16.y() * _e3.y()), _e3.y());
         let rate_v_1 = (rt::Scalar(1f32) / _e53);
         let _e60 = rt::Scalar(self.surface_settings.scale_m);
         let slope_u_1 = (rise_u_1 * ((rate_u_1 * _e3.x()) * _e60));
@@ -7735,24 +7819,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn finest_normal(
         &self,
         at_43: Entered,
-        uv_16: impl rt::Into<rt::Vec2<f32>>,
+        uv_17: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_43, rt::into(uv_16)))
+        rt::into(self.v_finest_normal(at_43, rt::into(uv_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_finest_normal(
         &self,
         at_43: Entered,
-        uv_16: rt::Vec2<f32>,
+        uv_17: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_normal_at(uv_16, rt::Scalar(0i32), rt::Scalar(0u32));
+            let _e9 = self.v_normal_at(uv_17, rt::Scalar(0i32), rt::Scalar(0u32));
             let _e11 = self.v_from_tangent_space(at_43, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_43, uv_16);
+        let _e13 = self.v_normal_from_height(at_43, uv_17);
         return _e13;
     }
     pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
@@ -8172,7 +8256,7 @@ impl<'g> Resources<'g> {
         let _e34 = self.v_ordered(pixel_51, rt::Scalar(2u32));
         let w_4 = chosen_1.weights;
         let g = chosen_1.change;
-        let uv_38 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
+        let uv_39 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
         let _e61 = self.v_shell_slack(pixel_51, _e6);
         let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
@@ -8187,10 +8271,10 @@ impl<'g> Resources<'g> {
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_3;
-            let _e96 = self.v_inside_unit(uv_38.x(), duv_7.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_39.x(), duv_7.x(), _e95);
             inside_3 = _e96;
             let _e99 = inside_3;
-            let _e100 = self.v_inside_unit(uv_38.y(), duv_7.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_39.y(), duv_7.y(), _e99);
             inside_3 = _e100;
         }
         let whole_1 = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -8201,7 +8285,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_22 = <Path>::new((uv_38 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_49.metric, RAY_VIEW, rt::Scalar(at_49.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
+        path_22 = <Path>::new((uv_39 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_49.metric, RAY_VIEW, rt::Scalar(at_49.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
         let _e159 = rt::Scalar(path_22.exit);
         if rt::Scalar::into_branch_condition(_e159.elementwise_gt(rt::Scalar(0f32))) {
             let _e162 = path_22;
@@ -8387,8 +8471,8 @@ impl<'g> Resources<'g> {
         let a_36 = (pixel_53.a.position + (pixel_53.a.normal * step_m));
         let b_36 = (pixel_53.b.position + (pixel_53.b.normal * step_m));
         let c_26 = (pixel_53.c.position + (pixel_53.c.normal * step_m));
-        let n_11 = (b_36 - a_36).cross((c_26 - a_36));
-        let t_37 = (n_11.dot((a_36 - pixel_53.origin)) / n_11.dot(pixel_53.direction));
+        let n_12 = (b_36 - a_36).cross((c_26 - a_36));
+        let t_37 = (n_12.dot((a_36 - pixel_53.origin)) / n_12.dot(pixel_53.direction));
         let lead = (far_2 - (t_37 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
             local_50 = t_37.abs().elementwise_le(rt::Scalar(1000000000f32));
@@ -8399,7 +8483,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e68 = self.v_weights_of(a_36, b_36, c_26, n_11, (pixel_53.origin + (pixel_53.direction * t_37)));
+        let _e68 = self.v_weights_of(a_36, b_36, c_26, n_12, (pixel_53.origin + (pixel_53.direction * t_37)));
         let aside_4 = ((((pixel_53.a.uv * _e68.x()) + (pixel_53.b.uv * _e68.y())) + (pixel_53.c.uv * _e68.z())) - at_52.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_4, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
@@ -8597,18 +8681,18 @@ impl<'g> Resources<'g> {
         let origin_6 = (pixel_56.origin + (along_38 * _e30));
         let _e33 = self.v_depth_in_image(_e4, origin_6);
         let bend_6 = (deepens / _e33);
-        let u_1 = ((_e4.u.xyz().dot(origin_6) + _e4.u.w()) / _e33);
-        let v_3 = ((_e4.v.xyz().dot(origin_6) + _e4.v.w()) / _e33);
+        let u_2 = ((_e4.u.xyz().dot(origin_6) + _e4.u.w()) / _e33);
+        let v_4 = ((_e4.v.xyz().dot(origin_6) + _e4.v.w()) / _e33);
         let h_6 = ((_e4.height.xyz().dot(origin_6) + _e4.height.w()) / _e33);
-        let du_1 = ((_e4.u.xyz().dot(along_38) - (u_1 * deepens)) / _e33);
-        let dv_1 = ((_e4.v.xyz().dot(along_38) - (v_3 * deepens)) / _e33);
+        let du_1 = ((_e4.u.xyz().dot(along_38) - (u_2 * deepens)) / _e33);
+        let dv_1 = ((_e4.v.xyz().dot(along_38) - (v_4 * deepens)) / _e33);
         let dh_1 = ((_e4.height.xyz().dot(along_38) - (h_6 * deepens)) / _e33);
         let _e74 = self.v_beyond_image(_e4);
         let _e85 = interval_6;
-        let _e86 = self.v_within_bounds(u_1, du_1, (rt::Scalar(0f32) - _e74.x()), (rt::Scalar(1f32) + _e74.x()), _e85);
+        let _e86 = self.v_within_bounds(u_2, du_1, (rt::Scalar(0f32) - _e74.x()), (rt::Scalar(1f32) + _e74.x()), _e85);
         interval_6 = _e86;
         let _e93 = interval_6;
-        let _e94 = self.v_within_bounds(v_3, dv_1, (rt::Scalar(0f32) - _e74.y()), (rt::Scalar(1f32) + _e74.y()), _e93);
+        let _e94 = self.v_within_bounds(v_4, dv_1, (rt::Scalar(0f32) - _e74.y()), (rt::Scalar(1f32) + _e74.y()), _e93);
         interval_6 = _e94;
         let _e97 = interval_6;
         let _e98 = self.v_within_bounds(h_6, dh_1, rt::Scalar(0.00001f32), rt::Scalar(1f32), _e97);
@@ -8625,7 +8709,7 @@ impl<'g> Resources<'g> {
         let _e135 = interval_6.y();
         let _e140 = self.v_metric_of_image(_e4, (_e33 / nearer));
         let _e143 = begin_2;
-        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_1 + (du_1 * start_6)), (v_3 + (dv_1 * start_6))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_5), _e133, ((_e135 - start_6) / change_5), k_13.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_6 / nearer)), rt::Scalar(1f32), (bend_6 * nearer));
+        return <Path>::new((_e4.corner + (_e4.extent * <rt::Vec2<f32>>::from_scalars((u_2 + (du_1 * start_6)), (v_4 + (dv_1 * start_6))))), ((_e4.extent * <rt::Vec2<f32>>::from_scalars(du_1, dv_1)) * change_5), _e133, ((_e135 - start_6) / change_5), k_13.to_f32(), _e140, RAY_VIEW, rt::Scalar(0u32), (_e143 + (start_6 / nearer)), rt::Scalar(1f32), (bend_6 * nearer));
     }
     pub(crate) fn surface_object_segment(
         &self,
@@ -8689,15 +8773,15 @@ impl<'g> Resources<'g> {
         let mut local_56: rt::Scalar<bool>;
 
         let _e2 = self.v_depth_in_image(image_9, point_12);
-        let u_2 = ((image_9.u.xyz().dot(point_12) + image_9.u.w()) / _e2);
-        let v_4 = ((image_9.v.xyz().dot(point_12) + image_9.v.w()) / _e2);
+        let u_3 = ((image_9.u.xyz().dot(point_12) + image_9.u.w()) / _e2);
+        let v_5 = ((image_9.v.xyz().dot(point_12) + image_9.v.w()) / _e2);
         let h_7 = ((image_9.height.xyz().dot(point_12) + image_9.height.w()) / _e2);
         let _e24 = self.v_beyond_image(image_9);
-        let beside_5 = ((u_2 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_4 - rt::Scalar(0.5f32)).abs() - _e24.y()));
-        let uv_39 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_2, v_4)));
+        let beside_5 = ((u_3 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_5 - rt::Scalar(0.5f32)).abs() - _e24.y()));
+        let uv_40 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_3, v_5)));
         let _e42 = self.v_height_size(rt::Scalar(0u32));
         let _e49 = self.v_object_parts_stage(rt::Scalar(0u32));
-        let at_144 = (((uv_39 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
+        let at_144 = (((uv_40 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
         let _e52 = self.v_cell_of(at_144);
         let part_18 = (at_144 - _e52);
         let _e56 = self.v_object_cell_stage(_e52.to_i32(), rt::Scalar(0u32));
@@ -8723,7 +8807,7 @@ impl<'g> Resources<'g> {
         }
         let is_inside_2 = local_56;
         let _e97 = rt::Scalar(self.surface_settings.cells);
-        return <OnImage>::new(uv_39, h_7.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
+        return <OnImage>::new(uv_40, h_7.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
     }
     pub(crate) fn is_in_image(&self, at_58: OnImage) -> bool {
         rt::into(self.v_is_in_image(at_58))
@@ -8996,23 +9080,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn weights_at_offset(
         &self,
         prism_11: Prism,
-        place_13: impl rt::Into<rt::Vec3<f32>>,
+        place_14: impl rt::Into<rt::Vec3<f32>>,
         offset_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_13), rt::into(offset_5)))
+        rt::into(self.v_weights_at_offset(prism_11, rt::into(place_14), rt::into(offset_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_weights_at_offset(
         &self,
         prism_11: Prism,
-        place_13: rt::Vec3<f32>,
+        place_14: rt::Vec3<f32>,
         offset_5: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let corner_5 = (prism_11.p0_ + (prism_11.n0_ * offset_5));
         let a_38 = ((prism_11.p1_ - prism_11.p0_) + ((prism_11.n1_ - prism_11.n0_) * offset_5));
         let b_38 = ((prism_11.p2_ - prism_11.p0_) + ((prism_11.n2_ - prism_11.n0_) * offset_5));
-        let rest_5 = (place_13 - corner_5);
+        let rest_5 = (place_14 - corner_5);
         let across_7 = a_38.cross(b_38);
         let square_2 = across_7.dot(across_7);
         if rt::Scalar::into_branch_condition((!square_2.elementwise_gt(rt::Scalar(0f32)))) {
@@ -9025,27 +9109,27 @@ impl<'g> Resources<'g> {
     pub(crate) fn shell_point_near(
         &self,
         prism_12: Prism,
-        place_14: impl rt::Into<rt::Vec3<f32>>,
+        place_15: impl rt::Into<rt::Vec3<f32>>,
         height_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point_near(prism_12, rt::into(place_14), rt::into(height_6)))
+        rt::into(self.v_shell_point_near(prism_12, rt::into(place_15), rt::into(height_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shell_point_near(
         &self,
         prism_12: Prism,
-        place_14: rt::Vec3<f32>,
+        place_15: rt::Vec3<f32>,
         height_6: rt::Scalar<f32>,
     ) -> ShellPoint {
         let low_4 = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
         let offset_8 = (low_4 + ((_e10 - low_4).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_6));
-        let _e16 = self.v_weights_at_offset(prism_12, place_14, offset_8);
+        let _e16 = self.v_weights_at_offset(prism_12, place_15, offset_8);
         let _e18 = self.v_lift_of(prism_12.lift, _e16);
-        let _e20 = self.v_weights_at_offset(prism_12, place_14, (offset_8 + _e18));
+        let _e20 = self.v_weights_at_offset(prism_12, place_15, (offset_8 + _e18));
         let near_8 = <ShellPoint>::new(_e20, height_6);
-        let _e22 = self.v_shell_point_from(prism_12, place_14, near_8);
+        let _e22 = self.v_shell_point_from(prism_12, place_15, near_8);
         let moved = (_e22.weights - near_8.weights).abs();
         let away_1 = moved.x().max(moved.y()).max(moved.z().max((rt::Scalar(_e22.height) - height_6).abs()));
         if rt::Scalar::into_branch_condition(away_1.elementwise_lt(rt::Scalar(0.5f32))) {
@@ -9057,10 +9141,10 @@ impl<'g> Resources<'g> {
         &self,
         pixel_63: PixelIn,
         prism_13: Prism,
-        place_15: impl rt::Into<rt::Vec3<f32>>,
+        place_16: impl rt::Into<rt::Vec3<f32>>,
         height_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_63, prism_13, rt::into(place_15), rt::into(height_7)))
+        rt::into(self.v_point_of_way(pixel_63, prism_13, rt::into(place_16), rt::into(height_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9068,14 +9152,14 @@ impl<'g> Resources<'g> {
         &self,
         pixel_63: PixelIn,
         prism_13: Prism,
-        place_15: rt::Vec3<f32>,
+        place_16: rt::Vec3<f32>,
         height_7: rt::Scalar<f32>,
     ) -> ShellPoint {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_63.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_shell_point_near(prism_13, place_15, height_7);
+            let _e8 = self.v_shell_point_near(prism_13, place_16, height_7);
             return _e8;
         }
-        let _e9 = self.v_shell_point(prism_13, place_15, height_7);
+        let _e9 = self.v_shell_point(prism_13, place_16, height_7);
         return _e9;
     }
     pub(crate) fn surface_prism_polish(
@@ -9139,15 +9223,15 @@ impl<'g> Resources<'g> {
                         t_15 = (_e66 - (gap_1 / change_6)).clamp((rt::Scalar(hit_8.t) - most_13), (rt::Scalar(hit_8.t) + most_13));
                     }
                     let _e75 = t_15;
-                    let place_27 = (along_39 * ((rt::Scalar(path_26.start) + _e75) - _e7));
+                    let place_28 = (along_39 * ((rt::Scalar(path_26.start) + _e75) - _e7));
                     if rt::Scalar::into_branch_condition(rt::Scalar(pixel_64.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e83 = t_15;
                         let _e84 = self.v_path_height(path_26, _e83);
-                        let _e85 = self.v_shell_point_near(_e8, place_27, _e84);
+                        let _e85 = self.v_shell_point_near(_e8, place_28, _e84);
                         point_15 = _e85;
                     } else {
                         let _e86 = point_15;
-                        let _e87 = self.v_shell_point_from(_e8, place_27, _e86);
+                        let _e87 = self.v_shell_point_from(_e8, place_28, _e86);
                         point_15 = _e87;
                     }
                 }
@@ -9457,38 +9541,50 @@ impl<'g> Resources<'g> {
         let _e6 = rt::Scalar(self.frame.near);
         return (_e3 / (_e6 + depth_7.max(rt::Scalar(0f32))));
     }
-    pub(crate) fn is_in_hole(&self, uv_17: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_is_in_hole(rt::into(uv_17)))
+    pub(crate) fn is_in_hole(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_is_in_hole(rt::into(uv_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_is_in_hole(&self, uv_17: rt::Vec2<f32>) -> rt::Scalar<bool> {
-        let _e2 = self.v_height_texels(rt::Scalar(0u32));
-        let _e4 = self.v_height_size(rt::Scalar(0u32));
-        let _e10 = self.v_cell_of(((uv_17 * _e4) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let cell_31 = _e10.to_i32();
-        let _e14 = self.v_wrap_index(cell_31.x(), _e2.x());
-        let _e19 = self.v_wrap_index((cell_31.x() + rt::Scalar(1i32)), _e2.x());
-        let _e22 = self.v_wrap_index(cell_31.y(), _e2.y());
-        let _e27 = self.v_wrap_index((cell_31.y() + rt::Scalar(1i32)), _e2.y());
-        let _e31 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e14, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e36 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e19, _e22), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let above_7 = _e31.x().max(_e36.x());
-        let _e42 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e14, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e47 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e19, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let below_6 = _e42.x().max(_e47.x());
+    fn v_is_in_hole(&self, uv_18: rt::Vec2<f32>) -> rt::Scalar<bool> {
+        let _e3 = rt::Scalar(self.surface_settings.has_holes);
+        if rt::Scalar::into_branch_condition((_e3 & rt::Scalar(2u32)).elementwise_ne(rt::Scalar(0u32))) {
+            let _e9 = self.v_color_at(uv_18, rt::Scalar(0u32));
+            let _e13 = rt::Scalar(self.surface_settings.cutoff);
+            if rt::Scalar::into_branch_condition(_e9.w().elementwise_lt(_e13)) {
+                return rt::Scalar(true);
+            }
+        }
+        let _e18 = rt::Scalar(self.surface_settings.has_holes);
+        if rt::Scalar::into_branch_condition((_e18 & rt::Scalar(1u32)).elementwise_eq(rt::Scalar(0u32))) {
+            return rt::Scalar(false);
+        }
+        let _e25 = self.v_height_texels(rt::Scalar(0u32));
+        let _e27 = self.v_height_size(rt::Scalar(0u32));
+        let _e33 = self.v_cell_of(((uv_18 * _e27) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let cell_31 = _e33.to_i32();
+        let _e37 = self.v_wrap_index(cell_31.x(), _e25.x());
+        let _e42 = self.v_wrap_index((cell_31.x() + rt::Scalar(1i32)), _e25.x());
+        let _e45 = self.v_wrap_index(cell_31.y(), _e25.y());
+        let _e50 = self.v_wrap_index((cell_31.y() + rt::Scalar(1i32)), _e25.y());
+        let _e54 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e37, _e45), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e59 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e42, _e45), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let above_7 = _e54.x().max(_e59.x());
+        let _e65 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e37, _e50), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e70 = rt::texture::Read::read_texel((&self.hole_map), <rt::Vec2<i32>>::from_scalars(_e42, _e50), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let below_6 = _e65.x().max(_e70.x());
         return above_7.max(below_6).elementwise_gt(rt::Scalar(0f32));
     }
-    pub(crate) fn in_hole(&self, uv_18: impl rt::Into<rt::Vec2<f32>>) -> bool {
-        rt::into(self.v_in_hole(rt::into(uv_18)))
+    pub(crate) fn in_hole(&self, uv_19: impl rt::Into<rt::Vec2<f32>>) -> bool {
+        rt::into(self.v_in_hole(rt::into(uv_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_in_hole(&self, uv_18: rt::Vec2<f32>) -> rt::Scalar<bool> {
+    fn v_in_hole(&self, uv_19: rt::Vec2<f32>) -> rt::Scalar<bool> {
         let _e3 = rt::Scalar(self.surface_settings.has_holes);
-        if rt::Scalar::into_branch_condition(_e3.elementwise_ne(rt::Scalar(1u32))) {
+        if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(false);
         }
-        let _e7 = self.v_is_in_hole(uv_18);
+        let _e7 = self.v_is_in_hole(uv_19);
         return _e7;
     }
     pub(crate) fn hit_on_segment(
@@ -10492,20 +10588,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn image_of(
         &self,
         cell_18: impl rt::Into<rt::Scalar<i32>>,
-        n_5: impl rt::Into<rt::Scalar<i32>>,
+        n_6: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_image_of(rt::into(cell_18), rt::into(n_5)))
+        rt::into(self.v_image_of(rt::into(cell_18), rt::into(n_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_image_of(
         &self,
         cell_18: rt::Scalar<i32>,
-        n_5: rt::Scalar<i32>,
+        n_6: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
         let mut local_67: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_18.elementwise_ge(rt::Scalar(0i32))) {
-            local_67 = cell_18.elementwise_lt(n_5);
+            local_67 = cell_18.elementwise_lt(n_6);
         } else {
             local_67 = rt::Scalar(false);
         }
@@ -10515,21 +10611,21 @@ impl<'g> Resources<'g> {
         }
         let _e13 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
-            return <rt::Vec2<i32>>::from_scalars(cell_18.clamp(rt::Scalar(0i32), (n_5 - rt::Scalar(1i32))), rt::Scalar(2i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_18.clamp(rt::Scalar(0i32), (n_6 - rt::Scalar(1i32))), rt::Scalar(2i32));
         }
         let _e24 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
-            return <rt::Vec2<i32>>::from_scalars((((cell_18 % n_5) + n_5) % n_5), rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars((((cell_18 % n_6) + n_6) % n_6), rt::Scalar(0i32));
         }
-        let period_1 = (rt::Scalar(2i32) * n_5);
-        let folded_1 = (((cell_18 % period_1) + period_1) % period_1);
-        if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_5)) {
-            return <rt::Vec2<i32>>::from_scalars(folded_1, rt::Scalar(0i32));
+        let period_2 = (rt::Scalar(2i32) * n_6);
+        let folded_2 = (((cell_18 % period_2) + period_2) % period_2);
+        if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_6)) {
+            return <rt::Vec2<i32>>::from_scalars(folded_2, rt::Scalar(0i32));
         }
-        if rt::Scalar::into_branch_condition(folded_1.elementwise_eq((period_1 - rt::Scalar(1i32)))) {
+        if rt::Scalar::into_branch_condition(folded_2.elementwise_eq((period_2 - rt::Scalar(1i32)))) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(2i32));
         }
-        return <rt::Vec2<i32>>::from_scalars(((period_1 - rt::Scalar(2i32)) - folded_1), rt::Scalar(1i32));
+        return <rt::Vec2<i32>>::from_scalars(((period_2 - rt::Scalar(2i32)) - folded_2), rt::Scalar(1i32));
     }
     pub(crate) fn frustum_slope(
         &self,
@@ -10951,32 +11047,32 @@ impl<'g> Resources<'g> {
         &self,
         cell_22: impl rt::Into<rt::Scalar<i32>>,
         image_10: impl rt::Into<rt::Vec2<i32>>,
-        n_6: impl rt::Into<rt::Scalar<i32>>,
-        level_32: impl rt::Into<rt::Scalar<u32>>,
+        n_7: impl rt::Into<rt::Scalar<i32>>,
+        level_33: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_22), rt::into(image_10), rt::into(n_6), rt::into(level_32)))
+        rt::into(self.v_node_extent(rt::into(cell_22), rt::into(image_10), rt::into(n_7), rt::into(level_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
         &self,
         cell_22: rt::Scalar<i32>,
         image_10: rt::Vec2<i32>,
-        n_6: rt::Scalar<i32>,
-        level_32: rt::Scalar<u32>,
+        n_7: rt::Scalar<i32>,
+        level_33: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_71: rt::Scalar<bool>;
 
-        let first_17 = ((image_10.x() >> level_32) << level_32);
-        let side_7 = (rt::Scalar(1i32) << level_32);
+        let first_17 = ((image_10.x() >> level_33) << level_33);
+        let side_7 = (rt::Scalar(1i32) << level_33);
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
             let low_5 = (cell_22 - (image_10.x() - first_17));
-            return <rt::Vec2<i32>>::from_scalars(low_5, (low_5 + side_7.min((n_6 - first_17))));
+            return <rt::Vec2<i32>>::from_scalars(low_5, (low_5 + side_7.min((n_7 - first_17))));
         }
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(1i32))) {
             let high_1 = ((cell_22 + (image_10.x() - first_17)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high_1 - side_7.min(((n_6 - rt::Scalar(1i32)) - first_17))), high_1);
+            return <rt::Vec2<i32>>::from_scalars((high_1 - side_7.min(((n_7 - rt::Scalar(1i32)) - first_17))), high_1);
         }
-        if rt::Scalar::into_branch_condition(level_32.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_33.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
             local_71 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
@@ -10984,7 +11080,7 @@ impl<'g> Resources<'g> {
         }
         let _e43 = local_71;
         if rt::Scalar::into_branch_condition(_e43) {
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_6, cell_22.elementwise_ge(n_6)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_22.elementwise_ge(n_6)));
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_7, cell_22.elementwise_ge(n_7)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_22.elementwise_ge(n_7)));
         }
         return <rt::Vec2<i32>>::from_scalars(cell_22, (cell_22 + rt::Scalar(1i32)));
     }
@@ -11026,7 +11122,7 @@ impl<'g> Resources<'g> {
         params_70: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_33: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_34: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_23: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11048,10 +11144,10 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_33;
+                    let _e28 = level_34;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).to_f32().elementwise_lt(long_5)) {
-                        let _e33 = level_33;
-                        level_33 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_34;
+                        level_34 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
@@ -11073,10 +11169,10 @@ impl<'g> Resources<'g> {
                     let _e59 = self.v_image_of(_e57, _e4.x());
                     let _e61 = cell_23.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_28 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
-                    let _e67 = level_33;
+                    let place_29 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let _e67 = level_34;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_28.x() >> above_level), (place_28.y() >> above_level));
+                    let over_2 = <rt::Vec2<i32>>::from_scalars((place_29.x() >> above_level), (place_29.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
@@ -11093,7 +11189,7 @@ impl<'g> Resources<'g> {
                     }
                     let left_6 = local_72;
                     if rt::Scalar::into_branch_condition(left_6) {
-                        let _e98 = level_33;
+                        let _e98 = level_34;
                         let _e99 = top;
                         local_74 = _e98.elementwise_lt(_e99);
                     } else {
@@ -11101,13 +11197,13 @@ impl<'g> Resources<'g> {
                     }
                     let _e102 = local_74;
                     if rt::Scalar::into_branch_condition(_e102) {
-                        level_33 = above_level;
+                        level_34 = above_level;
                     }
                     let _e104 = cell_23.x();
-                    let _e106 = level_33;
+                    let _e106 = level_34;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
                     let _e109 = cell_23.y();
-                    let _e111 = level_33;
+                    let _e111 = level_34;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
@@ -11116,7 +11212,7 @@ impl<'g> Resources<'g> {
                     let span_11 = (end_11 - _e126).max(rt::Scalar(0f32));
                     let low_6 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_10 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
-                    let _e140 = level_33;
+                    let _e140 = level_34;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_14;
                         cost_14 = (_e143 + HEIGHTS_READ);
@@ -11137,10 +11233,10 @@ impl<'g> Resources<'g> {
                         let _e160 = cost_14;
                         let _e162 = self.v_map_read(path_62, rt::Scalar(1u32));
                         cost_14 = (_e160 + _e162);
-                        let _e165 = level_33;
-                        let _e168 = level_33;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_28.x() >> _e165), (place_28.y() >> _e168));
-                        let _e172 = level_33;
+                        let _e165 = level_34;
+                        let _e168 = level_34;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_29.x() >> _e165), (place_29.y() >> _e168));
+                        let _e172 = level_34;
                         let _e178 = self.v_search_texel(path_62, node, rt::Scalar(0i32), ((_e172 + rt::Scalar(path_62.level)).to_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e178.y();
                         let _e180 = t_28;
@@ -11161,8 +11257,8 @@ impl<'g> Resources<'g> {
                             let _e216 = t_28;
                             let _e219 = self.v_cell_of((_e2.origin + (_e2.step * _e216)));
                             cell_23 = _e219.to_i32().clamp(low_6, last_10);
-                            let _e222 = level_33;
-                            level_33 = (_e222 - rt::Scalar(1u32));
+                            let _e222 = level_34;
+                            level_34 = (_e222 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
@@ -11180,9 +11276,9 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_11)) {
                         cell_23.set_y((low_6.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e267 = level_33;
-                    let _e272 = level_33;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_28.x() >> (_e267 + rt::Scalar(1u32))), (place_28.y() >> (_e272 + rt::Scalar(1u32))));
+                    let _e267 = level_34;
+                    let _e272 = level_34;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_29.x() >> (_e267 + rt::Scalar(1u32))), (place_29.y() >> (_e272 + rt::Scalar(1u32))));
                     let _e277 = t_28;
                     t_28 = _e277.max(end_11);
                 }
@@ -11195,23 +11291,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn texel_extent(
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
-        n_7: impl rt::Into<rt::Scalar<i32>>,
-        level_34: impl rt::Into<rt::Scalar<u32>>,
+        n_8: impl rt::Into<rt::Scalar<i32>>,
+        level_35: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_7), rt::into(level_34)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_8), rt::into(level_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
-        n_7: rt::Scalar<i32>,
-        level_34: rt::Scalar<u32>,
+        n_8: rt::Scalar<i32>,
+        level_35: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_75: rt::Scalar<bool>;
 
-        let _e3 = self.v_wrap_index(texel_2, n_7);
-        let first_18 = ((_e3 >> level_34) << level_34);
-        let last_11 = (first_18 + (rt::Scalar(1i32) << level_34)).min(n_7);
+        let _e3 = self.v_wrap_index(texel_2, n_8);
+        let first_18 = ((_e3 >> level_35) << level_35);
+        let last_11 = (first_18 + (rt::Scalar(1i32) << level_35)).min(n_8);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
             local_75 = _e16.elementwise_eq(WRAP_REPEAT);
@@ -11224,9 +11320,9 @@ impl<'g> Resources<'g> {
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
-            let period_2 = (rt::Scalar(2i32) * n_7);
-            let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
-            if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_7)) {
+            let period_3 = (rt::Scalar(2i32) * n_8);
+            let folded_3 = (((texel_2 % period_3) + period_3) % period_3);
+            if rt::Scalar::into_branch_condition(folded_3.elementwise_lt(n_8)) {
                 return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_18), ((texel_2 - _e3) + last_11));
             }
             return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_11) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_18) + rt::Scalar(1i32)));
@@ -11246,7 +11342,7 @@ impl<'g> Resources<'g> {
         path_63: Path,
         params_71: rt::Vec4<f32>,
     ) -> Found {
-        let mut level_35: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_36: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
         let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
@@ -11261,21 +11357,21 @@ impl<'g> Resources<'g> {
         let step_7 = (path_63.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_35;
+                let _e14 = level_36;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_35;
-                    level_35 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_36;
+                    level_36 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
         let _e24 = self.v_cell_of(origin_7);
         texel_3 = _e24.to_i32();
         let limit_5 = params_71.x().to_u32();
-        let _e35 = level_35;
+        let _e35 = level_36;
         finest_1 = params_71.y().to_u32().min(_e35);
         if rt::Scalar::into_branch_condition(rt::Scalar(path_63.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
@@ -11294,30 +11390,30 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_29 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_30 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
-                    let _e59 = level_35;
+                    let _e59 = level_36;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_15;
                         cost_15 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_29, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_30, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
-                        let _e70 = level_35;
-                        let _e73 = level_35;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_29.x() >> _e70), (place_29.y() >> _e73));
+                        let _e70 = level_36;
+                        let _e73 = level_36;
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_30.x() >> _e70), (place_30.y() >> _e73));
                         let _e76 = cost_15;
                         let _e78 = self.v_map_read(path_63, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
-                        let _e81 = level_35;
+                        let _e81 = level_36;
                         let _e85 = self.v_search_texel(path_63, node_1, rt::Scalar(0i32), (_e81.to_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
-                    let _e90 = level_35;
+                    let _e90 = level_36;
                     let _e91 = self.v_texel_extent(_e88, _e3.x(), _e90);
                     let _e93 = texel_3.y();
-                    let _e95 = level_35;
+                    let _e95 = level_36;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
                     let _e99 = self.v_leaves_extent(origin_7.x(), step_7.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_7.y(), step_7.y(), _e96);
@@ -11343,15 +11439,15 @@ impl<'g> Resources<'g> {
                         let _e141 = t_29;
                         let _e142 = sinks;
                         t_29 = (_e141 + _e142);
-                        let _e144 = level_35;
+                        let _e144 = level_36;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
                             let _e148 = t_29;
                             let _e149 = cost_15;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
-                        let _e154 = level_35;
-                        level_35 = (_e154 - rt::Scalar(1u32));
+                        let _e154 = level_36;
+                        level_36 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_29;
                         let _e160 = self.v_cell_of((origin_7 + (step_7 * _e157)));
                         texel_3 = _e160.to_i32().clamp(low_7, last_12);
@@ -12373,14 +12469,14 @@ impl<'g> Resources<'g> {
         let _e3 = self.v_first_in_all(pixel_79, at_79);
         return _e3;
     }
-    pub(crate) fn look_into_frame(&self, uv_19: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_look_into_frame(rt::into(uv_19)))
+    pub(crate) fn look_into_frame(&self, uv_20: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_look_into_frame(rt::into(uv_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_look_into_frame(&self, uv_19: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_look_into_frame(&self, uv_20: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_147 = ((uv_19 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let at_147 = ((uv_20 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(at_147);
         let part_19 = (at_147 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
@@ -12597,21 +12693,21 @@ impl<'g> Resources<'g> {
         sweep_5: Sweep,
         column_1: rt::Scalar<i32>,
     ) -> rt::Scalar<i32> {
-        let n_12 = sweep_5.parts.x();
+        let n_13 = sweep_5.parts.x();
         let m_6 = sweep_5.parts.y();
         let doubled = ((rt::Scalar(2i32) * column_1) - rt::Scalar(1i32));
         if rt::Scalar::into_branch_condition(column_1.elementwise_le(rt::Scalar(0i32))) {
             return rt::Scalar(0i32);
         }
         if rt::Scalar::into_branch_condition(column_1.elementwise_gt(sweep_5.end.x())) {
-            return ((n_12 + m_6) + rt::Scalar(1i32));
+            return ((n_13 + m_6) + rt::Scalar(1i32));
         }
         if rt::Scalar::into_branch_condition(doubled.elementwise_le((rt::Scalar(2i32) * sweep_5.apex.x()))) {
-            let _e29 = self.v_quotient_up((n_12 * doubled), (rt::Scalar(2i32) * sweep_5.apex.x()));
+            let _e29 = self.v_quotient_up((n_13 * doubled), (rt::Scalar(2i32) * sweep_5.apex.x()));
             return _e29;
         }
         let _e43 = self.v_quotient_up((m_6 * (doubled - (rt::Scalar(2i32) * sweep_5.apex.x()))), (rt::Scalar(2i32) * (sweep_5.end.x() - sweep_5.apex.x())));
-        return (n_12 + _e43);
+        return (n_13 + _e43);
     }
     pub(crate) fn footprint_m(&self, at_83: Entered) -> f32 {
         rt::into(self.v_footprint_m(at_83))
@@ -12622,21 +12718,21 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
         return ((rt::Scalar(at_83.footprint) * at_83.metric.x().sqrt()) / _e7.x());
     }
-    pub(crate) fn near_uv(&self, uv_20: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_20)))
+    pub(crate) fn near_uv(&self, uv_21: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_near_uv(&self, uv_20: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_near_uv(&self, uv_21: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_20 - uv_20.floor());
+            return (uv_21 - uv_21.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_20 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_20).floor()));
+            return (uv_21 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_21).floor()));
         }
-        return uv_20;
+        return uv_21;
     }
     pub(crate) fn from_hit(&self, at_84: Entered, hit_21: Hit, light_1: Toward) -> Path {
         rt::into(self.v_from_hit(at_84, hit_21, light_1))
@@ -12904,24 +13000,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn holds_filter(
         &self,
         view_10: LightView,
-        place_16: impl rt::Into<rt::Vec3<f32>>,
+        place_17: impl rt::Into<rt::Vec3<f32>>,
         half: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_holds_filter(view_10, rt::into(place_16), rt::into(half)))
+        rt::into(self.v_holds_filter(view_10, rt::into(place_17), rt::into(half)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_holds_filter(
         &self,
         view_10: LightView,
-        place_16: rt::Vec3<f32>,
+        place_17: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
         let mut local_91: rt::Scalar<bool>;
         let mut local_92: rt::Scalar<bool>;
 
-        let least_7 = (place_16.x().min(place_16.y()) - half);
-        let most_15 = (place_16.x().max(place_16.y()) + half);
-        if rt::Scalar::into_branch_condition(place_16.z().elementwise_gt(rt::Scalar(0f32))) {
+        let least_7 = (place_17.x().min(place_17.y()) - half);
+        let most_15 = (place_17.x().max(place_17.y()) + half);
+        if rt::Scalar::into_branch_condition(place_17.z().elementwise_gt(rt::Scalar(0f32))) {
             local_91 = least_7.elementwise_ge(rt::Scalar(0f32));
         } else {
             local_91 = rt::Scalar(false);
@@ -13071,9 +13167,9 @@ impl<'g> Resources<'g> {
         a_17: Voxel,
         b_17: Voxel,
         c_13: Voxel,
-        level_36: impl rt::Into<rt::Scalar<u32>>,
+        level_37: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_swept(grid_11, a_17, b_17, c_13, rt::into(level_36)))
+        rt::into(self.v_is_swept(grid_11, a_17, b_17, c_13, rt::into(level_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_is_swept(
@@ -13082,14 +13178,14 @@ impl<'g> Resources<'g> {
         a_17: Voxel,
         b_17: Voxel,
         c_13: Voxel,
-        level_36: rt::Scalar<u32>,
+        level_37: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
         let mut local_96: rt::Scalar<bool>;
         let mut local_97: rt::Scalar<bool>;
 
-        let _e6 = self.v_coarser_voxel(a_17.at, level_36);
-        let _e8 = self.v_coarser_voxel(b_17.at, level_36);
-        let _e10 = self.v_coarser_voxel(c_13.at, level_36);
+        let _e6 = self.v_coarser_voxel(a_17.at, level_37);
+        let _e8 = self.v_coarser_voxel(b_17.at, level_37);
+        let _e10 = self.v_coarser_voxel(c_13.at, level_37);
         let _e12 = self.v_longest_of((_e8 - _e6));
         let _e14 = self.v_longest_of((_e10 - _e8));
         let _e17 = self.v_longest_of((_e6 - _e10));
@@ -13130,23 +13226,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn patch_normal(
         &self,
         at_88: Entered,
-        uv_21: impl rt::Into<rt::Vec2<f32>>,
+        uv_22: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_88, rt::into(uv_21)))
+        rt::into(self.v_patch_normal(at_88, rt::into(uv_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
         at_88: Entered,
-        uv_21: rt::Vec2<f32>,
+        uv_22: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
             let facet = at_88.facing.normalize();
             return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_88.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_21, rt::Scalar(at_88.level));
+        let _e18 = self.v_height_and_slope(uv_22, rt::Scalar(at_88.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
         let along_u_2 = (at_88.tangent + (at_88.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
@@ -13180,19 +13276,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_texel(
         &self,
-        place_17: impl rt::Into<rt::Vec2<i32>>,
+        place_18: impl rt::Into<rt::Vec2<i32>>,
         view_13: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_light_texel(rt::into(place_17), rt::into(view_13)))
+        rt::into(self.v_light_texel(rt::into(place_18), rt::into(view_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_texel(
         &self,
-        place_17: rt::Vec2<i32>,
+        place_18: rt::Vec2<i32>,
         view_13: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_17, rt::Scalar::into_inner(view_13), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_18, rt::Scalar::into_inner(view_13), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4.x();
     }
     pub(crate) fn row_sees(
@@ -13227,11 +13323,11 @@ impl<'g> Resources<'g> {
                     let _e24 = column_2;
                     let wide_2 = (at_89.high.x().min((_e18 + rt::Scalar(1f32))) - at_89.low.x().max(_e24));
                     let _e27 = column_2;
-                    let place_30 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_25, at_89.point, at_89.normal, (place_30 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let place_31 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
+                    let _e35 = self.v_plane_depth(view_25, at_89.point, at_89.normal, (place_31 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
                     let depth_10 = _e35.clamp(rt::Scalar(at_89.least_depth), rt::Scalar(at_89.most_depth));
                     let key = (rt::Scalar(view_25.near) / (rt::Scalar(view_25.near) + depth_10.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_30.to_i32(), rt::Scalar(at_89.number).to_i32());
+                    let _e48 = self.v_light_texel(place_31.to_i32(), rt::Scalar(at_89.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -13249,11 +13345,11 @@ impl<'g> Resources<'g> {
         number_15: impl rt::Into<rt::Scalar<u32>>,
         at_90: Entered,
         normal_16: impl rt::Into<rt::Vec3<f32>>,
-        place_18: impl rt::Into<rt::Vec3<f32>>,
+        place_19: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_15), at_90, rt::into(normal_16), rt::into(place_18), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_15), at_90, rt::into(normal_16), rt::into(place_19), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
@@ -13261,7 +13357,7 @@ impl<'g> Resources<'g> {
         number_15: rt::Scalar<u32>,
         at_90: Entered,
         normal_16: rt::Vec3<f32>,
-        place_18: rt::Vec3<f32>,
+        place_19: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
         bias: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
@@ -13269,14 +13365,14 @@ impl<'g> Resources<'g> {
         let mut row_7: rt::Scalar<f32>;
 
         let view_26 = self.frame.light_views[rt::Scalar::into_array_index(number_15)];
-        let texel_m = (rt::Scalar(view_26.texel_m) * rt::Scalar(1f32).select(place_18.z(), rt::Scalar(view_26.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let texel_m = (rt::Scalar(view_26.texel_m) * rt::Scalar(1f32).select(place_19.z(), rt::Scalar(view_26.from_point).elementwise_eq(rt::Scalar(1u32))));
         let _e19 = self.v_footprint_m(at_90);
-        let point_30 = (at_90.point + (normal_16 * (bias * texel_m.max(_e19))));
+        let point_31 = (at_90.point + (normal_16 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
-        let low_10 = (place_18.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
+        let low_10 = (place_19.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_4 = (low_10 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
         let last_14 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_26.size).to_f32(), rt::Scalar(view_26.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_15, point_30, normal_16, low_10, high_4, (place_18.z() - reach_1), (place_18.z() + reach_1));
+        let in_view = <InView>::new(number_15, point_31, normal_16, low_10, high_4, (place_19.z() - reach_1), (place_19.z() + reach_1));
         row_7 = low_10.y().floor();
         'naga_break: loop {
             'naga_continue: {
@@ -13304,19 +13400,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn light_seen(
         &self,
         at_91: Entered,
-        uv_22: impl rt::Into<rt::Vec2<f32>>,
+        uv_23: impl rt::Into<rt::Vec2<f32>>,
         number_16: impl rt::Into<rt::Scalar<u32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_91, rt::into(uv_22), rt::into(number_16), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_91, rt::into(uv_23), rt::into(number_16), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
         at_91: Entered,
-        uv_22: rt::Vec2<f32>,
+        uv_23: rt::Vec2<f32>,
         number_16: rt::Scalar<u32>,
         toward_1: rt::Vec3<f32>,
         filter_texels: rt::Scalar<f32>,
@@ -13328,7 +13424,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_91, uv_22);
+        let _e14 = self.v_patch_normal(at_91, uv_23);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -13402,16 +13498,16 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return ((middle_9 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
     }
-    pub(crate) fn means_of_one(&self, n_8: impl rt::Into<rt::Vec3<f32>>) -> Normals {
-        rt::into(self.v_means_of_one(rt::into(n_8)))
+    pub(crate) fn means_of_one(&self, n_9: impl rt::Into<rt::Vec3<f32>>) -> Normals {
+        rt::into(self.v_means_of_one(rt::into(n_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_means_of_one(&self, n_8: rt::Vec3<f32>) -> Normals {
-        let upright = n_8.z().max(rt::Scalar(0.05f32));
-        let slope_11 = (<rt::Vec2<f32>>::from_scalars((-n_8.x()), (-n_8.y())) / rt::Vec2::splat_from_scalar(upright));
+    fn v_means_of_one(&self, n_9: rt::Vec3<f32>) -> Normals {
+        let upright = n_9.z().max(rt::Scalar(0.05f32));
+        let slope_11 = (<rt::Vec2<f32>>::from_scalars((-n_9.x()), (-n_9.y())) / rt::Vec2::splat_from_scalar(upright));
         let square_3 = ((slope_11 * slope_11) * upright);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_8, slope_11.x()), <rt::Vec4<f32>>::from_scalars(square_3.x(), ((slope_11.x() * slope_11.y()) * upright), square_3.y(), slope_11.y()));
+        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_9, slope_11.x()), <rt::Vec4<f32>>::from_scalars(square_3.x(), ((slope_11.x() * slope_11.y()) * upright), square_3.y(), slope_11.y()));
     }
     pub(crate) fn no_table(&self) -> SeenTable {
         rt::into(self.v_no_table())
@@ -13455,35 +13551,35 @@ impl<'g> Resources<'g> {
     pub(crate) fn normals_of_level(
         &self,
         at_93: Entered,
-        uv_23: impl rt::Into<rt::Vec2<f32>>,
-        level_37: impl rt::Into<rt::Scalar<u32>>,
+        uv_24: impl rt::Into<rt::Vec2<f32>>,
+        level_38: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_93, rt::into(uv_23), rt::into(level_37)))
+        rt::into(self.v_normals_of_level(at_93, rt::into(uv_24), rt::into(level_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
         at_93: Entered,
-        uv_23: rt::Vec2<f32>,
-        level_37: rt::Scalar<u32>,
+        uv_24: rt::Vec2<f32>,
+        level_38: rt::Scalar<u32>,
     ) -> Normals {
-        if rt::Scalar::into_branch_condition(level_37.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_93, uv_23);
+        if rt::Scalar::into_branch_condition(level_38.elementwise_eq(rt::Scalar(0u32))) {
+            let _e5 = self.v_finest_normal(at_93, uv_24);
             let _e6 = self.v_to_tangent_space(at_93, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_23, rt::Scalar(0i32), level_37);
-            let _e16 = self.v_normal_at(uv_23, rt::Scalar(1i32), level_37);
+            let _e14 = self.v_normal_at(uv_24, rt::Scalar(0i32), level_38);
+            let _e16 = self.v_normal_at(uv_24, rt::Scalar(1i32), level_38);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
         let x_11 = ((tile.x() * at_93.tangent.normalize().dot(at_93.tangent)) / at_93.tangent.dot(at_93.tangent));
         let y_8 = ((tile.y() * at_93.bitangent.normalize().dot(at_93.bitangent)) / at_93.bitangent.dot(at_93.bitangent));
-        let _e44 = self.v_normal_at(uv_23, rt::Scalar(0i32), (level_37 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_23, rt::Scalar(1i32), (level_37 - rt::Scalar(1u32)));
+        let _e44 = self.v_normal_at(uv_24, rt::Scalar(0i32), (level_38 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_24, rt::Scalar(1i32), (level_38 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_11), (_e44.y() * y_8), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
         let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_11) * x_11), ((_e48.y() * x_11) * y_8), ((_e48.z() * y_8) * y_8)) * longer_1);
@@ -13603,48 +13699,48 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_texel(
         &self,
-        uv_24: impl rt::Into<rt::Vec2<f32>>,
+        uv_25: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
-        level_38: impl rt::Into<rt::Scalar<u32>>,
+        level_39: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_24), rt::into(azimuth), rt::into(elevation), rt::into(level_38)))
+        rt::into(self.v_seen_texel(rt::into(uv_25), rt::into(azimuth), rt::into(elevation), rt::into(level_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_texel(
         &self,
-        uv_24: rt::Vec2<f32>,
+        uv_25: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
-        level_38: rt::Scalar<u32>,
+        level_39: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_24, layer_8, level_38);
-        let _e12 = self.v_detail_texel_between(uv_24, (layer_8 + rt::Scalar(1i32)), level_38);
+        let _e9 = self.v_detail_texel_between(uv_25, layer_8, level_39);
+        let _e12 = self.v_detail_texel_between(uv_25, (layer_8 + rt::Scalar(1i32)), level_39);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
         &self,
-        uv_25: impl rt::Into<rt::Vec2<f32>>,
+        uv_26: impl rt::Into<rt::Vec2<f32>>,
         azimuth_1: impl rt::Into<rt::Scalar<i32>>,
         elevation_1: impl rt::Into<rt::Scalar<i32>>,
         levels_1: Levels,
     ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(rt::into(uv_25), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
+        rt::into(self.v_seen_in_levels(rt::into(uv_26), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_in_levels(
         &self,
-        uv_25: rt::Vec2<f32>,
+        uv_26: rt::Vec2<f32>,
         azimuth_1: rt::Scalar<i32>,
         elevation_1: rt::Scalar<i32>,
         levels_1: Levels,
     ) -> SeenTexel {
-        let _e5 = self.v_seen_texel(uv_25, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
+        let _e5 = self.v_seen_texel(uv_26, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
         if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e12 = self.v_seen_texel(uv_25, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
+            let _e12 = self.v_seen_texel(uv_26, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
             let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
             return _e14;
         }
@@ -13653,17 +13749,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn table_of(
         &self,
         at_97: Entered,
-        uv_26: impl rt::Into<rt::Vec2<f32>>,
+        uv_27: impl rt::Into<rt::Vec2<f32>>,
         view_15: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_97, rt::into(uv_26), rt::into(view_15), levels_2))
+        rt::into(self.v_table_of(at_97, rt::into(uv_27), rt::into(view_15), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
         at_97: Entered,
-        uv_26: rt::Vec2<f32>,
+        uv_27: rt::Vec2<f32>,
         view_15: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
@@ -13680,11 +13776,11 @@ impl<'g> Resources<'g> {
         let e0_ = elevation_3.floor().to_i32();
         let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
         let across_10 = (azimuth_3 - azimuth_3.floor());
-        let _e48 = self.v_seen_in_levels(uv_26, a0_, e0_, levels_2);
-        let _e49 = self.v_seen_in_levels(uv_26, a1_, e0_, levels_2);
+        let _e48 = self.v_seen_in_levels(uv_27, a0_, e0_, levels_2);
+        let _e49 = self.v_seen_in_levels(uv_27, a1_, e0_, levels_2);
         let _e50 = self.v_seen_between(_e48, _e49, across_10);
-        let _e51 = self.v_seen_in_levels(uv_26, a0_, e1_1, levels_2);
-        let _e52 = self.v_seen_in_levels(uv_26, a1_, e1_1, levels_2);
+        let _e51 = self.v_seen_in_levels(uv_27, a0_, e1_1, levels_2);
+        let _e52 = self.v_seen_in_levels(uv_27, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_10);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
         let x_13 = ((tile_1.x() * at_97.tangent.normalize().dot(at_97.tangent)) / at_97.tangent.dot(at_97.tangent));
@@ -13698,16 +13794,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn mesostructure_normals(
         &self,
         at_98: Entered,
-        uv_27: impl rt::Into<rt::Vec2<f32>>,
+        uv_28: impl rt::Into<rt::Vec2<f32>>,
         view_16: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_98, rt::into(uv_27), rt::into(view_16)))
+        rt::into(self.v_mesostructure_normals(at_98, rt::into(uv_28), rt::into(view_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
         at_98: Entered,
-        uv_27: rt::Vec2<f32>,
+        uv_28: rt::Vec2<f32>,
         view_16: rt::Vec3<f32>,
     ) -> SeenNormals {
         let mut local_99: rt::Scalar<bool>;
@@ -13733,15 +13829,15 @@ impl<'g> Resources<'g> {
         }
         let _e39 = local_99;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_98, uv_27);
+            let _e40 = self.v_finest_normal(at_98, uv_28);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_98, uv_27, rt::Scalar(_e28.fine));
+        let _e43 = self.v_normals_of_level(at_98, uv_28, rt::Scalar(_e28.fine));
         first_6 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_98, uv_27, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e54 = self.v_normals_of_level(at_98, uv_28, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
             let _e55 = first_6;
             let _e57 = first_6;
             first_6 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
@@ -13758,7 +13854,7 @@ impl<'g> Resources<'g> {
             let _e80 = self.v_levels_of(rt::Scalar(at_98.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_98, uv_27, view_16, _e80);
+                let _e82 = self.v_table_of(at_98, uv_28, view_16, _e80);
                 let _e83 = self.v_with_table(at_98, _e72, _e82, _e73);
                 return _e83;
             }
@@ -13850,9 +13946,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seed_of(&self, hit_27: Hit) -> rt::Scalar<u32> {
-        let place_31 = ((hit_27.uv - hit_27.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
-        let _e10 = self.v_mixed(place_31.y());
-        let _e12 = self.v_mixed((place_31.x() ^ _e10));
+        let place_32 = ((hit_27.uv - hit_27.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+        let _e10 = self.v_mixed(place_32.y());
+        let _e12 = self.v_mixed((place_32.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn point_of_disc(
@@ -13878,11 +13974,11 @@ impl<'g> Resources<'g> {
         let ring = ((k_31.to_f32() + _e9) / count_7.to_f32());
         let _e16 = self.v_unit_of(seed_4);
         let _e18 = self.v_turned_1(((k_31.to_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_32 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
+        let place_33 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other_1 = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_6 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other_1), other_1, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_5 = light_8.direction.cross(right_6);
-        let toward_8 = ((light_8.direction + (right_6 * place_32.x())) + (up_5 * place_32.y()));
+        let toward_8 = ((light_8.direction + (right_6 * place_33.x())) + (up_5 * place_33.y()));
         let along_43 = toward_8.length();
         return <Toward>::new((toward_8 / rt::Vec3::splat_from_scalar(along_43)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_43), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
@@ -13977,44 +14073,44 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_texel(
         &self,
-        place_19: impl rt::Into<rt::Vec2<i32>>,
+        place_20: impl rt::Into<rt::Vec2<i32>>,
         layer_6: impl rt::Into<rt::Scalar<i32>>,
-        level_39: impl rt::Into<rt::Scalar<i32>>,
+        level_40: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_19), rt::into(layer_6), rt::into(level_39)))
+        rt::into(self.v_shadow_texel(rt::into(place_20), rt::into(layer_6), rt::into(level_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_texel(
         &self,
-        place_19: rt::Vec2<i32>,
+        place_20: rt::Vec2<i32>,
         layer_6: rt::Scalar<i32>,
-        level_39: rt::Scalar<i32>,
+        level_40: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_19, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_39));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_20, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_40));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_28: impl rt::Into<rt::Vec2<f32>>,
+        uv_29: impl rt::Into<rt::Vec2<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
-        level_40: impl rt::Into<rt::Scalar<u32>>,
+        level_41: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_28), rt::into(layer_7), rt::into(level_40)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_29), rt::into(layer_7), rt::into(level_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_texel_between(
         &self,
-        uv_28: rt::Vec2<f32>,
+        uv_29: rt::Vec2<f32>,
         layer_7: rt::Scalar<i32>,
-        level_40: rt::Scalar<u32>,
+        level_41: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_40);
-        let _e4 = self.v_texels_around(uv_28, _e3);
-        let k_48 = level_40.to_i32();
+        let _e3 = self.v_height_texels(level_41);
+        let _e4 = self.v_texels_around(uv_29, _e3);
+        let k_48 = level_41.to_i32();
         let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_48);
         let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_48);
         let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_48);
@@ -14028,16 +14124,16 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_own_slope(&self, way_8: Path) -> rt::Scalar<f32> {
-        let mut level_41: Path;
+        let mut level_42: Path;
 
         let _e1 = self.v_grid_of(way_8);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_18 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        level_41 = way_8;
-        level_41.h = <rt::Vec3<f32>>::from_scalars(way_8.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_41.exit) = end_18;
-        let _e18 = level_41;
+        level_42 = way_8;
+        level_42.h = <rt::Vec3<f32>>::from_scalars(way_8.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        rt::Scalar(level_42.exit) = end_18;
+        let _e18 = level_42;
         let _e21 = self.v_height_cell(_e3.to_i32(), rt::Scalar(way_8.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_18))));
@@ -14311,10 +14407,10 @@ impl<'g> Resources<'g> {
                     seen_2.bitangent = _e19;
                     seen_2.normal = _e14.toward;
                     let _e23 = self.v_place_in_image(_e14, at_111.point);
-                    let uv_40 = _e23.xy();
+                    let uv_41 = _e23.xy();
                     let _e25 = sum_3;
                     let _e26 = seen_2;
-                    let _e27 = self.v_finest_normal(_e26, uv_40);
+                    let _e27 = self.v_finest_normal(_e26, uv_41);
                     let _e28 = k_34;
                     let _e29 = self.v_frame_weight(frames_2, _e28);
                     sum_3 = (_e25 + (_e27 * _e29));
@@ -14332,14 +14428,14 @@ impl<'g> Resources<'g> {
         }
         return at_111.normal;
     }
-    pub(crate) fn rise_of_mask(&self, uv_29: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_rise_of_mask(rt::into(uv_29)))
+    pub(crate) fn rise_of_mask(&self, uv_30: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_rise_of_mask(rt::into(uv_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_rise_of_mask(&self, uv_29: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_rise_of_mask(&self, uv_30: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_149 = ((uv_29 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let at_149 = ((uv_30 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(at_149);
         let _e11 = self.v_object_cell_stage(_e8.to_i32(), rt::Scalar(0u32));
         let part_24 = (at_149 - _e8);
@@ -14348,23 +14444,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn normal_of_mask(
         &self,
         image_12: Image,
-        uv_30: impl rt::Into<rt::Vec2<f32>>,
+        uv_31: impl rt::Into<rt::Vec2<f32>>,
         within: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_mask(image_12, rt::into(uv_30), rt::into(within)))
+        rt::into(self.v_normal_of_mask(image_12, rt::into(uv_31), rt::into(within)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_of_mask(
         &self,
         image_12: Image,
-        uv_30: rt::Vec2<f32>,
+        uv_31: rt::Vec2<f32>,
         within: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_rise_of_mask(uv_30);
-        let place_33 = ((uv_30 - image_12.corner) / image_12.extent);
-        let along_u_4 = (image_12.u.xyz() - (image_12.depth.xyz() * place_33.x())).normalize();
-        let along_v_4 = (image_12.v.xyz() - (image_12.depth.xyz() * place_33.y())).normalize();
+        let _e3 = self.v_rise_of_mask(uv_31);
+        let place_34 = ((uv_31 - image_12.corner) / image_12.extent);
+        let along_u_4 = (image_12.u.xyz() - (image_12.depth.xyz() * place_34.x())).normalize();
+        let along_v_4 = (image_12.v.xyz() - (image_12.depth.xyz() * place_34.y())).normalize();
         let outward = ((<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)) - (along_u_4 * _e3.x())) - (along_v_4 * _e3.y()));
         let square_5 = outward.dot(outward);
         if rt::Scalar::into_branch_condition(square_5.elementwise_gt(rt::Scalar(0f32))) {
@@ -14499,9 +14595,9 @@ impl<'g> Resources<'g> {
         &self,
         grid_12: Tessellation,
         along_19: impl rt::Into<rt::Vec2<f32>>,
-        level_42: impl rt::Into<rt::Scalar<u32>>,
+        level_43: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_42)))
+        rt::into(self.v_parts_by_uv(grid_12, rt::into(along_19), rt::into(level_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14509,19 +14605,19 @@ impl<'g> Resources<'g> {
         &self,
         grid_12: Tessellation,
         along_19: rt::Vec2<f32>,
-        level_42: rt::Scalar<u32>,
+        level_43: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let both_1 = (along_19 * grid_12.parts_of_uv);
-        let parts_7 = ((both_1.x().max(both_1.y()) / (rt::Scalar(1u32) << level_42).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
+        let parts_7 = ((both_1.x().max(both_1.y()) / (rt::Scalar(1u32) << level_43).to_f32()) - rt::Scalar(0.0009765625f32)).ceil();
         return parts_7.clamp(rt::Scalar(1f32), rt::Scalar(32767f32)).to_u32();
     }
     pub(crate) fn parts_by_voxels(
         &self,
         a_19: Voxel,
         b_19: Voxel,
-        level_43: impl rt::Into<rt::Scalar<u32>>,
+        level_44: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_by_voxels(a_19, b_19, rt::into(level_43)))
+        rt::into(self.v_parts_by_voxels(a_19, b_19, rt::into(level_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14529,10 +14625,10 @@ impl<'g> Resources<'g> {
         &self,
         a_19: Voxel,
         b_19: Voxel,
-        level_43: rt::Scalar<u32>,
+        level_44: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_coarser_voxel(b_19.at, level_43);
-        let _e6 = self.v_coarser_voxel(a_19.at, level_43);
+        let _e4 = self.v_coarser_voxel(b_19.at, level_44);
+        let _e6 = self.v_coarser_voxel(a_19.at, level_44);
         let _e8 = self.v_longest_of((_e4 - _e6));
         return _e8.to_u32().clamp(rt::Scalar(1u32), DICE_PARTS);
     }
@@ -14542,9 +14638,9 @@ impl<'g> Resources<'g> {
         a_20: Voxel,
         b_20: Voxel,
         along_20: impl rt::Into<rt::Vec2<f32>>,
-        level_44: impl rt::Into<rt::Scalar<u32>>,
+        level_45: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_parts_between(grid_13, a_20, b_20, rt::into(along_20), rt::into(level_44)))
+        rt::into(self.v_parts_between(grid_13, a_20, b_20, rt::into(along_20), rt::into(level_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14554,13 +14650,13 @@ impl<'g> Resources<'g> {
         a_20: Voxel,
         b_20: Voxel,
         along_20: rt::Vec2<f32>,
-        level_44: rt::Scalar<u32>,
+        level_45: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         if rt::Scalar::into_branch_condition(grid_13.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))) {
-            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_44);
+            let _e9 = self.v_parts_by_uv(grid_13, along_20, level_45);
             return _e9;
         }
-        let _e10 = self.v_parts_by_voxels(a_20, b_20, level_44);
+        let _e10 = self.v_parts_by_voxels(a_20, b_20, level_45);
         return _e10;
     }
     pub(crate) fn pixel_direction(&self, pixel_84: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
@@ -14614,27 +14710,27 @@ impl<'g> Resources<'g> {
     pub(crate) fn placed_over(
         &self,
         at_117: Entered,
-        uv_31: impl rt::Into<rt::Vec2<f32>>,
+        uv_32: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_over(at_117, rt::into(uv_31)))
+        rt::into(self.v_placed_over(at_117, rt::into(uv_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_over(
         &self,
         at_117: Entered,
-        uv_31: rt::Vec2<f32>,
+        uv_32: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_9 = (uv_31 - at_117.uv);
+        let aside_9 = (uv_32 - at_117.uv);
         let _e6 = rt::Scalar(self.surface_settings.bias_m);
         let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let _e11 = self.v_height_at(uv_31, rt::Scalar(at_117.level));
+        let _e11 = self.v_height_at(uv_32, rt::Scalar(at_117.level));
         let height_23 = (_e6 + (_e9 * _e11));
         placed = at_117;
         placed.point = (((at_117.point + (at_117.tangent * aside_9.x())) + (at_117.bitangent * aside_9.y())) + (at_117.normal * height_23));
-        placed.uv = uv_31;
+        placed.uv = uv_32;
         let _e29 = placed;
         return _e29;
     }
@@ -14667,9 +14763,9 @@ impl<'g> Resources<'g> {
         at_119: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_20: impl rt::Into<rt::Vec3<f32>>,
-        uv_32: impl rt::Into<rt::Vec2<f32>>,
+        uv_33: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_87, at_119, rt::into(weights_4), rt::into(point_20), rt::into(uv_32)))
+        rt::into(self.v_placed_at(pixel_87, at_119, rt::into(weights_4), rt::into(point_20), rt::into(uv_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14679,11 +14775,11 @@ impl<'g> Resources<'g> {
         at_119: Entered,
         weights_4: rt::Vec3<f32>,
         point_20: rt::Vec3<f32>,
-        uv_32: rt::Vec2<f32>,
+        uv_33: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_87, weights_4, point_20, uv_32, at_119.facing);
+        let _e6 = self.v_frame_at(pixel_87, weights_4, point_20, uv_33, at_119.facing);
         placed_1 = _e6;
         rt::Scalar(placed_1.level) = rt::Scalar(at_119.level);
         rt::Scalar(placed_1.footprint) = rt::Scalar(at_119.footprint);
@@ -14889,8 +14985,8 @@ impl<'g> Resources<'g> {
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_8 = (_e45 + (_e47 * t_42));
-        let point_31 = (pixel_91.origin + (along_47 * (rt::Scalar(path_78.start) + rt::Scalar(hit_46.t))));
-        let _e58 = self.v_placed_at(pixel_91, at_124, weights_8.xyz(), point_31, hit_46.uv);
+        let point_32 = (pixel_91.origin + (along_47 * (rt::Scalar(path_78.start) + rt::Scalar(hit_46.t))));
+        let _e58 = self.v_placed_at(pixel_91, at_124, weights_8.xyz(), point_32, hit_46.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
@@ -15260,17 +15356,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_bumps(
         &self,
-        place_20: impl rt::Into<rt::Vec2<f32>>,
+        place_21: impl rt::Into<rt::Vec2<f32>>,
         time: impl rt::Into<rt::Scalar<f32>>,
         seed_5: impl rt::Into<rt::Scalar<u32>>,
         params_104: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_bumps(rt::into(place_20), rt::into(time), rt::into(seed_5), rt::into(params_104)))
+        rt::into(self.v_procedure_bumps(rt::into(place_21), rt::into(time), rt::into(seed_5), rt::into(params_104)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_procedure_bumps(
         &self,
-        place_20: rt::Vec2<f32>,
+        place_21: rt::Vec2<f32>,
         time: rt::Scalar<f32>,
         seed_5: rt::Scalar<u32>,
         params_104: rt::Vec4<f32>,
@@ -15278,7 +15374,7 @@ impl<'g> Resources<'g> {
         let mut height_10: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_36: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let at_150 = (place_20 * params_104.x());
+        let at_150 = (place_21 * params_104.x());
         let own_1 = at_150.floor();
         'naga_break: loop {
             'naga_continue: {
@@ -15315,17 +15411,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_fbm(
         &self,
-        place_21: impl rt::Into<rt::Vec2<f32>>,
+        place_22: impl rt::Into<rt::Vec2<f32>>,
         time_1: impl rt::Into<rt::Scalar<f32>>,
         seed_6: impl rt::Into<rt::Scalar<u32>>,
         params_105: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_fbm(rt::into(place_21), rt::into(time_1), rt::into(seed_6), rt::into(params_105)))
+        rt::into(self.v_procedure_fbm(rt::into(place_22), rt::into(time_1), rt::into(seed_6), rt::into(params_105)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_procedure_fbm(
         &self,
-        place_21: rt::Vec2<f32>,
+        place_22: rt::Vec2<f32>,
         time_1: rt::Scalar<f32>,
         seed_6: rt::Scalar<u32>,
         params_105: rt::Vec4<f32>,
@@ -15352,7 +15448,7 @@ impl<'g> Resources<'g> {
                     let _e25 = count_9;
                     let _e27 = count_9;
                     let _e28 = octave;
-                    let _e30 = self.v_gradient_noise((place_21 * _e25), _e27, turns_3, (seed_6 + _e28));
+                    let _e30 = self.v_gradient_noise((place_22 * _e25), _e27, turns_3, (seed_6 + _e28));
                     height_11 = (_e23 + (_e24 * _e30));
                     let _e33 = sum_4;
                     let _e34 = strength;
@@ -15372,17 +15468,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn procedure_waves(
         &self,
-        place_22: impl rt::Into<rt::Vec2<f32>>,
+        place_23: impl rt::Into<rt::Vec2<f32>>,
         time_2: impl rt::Into<rt::Scalar<f32>>,
         seed_7: impl rt::Into<rt::Scalar<u32>>,
         params_106: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_waves(rt::into(place_22), rt::into(time_2), rt::into(seed_7), rt::into(params_106)))
+        rt::into(self.v_procedure_waves(rt::into(place_23), rt::into(time_2), rt::into(seed_7), rt::into(params_106)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_procedure_waves(
         &self,
-        place_22: rt::Vec2<f32>,
+        place_23: rt::Vec2<f32>,
         time_2: rt::Scalar<f32>,
         seed_7: rt::Scalar<u32>,
         params_106: rt::Vec4<f32>,
@@ -15411,7 +15507,7 @@ impl<'g> Resources<'g> {
                     let pace_1 = ((rt::Scalar(2f32) * (length / params_106.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e62 = self.v_mixed((_e18 + rt::Scalar(1u32)));
                     let _e63 = self.v_unit_of(_e62);
-                    let _e72 = self.v_sine_of(((((along_48 * place_22.x()) + (across_11 * place_22.y())) - (pace_1 * time_2)) + _e63));
+                    let _e72 = self.v_sine_of(((((along_48 * place_23.x()) + (across_11 * place_23.y())) - (pace_1 * time_2)) + _e63));
                     let crest = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e72));
                     let _e77 = height_12;
                     height_12 = (_e77 + ((crest + (params_106.w() * ((crest * crest) - crest))) / length));
@@ -15429,34 +15525,34 @@ impl<'g> Resources<'g> {
     pub(crate) fn procedure_height(
         &self,
         number_20: impl rt::Into<rt::Scalar<u32>>,
-        place_23: impl rt::Into<rt::Vec2<f32>>,
+        place_24: impl rt::Into<rt::Vec2<f32>>,
         time_3: impl rt::Into<rt::Scalar<f32>>,
         seed_8: impl rt::Into<rt::Scalar<u32>>,
         params_107: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_23), rt::into(time_3), rt::into(seed_8), rt::into(params_107)))
+        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_24), rt::into(time_3), rt::into(seed_8), rt::into(params_107)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_procedure_height(
         &self,
         number_20: rt::Scalar<u32>,
-        place_23: rt::Vec2<f32>,
+        place_24: rt::Vec2<f32>,
         time_3: rt::Scalar<f32>,
         seed_8: rt::Scalar<u32>,
         params_107: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         match rt::Scalar::into_inner(number_20) {
             0u32 => {
-                let _e5 = self.v_procedure_waves(place_23, time_3, seed_8, params_107);
+                let _e5 = self.v_procedure_waves(place_24, time_3, seed_8, params_107);
                 return _e5;
             }
             1u32 => {
-                let _e6 = self.v_procedure_fbm(place_23, time_3, seed_8, params_107);
+                let _e6 = self.v_procedure_fbm(place_24, time_3, seed_8, params_107);
                 return _e6;
             }
             _ => {
-                let _e7 = self.v_procedure_bumps(place_23, time_3, seed_8, params_107);
+                let _e7 = self.v_procedure_bumps(place_24, time_3, seed_8, params_107);
                 return _e7;
             }
         }
@@ -16077,9 +16173,9 @@ impl<'g> Resources<'g> {
         a_27: Voxel,
         b_27: Voxel,
         c_19: Voxel,
-        level_45: impl rt::Into<rt::Scalar<u32>>,
+        level_46: impl rt::Into<rt::Scalar<u32>>,
     ) -> Sweep {
-        rt::into(self.v_sweep_on(a_27, b_27, c_19, rt::into(level_45)))
+        rt::into(self.v_sweep_on(a_27, b_27, c_19, rt::into(level_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16088,11 +16184,11 @@ impl<'g> Resources<'g> {
         a_27: Voxel,
         b_27: Voxel,
         c_19: Voxel,
-        level_45: rt::Scalar<u32>,
+        level_46: rt::Scalar<u32>,
     ) -> Sweep {
-        let _e5 = self.v_coarser_voxel(a_27.at, level_45);
-        let _e7 = self.v_coarser_voxel(b_27.at, level_45);
-        let _e9 = self.v_coarser_voxel(c_19.at, level_45);
+        let _e5 = self.v_coarser_voxel(a_27.at, level_46);
+        let _e7 = self.v_coarser_voxel(b_27.at, level_46);
+        let _e9 = self.v_coarser_voxel(c_19.at, level_46);
         let _e10 = self.v_sweep_of(_e5, _e7, _e9);
         return _e10;
     }
@@ -16140,14 +16236,14 @@ impl<'g> Resources<'g> {
     ) -> SweptColumn {
         let mut local_104: rt::Scalar<bool>;
 
-        let n_13 = sweep_8.parts.x();
+        let n_14 = sweep_8.parts.x();
         let m_8 = sweep_8.parts.y();
         let _e7 = self.v_first_of_top(sweep_8, column_5);
         let _e10 = self.v_first_of_top(sweep_8, (column_5 + rt::Scalar(1i32)));
-        let is_behind = (_e10 - rt::Scalar(1i32)).elementwise_gt(n_13);
-        let top_10 = TOP_NEXT.select(TOP_BEFORE.select(TOP_ROOF, _e7.elementwise_lt(n_13)), is_behind);
+        let is_behind = (_e10 - rt::Scalar(1i32)).elementwise_gt(n_14);
+        let top_10 = TOP_NEXT.select(TOP_BEFORE.select(TOP_ROOF, _e7.elementwise_lt(n_14)), is_behind);
         let from_top = _e7.max(rt::Scalar(1i32));
-        let of_top_1 = (_e10.min((n_13 + m_8)) - from_top);
+        let of_top_1 = (_e10.min((n_14 + m_8)) - from_top);
         if rt::Scalar::into_branch_condition((!column_5.elementwise_le(rt::Scalar(0i32)))) {
             local_104 = column_5.elementwise_ge(sweep_8.end.x());
         } else {

@@ -3193,10 +3193,11 @@ fn wrapped_cell(cell: vec2i, level: u32) -> vec4f {
         name: "in_hole",
         sampling: None,
         uses: &["is_in_hole", "surface_settings"],
-        text: r#"// Whether texture coordinates lie in a hole: in a dual cell with a texel that is one. Whatever level is
-// traced it is a cell of the finest, so that holes are as large from afar.
+        text: r#"// Whether texture coordinates lie in a hole: in a dual cell with a texel that is one, or where the colour
+// map's opacity is below the cut-off. Whatever level is traced it is the finest of these maps, so that holes
+// are as large from afar.
 fn in_hole(uv: vec2f) -> bool {
-    if (surface_settings.has_holes != 1u) {
+    if (surface_settings.has_holes == 0u) {
         return false;
     }
     return is_in_hole(uv);
@@ -3206,9 +3207,17 @@ fn in_hole(uv: vec2f) -> bool {
         module: "shared/height",
         name: "is_in_hole",
         sampling: None,
-        uses: &["cell_of", "height_size", "height_texels", "hole_map", "wrap_index"],
-        text: r#"// The same of a height map that has some.
+        uses: &["cell_of", "color_at", "height_size", "height_texels", "hole_map", "surface_settings", "wrap_index"],
+        text: r#"// The same of a surface that has some.
 fn is_in_hole(uv: vec2f) -> bool {
+    if ((surface_settings.has_holes & 2u) != 0u) {
+        if (color_at(uv, 0u).w < surface_settings.cutoff) {
+            return true;
+        }
+    }
+    if ((surface_settings.has_holes & 1u) == 0u) {
+        return false;
+    }
     let n = height_texels(0u);
     let cell = vec2i(cell_of(uv * height_size(0u) - vec2f(0.5, 0.5)));
     let i0 = wrap_index(cell.x, n.x);
@@ -3287,29 +3296,84 @@ struct Around {
     },
     Declaration {
         module: "shared/height",
-        name: "color_at",
-        sampling: Some(Sampling::Exact),
-        uses: &["bilinear", "color_map", "level_texels", "surface_settings", "texels_around"],
-        text: r#"// A level of the colour map at texture coordinates, linear RGBA.
-fn color_at(uv: vec2f, level: u32) -> vec4f {
-    let at = texels_around(uv, level_texels(surface_settings.color_size, level));
+        name: "color_index",
+        sampling: None,
+        uses: &["WRAP_CLAMP", "WRAP_REPEAT"],
+        text: r#"// The texel that stands for index i in a row of n of the colour map, which goes on beyond its sides by that
+// wrap.
+fn color_index(i: i32, n: i32, wrap: u32) -> i32 {
+    if (wrap == WRAP_CLAMP) {
+        return clamp(i, 0, n - 1);
+    }
+    if (wrap == WRAP_REPEAT) {
+        return ((i % n) + n) % n;
+    }
+    let period = 2 * n;
+    let folded = ((i % period) + period) % period;
+    return select(period - 1 - folded, folded, folded < n);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "color_place",
+        sampling: None,
+        uses: &["surface_settings"],
+        text: r#"// The colour map's coordinates at texture coordinates.
+fn color_place(uv: vec2f) -> vec2f {
+    let u = surface_settings.color_u.x * uv.x + surface_settings.color_u.y * uv.y;
+    let v = surface_settings.color_v.x * uv.x + surface_settings.color_v.y * uv.y;
+    return vec2f(u + surface_settings.color_u.z, v + surface_settings.color_v.z);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "color_of_texels",
+        sampling: None,
+        uses: &["bilinear", "cell_of", "color_index", "color_map", "level_texels", "surface_settings"],
+        text: r#"// A level of the colour map at coordinates of its own, by its texels.
+fn color_of_texels(place: vec2f, level: u32) -> vec4f {
+    let n = level_texels(surface_settings.color_size, level);
+    let point = place * vec2f(n) - vec2f(0.5, 0.5);
+    let cell = cell_of(point);
+    let i = vec2i(cell);
+    let i0 = color_index(i.x, n.x, surface_settings.color_wrap_u);
+    let i1 = color_index(i.x + 1, n.x, surface_settings.color_wrap_u);
+    let j0 = color_index(i.y, n.y, surface_settings.color_wrap_v);
+    let j1 = color_index(i.y + 1, n.y, surface_settings.color_wrap_v);
     let k = i32(level);
     return bilinear(
-        textureLoad(color_map, vec2i(at.columns.x, at.rows.x), k),
-        textureLoad(color_map, vec2i(at.columns.y, at.rows.x), k),
-        textureLoad(color_map, vec2i(at.columns.x, at.rows.y), k),
-        textureLoad(color_map, vec2i(at.columns.y, at.rows.y), k),
-        at.part,
+        textureLoad(color_map, vec2i(i0, j0), k),
+        textureLoad(color_map, vec2i(i1, j0), k),
+        textureLoad(color_map, vec2i(i0, j1), k),
+        textureLoad(color_map, vec2i(i1, j1), k),
+        point - cell,
     );
 }"#,
     },
     Declaration {
         module: "shared/height",
         name: "color_at",
+        sampling: Some(Sampling::Exact),
+        uses: &["color_of_texels", "color_place"],
+        text: r#"// A level of the colour map at texture coordinates, linear RGBA.
+fn color_at(uv: vec2f, level: u32) -> vec4f {
+    return color_of_texels(color_place(uv), level);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "color_at",
         sampling: Some(Sampling::Fast),
-        uses: &["color_map", "map_sampler"],
+        uses: &["color_map", "color_of_texels", "color_place", "map_sampler", "surface_settings"],
         text: r#"fn color_at(uv: vec2f, level: u32) -> vec4f {
-    return textureSampleLevel(color_map, map_sampler, uv, f32(level));
+    let place = color_place(uv);
+    // The sampler has the height map's wrap.
+    if (surface_settings.color_wrap_u == surface_settings.wrap) {
+        if (surface_settings.color_wrap_v == surface_settings.wrap) {
+            return textureSampleLevel(color_map, map_sampler, place, f32(level));
+        }
+    }
+    return color_of_texels(place, level);
 }"#,
     },
     Declaration {
@@ -6327,6 +6391,9 @@ struct SurfaceSettings {
     maps: array<MapSettings, MAP_SLOTS>,
     diffuse: vec4f,
     specular: vec4f,
+    // What makes the colour map's coordinates of texture coordinates (u, v): x u + y v + z each.
+    color_u: vec4f,
+    color_v: vec4f,
     // Columns and rows of the height map, the colour map and the normal map.
     height_size: vec2u,
     color_size: vec2u,
@@ -6341,11 +6408,16 @@ struct SurfaceSettings {
     normal_texels: f32,
     // Metres of a tile along u and v for which normals were derived.
     normal_tile_m: vec2f,
+    // How the height map and the normal map go on beyond their sides, and the colour map along both of its
+    // axes.
     wrap: u32,
+    color_wrap_u: u32,
+    color_wrap_v: u32,
     shininess: u32,
     has_color: u32,
     has_normal: u32,
-    // 1 where hits in holes of the height map are none.
+    // 1 where hits in holes of the height map are none, 2 where those are none at which the colour map's
+    // opacity is below the cut-off, 3 for both.
     has_holes: u32,
     // 1 where normals that are derived from heights are not taken across creases.
     has_creases: u32,
@@ -6363,7 +6435,7 @@ struct SurfaceSettings {
     // refraction.
     transmission: f32,
     ior: f32,
-    // Its number in the scene.
+    // Its number among the surfaces that are drawn: a surface of several materials is drawn as one for each.
     number: u32,
     // Texels of a face's side in the finest level of the surroundings, and their levels, at least 1 each.
     environment_side: u32,
@@ -6374,6 +6446,8 @@ struct SurfaceSettings {
     // One of CELLS_*, and the difference of heights beyond which a cell of an image jumps.
     cells: u32,
     jump: f32,
+    // The least opacity of the colour map that is seen.
+    cutoff: f32,
 }"#,
     },
     Declaration {

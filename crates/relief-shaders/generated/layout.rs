@@ -253,43 +253,48 @@ impl Shared for MapSettings {
 }
 
 impl Shared for SurfaceSettings {
-    const SIZE: usize = 1040;
+    const SIZE: usize = 1088;
 
     fn write(&self, bytes: &mut [u8]) {
         self.choices.write(&mut bytes[0..]);
         self.maps.write(&mut bytes[352..]);
         self.diffuse.write(&mut bytes[864..]);
         self.specular.write(&mut bytes[880..]);
-        self.height_size.write(&mut bytes[896..]);
-        self.color_size.write(&mut bytes[904..]);
-        self.normal_size.write(&mut bytes[912..]);
-        self.height_levels.write(&mut bytes[920..]);
-        self.color_levels.write(&mut bytes[924..]);
-        self.normal_levels.write(&mut bytes[928..]);
-        self.color_texels.write(&mut bytes[932..]);
-        self.normal_texels.write(&mut bytes[936..]);
-        self.normal_tile_m.write(&mut bytes[944..]);
-        self.wrap.write(&mut bytes[952..]);
-        self.shininess.write(&mut bytes[956..]);
-        self.has_color.write(&mut bytes[960..]);
-        self.has_normal.write(&mut bytes[964..]);
-        self.has_holes.write(&mut bytes[968..]);
-        self.has_creases.write(&mut bytes[972..]);
-        self.has_vertex_normals.write(&mut bytes[976..]);
-        self.has_shadows.write(&mut bytes[980..]);
-        self.scale_m.write(&mut bytes[984..]);
-        self.bias_m.write(&mut bytes[988..]);
-        self.shell_m.write(&mut bytes[992..]);
-        self.mean_height.write(&mut bytes[1000..]);
-        self.transmission.write(&mut bytes[1004..]);
-        self.ior.write(&mut bytes[1008..]);
-        self.number.write(&mut bytes[1012..]);
-        self.environment_side.write(&mut bytes[1016..]);
-        self.environment_levels.write(&mut bytes[1020..]);
-        self.images.write(&mut bytes[1024..]);
-        self.solids.write(&mut bytes[1028..]);
-        self.cells.write(&mut bytes[1032..]);
-        self.jump.write(&mut bytes[1036..]);
+        self.color_u.write(&mut bytes[896..]);
+        self.color_v.write(&mut bytes[912..]);
+        self.height_size.write(&mut bytes[928..]);
+        self.color_size.write(&mut bytes[936..]);
+        self.normal_size.write(&mut bytes[944..]);
+        self.height_levels.write(&mut bytes[952..]);
+        self.color_levels.write(&mut bytes[956..]);
+        self.normal_levels.write(&mut bytes[960..]);
+        self.color_texels.write(&mut bytes[964..]);
+        self.normal_texels.write(&mut bytes[968..]);
+        self.normal_tile_m.write(&mut bytes[976..]);
+        self.wrap.write(&mut bytes[984..]);
+        self.color_wrap_u.write(&mut bytes[988..]);
+        self.color_wrap_v.write(&mut bytes[992..]);
+        self.shininess.write(&mut bytes[996..]);
+        self.has_color.write(&mut bytes[1000..]);
+        self.has_normal.write(&mut bytes[1004..]);
+        self.has_holes.write(&mut bytes[1008..]);
+        self.has_creases.write(&mut bytes[1012..]);
+        self.has_vertex_normals.write(&mut bytes[1016..]);
+        self.has_shadows.write(&mut bytes[1020..]);
+        self.scale_m.write(&mut bytes[1024..]);
+        self.bias_m.write(&mut bytes[1028..]);
+        self.shell_m.write(&mut bytes[1032..]);
+        self.mean_height.write(&mut bytes[1040..]);
+        self.transmission.write(&mut bytes[1044..]);
+        self.ior.write(&mut bytes[1048..]);
+        self.number.write(&mut bytes[1052..]);
+        self.environment_side.write(&mut bytes[1056..]);
+        self.environment_levels.write(&mut bytes[1060..]);
+        self.images.write(&mut bytes[1064..]);
+        self.solids.write(&mut bytes[1068..]);
+        self.cells.write(&mut bytes[1072..]);
+        self.jump.write(&mut bytes[1076..]);
+        self.cutoff.write(&mut bytes[1080..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -298,36 +303,41 @@ impl Shared for SurfaceSettings {
             maps: Shared::read(&bytes[352..]),
             diffuse: Shared::read(&bytes[864..]),
             specular: Shared::read(&bytes[880..]),
-            height_size: Shared::read(&bytes[896..]),
-            color_size: Shared::read(&bytes[904..]),
-            normal_size: Shared::read(&bytes[912..]),
-            height_levels: Shared::read(&bytes[920..]),
-            color_levels: Shared::read(&bytes[924..]),
-            normal_levels: Shared::read(&bytes[928..]),
-            color_texels: Shared::read(&bytes[932..]),
-            normal_texels: Shared::read(&bytes[936..]),
-            normal_tile_m: Shared::read(&bytes[944..]),
-            wrap: Shared::read(&bytes[952..]),
-            shininess: Shared::read(&bytes[956..]),
-            has_color: Shared::read(&bytes[960..]),
-            has_normal: Shared::read(&bytes[964..]),
-            has_holes: Shared::read(&bytes[968..]),
-            has_creases: Shared::read(&bytes[972..]),
-            has_vertex_normals: Shared::read(&bytes[976..]),
-            has_shadows: Shared::read(&bytes[980..]),
-            scale_m: Shared::read(&bytes[984..]),
-            bias_m: Shared::read(&bytes[988..]),
-            shell_m: Shared::read(&bytes[992..]),
-            mean_height: Shared::read(&bytes[1000..]),
-            transmission: Shared::read(&bytes[1004..]),
-            ior: Shared::read(&bytes[1008..]),
-            number: Shared::read(&bytes[1012..]),
-            environment_side: Shared::read(&bytes[1016..]),
-            environment_levels: Shared::read(&bytes[1020..]),
-            images: Shared::read(&bytes[1024..]),
-            solids: Shared::read(&bytes[1028..]),
-            cells: Shared::read(&bytes[1032..]),
-            jump: Shared::read(&bytes[1036..]),
+            color_u: Shared::read(&bytes[896..]),
+            color_v: Shared::read(&bytes[912..]),
+            height_size: Shared::read(&bytes[928..]),
+            color_size: Shared::read(&bytes[936..]),
+            normal_size: Shared::read(&bytes[944..]),
+            height_levels: Shared::read(&bytes[952..]),
+            color_levels: Shared::read(&bytes[956..]),
+            normal_levels: Shared::read(&bytes[960..]),
+            color_texels: Shared::read(&bytes[964..]),
+            normal_texels: Shared::read(&bytes[968..]),
+            normal_tile_m: Shared::read(&bytes[976..]),
+            wrap: Shared::read(&bytes[984..]),
+            color_wrap_u: Shared::read(&bytes[988..]),
+            color_wrap_v: Shared::read(&bytes[992..]),
+            shininess: Shared::read(&bytes[996..]),
+            has_color: Shared::read(&bytes[1000..]),
+            has_normal: Shared::read(&bytes[1004..]),
+            has_holes: Shared::read(&bytes[1008..]),
+            has_creases: Shared::read(&bytes[1012..]),
+            has_vertex_normals: Shared::read(&bytes[1016..]),
+            has_shadows: Shared::read(&bytes[1020..]),
+            scale_m: Shared::read(&bytes[1024..]),
+            bias_m: Shared::read(&bytes[1028..]),
+            shell_m: Shared::read(&bytes[1032..]),
+            mean_height: Shared::read(&bytes[1040..]),
+            transmission: Shared::read(&bytes[1044..]),
+            ior: Shared::read(&bytes[1048..]),
+            number: Shared::read(&bytes[1052..]),
+            environment_side: Shared::read(&bytes[1056..]),
+            environment_levels: Shared::read(&bytes[1060..]),
+            images: Shared::read(&bytes[1064..]),
+            solids: Shared::read(&bytes[1068..]),
+            cells: Shared::read(&bytes[1072..]),
+            jump: Shared::read(&bytes[1076..]),
+            cutoff: Shared::read(&bytes[1080..]),
         }
     }
 }

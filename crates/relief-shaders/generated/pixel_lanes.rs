@@ -2461,31 +2461,69 @@ lanes! { fn chord_reach(r: &Resources<'_>, pixel_a0: &PixelIn, at_a1: &Entered, 
     let e_18 = shell_slack(r, pixel_a0, middle_a2);
     return add(e_18, mul(splat((2.0f32 * params_a3.x)), texel_17));
 } }
+lanes! { fn color_index(r: &Resources<'_>, i_a0: I, n_a1: I, wrap_a2: u32) -> I {
+    if (wrap_a2 == 1u32) {
+        return min_i(max_i(i_a0, splat_i(0i32)), sub_i(n_a1, splat_i(1i32)));
+    }
+    if (wrap_a2 == 0u32) {
+        return rem_i(add_i(rem_i(i_a0, n_a1), n_a1), n_a1);
+    }
+    let period_15 = mul_i(splat_i(2i32), n_a1);
+    let folded_18 = rem_i(add_i(rem_i(i_a0, period_15), period_15), period_15);
+    return sel_i(lt_i(folded_18, n_a1), folded_18, sub_i(sub_i(period_15, splat_i(1i32)), folded_18));
+} }
+lanes! { fn color_of_texels_ll(r: &Resources<'_>, within: M, place_a0: Vec2<F>, level_a1: U) -> Vec4<F> {
+    let mut ex = within;
+    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
+    let n_5 = level_texels(r, r.surface_settings.color_size, level_a1);
+    let point_11 = Vec2 { x: sub(mul(place_a0.x, f_of_i(n_5.x)), splat(0.5f32)), y: sub(mul(place_a0.y, f_of_i(n_5.y)), splat(0.5f32)) };
+    let cell_12 = cell_of(r, point_11);
+    let i_13 = Vec2 { x: i_of_small(cell_12.x), y: i_of_small(cell_12.y) };
+    let i0_19 = color_index(r, i_13.x, n_5.x, r.surface_settings.color_wrap_u);
+    let i1_27 = color_index(r, add_i(i_13.x, splat_i(1i32)), n_5.x, r.surface_settings.color_wrap_u);
+    let j0_33 = color_index(r, i_13.y, n_5.y, r.surface_settings.color_wrap_v);
+    let j1_41 = color_index(r, add_i(i_13.y, splat_i(1i32)), n_5.y, r.surface_settings.color_wrap_v);
+    let k_42 = i_of_u(level_a1);
+    let e_45 = color_texel_of_each(&r.color_map, ex, i0_19, j0_33, splat_i(0i32), k_42);
+    let e_48 = color_texel_of_each(&r.color_map, ex, i1_27, j0_33, splat_i(0i32), k_42);
+    let e_51 = color_texel_of_each(&r.color_map, ex, i0_19, j1_41, splat_i(0i32), k_42);
+    let e_54 = color_texel_of_each(&r.color_map, ex, i1_27, j1_41, splat_i(0i32), k_42);
+    let e_56 = bilinear(r, e_45, e_48, e_51, e_54, Vec2 { x: sub(point_11.x, cell_12.x), y: sub(point_11.y, cell_12.y) });
+    return e_56;
+} }
+lanes! { fn color_of_texels_ls(r: &Resources<'_>, place_a0: Vec2<F>, level_a1: u32) -> Vec4<F> {
+    let n_5 = level_texels(r, r.surface_settings.color_size, splat_u(level_a1));
+    let point_11 = Vec2 { x: sub(mul(place_a0.x, f_of_i(n_5.x)), splat(0.5f32)), y: sub(mul(place_a0.y, f_of_i(n_5.y)), splat(0.5f32)) };
+    let cell_12 = cell_of(r, point_11);
+    let i_13 = Vec2 { x: i_of_small(cell_12.x), y: i_of_small(cell_12.y) };
+    let i0_19 = color_index(r, i_13.x, n_5.x, r.surface_settings.color_wrap_u);
+    let i1_27 = color_index(r, add_i(i_13.x, splat_i(1i32)), n_5.x, r.surface_settings.color_wrap_u);
+    let j0_33 = color_index(r, i_13.y, n_5.y, r.surface_settings.color_wrap_v);
+    let j1_41 = color_index(r, add_i(i_13.y, splat_i(1i32)), n_5.y, r.surface_settings.color_wrap_v);
+    let k_42 = (level_a1 as i32);
+    let e_45 = color_texel(&r.color_map, i0_19, j0_33, 0i32, k_42);
+    let e_48 = color_texel(&r.color_map, i1_27, j0_33, 0i32, k_42);
+    let e_51 = color_texel(&r.color_map, i0_19, j1_41, 0i32, k_42);
+    let e_54 = color_texel(&r.color_map, i1_27, j1_41, 0i32, k_42);
+    let e_56 = bilinear(r, e_45, e_48, e_51, e_54, Vec2 { x: sub(point_11.x, cell_12.x), y: sub(point_11.y, cell_12.y) });
+    return e_56;
+} }
+lanes! { fn color_place(r: &Resources<'_>, uv_a0: Vec2<F>) -> Vec2<F> {
+    let u_13 = add(mul(splat(r.surface_settings.color_u.x), uv_a0.x), mul(splat(r.surface_settings.color_u.y), uv_a0.y));
+    let v_26 = add(mul(splat(r.surface_settings.color_v.x), uv_a0.x), mul(splat(r.surface_settings.color_v.y), uv_a0.y));
+    return Vec2 { x: add(u_13, splat(r.surface_settings.color_u.z)), y: add(v_26, splat(r.surface_settings.color_v.z)) };
+} }
 lanes! { fn color_at_ll(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: U) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
-    let e_5 = level_texels(r, r.surface_settings.color_size, level_a1);
-    let at_6 = texels_around(r, ex, uv_a0, e_5);
-    let k_7 = i_of_u(level_a1);
-    let e_14 = color_texel_of_each(&r.color_map, ex, at_6.columns.x, at_6.rows.x, splat_i(0i32), k_7);
-    let e_21 = color_texel_of_each(&r.color_map, ex, at_6.columns.y, at_6.rows.x, splat_i(0i32), k_7);
-    let e_28 = color_texel_of_each(&r.color_map, ex, at_6.columns.x, at_6.rows.y, splat_i(0i32), k_7);
-    let e_35 = color_texel_of_each(&r.color_map, ex, at_6.columns.y, at_6.rows.y, splat_i(0i32), k_7);
-    let e_37 = bilinear(r, e_14, e_21, e_28, e_35, Vec2 { x: at_6.part.x, y: at_6.part.y });
-    return e_37;
+    let e_2 = color_place(r, uv_a0);
+    let e_3 = color_of_texels_ll(r, ex, e_2, level_a1);
+    return e_3;
 } }
-lanes! { fn color_at_ls(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: u32) -> Vec4<F> {
-    let mut ex = within;
-    let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
-    let e_5 = level_texels(r, r.surface_settings.color_size, splat_u(level_a1));
-    let at_6 = texels_around(r, ex, uv_a0, e_5);
-    let k_7 = (level_a1 as i32);
-    let e_14 = color_texel(&r.color_map, at_6.columns.x, at_6.rows.x, 0i32, k_7);
-    let e_21 = color_texel(&r.color_map, at_6.columns.y, at_6.rows.x, 0i32, k_7);
-    let e_28 = color_texel(&r.color_map, at_6.columns.x, at_6.rows.y, 0i32, k_7);
-    let e_35 = color_texel(&r.color_map, at_6.columns.y, at_6.rows.y, 0i32, k_7);
-    let e_37 = bilinear(r, e_14, e_21, e_28, e_35, Vec2 { x: at_6.part.x, y: at_6.part.y });
-    return e_37;
+lanes! { fn color_at_ls(r: &Resources<'_>, uv_a0: Vec2<F>, level_a1: u32) -> Vec4<F> {
+    let e_2 = color_place(r, uv_a0);
+    let e_3 = color_of_texels_ls(r, e_2, level_a1);
+    return e_3;
 } }
 lanes! { fn object_texel_l(r: &Resources<'_>, place_a0: Vec2<I>) -> Vec4<F> {
     let e_4 = map_texel(&r.object_map, place_a0.x, place_a0.y, 0i32, 0i32);
@@ -2623,7 +2661,7 @@ stage! { fn color_of_frames(r: &Resources<'_>, within: M, at_a0: &Entered, view_
         let image_15 = image_of_object_l(r, ex, e_14);
         let e_16 = sum_v0;
         let e_18 = place_in_image(r, &image_15, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
-        let e_21 = color_at_ls(r, ex, Vec2 { x: e_18.x, y: e_18.y }, 0u32);
+        let e_21 = color_at_ls(r, Vec2 { x: e_18.x, y: e_18.y }, 0u32);
         let e_23 = k_v1;
         let e_24 = frame_weight(r, &frames_2, e_23);
         sum_v0 = Vec3 { x: add(e_16.x, mul(e_21.x, e_24)), y: add(e_16.y, mul(e_21.y, e_24)), z: add(e_16.z, mul(e_21.z, e_24)) };
@@ -2739,12 +2777,12 @@ stage! { fn object_color(r: &Resources<'_>, within: M, at_a0: &Entered, view_a1:
     let e_116 = image3_v6;
     let e_117 = image_of_object_l(r, ex, e_116);
     let e_119 = place_in_image(r, &e_117, Vec3 { x: at_a0.point.x, y: at_a0.point.y, z: at_a0.point.z });
-    let e_122 = color_at_ls(r, ex, Vec2 { x: e_109.x, y: e_109.y }, 0u32);
+    let e_122 = color_at_ls(r, Vec2 { x: e_109.x, y: e_109.y }, 0u32);
     let e_124 = weight1_v8;
     let first_125 = Vec3 { x: mul(e_122.x, e_124), y: mul(e_122.y, e_124), z: mul(e_122.z, e_124) };
-    let e_127 = color_at_ls(r, ex, Vec2 { x: e_114.x, y: e_114.y }, 0u32);
+    let e_127 = color_at_ls(r, Vec2 { x: e_114.x, y: e_114.y }, 0u32);
     let e_129 = weight2_v9;
-    let e_133 = color_at_ls(r, ex, Vec2 { x: e_119.x, y: e_119.y }, 0u32);
+    let e_133 = color_at_ls(r, Vec2 { x: e_119.x, y: e_119.y }, 0u32);
     let e_135 = weight3_v10;
     let sum_137 = Vec3 { x: add(add(first_125.x, mul(e_127.x, e_129)), mul(e_133.x, e_135)), y: add(add(first_125.y, mul(e_127.y, e_129)), mul(e_133.y, e_135)), z: add(add(first_125.z, mul(e_127.z, e_129)), mul(e_133.z, e_135)) };
     let e_138 = weight1_v8;
@@ -4776,7 +4814,7 @@ stage! { fn is_in_hole(r: &Resources<'_>, within: M, uv_a0: Vec2<F>) -> M {
 lanes! { fn in_hole(r: &Resources<'_>, within: M, uv_a0: Vec2<F>) -> M {
     let mut ex = within;
     let mut ret: M = splat_m(false);
-    if (r.surface_settings.has_holes != 1u32) {
+    if (r.surface_settings.has_holes == 0u32) {
         return splat_m(false);
     }
     let e_7 = is_in_hole(r, ex, uv_a0);

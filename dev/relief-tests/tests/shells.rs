@@ -4,12 +4,13 @@
 
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::sync::Arc;
 
 use glam::{DVec2, DVec3, Vec3};
 use relief_core::mesh::{square, torus};
 use relief_core::raycast::{RayCaster, Sides};
 use relief_core::{HeightMap, TexelMask, Wrap};
-use relief_io::{DEFAULT_MAX_BYTES, Picture, Shells, read_picture, write_shells};
+use relief_io::{DEFAULT_MAX_BYTES, MeshMaterial, Picture, Shells, read_picture, write_shells};
 use relief_maps::Maps;
 use relief_render::camera::Camera;
 use relief_render::mesh::Mesh;
@@ -136,6 +137,12 @@ impl Viewed {
 fn viewed(mesh: &Mesh, map: &HeightMap, has_holes: bool, color: Option<&Picture>) -> Viewed {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("shells.glb");
+    let material = color.map(|picture| MeshMaterial {
+        picture: Some(Arc::new(picture.clone())),
+        wrap: [map.wrap(); 2],
+        ..MeshMaterial::default()
+    });
+    let color = material.as_ref();
     let shells = Shells { base: mesh, map, has_holes, color, factor: [0.5, 0.25, 1.0], count: COUNT };
     write_shells(&path, &shells, &|_| ControlFlow::Continue(())).expect("a file");
     Viewed::read(&path)

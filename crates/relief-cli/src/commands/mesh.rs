@@ -15,8 +15,8 @@ use std::time::Instant;
 use clap::{Args, ValueEnum};
 use relief_core::ByteSize;
 use relief_core::registry::UnknownName;
-use relief_io::omissions::UNDECLARED_NODATA;
-use relief_io::{DEFAULT_MAX_BYTES, MeshFormat, Up};
+use relief_io::omissions::{self, UNDECLARED_NODATA};
+use relief_io::{DEFAULT_MAX_BYTES, MeshFormat, Remark, Up};
 use relief_mesh::{
     BaseSurface, Directions, EDGE_RULES, EdgeRule, Fit, INTERIORS, Interior, Judge, Mesher, Seams, Shading,
     Side, View,
@@ -333,7 +333,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         spec.load().map_err(of_scene)?
     };
     let surface = scene.surfaces()[0].clone();
-    let notes = maps::of_reading(&spec, &scene, By::Flags);
+    let mut notes = maps::of_reading(&spec, &scene, By::Flags);
+    if let (Some(MeshChoice::File(file)), Some(colors)) = (&arguments.placed.mesh, surface.file_colors())
+        && colors.colored() > 0
+    {
+        let what = "the colours, masks and pictures of its materials are not written";
+        notes.insert(By::Flags.note(&Remark::new(&omissions::UNWRITTEN_MATERIALS, what).of(file)));
+    }
     // Heights with a value for none among them are no reason to doubt their unit.
     if !notes.iter().any(|note| note.is_about(&UNDECLARED_NODATA))
         && let Some(ground) = spec.each_surface().first().and_then(maps::ground_of)

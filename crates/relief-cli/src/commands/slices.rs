@@ -75,11 +75,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let _reading = Progress::spinner("reading", arguments.json);
         arguments.surface(spec)?
     };
+    let color = surface.color_material();
     let shells = Shells {
         base: surface.mesh(),
         map: surface.height_map(),
         has_holes: surface.has_holes(),
-        color: surface.color().map(AsRef::as_ref),
+        color: color.as_ref(),
         factor: surface.material().diffuse().to_array(),
         count: arguments.count,
     };

@@ -2,6 +2,8 @@
 
 use relief_core::mesh::Mesh;
 
+use super::command::Folder;
+
 /// A mesh as an OBJ file, with all that `f32` holds.
 pub fn obj(mesh: &Mesh) -> String {
     let mut text = String::new();
@@ -35,4 +37,70 @@ pub fn gltf(picture: &str, buffer: &str) -> (String, Vec<u8>) {
         "buffers": [{"uri": buffer, "byteLength": 60}],
     });
     (json.to_string(), numbers.iter().flat_map(|number| number.to_le_bytes()).collect())
+}
+
+/// A glTF of two triangles that make the square from (0, 0, 0) to (1, 1, 0), with those primitives and more of
+/// the file's keys.
+///
+/// Attributes are positions (0), texture coordinates (1, mirrored 6, from -1 to 2 7), colours (all yellow 5,
+/// of several hues 10), joints (8) and weights of 0 (9). Indices are those of the lower triangle (2), of the
+/// upper one (3) and of both (4).
+pub fn square(folder: &Folder, name: &str, primitives: &str, more: &str) {
+    let floats = |numbers: &[f32]| numbers.iter().flat_map(|n| n.to_le_bytes()).collect::<Vec<u8>>();
+    let buffer = [
+        floats(&[0., 0., 0., 1., 0., 0., 1., 1., 0., 0., 1., 0.]),
+        floats(&[0., 1., 1., 1., 1., 0., 0., 0.]),
+        [0u16, 1, 2, 0, 2, 3].iter().flat_map(|n| n.to_le_bytes()).collect(),
+        [255u8, 255, 0, 255].repeat(4),
+        floats(&[1., 1., 0., 1., 0., 0., 1., 0.]),
+        floats(&[-1., 1., 2., 1., 2., 0., -1., 0.]),
+        vec![0; 16],
+        vec![0; 64],
+        vec![255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255],
+    ];
+    let mut at = 0;
+    let views = buffer.iter().map(|part| {
+        at += part.len();
+        format!(r#"{{"buffer": 0, "byteOffset": {}, "byteLength": {}}}"#, at - part.len(), part.len())
+    });
+    let views = views.collect::<Vec<String>>().join(", ");
+    let accessor = |view: u32, count: u32, component: u32, kind: &str, more: &str| {
+        format!(
+            r#"{{"bufferView": {view}, "count": {count}, "componentType": {component}, "type": "{kind}"{more}}}"#
+        )
+    };
+    let colors = r#", "normalized": true"#;
+    let accessors = [
+        accessor(0, 4, 5126, "VEC3", r#", "min": [0, 0, 0], "max": [1, 1, 0]"#),
+        accessor(1, 4, 5126, "VEC2", ""),
+        accessor(2, 3, 5123, "SCALAR", ""),
+        accessor(2, 3, 5123, "SCALAR", r#", "byteOffset": 6"#),
+        accessor(2, 6, 5123, "SCALAR", ""),
+        accessor(3, 4, 5121, "VEC4", colors),
+        accessor(4, 4, 5126, "VEC2", ""),
+        accessor(5, 4, 5126, "VEC2", ""),
+        accessor(6, 4, 5121, "VEC4", ""),
+        accessor(7, 4, 5126, "VEC4", ""),
+        accessor(8, 4, 5121, "VEC4", colors),
+    ];
+    let json = format!(
+        r#"{{"asset": {{"version": "2.0"}}, "scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0}}],
+        "meshes": [{{"primitives": [{primitives}]}}],
+        "buffers": [{{"uri": "square.bin", "byteLength": {at}}}], "bufferViews": [{views}],
+        "accessors": [{}]{more}}}"#,
+        accessors.join(", ")
+    );
+    folder.write("square.bin", buffer.concat());
+    folder.write(name, json);
+}
+
+/// A primitive of the square of those indices and that material.
+pub fn part(indices: u32, material: u32) -> String {
+    let attributes = r#"{"POSITION": 0, "TEXCOORD_0": 1}"#;
+    format!(r#"{{"attributes": {attributes}, "indices": {indices}, "material": {material}}}"#)
+}
+
+/// A material of that colour and opacity.
+pub fn factor(rgba: &str) -> String {
+    format!(r#"{{"pbrMetallicRoughness": {{"baseColorFactor": [{rgba}]}}}}"#)
 }

@@ -60,7 +60,7 @@ impl RawMesh {
     /// beside no neighbour that has one.
     pub fn framed(mut self) -> Result<Framed, FramingError> {
         self.check()?;
-        let [degenerate, double] = self.weld_and_drop();
+        let (numbers, [degenerate, double]) = self.weld_and_drop();
         let count = self.triangles.len();
         if count == 0 {
             return Err(FramingError::NoTriangles);
@@ -72,7 +72,7 @@ impl RawMesh {
         }
         let framing = Framing { normals: self.normals_of_points(), raw: &self };
         let (vertices, triangles) = framing.vertices_and_triangles()?;
-        Ok(Framed { mesh: Mesh::new(vertices, triangles)?, degenerate, double })
+        Ok(Framed { mesh: Mesh::new(vertices, triangles)?, numbers, degenerate, double })
     }
 
     /// For each point the sum of the unit normals of its triangles, weighted by angles, and that of the

@@ -71,6 +71,8 @@ impl RawCorner {
 pub struct Framed {
     /// The mesh.
     pub mesh: Mesh,
+    /// The number that each of its triangles had before some were left out.
+    pub numbers: Vec<u32>,
     /// Triangles without an area, which nobody can see.
     pub degenerate: usize,
     /// Triangles that lie on an earlier one with the same three corners and the same front.
@@ -200,24 +202,31 @@ impl RawMesh {
     }
 
     /// Makes equal positions one, and leaves out triangles without an area and doubles, which are counted.
-    pub(super) fn weld_and_drop(&mut self) -> [usize; 2] {
+    /// Gives the numbers that those which stay had before.
+    pub(super) fn weld_and_drop(&mut self) -> (Vec<u32>, [usize; 2]) {
         let point_of = weld(self.positions.iter().copied());
         for corner in self.triangles.iter_mut().flatten() {
             corner.position = point_of[corner.position as usize];
         }
-        let mut triangles = std::mem::take(&mut self.triangles);
-        let before = triangles.len();
-        triangles.retain(|corners| self.cross(corners) != DVec3::ZERO);
-        let degenerate = before - triangles.len();
+        let triangles = std::mem::take(&mut self.triangles);
         let mut seen = HashSet::with_capacity(triangles.len());
-        triangles.retain(|corners| {
+        let (mut kept, mut numbers) =
+            (Vec::with_capacity(triangles.len()), Vec::with_capacity(triangles.len()));
+        let (mut degenerate, mut double) = (0, 0);
+        for (number, corners) in (0u32..).zip(triangles) {
             let mut points = corners.map(|corner| corner.position);
             let least = (0..3).min_by_key(|&place| points[place]).unwrap_or_default();
             points.rotate_left(least);
-            seen.insert(points)
-        });
-        let double = before - degenerate - triangles.len();
-        self.triangles = triangles;
-        [degenerate, double]
+            if self.cross(&corners) == DVec3::ZERO {
+                degenerate += 1;
+            } else if seen.insert(points) {
+                kept.push(corners);
+                numbers.push(number);
+            } else {
+                double += 1;
+            }
+        }
+        self.triangles = kept;
+        (numbers, [degenerate, double])
     }
 }

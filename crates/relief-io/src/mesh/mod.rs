@@ -3,6 +3,7 @@
 mod builder;
 mod folder;
 mod gltf;
+mod material;
 mod named;
 mod obj;
 mod ply;
@@ -17,6 +18,7 @@ use std::path::{Path, PathBuf};
 
 use relief_core::mesh::{Framed, Mesh, RawMesh, UvProjection};
 
+pub use self::material::{MeshColors, MeshMaterial};
 pub use self::named::files_of_mesh;
 pub use self::up::Up;
 pub use self::write::{
@@ -25,7 +27,7 @@ pub use self::write::{
 };
 
 use self::builder::Builder;
-use crate::{DEFAULT_MAX_BYTES, Picture, ReadError, ReadProblem, Source};
+use crate::{DEFAULT_MAX_BYTES, ReadError, ReadProblem, Remark, Source};
 
 /// A format of meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -81,7 +83,7 @@ pub struct MeshOptions {
     /// Which axis of the file points up. None: as a file of Relief says itself, else `z` in STL and `y` in
     /// all others.
     pub up: Option<Up>,
-    /// Whether the colours of the file's material are read, too.
+    /// Whether the colours of the file's materials are read, too, with their pictures.
     pub colors: bool,
     /// The most memory that reading may take, in bytes.
     pub max_bytes: u64,
@@ -93,15 +95,6 @@ impl Default for MeshOptions {
     }
 }
 
-/// The colours of a mesh: those of the only material of its triangles.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeshColors {
-    /// Linear red, green and blue, each from 0 to 1, by which the picture is multiplied.
-    pub factor: [f32; 3],
-    /// The picture, laid out by the mesh's texture coordinates; white where there is none.
-    pub picture: Option<Picture>,
-}
-
 /// A mesh of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshFile {
@@ -109,11 +102,11 @@ pub struct MeshFile {
     pub mesh: Mesh,
     /// The file's format.
     pub format: MeshFormat,
-    /// The colours, if they were asked for and the file has them: a glTF whose triangles all have one
-    /// material. Its picture is left out where texture coordinates are projected, or are not the first ones.
+    /// The colours, if they were asked for and the file has them: a glTF with materials or colours of
+    /// vertices.
     pub colors: Option<MeshColors>,
-    /// What of the file is read otherwise than it may be meant, or left out: a sentence for each.
-    pub notes: Vec<String>,
+    /// What of the file is read otherwise than it may be meant, or left out.
+    pub notes: Vec<Remark>,
     /// Triangles without an area, which were left out.
     pub degenerate: usize,
     /// Triangles that lay on an earlier one with the same corners and front, which were left out.
@@ -233,7 +226,8 @@ fn read(source: Source<'_>, options: &MeshOptions) -> Result<MeshFile, ReadProbl
     if let Some(projection) = options.projection {
         raw = raw.projected(projection)?;
     }
-    let Framed { mesh, degenerate, double } = raw.framed()?;
+    let Framed { mesh, numbers, degenerate, double } = raw.framed()?;
+    let colors = colors.map(|colors| colors.of_framed(&mesh, &numbers));
     Ok(MeshFile { mesh, format, colors, notes, degenerate, double })
 }
 
@@ -242,7 +236,7 @@ struct Read {
     raw: RawMesh,
     format: MeshFormat,
     colors: Option<MeshColors>,
-    notes: Vec<String>,
+    notes: Vec<Remark>,
 }
 
 fn read_raw(source: Source<'_>, options: &MeshOptions) -> Result<Read, ReadProblem> {

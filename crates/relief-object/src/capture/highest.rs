@@ -63,15 +63,16 @@ impl Polygon {
 }
 
 /// Raises the texels of an image to the highest points of triangles in them, given by their corners in texels
-/// and heights. Texels that a triangle only touches from outside are not raised by it.
+/// and heights, but for those that are left out. Texels that a triangle only touches from outside are not raised by it.
 pub fn raise(
     [columns, rows]: [u32; 2],
     triangles: impl Iterator<Item = [DVec3; 3]>,
+    is_left_out: impl Fn(u32) -> bool,
     texels: &mut [Option<Highest>],
 ) {
     let first = |least: f64| least.floor().max(0.0) as u32;
     let end = |most: f64, side: u32| (most.ceil().max(0.0) as u32).min(side);
-    for (number, corners) in triangles.enumerate() {
+    for (number, corners) in triangles.enumerate().filter(|(number, _)| !is_left_out(*number as u32)) {
         let [low, high] = corners[1..]
             .iter()
             .fold([corners[0]; 2], |[low, high], corner| [low.min(*corner), high.max(*corner)]);
@@ -107,7 +108,7 @@ mod tests {
 
     fn raised(size: [u32; 2], corners: [[f64; 3]; 3]) -> Vec<f64> {
         let mut texels = vec![None; (size[0] * size[1]) as usize];
-        raise(size, std::iter::once(corners.map(DVec3::from)), &mut texels);
+        raise(size, std::iter::once(corners.map(DVec3::from)), |_| false, &mut texels);
         texels.iter().map(|texel| texel.map_or(0.0, |highest: Highest| highest.at.z)).collect()
     }
 

@@ -3,7 +3,8 @@
 use glam::{DVec3, Vec3};
 use relief_core::mesh::Mesh;
 use relief_core::object::View;
-use relief_io::{MeshColors, Picture};
+use relief_core::raycast::SurfaceHit;
+use relief_io::MeshColors;
 
 /// A point of a mesh that an image shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +17,11 @@ pub struct Place {
 }
 
 impl Place {
+    /// Where a ray meets a mesh.
+    pub fn of_hit(hit: &SurfaceHit) -> Self {
+        Self { triangle: hit.triangle, weights: hit.weights, front: hit.front }
+    }
+
     /// A point of a triangle with those corners, which is seen from a direction.
     pub fn of(corners: [DVec3; 3], point: DVec3, toward: DVec3, triangle: u32) -> Self {
         let [a, b, c] = corners;
@@ -41,11 +47,17 @@ impl Place {
 
     /// The linear colour.
     pub fn color(&self, mesh: &Mesh, colors: &MeshColors) -> [f32; 3] {
-        let texel = match &colors.picture {
-            Some(picture) => bilinear(picture, self.on(mesh).uv.as_dvec2().to_array()),
-            None => [1.0; 3],
-        };
-        [0, 1, 2].map(|part| texel[part] * colors.factor[part])
+        let [red, green, blue, _] = colors.at(self.triangle, self.weights, self.uv(mesh));
+        [red, green, blue]
+    }
+
+    /// Whether it is seen: what its material's mask leaves out is not.
+    pub fn is_seen(&self, mesh: &Mesh, colors: &MeshColors) -> bool {
+        !colors.has_mask(self.triangle) || colors.is_seen(self.triangle, self.weights, self.uv(mesh))
+    }
+
+    fn uv(&self, mesh: &Mesh) -> [f64; 2] {
+        self.on(mesh).uv.as_dvec2().to_array()
     }
 
     fn on(&self, mesh: &Mesh) -> relief_core::mesh::Vertex {
@@ -56,23 +68,4 @@ impl Place {
 /// A direction of length 1; toward the viewer where it has none.
 pub fn unit(normal: [f32; 3]) -> [f32; 3] {
     Vec3::from(normal).normalize_or(Vec3::Z).to_array()
-}
-
-/// A picture's colour at texture coordinates, repeated.
-fn bilinear(picture: &Picture, uv: [f64; 2]) -> [f32; 3] {
-    let size = [picture.width, picture.height];
-    let along = |axis: usize| {
-        let at = uv[axis].rem_euclid(1.0) * f64::from(size[axis]) - 0.5;
-        let side = i64::from(size[axis]);
-        let first = at.floor();
-        let place = |at: i64| at.rem_euclid(side) as usize;
-        ([place(first as i64), place(first as i64 + 1)], (at - first) as f32)
-    };
-    let (([left, right], x), ([top, bottom], y)) = (along(0), along(1));
-    let texel = |column: usize, row: usize| picture.texels[row * size[0] as usize + column];
-    [0, 1, 2].map(|part| {
-        let mix = |a: f32, b: f32, at: f32| a + (b - a) * at;
-        let upper = mix(texel(left, top)[part], texel(right, top)[part], x);
-        mix(upper, mix(texel(left, bottom)[part], texel(right, bottom)[part], x), y)
-    })
 }

@@ -10,9 +10,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
 use rayon::prelude::*;
+use relief_core::camera::Ray;
 use relief_core::mesh::Mesh;
 use relief_core::object::{EMPTY_HEIGHT, ImageObject, JumpCells, MAX_VIEWS, ObjectError, View, ViewError};
-use relief_core::raycast::{RayCaster, Sides};
+use relief_core::raycast::{RayCaster, Sides, SurfaceHit};
 use relief_core::{HeightMap, Watch, Wrap};
 use relief_io::{DEFAULT_MAX_BYTES, MeshColors};
 
@@ -182,7 +183,8 @@ impl<'a> Capturer<'a> {
     ///
     /// Heights are exact but for their rounding to what is stored: to the nearest, with `Cover::Pixel` up.
     /// What is seen of both sides of triangles counts. A texel has the colour and the normal of what its
-    /// centre shows, or of its highest point where the centre shows nothing.
+    /// centre shows, or of its highest point where the centre shows nothing. What the mask of a material
+    /// leaves out is not there, and of triangles with a mask the centres decide, whatever the cover.
     ///
     /// # Errors
     ///
@@ -222,7 +224,13 @@ impl<'a> Capturer<'a> {
         watch: &Watch,
     ) -> Result<Option<Measured>, CaptureError> {
         let object = captured.object(verification.cells, verification.jump_texels)?;
-        verify::measure(&self.caster, &object, self.ball(), verification, watch)
+        verify::measure(
+            &|ray| self.first_seen(ray).map(|hit| hit.t),
+            &object,
+            self.ball(),
+            verification,
+            watch,
+        )
     }
 
     /// An image, and how many of its texels show backs.
@@ -244,7 +252,9 @@ impl<'a> Capturer<'a> {
                 corners.map(|corner| view.see(corner).unwrap_or_default() * texels)
             });
             let mut raised: Vec<Option<Highest>> = vec![None; seen.len()];
-            highest::raise([columns, rows], corners, &mut raised);
+            // Of what has a mask centres decide: its highest point may be cut out.
+            let has_mask = |triangle: u32| self.colors.is_some_and(|colors| colors.has_mask(triangle));
+            highest::raise([columns, rows], corners, has_mask, &mut raised);
             if watch.cancel.load(Ordering::Relaxed) {
                 return Err(CaptureError::Cancelled);
             }
@@ -276,9 +286,16 @@ impl<'a> Capturer<'a> {
     fn centre(&self, view: &View, x: u32, y: u32) -> Option<(f64, Place)> {
         let [columns, rows] = view.size().map(f64::from);
         let ray = view.ray((f64::from(x) + 0.5) / columns, (f64::from(y) + 0.5) / rows);
-        let hit = self.caster.next_hit(&ray, Sides::Both, None)?;
-        let place = Place { triangle: hit.triangle, weights: hit.weights, front: hit.front };
+        let hit = self.first_seen(&ray)?;
+        let place = Place::of_hit(&hit);
         Some((view.see(ray.at(hit.t))?.z, place))
+    }
+
+    /// What a ray meets first of what is not cut out.
+    fn first_seen(&self, ray: &Ray) -> Option<SurfaceHit> {
+        let is_seen =
+            |hit: &SurfaceHit| self.colors.is_none_or(|colors| Place::of_hit(hit).is_seen(self.mesh, colors));
+        self.caster.hits(ray, Sides::Both).find(is_seen)
     }
 
     /// Where a point of a triangle is, by its texture coordinates and height.

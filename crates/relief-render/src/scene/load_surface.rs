@@ -3,6 +3,7 @@
 use super::builder::{DEFAULT_METHOD, DEFAULT_METHOD_OF_OBJECTS, SEEN, of_selection};
 use super::error::{SceneError, ValueError, ValueProblem};
 use super::metres::{MAX_METRES, check_metres};
+use super::surface_colors::{Drawn, DrawnMaterial};
 use super::surface_spec::ENVIRONMENT;
 use super::{MeshChoice, ObjectProblem, SceneObject, Surface, SurfaceSpec};
 use crate::environment::Environment;
@@ -12,8 +13,8 @@ use glam::{Vec2, Vec3};
 use relief_core::object::ImageObject;
 use relief_core::{ByteSize, HeightMap, Wrap};
 use relief_io::{
-    Convention, Fill, HeightFile, HeightOptions, HeightRange, MeshOptions, Picture, ReadError, ReadNote,
-    ReadProblem, Up,
+    Convention, Fill, HeightFile, HeightOptions, HeightRange, MeshColors, MeshOptions, Picture, ReadError,
+    ReadNote, ReadProblem, Remark, Up, omissions,
 };
 use relief_object::{ObjectFile, ObjectOptions};
 use relief_shaders::{AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
@@ -104,8 +105,12 @@ impl Parts {
     }
 }
 
-/// Colours of a mesh's file: a factor and a picture.
-type FileColors = ([f32; 3], Option<Arc<Picture>>);
+/// What a mesh's file gives.
+#[derive(Clone)]
+struct LoadedMesh {
+    mesh: Mesh,
+    colors: Option<Arc<MeshColors>>,
+}
 
 /// Reads maps, each file once, within what memory is left.
 pub struct Maps {
@@ -113,7 +118,7 @@ pub struct Maps {
     left: u64,
     heights: Vec<(PathBuf, HeightOptions, HeightMap)>,
     colors: Vec<(PathBuf, Arc<Picture>)>,
-    meshes: Vec<(PathBuf, MeshOptions, Mesh, Option<FileColors>)>,
+    meshes: Vec<(PathBuf, MeshOptions, LoadedMesh)>,
     /// What is to be said of reading the files.
     notes: Vec<ReadNote>,
 }
@@ -163,30 +168,40 @@ impl Maps {
         path: &Path,
         (projection, up): (Option<UvProjection>, Option<Up>),
         colors: bool,
-    ) -> Result<(Mesh, Option<FileColors>), SceneError> {
+    ) -> Result<LoadedMesh, SceneError> {
         let options = MeshOptions { projection, up, colors, max_bytes: self.left };
-        let is_same = |(known, with, _, _): &&(PathBuf, MeshOptions, _, _)| {
+        let is_same = |(known, with, _): &&(PathBuf, MeshOptions, _)| {
             known == path && MeshOptions { max_bytes: options.max_bytes, ..*with } == options
         };
-        let (mesh, colors) = match self.meshes.iter().find(is_same) {
-            Some((_, _, mesh, colors)) => (mesh.clone(), colors.clone()),
+        let loaded = match self.meshes.iter().find(is_same) {
+            Some((_, _, loaded)) => loaded.clone(),
             None => {
                 let file = relief_io::read_mesh(path, &options).map_err(SceneError::Mesh)?;
-                let colors = file.colors.map(|colors| (colors.factor, colors.picture.map(Arc::new)));
-                if let Some((_, Some(picture))) = &colors {
+                let colors = file.colors.map(Arc::new);
+                let mut pictures: Vec<&Arc<Picture>> = Vec::new();
+                for picture in
+                    colors.iter().flat_map(|colors| &colors.materials).filter_map(|of| of.picture.as_ref())
+                {
+                    if !pictures.iter().any(|known| Arc::ptr_eq(known, picture)) {
+                        pictures.push(picture);
+                    }
+                }
+                for picture in pictures {
                     self.take_picture(picture);
                 }
-                self.meshes.push((path.to_owned(), options, file.mesh.clone(), colors.clone()));
-                (file.mesh, colors)
+                self.notes.extend(file.notes.into_iter().map(|remark| remark.of(path)));
+                let loaded = LoadedMesh { mesh: file.mesh, colors: colors.clone() };
+                self.meshes.push((path.to_owned(), options, loaded.clone()));
+                loaded
             }
         };
         // Each surface has it in its own place.
-        let needed = BYTES_PER_TRIANGLE * mesh.triangles().len() as u64;
+        let needed = BYTES_PER_TRIANGLE * loaded.mesh.triangles().len() as u64;
         self.left = self.left.checked_sub(needed).ok_or_else(|| {
             let problem = ReadProblem::MeshMemory { limit: self.limit.0 };
             SceneError::Mesh(ReadError { path: path.to_owned(), problem })
         })?;
-        Ok((mesh, colors))
+        Ok(loaded)
     }
 
     /// Leaves less for what a picture of colours takes.
@@ -375,18 +390,16 @@ impl SurfaceSpec {
         if self.height.is_none() && !self.is_mesh_alone() {
             return Err(SceneError::NoHeightMap(number));
         }
-        let (parts, color) = match &self.mesh {
+        let of_number = |error: ValueError| error.of_surface(number);
+        let (mut parts, of_file) = match &self.mesh {
             Some(MeshChoice::File(file)) => {
                 let own =
                     self.color.is_some() || self.material.as_ref().is_some_and(|own| own.diffuse.is_some());
-                let (mesh, colors) = maps.mesh(file, (self.project, self.mesh_up), !own)?;
-                let of_number = |error: ValueError| error.of_surface(number);
+                let LoadedMesh { mesh, colors } = maps.mesh(file, (self.project, self.mesh_up), !own)?;
+                // Pictures lie by the coordinates of the file, whatever its tiles.
+                let of_file = colors.map(|colors| (file, colors, mesh.clone()));
                 let mesh = self.placed(mesh).map_err(of_number)?;
-                let material = match &colors {
-                    Some((factor, _)) => self.material_of(Some(Vec3::from(*factor))).map_err(of_number)?,
-                    None => parts.material,
-                };
-                (Parts { mesh, material, ..parts }, colors.and_then(|(_, picture)| picture))
+                (Parts { mesh, ..parts }, of_file)
             }
             _ => (parts, None),
         };
@@ -407,18 +420,50 @@ impl SurfaceSpec {
             max_bytes: maps.left,
         };
         let map = match &self.height {
-            Some(path) => {
-                let map = maps.height(path, options)?;
-                maps.take(path, &map, &parts.selection)?;
-                map
-            }
+            Some(path) => maps.height(path, options)?,
             None => level_map()?,
         };
-        let surface = self.with_heights(parts, map);
-        let mut surface = surface.map_err(|error| error.of_surface(number))?;
-        if let Some(color) = color {
-            surface = surface.with_color(color);
+        let splits = parts.selection.geometry().is_none();
+        let file_colors = of_file.as_ref().map(|(_, colors, _)| Arc::clone(colors));
+        let drawn = of_file.and_then(|(file, colors, mesh)| {
+            let mut remarks = Vec::new();
+            let has_picture = colors.materials.iter().any(|material| material.picture.is_some());
+            if has_picture && self.tile.is_some_and(|tile| tile != [1.0, 1.0]) {
+                let what = "its picture is tiled as the height map is";
+                remarks.push(Remark::new(&omissions::TILED_PICTURE, what));
+            }
+            let drawn = Drawn::of(&colors, &mesh, splits, &mut remarks);
+            maps.notes.extend(remarks.into_iter().map(|remark| remark.of(file)));
+            drawn
+        });
+        let diffuse = match &drawn {
+            Some(Drawn::One(material)) => Some(material.diffuse),
+            _ => None,
+        };
+        parts.material = self.material_of(diffuse).map_err(of_number)?;
+        if let Some(path) = &self.height {
+            // Each material is drawn with maps of its own.
+            let times = match &drawn {
+                Some(Drawn::Several(colors)) => colors.materials.len(),
+                _ => 1,
+            };
+            for _ in 0..times {
+                maps.take(path, &map, &parts.selection)?;
+            }
         }
+        let surface = self.with_heights(parts, map);
+        let mut surface = surface.map_err(of_number)?;
+        match drawn {
+            Some(Drawn::One(DrawnMaterial { picture, place, cutoff, .. })) => {
+                surface = surface.with_cutoff(cutoff);
+                if let Some(picture) = picture {
+                    surface = surface.with_color(picture).with_color_place(place);
+                }
+            }
+            Some(Drawn::Several(colors)) => surface = surface.with_colors(colors),
+            None => {}
+        }
+        surface = surface.with_file_colors(file_colors);
         if let Some(path) = &self.color {
             surface = surface.with_color(maps.color(path)?);
         }

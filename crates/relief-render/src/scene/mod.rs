@@ -7,6 +7,7 @@
 
 mod builder;
 mod choices;
+mod color_place;
 mod error;
 mod file;
 mod keys;
@@ -21,11 +22,13 @@ mod object;
 mod settings;
 mod spec;
 mod surface;
+mod surface_colors;
 mod surface_spec;
 mod view;
 
 pub use builder::SceneBuilder;
 pub use choices::{BackendChoice, ProjectionChoice};
+pub use color_place::ColorPlace;
 pub use error::{SceneError, ValueError, ValueProblem};
 pub use file::{parse_scene, read_scene};
 pub use keys_table::{Form, Key, keys};
@@ -34,6 +37,7 @@ pub use mesh_choice::{MeshChoice, UnknownMesh};
 pub use object::{ObjectProblem, SceneObject};
 pub use spec::{LightSpec, SceneSpec};
 pub use surface::Surface;
+pub(crate) use surface_colors::SurfaceColors;
 pub use surface_spec::{MaterialSpec, SurfaceSpec};
 pub use view::View;
 

@@ -1,11 +1,13 @@
 //! Surfaces: a mesh with a height map on it, and what else belongs to it.
 
 use super::SceneObject;
+use super::color_place::ColorPlace;
 use super::load_surface::stated_scale_m;
+use super::surface_colors::{DrawnMaterial, SurfaceColors};
 use crate::material::Material;
 use crate::mesh::Mesh;
 use relief_core::{HeightMap, Metric};
-use relief_io::{NormalMap, Picture};
+use relief_io::{MeshColors, MeshMaterial, NormalMap, Picture};
 use relief_shaders::Selection;
 use std::sync::Arc;
 
@@ -27,6 +29,10 @@ pub struct Surface {
     has_holes: bool,
     has_creases: bool,
     object: Option<SceneObject>,
+    color_place: ColorPlace,
+    cutoff: f32,
+    colors: Option<Arc<SurfaceColors>>,
+    file_colors: Option<Arc<MeshColors>>,
 }
 
 impl Surface {
@@ -46,14 +52,46 @@ impl Surface {
             has_holes: false,
             has_creases: false,
             object: None,
+            color_place: ColorPlace::default(),
+            cutoff: 0.0,
+            colors: None,
+            file_colors: None,
         }
+    }
+
+    /// The same with the materials of its mesh's triangles.
+    pub(super) fn with_colors(self, colors: Arc<SurfaceColors>) -> Self {
+        Self { colors: Some(colors), ..self }
+    }
+
+    /// The materials of its triangles where there are several.
+    pub(crate) fn colors(&self) -> Option<&Arc<SurfaceColors>> {
+        self.colors.as_ref()
+    }
+
+    /// The same with the colours that its mesh's file has, triangle by triangle, however they are drawn.
+    pub(super) fn with_file_colors(self, file_colors: Option<Arc<MeshColors>>) -> Self {
+        Self { file_colors, ..self }
+    }
+
+    /// The colours of its mesh's file, triangle by triangle, where these are its own. How they are drawn, its
+    /// material and colour picture say.
+    pub fn file_colors(&self) -> Option<&Arc<MeshColors>> {
+        self.file_colors.as_ref()
+    }
+
+    /// The same, all of that material.
+    pub(crate) fn of_material(&self, drawn: &DrawnMaterial) -> Self {
+        let material = self.material.with_diffuse(drawn.diffuse);
+        let DrawnMaterial { picture, place, cutoff, .. } = drawn.clone();
+        Self { color: picture, color_place: place, material, cutoff, colors: None, ..self.clone() }
     }
 
     /// The same with another mesh.
     #[must_use]
     pub fn with_mesh(self, mesh: impl Into<Arc<Mesh>>) -> Self {
         let mesh = mesh.into();
-        Self { tile_m: mesh.tile_m(), mesh, object: None, ..self }
+        Self { tile_m: mesh.tile_m(), mesh, object: None, colors: None, file_colors: None, ..self }
     }
 
     /// The same with another height map.
@@ -66,7 +104,46 @@ impl Surface {
     /// wrapped as the height map is.
     #[must_use]
     pub fn with_color(self, color: impl Into<Arc<Picture>>) -> Self {
-        Self { color: Some(color.into()), ..self }
+        let color = Some(color.into());
+        Self { color, color_place: ColorPlace::default(), colors: None, file_colors: None, ..self }
+    }
+
+    /// The same with the colour picture in another place, or with another wrap than the height map's.
+    #[must_use]
+    pub fn with_color_place(self, color_place: ColorPlace) -> Self {
+        Self { color_place, ..self }
+    }
+
+    /// Where the colour picture lies.
+    pub fn color_place(&self) -> ColorPlace {
+        self.color_place
+    }
+
+    /// The colour picture in its place, as a material of a mesh.
+    pub fn color_material(&self) -> Option<MeshMaterial> {
+        let picture = self.color.clone()?;
+        let ColorPlace { rows, wrap } = self.color_place;
+        let wrap = wrap.unwrap_or([self.height_map.wrap(); 2]);
+        let cutoff = Some(self.cutoff).filter(|cutoff| *cutoff > 0.0);
+        Some(MeshMaterial {
+            picture: Some(picture),
+            wrap,
+            transform: rows,
+            cutoff,
+            ..MeshMaterial::default()
+        })
+    }
+
+    /// The same, seen only where the opacity of its colour picture is at least `cutoff`: 0, the default, shows
+    /// all of it, and what is above 1 nothing. A surface without a picture is opaque.
+    #[must_use]
+    pub fn with_cutoff(self, cutoff: f32) -> Self {
+        Self { cutoff, ..self }
+    }
+
+    /// The least opacity of its colour picture that is seen; 0 where all of it is.
+    pub fn cutoff(&self) -> f32 {
+        self.cutoff
     }
 
     /// The same with a tangent-space normal map in place of normals that are derived from the height map.

@@ -182,6 +182,10 @@ impl SurfaceSettings {
             normal_texels: 1.0,
             normal_tile_m: [1.0, 1.0].into(),
             wrap: map.wrap() as u32,
+            color_u: Vec4::new(1.0, 0.0, 0.0, 0.0),
+            color_v: Vec4::new(0.0, 1.0, 0.0, 0.0),
+            color_wrap_u: map.wrap() as u32,
+            color_wrap_v: map.wrap() as u32,
             shininess: 1,
             has_color: 0,
             has_normal: 0,
@@ -202,6 +206,7 @@ impl SurfaceSettings {
             solids: 0,
             cells: JumpCells::Bilinear as u32,
             jump: 0.0,
+            cutoff: 0.0,
         }
     }
 }

@@ -42,7 +42,7 @@ fn a_shader_holds_what_its_root_reaches_and_nothing_else() {
     for there in ["fn search_cone(", "fn refine_patch(", "// Cone stepping", "search_map, the baked map"] {
         assert!(trace.contains(there), "{there}");
     }
-    for gone in ["search_linear", "frustum", "shade_", "color_map", "map_sampler", "override", "switch"] {
+    for gone in ["search_linear", "frustum", "shade_", "normal_map", "map_sampler", "override", "switch"] {
         assert!(!trace.contains(gone), "{gone}");
     }
     // Shading without rays to the lights is the same whatever was searched for.

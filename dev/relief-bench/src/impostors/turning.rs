@@ -96,7 +96,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
 fn captured(folder: &Path, mesh: &Path, color: &Path, cover: Cover) -> Result<(DVec3, f64), String> {
     let mesh = read_mesh(mesh, &MeshOptions::default()).map_err(|error| error.to_string())?.mesh;
     let picture = read_picture(color, relief_io::DEFAULT_MAX_BYTES).map_err(|error| error.to_string())?;
-    let colors = MeshColors { factor: [1.0; 3], picture: Some(picture) };
+    let colors = MeshColors::of([1.0; 3], Some(picture));
     let mut ball = (DVec3::ZERO, 1.0);
     for (name, arrangement, size) in
         [("grid", Arrangement::Octahedral(16), 32), ("cube", Arrangement::Cube, 209)]

@@ -96,6 +96,7 @@ const PIXELS: LaneText = LaneText {
     same_arguments: &[
         ("segment_of", "k"),
         ("hit_on_segment", "k"),
+        ("color_index", "wrap"),
         ("ray_to_light", "number"),
         ("ray_to_light", "k"),
         ("ray_to_light", "count"),

@@ -59,7 +59,7 @@ impl About<'_> {
                 100.0 * self.back_share()
             )?;
         }
-        let colors = if subject.colors.is_some() { "color.png" } else { "none: the mesh has none" };
+        let colors = if subject.colors.is_some() { "color.png" } else { "none" };
         writeln!(out, "  colours     {colors}")?;
         if let Some((_, Measured { views, size, cells, jump_texels, .. })) = self.compared.first() {
             writeln!(

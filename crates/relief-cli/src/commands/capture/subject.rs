@@ -5,7 +5,10 @@ use std::path::{Path, PathBuf};
 use glam::Vec2;
 use relief_core::ByteSize;
 use relief_core::mesh::{Mesh, Placement, UvProjection, Vertex};
-use relief_io::{MeshColors, MeshFile, MeshOptions, Picture, ReadError, Up, read_mesh, read_picture};
+use relief_io::{
+    MeshColors, MeshFile, MeshMaterial, MeshOptions, Picture, ReadError, Remark, Up, omissions, read_mesh,
+    read_picture,
+};
 use relief_mesh::{MeshSettings, Mesher};
 use relief_render::scene::{MeshChoice, SceneSpec, SurfaceSpec, read_scene};
 
@@ -78,7 +81,7 @@ impl Subject {
 /// The colours of a picture, as much of them as the surface's material leaves.
 fn with_picture(picture: Picture, surface: &SurfaceSpec) -> MeshColors {
     let diffuse = surface.material.as_ref().and_then(|material| material.diffuse);
-    MeshColors { factor: diffuse.unwrap_or([1.0; 3]), picture: Some(picture) }
+    MeshColors::of(diffuse.unwrap_or([1.0; 3]), Some(picture))
 }
 
 /// The surface of a mesh by its name or file.
@@ -128,13 +131,31 @@ fn displaced(
         )));
     }
     let mesh = mesher.mesh().map_err(|error| at(&error))?;
-    let picture = match &arguments.color {
-        Some(path) => Some(read_picture(path, arguments.max_bytes()).map_err(Failure::of_picture)?),
-        None => shown.color().map(|color| Picture::clone(color)),
+    let own = shown.color_material();
+    let colors = match (&arguments.color, own) {
+        (Some(path), _) => {
+            let picture = read_picture(path, arguments.max_bytes()).map_err(Failure::of_picture)?;
+            Some(with_picture(picture, surface))
+        }
+        (None, Some(material)) => {
+            let given = surface.material.as_ref().and_then(|material| material.diffuse);
+            let [red, green, blue] = match surface.color {
+                Some(_) => given.unwrap_or([1.0; 3]),
+                None => shown.material().diffuse().to_array(),
+            };
+            let factor = [red, green, blue, 1.0];
+            Some(MeshColors::from(MeshMaterial { factor, ..material }))
+        }
+        (None, None) => None,
     };
-    let colors = picture.map(|picture| with_picture(picture, surface));
     inputs.extend(arguments.color.clone());
-    let notes = maps::of_reading(&spec, &scene, By::Keys);
+    let mut notes = maps::of_reading(&spec, &scene, By::Keys);
+    let is_left_out = colors.is_none() && shown.file_colors().is_some_and(|colors| colors.colored() > 0);
+    if is_left_out {
+        let what = "the colours of its mesh's materials are left out, as it is displaced";
+        let remark = Remark::new(&omissions::LEFT_OUT_COLORS, what);
+        notes.insert(By::Keys.note(&remark.of(&arguments.input)));
+    }
     Ok(Subject { mesh, colors, inputs, notes: notes.iter().map(ToString::to_string).collect() })
 }
 
@@ -146,7 +167,7 @@ fn of_mesh_file(
     notes: &mut Vec<String>,
 ) -> Result<(Mesh, Option<MeshColors>), Failure> {
     let options = MeshOptions { projection, up, colors: true, max_bytes };
-    let MeshFile { mesh, colors, .. } = match read_mesh(path, &options) {
+    let MeshFile { mesh, colors, notes: of_file, .. } = match read_mesh(path, &options) {
         Err(ReadError { problem, .. }) if advice::has_no_texture(&problem) && projection.is_none() => {
             // No picture lies on it by coordinates that it has not, and nothing else needs them.
             notes.push(format!("{}: it has no texture coordinates for a picture of colours", path.display()));
@@ -155,5 +176,6 @@ fn of_mesh_file(
         }
         other => other.map_err(Failure::of_mesh)?,
     };
+    notes.extend(of_file.into_iter().map(|remark| By::Flags.note(&remark.of(path)).to_string()));
     Ok((mesh, colors))
 }

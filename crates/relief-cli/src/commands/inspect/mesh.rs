@@ -7,6 +7,7 @@ use relief_io::{DEFAULT_MAX_BYTES, MeshFile, MeshOptions, read_mesh};
 use serde_json::{Value, json};
 
 use super::Arguments;
+use crate::commands::maps::{self, By};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::streams::answer;
@@ -61,6 +62,9 @@ fn print(
         let (degenerate, double) = (file.degenerate, file.double);
         writeln!(out, "  left out    {degenerate} triangles without an area, {double} on earlier ones")?;
     }
+    for note in &file.notes {
+        writeln!(out, "  note        {}{}", note.text, By::Flags.advice(&note.clone().of(&arguments.file)))?;
+    }
     let open = match measures.open_edges {
         0 => "closed".to_owned(),
         count => format!("{count} of them open"),
@@ -106,10 +110,11 @@ fn as_json(arguments: &Arguments, file: &MeshFile, measures: &MeshMeasures) -> V
     let [least, most] = measures.bounds_m.map(|corner| corner.to_array());
     let [u, v] = measures.tile_m.map(spread);
     let [inward, outward] = furthest_m(measures);
+    let notes = file.notes.iter().map(|note| By::Flags.note(&note.clone().of(&arguments.file))).collect();
     json!({
         "input": arguments.file.display().to_string(), "format": file.format.name(),
         "vertices": measures.vertices, "points": measures.points, "triangles": measures.triangles,
-        "left_out": { "degenerate": file.degenerate, "double": file.double },
+        "notes": maps::as_json(&notes), "left_out": { "degenerate": file.degenerate, "double": file.double },
         "bounds_m": [least, most], "charts": measures.charts, "mirrored": measures.mirrored,
         "edges": measures.edges, "open_edges": measures.open_edges,
         "branching_edges": measures.branching_edges,

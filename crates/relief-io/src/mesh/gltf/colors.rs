@@ -1,43 +1,305 @@
-//! The colours of a material.
+//! The materials of a glTF's triangles.
 
-use ::gltf::Document;
+use std::sync::Arc;
+
+use ::gltf::material::AlphaMode;
+use ::gltf::texture::WrappingMode;
+use ::gltf::{Document, Material, Primitive, Semantic};
+use relief_core::Wrap;
 
 use super::buffers::Buffers;
 use super::image::{self, Image};
+use super::{accessor, damaged};
 use crate::mesh::builder::Builder;
-use crate::{MeshColors, ReadProblem};
+use crate::{MeshColors, MeshMaterial, Picture, ReadProblem, Remark, omissions};
 
-/// The base colour of a material, without its picture where texture coordinates are not the file's.
-pub(super) fn read(
-    document: &Document,
-    material: usize,
-    is_projected: bool,
-    buffers: &mut Buffers<'_>,
-    builder: &mut Builder,
-    notes: &mut Vec<String>,
-) -> Result<Option<MeshColors>, ReadProblem> {
-    let Some(material) = document.materials().nth(material) else { return Ok(None) };
-    let base = material.pbr_metallic_roughness();
-    let [red, green, blue, _] = base.base_color_factor();
-    let part = |part: f32| if part.is_finite() { part.clamp(0.0, 1.0) } else { 1.0 };
-    let factor = [red, green, blue].map(part);
-    let Some(texture) = base.base_color_texture() else {
-        return Ok(Some(MeshColors { factor, picture: None }));
-    };
-    let left_out = match Image::of(&texture.texture()) {
-        _ if is_projected => Some("texture coordinates are projected".to_owned()),
-        _ if texture.tex_coord() != 0 => Some("it lies by other texture coordinates than maps".to_owned()),
-        Image::LeftOut(format) => {
-            Some(format!("{format} is not read (gltf-transform ktxdecompress unpacks Basis)"))
+/// The cut-off of materials that are blended, which nothing here does.
+const BLENDED: f32 = 0.5;
+
+/// Memory that a triangle's colours take at most: its material, and coordinates and colours of its corners.
+const BYTES_PER_TRIANGLE: u64 = 2 * (4 + 24 + 48);
+
+/// The most notes on materials of one kind.
+const MOST_NAMED: usize = 3;
+
+/// Collects what the triangles of a file look like.
+pub struct Colors {
+    /// Numbers of the file's materials, none for triangles without, in the order in which they come.
+    materials: Vec<Option<usize>>,
+    /// The place of each of the file's materials among them, the last that of none.
+    places: Vec<Option<u32>>,
+    of_triangles: Vec<u32>,
+    uvs: Vec<[[f32; 2]; 3]>,
+    tints: Vec<[[f32; 4]; 3]>,
+    /// Whether coordinates are to be kept beside those of the mesh in any case.
+    keeps_uvs: bool,
+    /// Materials whose picture lies by coordinates that a primitive has not.
+    without_uvs: bool,
+}
+
+/// What a primitive's triangles look like.
+pub struct OfPrimitive {
+    material: u32,
+    /// Coordinates of the picture; none where they are the mesh's own.
+    uvs: Option<Vec<[f32; 2]>>,
+    tints: Option<Vec<[f32; 4]>>,
+}
+
+impl OfPrimitive {
+    /// The memory of its lists, in bytes.
+    pub fn bytes(&self) -> u64 {
+        let of_uvs = self.uvs.as_ref().map_or(0, |list| size_of_val(&list[..]));
+        let of_tints = self.tints.as_ref().map_or(0, |list| size_of_val(&list[..]));
+        (of_uvs + of_tints) as u64
+    }
+}
+
+/// Which texture coordinates a material's picture lies by.
+fn set_of(material: &Material<'_>) -> Option<u32> {
+    let texture = material.pbr_metallic_roughness().base_color_texture()?;
+    let of_transform = texture.texture_transform().and_then(|transform| transform.tex_coord());
+    Some(of_transform.unwrap_or(texture.tex_coord()))
+}
+
+impl Colors {
+    /// Of nothing yet. `keeps_uvs` where the mesh's own texture coordinates will be others.
+    pub fn new(document: &Document, keeps_uvs: bool) -> Self {
+        Self {
+            materials: Vec::new(),
+            places: vec![None; document.materials().len() + 1],
+            of_triangles: Vec::new(),
+            uvs: Vec::new(),
+            tints: Vec::new(),
+            keeps_uvs,
+            without_uvs: false,
         }
-        Image::None => Some("it has no image".to_owned()),
-        Image::Read(_) => None,
-    };
-    let (Image::Read(number), None) = (Image::of(&texture.texture()), &left_out) else {
-        let why = left_out.unwrap_or_default();
-        notes.push(format!("the picture of its colours is left out: {why}"));
-        return Ok(Some(MeshColors { factor, picture: None }));
-    };
-    let picture = image::read(document, number, buffers, builder)?;
-    Ok(Some(MeshColors { factor, picture: Some(picture) }))
+    }
+
+    /// What a primitive of so many vertices looks like.
+    pub fn of_primitive(
+        &mut self,
+        primitive: &Primitive<'_>,
+        count: usize,
+        buffers: &mut Buffers<'_>,
+        builder: &mut Builder,
+    ) -> Result<OfPrimitive, ReadProblem> {
+        let material = primitive.material();
+        let slot = material.index().unwrap_or(self.places.len() - 1);
+        let place = self.places.get(slot).copied();
+        let place = place.ok_or_else(|| damaged(format!("material {slot} is not there")))?;
+        let place = place.unwrap_or_else(|| {
+            let place = self.materials.len() as u32;
+            self.materials.push(material.index());
+            self.places[slot] = Some(place);
+            place
+        });
+        let set = set_of(&material);
+        let uvs = match set.filter(|set| *set != 0 || self.keeps_uvs) {
+            None => None,
+            Some(set) => match primitive.get(&Semantic::TexCoords(set)) {
+                Some(accessor) if accessor.count() == count => {
+                    Some(accessor::floats::<2>(&accessor, buffers, builder)?)
+                }
+                Some(_) => {
+                    return Err(damaged(format!("TEXCOORD_{set} has another length than the positions")));
+                }
+                None => {
+                    self.without_uvs = true;
+                    None
+                }
+            },
+        };
+        let tints = match primitive.get(&Semantic::Colors(0)) {
+            None => None,
+            Some(accessor) if accessor.count() != count => {
+                return Err(damaged("COLOR_0 has another length than the positions"));
+            }
+            Some(accessor) => {
+                let is_opaque = accessor.dimensions() == ::gltf::accessor::Dimensions::Vec3;
+                let tints = if is_opaque {
+                    let three = accessor::floats::<3>(&accessor, buffers, builder)?;
+                    builder.take(size_of::<[f32; 4]>() as u64 * three.len() as u64)?;
+                    let four = three.iter().map(|&[red, green, blue]| [red, green, blue, 1.0]).collect();
+                    builder.give_back(size_of_val(&three[..]) as u64);
+                    four
+                } else {
+                    accessor::floats::<4>(&accessor, buffers, builder)?
+                };
+                Some(tints)
+            }
+        };
+        if tints.iter().flatten().flatten().any(|part| !part.is_finite()) {
+            return Err(damaged("a colour of a vertex is no number"));
+        }
+        Ok(OfPrimitive { material: place, uvs, tints })
+    }
+
+    /// Adds a triangle with those corners of its primitive.
+    pub fn triangle(
+        &mut self,
+        of: &OfPrimitive,
+        corners: [usize; 3],
+        builder: &mut Builder,
+    ) -> Result<(), ReadProblem> {
+        builder.take(BYTES_PER_TRIANGLE)?;
+        let before = self.of_triangles.len();
+        // What is no number stands for the mesh's own, which are filled in when these are known.
+        if of.uvs.is_some() || !self.uvs.is_empty() {
+            self.uvs.resize(before, [[f32::NAN; 2]; 3]);
+            self.uvs.push(match &of.uvs {
+                Some(uvs) => corners.map(|corner| uvs[corner]),
+                None => [[f32::NAN; 2]; 3],
+            });
+        }
+        if of.tints.is_some() || !self.tints.is_empty() {
+            self.tints.resize(before, [[1.0; 4]; 3]);
+            self.tints.push(match &of.tints {
+                Some(tints) => corners.map(|corner| tints[corner].map(|part| part.clamp(0.0, 1.0))),
+                None => [[1.0; 4]; 3],
+            });
+        }
+        self.of_triangles.push(of.material);
+        Ok(())
+    }
+
+    /// The colours of all triangles, with their pictures; none where no material and no vertex has any.
+    pub fn finish(
+        mut self,
+        document: &Document,
+        buffers: &mut Buffers<'_>,
+        builder: &mut Builder,
+        notes: &mut Vec<Remark>,
+    ) -> Result<Option<MeshColors>, ReadProblem> {
+        if self.materials.iter().all(Option::is_none) && self.tints.is_empty() {
+            return Ok(None);
+        }
+        let mut reading = Reading { document, images: Vec::new(), left_out: Vec::new(), blended: 0 };
+        let mut materials = Vec::with_capacity(self.materials.len());
+        for number in &self.materials {
+            let material = number.and_then(|number| document.materials().nth(number));
+            materials.push(match material {
+                Some(material) => reading.material(&material, buffers, builder)?,
+                None => MeshMaterial::default(),
+            });
+        }
+        if self.without_uvs {
+            let what = "a picture lies by texture coordinates that are not there: others are taken";
+            notes.push(Remark::new(&omissions::ABSENT_COORDINATES, what));
+        }
+        let Reading { left_out, blended, .. } = reading;
+        for why in left_out.iter().take(MOST_NAMED) {
+            let what = format!("the picture of its colours is left out: {why}");
+            notes.push(Remark::new(&omissions::UNREAD_PICTURE, what));
+        }
+        if let Some(more) = left_out.len().checked_sub(MOST_NAMED).filter(|more| *more > 0) {
+            let what = format!("{more} more pictures of its colours are left out");
+            notes.push(Remark::new(&omissions::UNREAD_PICTURE, what));
+        }
+        if blended > 0 {
+            let which =
+                if blended == 1 { "a material is".to_owned() } else { format!("{blended} materials are") };
+            let what = "shown where the opacity is at least";
+            let what = format!("{which} blended (BLEND): {what} {BLENDED}, and opaque");
+            notes.push(Remark::new(&omissions::BLENDED, what));
+        }
+        if materials.len() == 1 {
+            self.of_triangles = Vec::new();
+        }
+        let Self { of_triangles, uvs, tints, .. } = self;
+        Ok(Some(MeshColors { materials, of_triangles, uvs, tints }))
+    }
+}
+
+/// Pictures and materials while they are read.
+struct Reading<'a> {
+    document: &'a Document,
+    /// Images that were read, by their numbers.
+    images: Vec<(usize, Arc<Picture>)>,
+    /// Why pictures were left out, each reason once.
+    left_out: Vec<String>,
+    blended: u64,
+}
+
+impl Reading<'_> {
+    fn material(
+        &mut self,
+        material: &Material<'_>,
+        buffers: &mut Buffers<'_>,
+        builder: &mut Builder,
+    ) -> Result<MeshMaterial, ReadProblem> {
+        let base = material.pbr_metallic_roughness();
+        let part = |part: f32| if part.is_finite() { part.clamp(0.0, 1.0) } else { 1.0 };
+        let factor = base.base_color_factor().map(part);
+        let cutoff = match material.alpha_mode() {
+            AlphaMode::Opaque => None,
+            AlphaMode::Mask => {
+                let cutoff = material.alpha_cutoff().unwrap_or(0.5);
+                if !(cutoff >= 0.0 && cutoff.is_finite()) {
+                    return Err(damaged(format!("an alphaCutoff is {cutoff}")));
+                }
+                Some(cutoff)
+            }
+            AlphaMode::Blend => {
+                self.blended += 1;
+                Some(BLENDED)
+            }
+        };
+        let plain = MeshMaterial { factor, cutoff, ..MeshMaterial::default() };
+        let Some(info) = base.base_color_texture() else { return Ok(plain) };
+        let texture = info.texture();
+        let why = match Image::of(&texture) {
+            Image::Read(number) => {
+                let picture = self.picture(number, buffers, builder)?;
+                let sampler = texture.sampler();
+                let wrap = [sampler.wrap_s(), sampler.wrap_t()].map(|wrap| match wrap {
+                    WrappingMode::ClampToEdge => Wrap::Clamp,
+                    WrappingMode::MirroredRepeat => Wrap::Mirror,
+                    WrappingMode::Repeat => Wrap::Repeat,
+                });
+                let transform = match info.texture_transform() {
+                    Some(given) => transform(given.offset(), given.rotation(), given.scale())?,
+                    None => MeshMaterial::SAME,
+                };
+                return Ok(MeshMaterial { picture: Some(picture), wrap, transform, ..plain });
+            }
+            Image::LeftOut(format) => {
+                format!("{format} is not read (`gltf-transform ktxdecompress` makes PNG of Basis)")
+            }
+            Image::None => "its texture names no image".to_owned(),
+        };
+        if !self.left_out.contains(&why) {
+            self.left_out.push(why);
+        }
+        Ok(plain)
+    }
+
+    /// An image, read once.
+    fn picture(
+        &mut self,
+        number: usize,
+        buffers: &mut Buffers<'_>,
+        builder: &mut Builder,
+    ) -> Result<Arc<Picture>, ReadProblem> {
+        if let Some((_, known)) = self.images.iter().find(|(known, _)| *known == number) {
+            return Ok(Arc::clone(known));
+        }
+        let picture = Arc::new(image::read(self.document, number, buffers, builder)?);
+        self.images.push((number, Arc::clone(&picture)));
+        Ok(picture)
+    }
+}
+
+/// The rows of a transform: scaled, then turned counter-clockwise as `v` runs down, then moved
+/// (KHR_texture_transform).
+fn transform([x, y]: [f32; 2], turn: f32, scale: [f32; 2]) -> Result<[[f32; 3]; 2], ReadProblem> {
+    let (sin, cos) = f64::from(turn).sin_cos();
+    let [along_u, along_v] = scale.map(f64::from);
+    let rows = [
+        [(cos * along_u) as f32, (sin * along_v) as f32, x],
+        [(-sin * along_u) as f32, (cos * along_v) as f32, y],
+    ];
+    if rows.iter().flatten().all(|number| number.is_finite()) {
+        return Ok(rows);
+    }
+    Err(damaged("the transform of a texture has numbers that are not finite"))
 }

@@ -18,9 +18,10 @@ use glam::{DMat4, DVec3, Vec2, Vec3};
 use relief_core::mesh::RawCorner;
 
 use self::buffers::Buffers;
+use self::colors::Colors;
 use self::pose::Poses;
 use super::builder::Builder;
-use crate::{MeshColors, MeshOptions, ReadProblem, Source};
+use crate::{MeshColors, MeshOptions, ReadProblem, Remark, Source, omissions};
 
 const FORMAT: &str = "glTF";
 
@@ -48,26 +49,22 @@ pub(super) fn read(
     bytes: &[u8],
     options: &MeshOptions,
     builder: &mut Builder,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Remark>,
 ) -> Result<Option<MeshColors>, ReadProblem> {
     let (text, binary) = container::split(bytes)?;
     let for_json = take_json(text, builder)?;
     let document = document(text)?;
     let mut buffers = Buffers::new(source, binary, document.buffers().len());
     let mut poses = Poses::new();
-    let (mut triangles, mut others, mut has_colors, mut materials) = (0, false, false, Vec::new());
+    let mut colors = options.colors.then(|| Colors::new(&document, options.projection.is_some()));
+    let (mut triangles, mut others) = (0, false);
     for (node, transform) in nodes::placed(&document)? {
         for primitive in node.mesh().into_iter().flat_map(|mesh| mesh.primitives()) {
             match primitive.mode() {
                 Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan => {
                     let placed = (&document, &node, transform);
-                    triangles += add(placed, &primitive, &mut poses, &mut buffers, builder)?;
-                    let material = primitive.material().index();
-                    if materials.binary_search(&material).is_err() {
-                        materials.push(material);
-                        materials.sort_unstable();
-                    }
-                    has_colors |= primitive.get(&Semantic::Colors(0)).is_some();
+                    let looks = (&mut poses, colors.as_mut());
+                    triangles += add(placed, &primitive, looks, &mut buffers, builder)?;
                 }
                 _ => others = true,
             }
@@ -81,28 +78,12 @@ pub(super) fn read(
     builder.give_back(for_json);
     if poses.unweighted > 0 {
         let count = poses.unweighted;
-        notes.push(format!(
-            "{count} vertices of its skins have weights that add up to 0: each follows its first joint"
-        ));
+        let what = "vertices of its skins have weights that add up to 0: each follows its first joint";
+        notes.push(Remark::new(&omissions::UNWEIGHTED, format!("{count} {what}")));
     }
-    if !options.colors {
-        return Ok(None);
-    }
-    if has_colors {
-        notes.push("the colours of its vertices are left out".to_owned());
-    }
-    match materials.as_slice() {
-        [Some(material)] => {
-            let is_projected = options.projection.is_some();
-            colors::read(&document, *material, is_projected, &mut buffers, builder, notes)
-        }
-        [None] => Ok(None),
-        several => {
-            let count = several.len();
-            let what = "its triangles have their own, and only those of a single material are shown";
-            notes.push(format!("the colours of its {count} materials are left out: {what}"));
-            Ok(None)
-        }
+    match colors {
+        Some(colors) => colors.finish(&document, &mut buffers, builder, notes),
+        None => Ok(None),
     }
 }
 
@@ -153,7 +134,7 @@ fn unpacked_by(extension: &str) -> &'static str {
 fn add(
     (document, node, transform): (&Document, &Node<'_>, DMat4),
     primitive: &Primitive<'_>,
-    poses: &mut Poses,
+    (poses, mut colors): (&mut Poses, Option<&mut Colors>),
     buffers: &mut Buffers<'_>,
     builder: &mut Builder,
 ) -> Result<usize, ReadProblem> {
@@ -177,6 +158,10 @@ fn add(
     let indices =
         indices.map(|accessor| accessor::indices(&accessor, count, buffers, builder)).transpose()?;
 
+    let of_primitive = match &mut colors {
+        Some(colors) => Some(colors.of_primitive(primitive, count, buffers, builder)?),
+        None => None,
+    };
     let placing = poses.placing(document, (node, transform), (primitive, count), buffers, builder)?;
     let mut first = None;
     for (at, position) in positions.iter().enumerate() {
@@ -218,12 +203,15 @@ fn add(
             continue;
         }
         added += 1;
-        let is_mirrored = placing.of(a).is_mirrored;
-        let [a, b, c] = [a, b, c].map(corner);
-        builder.triangle(if is_mirrored { [a, c, b] } else { [a, b, c] })?;
+        let [a, b, c] = if placing.of(a).is_mirrored { [a, c, b] } else { [a, b, c] };
+        if let (Some(colors), Some(of)) = (&mut colors, &of_primitive) {
+            colors.triangle(of, [a, b, c], builder)?;
+        }
+        builder.triangle([a, b, c].map(corner))?;
     }
     let lists =
         [Some(3 * count), normals.map(|_| 3 * count), uvs.map(|_| 2 * count), indices.map(|list| list.len())];
+    builder.give_back(of_primitive.map_or(0, |of| of.bytes()));
     builder.give_back(placing.bytes());
     builder
         .give_back(lists.into_iter().flatten().map(|numbers| size_of::<f32>() as u64 * numbers as u64).sum());

@@ -17,7 +17,7 @@ use relief_core::{HeightMap, TexelMask, Wrap};
 use super::glb::tangent;
 use super::{MeshCounts, check_counts, floats};
 use crate::write_whole::write_file;
-use crate::{Picture, WriteError, WriteProblem, linear_to_srgb};
+use crate::{MeshMaterial, WriteError, WriteProblem, linear_to_srgb};
 
 /// Bytes of the file's header, and before the JSON and the buffer.
 const HEADERS: [u64; 2] = [20, 8];
@@ -40,8 +40,8 @@ pub struct Shells<'a> {
     pub map: &'a HeightMap,
     /// Whether nothing is drawn where the map has holes.
     pub has_holes: bool,
-    /// Colours in linear light, laid out as the heights; white without them.
-    pub color: Option<&'a Picture>,
+    /// Colours in linear light, and a mask; white without them.
+    pub color: Option<&'a MeshMaterial>,
     /// What colours are multiplied by, in linear light.
     pub factor: [f32; 3],
     /// How many shells there are: 1 to [`MAX_SHELLS`].
@@ -84,7 +84,8 @@ impl Shells<'_> {
 
     /// Columns and rows of the picture on them.
     pub fn picture_size(&self) -> [u32; 2] {
-        let color = self.color.map_or([1, 1], |color| [color.width, color.height]);
+        let picture = self.color.and_then(|color| color.picture.as_ref());
+        let color = picture.map_or([1, 1], |picture| [picture.width, picture.height]);
         [self.map.width().max(color[0]), self.map.height().max(color[1])]
     }
 
@@ -92,11 +93,21 @@ impl Shells<'_> {
         (0..self.count).map(|number| {
             let height = f64::from(number) / f64::from(self.count);
             let cutoff = match number {
-                0 => self.holes().map(|_| 0.5 / LEVELS),
+                0 => self.shows_through().then_some(0.5 / LEVELS),
                 _ => Some(height),
             };
             Shell { cutoff, offset_m: self.map.displacement_m(height) }
         })
+    }
+
+    /// The opacity below which nothing is drawn.
+    fn mask(&self) -> Option<f32> {
+        self.color.and_then(|color| color.cutoff)
+    }
+
+    /// Whether there are places at which nothing is drawn.
+    fn shows_through(&self) -> bool {
+        self.holes().is_some() || self.mask().is_some()
     }
 
     fn holes(&self) -> Option<&TexelMask> {
@@ -111,21 +122,19 @@ impl Shells<'_> {
         for (y, x) in (0..rows).flat_map(|y| (0..columns).map(move |x| (y, x))) {
             let [u, v] = [(x, columns), (y, rows)].map(|(at, side)| (f64::from(at) + 0.5) / f64::from(side));
             let texel = |at: f64, side: u32| ((at * f64::from(side)) as u32).min(side - 1);
-            let color = self.color.map_or([1.0; 3], |color| color_at(color, u, v, self.map.wrap()));
+            let [red, green, blue, opacity] = self.color.map_or([1.0; 4], |color| color.picture_at([u, v]));
+            let is_masked = self.mask().is_some_and(|cutoff| opacity < cutoff);
             let height = if is_same {
                 f64::from(self.map.texel(i64::from(x), i64::from(y)))
             } else {
                 self.map.height_at(u, v)
             };
             let (column, row) = (texel(u, self.map.width()), texel(v, self.map.height()));
-            let least = match self.holes() {
-                Some(holes) if holes.contains(column, row) => None,
-                Some(_) => Some(1.0),
-                None => Some(0.0),
-            };
+            let is_hole = self.holes().is_some_and(|holes| holes.contains(column, row));
+            let least = (!(is_hole || is_masked)).then_some(f64::from(self.shows_through()));
             let code = least.map_or(0.0, |least: f64| (LEVELS * height).round().max(least));
             let encode = |part: f32| (LEVELS * linear_to_srgb(f64::from(part).clamp(0.0, 1.0))).round() as u8;
-            texels.extend(color.map(encode));
+            texels.extend([red, green, blue].map(encode));
             texels.push(code as u8);
         }
         texels
@@ -301,23 +310,6 @@ impl Shells<'_> {
         }
         Ok(())
     }
-}
-
-/// A colour between the centres of four texels, in linear light.
-fn color_at(color: &Picture, u: f64, v: f64, wrap: Wrap) -> [f32; 3] {
-    let [x, y] = [(u, color.width), (v, color.height)].map(|(at, side)| at * f64::from(side) - 0.5);
-    let (part_x, part_y) = ((x - x.floor()) as f32, (y - y.floor()) as f32);
-    let texel = |dx: i64, dy: i64| {
-        let column = wrap.index(x.floor() as i64 + dx, color.width);
-        let row = wrap.index(y.floor() as i64 + dy, color.height);
-        color.texels[row as usize * color.width as usize + column as usize]
-    };
-    let four = [texel(0, 0), texel(1, 0), texel(0, 1), texel(1, 1)];
-    [0, 1, 2].map(|part| {
-        let [a, b, c, d] = four.map(|texel| texel[part]);
-        let (top, bottom) = (a + (b - a) * part_x, c + (d - c) * part_x);
-        top + (bottom - top) * part_y
-    })
 }
 
 fn png(columns: u32, rows: u32, color: ColorType, texels: &[u8]) -> Result<Vec<u8>, WriteProblem> {
