@@ -178,3 +178,32 @@ fn a_link_that_leads_out_of_the_folder_is_refused() {
     let ran = folder.relief("render --mesh ring/ring.glb -o out.png");
     assert!(ran.code == Some(1) && ran.stderr.contains("maps/out.png"), "{}", ran.stderr);
 }
+
+#[test]
+fn a_mesh_is_made_larger_by_a_flag_a_key_and_its_older_name() {
+    let extras =
+        |key: &str| material(&format!(r#"{{"relief": {{"height": "maps/hills.png", "{key}": 3}}}}"#));
+    let plain = folder(&[&material(r#"{"relief": {"height": "maps/hills.png"}}"#)]);
+    let eye = "eye = [0, 3, 4]\ntarget = [0, 0, 0]\n";
+    let mesh = format!("{eye}mesh = 'ring/ring.glb'\n");
+    let small = picture(&plain, &mesh, "");
+    let large = picture(&plain, &format!("{mesh}mesh-scale = 3\n"), "");
+    assert!(large != small);
+    assert!(picture(&plain, &mesh, "--mesh-scale 3") == large);
+    let of_surface = |key: &str| format!("{eye}[[surfaces]]\nmesh = 'ring/ring.glb'\n{key} = 3\n");
+    for key in ["mesh-scale", "size"] {
+        assert!(picture(&plain, &of_surface(key), "") == large, "{key}");
+        assert!(picture(&folder(&[&extras(key)]), &mesh, "") == large, "{key}");
+    }
+    // What `relief scene` writes says the same by the newer name.
+    plain.write("old.toml", format!("{SMALL}{}", of_surface("size")));
+    plain.relief("scene old.toml -o new.toml").fine();
+    let written = fs::read_to_string(plain.path("new.toml")).expect("a scene file");
+    assert!(written.contains("mesh-scale = 3"), "{written}");
+    plain.relief("render new.toml -o new.png").fine();
+    assert!(fs::read(plain.path("new.png")).expect("a picture") == large);
+    for bad in ["0", "-1", "1e9"] {
+        let ran = plain.relief(&format!("render scene.toml --mesh-scale {bad} -o out.png"));
+        assert!(ran.code == Some(2) && ran.stderr.contains("--mesh-scale"), "{bad}: {}", ran.stderr);
+    }
+}

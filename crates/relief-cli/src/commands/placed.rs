@@ -23,6 +23,16 @@ pub struct PlacedArguments {
     /// `relief mesh` wrote says it itself]
     #[arg(long, value_name = "y|z", help_heading = "Maps and mesh", hide_short_help = true)]
     pub mesh_up: Option<Up>,
+    /// How many times as large the mesh is, its tiles with it; the relief's metres stay [default: 1]
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = values::positive,
+        allow_hyphen_values = true,
+        help_heading = "Maps and mesh",
+        hide_short_help = true,
+    )]
+    pub mesh_scale: Option<f64>,
     /// Metres of displacement between heights 0 and 1, or with a unit, as in 5cm [default: true to the tile
     /// where the height map's file states metres, else 0.05]
     #[arg(
@@ -93,6 +103,7 @@ impl PlacedArguments {
             mesh: self.mesh.clone(),
             project: self.project,
             mesh_up: self.mesh_up,
+            mesh_scale: self.mesh_scale,
             tile: self.tile.map(|tile| tile.map(|count| count as f32)),
             tile_size: self.tile_size,
             ..SurfaceSpec::default()

@@ -82,7 +82,7 @@ fn schema() -> Value {
     let mut own = of_surface;
     own.insert(
         "size".to_owned(),
-        json!({ "type": "number", "description": "how many times as large the mesh is" }),
+        json!({ "type": "number", "description": "older name of mesh-scale", "deprecated": true }),
     );
     properties.insert(
         "surfaces".to_owned(),

@@ -188,16 +188,19 @@ fn line_at(text: &str, place: usize) -> usize {
 fn line_of(text: &str, surface: Option<usize>, key: &str) -> usize {
     let Ok(root) = DeTable::parse(text) else { return 1 };
     let is_key = |name: &str| name == key || (key == AMBIENT_COLOR && name == STAGES[AMBIENT].key);
-    let place = |table: &DeTable| {
+    let find = |table: &DeTable, is_key: &dyn Fn(&str) -> bool| {
         let found = table.iter().find(|(name, _)| is_key(name.get_ref().as_ref()));
         found.map(|(name, _)| name.span().start)
     };
+    let place = |table: &DeTable| find(table, &is_key);
+    // By its older name, which is the picture's in the scene itself.
+    let older = |table: &DeTable| find(table, &|name| key == "mesh-scale" && name == "size");
     let of_surface = || {
         let DeValue::Array(surfaces) = root.get_ref().get(SURFACES)?.get_ref() else { return None };
         let element = surfaces.get(surface?)?;
         let DeValue::Table(table) = element.get_ref() else { return None };
         // What the surface does not say itself is said of all, or by nobody.
-        place(table).or_else(|| place(root.get_ref())).or(Some(element.span().start))
+        place(table).or_else(|| older(table)).or_else(|| place(root.get_ref())).or(Some(element.span().start))
     };
     let start = of_surface().or_else(|| place(root.get_ref()));
     line_at(text, start.unwrap_or(0))

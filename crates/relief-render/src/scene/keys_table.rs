@@ -136,6 +136,7 @@ pub fn keys() -> Vec<Key> {
         ),
         surface("position", Form::Numbers(3), "[0, 0, 0]", "where the mesh's origin lies, in metres"),
         surface("rotation", Form::Numbers(3), "[0, 0, 0]", "degrees about x, then y, then z"),
+        surface("mesh-scale", Form::Number, "1", "how many times as large the mesh is; the relief stays"),
         surface("method", Form::Name(methods), "\"exact\"", "how hits are found; or search and refine"),
         surface("set", Form::Settings, "", "settings of what is run, as in set.search.steps = 64"),
         surface("material", Form::Material, "", "diffuse and specular colour (linear), shininess"),
@@ -205,9 +206,8 @@ impl SceneSpec {
         }
         for surface in &self.surfaces {
             let _ = writeln!(text, "\n[[surfaces]]");
-            let size = surface.size.map(|size| format!("{size:?}"));
             let values = of_surface.iter().map(|key| (key.name, surface_value(surface, key.name)));
-            for (name, value) in values.chain([("size", size)]) {
+            for (name, value) in values {
                 if let Some(value) = value {
                     let _ = writeln!(text, "{name} = {value}");
                 }
@@ -272,6 +272,7 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
         "tile-size" => spec.tile_size.map(|size| list(&size)),
         "position" => spec.position.map(|position| list(&position)),
         "rotation" => spec.rotation.map(|rotation| list(&rotation)),
+        "mesh-scale" => spec.mesh_scale.map(|scale| format!("{scale:?}")),
         "method" => spec.method.as_deref().map(quoted),
         "set" if !spec.set.is_empty() => {
             let settings = spec.set.iter().map(|(key, value)| match Selection::name_of(key, *value) {

@@ -520,7 +520,7 @@ impl SurfaceSpec {
         let placement = Placement {
             position_m: self.position.unwrap_or_default().into(),
             rotation_degrees: self.rotation.unwrap_or_default().into(),
-            size: self.size.unwrap_or(1.0),
+            size: self.mesh_scale.unwrap_or(1.0),
         };
         check_metres("position", self.position.as_ref().map_or(&[], |position| position))?;
         if let Some(&value) = self.rotation.iter().flatten().find(|turn| !turn.is_finite()) {
@@ -528,7 +528,7 @@ impl SurfaceSpec {
         }
         if !(1.0 / MAX_SIZE..=MAX_SIZE).contains(&placement.size) {
             let (value, must) = (placement.size, "from 1e-6 to 1e6");
-            return Err(ValueProblem::Number { value, must }.of("size"));
+            return Err(ValueProblem::Number { value, must }.of("mesh-scale"));
         }
         Ok(placement)
     }

@@ -101,9 +101,10 @@ pub struct SurfaceSpec {
     /// Degrees by which the mesh is turned about `x`, then about `y`, then about `z`. By default 0 each.
     #[serde(deserialize_with = "numbers")]
     pub rotation: Option<[f64; 3]>,
-    /// How many times as large the mesh is, its tiles with it; the relief's metres stay. By default 1. In a
-    /// scene file a key of `[[surfaces]]` alone, as the scene's own `size` is the picture's.
-    pub size: Option<f64>,
+    /// How many times as large the mesh is, its tiles with it; the relief's metres stay. By default 1. Its
+    /// older name `size` is read in `[[surfaces]]`; the scene's own `size` is the picture's.
+    #[serde(alias = "size")]
+    pub mesh_scale: Option<f64>,
     /// The method's name. By default `exact`.
     pub method: Option<String>,
     /// Names of variants by their stages' keys. `search` and `refine` come together, in place of `method`,
@@ -214,7 +215,7 @@ impl SurfaceSpec {
             tile_size: over.tile_size.or(self.tile_size),
             position: over.position.or(self.position),
             rotation: over.rotation.or(self.rotation),
-            size: over.size.or(self.size),
+            mesh_scale: over.mesh_scale.or(self.mesh_scale),
             method: over.method.or(self.method),
             stages,
             set,
@@ -254,7 +255,7 @@ impl SurfaceSpec {
         *self = SurfaceSpec {
             position: known.position,
             rotation: known.rotation,
-            size: known.size,
+            mesh_scale: known.mesh_scale,
             material: known.material,
             transmission: known.transmission,
             ior: known.ior,

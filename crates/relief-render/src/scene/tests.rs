@@ -143,7 +143,7 @@ fn every_key_is_read() {
         tile_size: Some([50.0, 20.0]),
         position: Some([0.0, -0.5, 0.0]),
         rotation: Some([90.0, 0.0, 0.0]),
-        size: None,
+        mesh_scale: None,
         method: None,
         stages: stages([
             ("search", "linear"),
@@ -373,7 +373,13 @@ fn surfaces_of_a_file_say_what_they_differ_in() {
     let [first, second] = &spec.each_surface()[..] else { panic!("two surfaces") };
     assert_eq!((first.height.as_ref(), first.scale), (second.height.as_ref(), Some(0.1)));
     assert_eq!((first.mesh.clone(), first.position), (Some(Builtin::Cube.into()), Some([1.0, 0.0, 0.0])));
-    assert_eq!((first.size, second.size), (Some(0.5), None));
+    assert_eq!((first.mesh_scale, second.mesh_scale), (Some(0.5), None));
+    // By either name; that of the scene itself is the picture's.
+    let newer = read(&TWO.replace("size = 0.5", "mesh-scale = 0.5")).expect("a proper scene");
+    assert_eq!(newer, spec);
+    let alone = read("height = 'a.png'\nmesh-scale = 3\nsize = [8, 8]\n").expect("a proper scene");
+    assert_eq!((alone.surface.mesh_scale, alone.size), (Some(3.0), Some([8, 8])));
+    assert!(read(&TWO.replace("size = 0.5", "mesh-scale = 0.5\nsize = 2")).is_err());
     assert_eq!(first.stages, stages([("search", "linear"), ("refine", "binary")]));
     assert_eq!((second.method.as_deref(), second.scale), (Some("cone"), Some(0.2)));
     assert!(second.stages.is_empty() && !second.set.contains_key("search.steps"));
@@ -388,7 +394,8 @@ fn surfaces_of_a_file_say_what_they_differ_in() {
 fn mistakes_in_a_surface_are_reported_with_their_surface_and_line() {
     let mistakes = [
         ("[[surfaces]]\n[[surfaces]]\nscale = -1", 3, 1, "scale"),
-        ("[[surfaces]]\nsize = 0", 2, 0, "size"),
+        ("[[surfaces]]\nsize = 0", 2, 0, "mesh-scale"),
+        ("[[surfaces]]\nscale = 1\nmesh-scale = 0", 3, 0, "mesh-scale"),
         // What is said of all is reported where it is said, and what is missing at the surface.
         ("scale = -1\n[[surfaces]]", 1, 0, "scale"),
         ("[[surfaces]]\nmethod = 'cone'\n[[surfaces]]\nsearch = 'cells'", 4, 1, "search"),

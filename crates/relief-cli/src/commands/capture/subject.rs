@@ -64,7 +64,7 @@ impl Subject {
         let placement = Placement {
             position_m: surface.position.unwrap_or_default().into(),
             rotation_degrees: surface.rotation.unwrap_or_default().into(),
-            size: surface.size.unwrap_or(1.0),
+            size: surface.mesh_scale.unwrap_or(1.0),
         };
         let mesh = mesh.tiled(tile).and_then(|mesh| mesh.placed(&placement)).map_err(at)?;
         let colors = match arguments.color.as_ref().or(surface.color.as_ref()) {

@@ -21,7 +21,7 @@ fn every_key_is_listed_with_a_default_that_can_be_written() {
         keys().iter().filter(|key| key.of_surface == of_surface).map(|key| key.name).collect()
     };
     let stages = relief_shaders::STAGES.iter().filter(|stage| stage.has_key()).map(|stage| stage.key);
-    // A surface's own size is a key of [[surfaces]] alone.
+    // The older name of a surface's mesh-scale is read, and not written.
     let of_surface = keys::keys_of::<SurfaceSpec>().iter().copied().filter(|key| *key != "size");
     assert_eq!(listed(true), of_surface.chain(stages).collect());
     assert_eq!(listed(false), keys::keys_of::<SceneSpec>().iter().copied().collect());

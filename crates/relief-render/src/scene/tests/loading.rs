@@ -82,7 +82,7 @@ fn several_surfaces_are_loaded_each_file_once() {
     let noise = SurfaceSpec { height: Some(shipped("data/noise.png")), ..SurfaceSpec::default() };
     let mut spec = of(noise);
     spec.surfaces = vec![
-        SurfaceSpec { size: Some(2.0), ..SurfaceSpec::default() },
+        SurfaceSpec { mesh_scale: Some(2.0), ..SurfaceSpec::default() },
         SurfaceSpec { scale: Some(0.25), position: Some([0.0, 0.0, 3.0]), ..SurfaceSpec::default() },
         SurfaceSpec { height: Some(shipped("data/spikes.png")), ..SurfaceSpec::default() },
     ];
