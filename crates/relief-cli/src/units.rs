@@ -1,21 +1,6 @@
 //! Lengths with their units.
 
-use relief_core::registry::UnknownName;
-
 use crate::values::six_digits;
-
-/// Units and their metres (the international foot and what is made of it).
-const UNITS: [(&str, f64); 9] = [
-    ("m", 1.0),
-    ("mm", 1e-3),
-    ("cm", 1e-2),
-    ("km", 1e3),
-    ("um", 1e-6),
-    ("in", 0.0254),
-    ("ft", 0.3048),
-    ("yd", 0.9144),
-    ("mi", 1609.344),
-];
 
 /// A length, and whether its unit was written.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,20 +33,7 @@ pub fn in_words(metres: f64) -> String {
 
 /// Metres: a number of them, or one with its unit, as in `5cm` or `3ft`.
 pub fn length(text: &str) -> Result<f64, String> {
-    let text = text.trim();
-    if let Ok(metres) = text.parse::<f64>() {
-        return if metres.is_finite() { Ok(metres) } else { Err("it must be finite".to_owned()) };
-    }
-    let unit = text.trim_start_matches(|sign: char| !sign.is_alphabetic() || matches!(sign, 'e' | 'E'));
-    let number = text.strip_suffix(unit).unwrap_or(text);
-    let known = UNITS.iter().find(|(name, _)| name.eq_ignore_ascii_case(unit));
-    match (number.trim().parse::<f64>(), known) {
-        (Ok(number), Some((_, metres))) if (number * metres).is_finite() => Ok(number * metres),
-        (Ok(_), None) => {
-            Err(UnknownName::new("unit of length", unit, UNITS.map(|(name, _)| name)).to_string())
-        }
-        _ => Err("write it as a number of metres, or with its unit, as in 5cm or 3ft".to_owned()),
-    }
+    relief_io::metres(text).map_err(|error| error.to_string())
 }
 
 /// Millimetres: a number of them, or a length with its unit, as in `10cm`.
@@ -103,25 +75,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lengths_are_metres_whatever_their_unit() {
-        let cases = [
-            ("0.05", 0.05),
-            ("5cm", 0.05),
-            (" -3 ft ", -0.9144),
-            ("1e3mm", 1.0),
-            ("2.5KM", 2500.0),
-            ("1in", 0.0254),
-            ("3e-2", 0.03),
-        ];
-        for (text, metres) in cases {
-            let found = length(text).unwrap_or_else(|error| panic!("{text}: {error}"));
-            assert!((found - metres).abs() <= 1e-12 * metres.abs(), "{text}: {found}");
-        }
-        for bad in ["", "m", "five", "5 lightyears", "inf", "nan", "1e308km", "5cm3", "é", "5é", "5€m", "€"]
-        {
-            assert!(length(bad).is_err(), "{bad}");
-        }
-        assert!(length("5fe").is_err_and(|error| error.contains("did you mean")));
+    fn lengths_are_read_and_said_in_units_that_fit() {
         assert_eq!([millimetres("120"), millimetres("12cm")], [Ok(120.0), Ok(120.0)]);
         assert!(["", "inf", "wide", "mm"].iter().all(|bad| millimetres(bad).is_err()));
         let written = ["0.1", "0.1m"].map(|text| length_as_written(text).map(|length| length.has_unit));

@@ -133,6 +133,28 @@ fn extras_of_others_are_not_looked_at() {
 }
 
 #[test]
+fn lengths_may_have_units() {
+    let all = |scale: &str, bias: &str, tile: &str, position: &str| {
+        let keys = format!(
+            r#""height": "maps/hills.png", "scale": {scale}, "bias": {bias}, "tile-size": {tile}, "position": {position}"#
+        );
+        folder(&[&material(&format!(r#"{{"relief": {{{keys}}}}}"#))])
+    };
+    let [metres, units] = [
+        all("0.03", "-0.0254", "[0.5, 0.3048]", "[0, 0.1, -0.2]"),
+        all(r#""3cm""#, r#""-1 in""#, r#"["500mm", "1ft"]"#, r#"["0 m", 0.1, "-20cm"]"#),
+    ];
+    let keys = "mesh = 'ring/ring.glb'\n";
+    assert!(picture(&metres, keys, "") == picture(&units, keys, ""));
+    assert!(picture(&metres, keys, "") != picture(&metres, &format!("{keys}bias = '1mm'\n"), ""));
+    // In a scene file, too.
+    let own = |bias: &str, eye: &str, far: &str| {
+        picture(&metres, &format!("{keys}bias = {bias}\neye = {eye}\nfar = {far}\n"), "")
+    };
+    assert!(own("-0.01", "[1.5, 2, 2]", "30000") == own("'-10mm'", "['150cm', 2, '2m']", "'30 km'"));
+}
+
+#[test]
 fn bad_keys_are_refused_with_the_file_and_the_key() {
     let cases = [
         (r#"{"heigt": "maps/hills.png"}"#, "height"),
@@ -140,6 +162,8 @@ fn bad_keys_are_refused_with_the_file_and_the_key() {
         (r#"{"view": "top"}"#, "view"),
         (r#"{"scale": "big"}"#, "scale"),
         (r#"{"scale": -1}"#, "scale"),
+        (r#"{"scale": "5 fet"}"#, "scale"),
+        (r#"{"position": ["1m", "2m"]}"#, "position"),
         (r#"{"tile": [1]}"#, "tile"),
         (r#"{"method": "conee"}"#, "cone"),
         (r#"{"search": "linear"}"#, "search"),

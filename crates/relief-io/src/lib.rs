@@ -54,6 +54,7 @@ mod jpeg;
 mod jpeg_write;
 mod ktx2;
 mod layout;
+mod length;
 mod mesh;
 mod nodata;
 mod normal_map;
@@ -87,6 +88,7 @@ pub use height_note::HeightNote;
 pub use height_range::HeightRange;
 pub use inspect::{HISTOGRAM_BINS, SEAM_LIMIT, SourceInfo, Tiling, Values, inspect};
 pub use layout::{Channel, Format, SampleKind, SampleType};
+pub use length::{LengthError, metres};
 pub use mesh::{
     GlbLayout, GlbLevel, GlbNode, MAX_SHELLS, MeshColors, MeshCounts, MeshFile, MeshFormat, MeshMaterial,
     MeshOptions, MeshSink, Quantization, Shells, Standing, Up, beside_file, files_of_mesh, read_mesh,

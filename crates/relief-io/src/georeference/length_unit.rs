@@ -16,11 +16,12 @@ pub struct LengthUnit {
 
 /// Names of units in small letters, the one that is shown first, with their number in the EPSG's list or
 /// their metres.
-const NAMES: [(&[&str], Result<u16, f64>); 12] = [
+const NAMES: [(&[&str], Result<u16, f64>); 13] = [
     (&["m", "metre", "metres", "meter", "meters"], Ok(9001)),
     (&["dm", "decimetre", "decimetres", "decimeter", "decimeters"], Err(0.1)),
     (&["cm", "centimetre", "centimetres", "centimeter", "centimeters"], Ok(1033)),
     (&["mm", "millimetre", "millimetres", "millimeter", "millimeters"], Ok(1025)),
+    (&["um", "micrometre", "micrometres", "micrometer", "micrometers"], Err(1e-6)),
     (&["km", "kilometre", "kilometres", "kilometer", "kilometers"], Ok(9036)),
     (&["ft", "foot", "feet", "international foot", "international feet", "foot_international"], Ok(9002)),
     (

@@ -37,6 +37,54 @@ where
     numbers.try_into().map_err(|_| de::Error::invalid_length(given, &format!("{N} numbers").as_str()))
 }
 
+/// Reads a length: a number of metres, or a text with its unit, as in `"5cm"`.
+pub fn length<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<f64>, D::Error> {
+    Length::deserialize(deserializer).map(|Length(metres)| Some(metres))
+}
+
+/// Reads exactly `N` lengths.
+pub fn lengths<'de, D, const N: usize>(deserializer: D) -> Result<Option<[f64; N]>, D::Error>
+where
+    D: Deserializer<'de>,
+{
+    numbers_of::<_, Length, N>(deserializer).map(|each| Some(each.map(|Length(metres)| metres)))
+}
+
+/// A length in metres.
+struct Length(f64);
+
+impl<'de> Deserialize<'de> for Length {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Metres;
+
+        impl Visitor<'_> for Metres {
+            type Value = Length;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a number of metres, or a text with its unit, as in \"5cm\"")
+            }
+
+            fn visit_f64<E: de::Error>(self, metres: f64) -> Result<Length, E> {
+                Ok(Length(metres))
+            }
+
+            fn visit_i64<E: de::Error>(self, metres: i64) -> Result<Length, E> {
+                Ok(Length(metres as f64))
+            }
+
+            fn visit_u64<E: de::Error>(self, metres: u64) -> Result<Length, E> {
+                Ok(Length(metres as f64))
+            }
+
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<Length, E> {
+                relief_io::metres(text).map(Length).map_err(E::custom)
+            }
+        }
+
+        deserializer.deserialize_any(Metres)
+    }
+}
+
 /// Reads which values become heights 0 and 1: two numbers, or `auto`.
 pub fn range<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<HeightRange>, D::Error> {
     struct Range;

@@ -1,6 +1,6 @@
 //! Descriptions of scenes, with gaps.
 
-use super::keys::{amount, numbers, parsed};
+use super::keys::{amount, length, lengths, numbers, parsed};
 use super::{BackendChoice, ProjectionChoice, Sampling, SurfaceSpec, View};
 use crate::depth_buffer::Clip;
 use crate::tone::Tone;
@@ -28,10 +28,10 @@ pub struct SceneSpec {
     pub view: Option<View>,
     /// Position of the eye in metres. Without it and `target` the camera is fitted to scene and picture; with
     /// `target` alone it is (0.6, 0.9, 1.1).
-    #[serde(deserialize_with = "numbers")]
+    #[serde(deserialize_with = "lengths")]
     pub eye: Option<[f64; 3]>,
     /// The point looked at, in metres. With `eye` alone it is the origin.
-    #[serde(deserialize_with = "numbers")]
+    #[serde(deserialize_with = "lengths")]
     pub target: Option<[f64; 3]>,
     /// How space becomes a picture: `perspective` (default) or `orthographic`.
     #[serde(deserialize_with = "parsed")]
@@ -40,14 +40,17 @@ pub struct SceneSpec {
     pub fov: Option<f64>,
     /// Metres from the lower to the upper edge of an orthographic picture. A fitted camera knows them itself,
     /// another one needs them.
+    #[serde(deserialize_with = "length")]
     pub view_height: Option<f64>,
     /// Which end of the depth buffer is near, of which the picture's `z` are: `standard` (default) or
     /// `reversed`.
     #[serde(deserialize_with = "parsed")]
     pub clip: Option<Clip>,
     /// Metres from the eye to that buffer's near plane. By default it is before the scene.
+    #[serde(deserialize_with = "length")]
     pub near: Option<f64>,
     /// Metres to its far plane, in perspective also `inf`. By default it is behind the scene.
+    #[serde(deserialize_with = "length")]
     pub far: Option<f64>,
     /// Width and height of the picture in pixels. By default 800 and 600.
     #[serde(deserialize_with = "numbers")]

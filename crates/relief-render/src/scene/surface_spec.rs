@@ -1,7 +1,7 @@
 //! Descriptions of surfaces, with gaps.
 
 use super::MeshChoice;
-use super::keys::{numbers, parsed, range};
+use super::keys::{length, lengths, numbers, parsed, range};
 use super::settings::settings;
 use relief_core::Wrap;
 use relief_core::mesh::UvProjection;
@@ -60,8 +60,10 @@ pub struct SurfaceSpec {
     /// Metres of displacement between heights 0 and 1. By default in proportion to the mesh's tile where the
     /// height map's file states metres, or a quarter of its shorter side where these make it deeper than any
     /// ground; else 0.05.
+    #[serde(deserialize_with = "length")]
     pub scale: Option<f64>,
     /// Displacement of height 0 in metres. By default minus the scale: the relief is carved into the surface.
+    #[serde(deserialize_with = "length")]
     pub bias: Option<f64>,
     /// Factor on the scale, whether that is given or not, and on a bias that is not given. From 1e-6 to 1e6,
     /// by default 1.
@@ -78,7 +80,7 @@ pub struct SurfaceSpec {
     pub green: Option<GreenSign>,
     /// Metres of a tile along `u` and `v`. By default as the height map's file states them, else its texels
     /// are square.
-    #[serde(deserialize_with = "numbers")]
+    #[serde(deserialize_with = "lengths")]
     pub tile_size: Option<[f64; 2]>,
     /// The base mesh: `plane` (default), which has the height map's proportions, `square`, `cube`,
     /// `cylinder`, `sphere`, `torus`, or a file that [`read_mesh`](relief_io::read_mesh) reads.
@@ -96,7 +98,7 @@ pub struct SurfaceSpec {
     #[serde(deserialize_with = "numbers")]
     pub tile: Option<[f32; 2]>,
     /// Where the mesh's origin lies, in metres. By default the world's origin.
-    #[serde(deserialize_with = "numbers")]
+    #[serde(deserialize_with = "lengths")]
     pub position: Option<[f64; 3]>,
     /// Degrees by which the mesh is turned about `x`, then about `y`, then about `z`. By default 0 each.
     #[serde(deserialize_with = "numbers")]
