@@ -44,15 +44,15 @@ const OUTLINES: [(&str, Hole); 6] = [
 /// What `solids` is given.
 #[derive(Args)]
 pub struct Arguments {
-    /// A Python with trimesh, manifold3d, networkx and scipy
+    /// A Python with trimesh, manifold3d, networkx, pillow and scipy
     #[arg(long, value_name = "FILE", default_value = "python3")]
     python: PathBuf,
 }
 
 /// Prints the table, and fails where a solid is not closed.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
-    let packages = "trimesh manifold3d networkx scipy";
-    require(&arguments.python, "import trimesh, manifold3d, networkx, scipy", packages)?;
+    let packages = "trimesh manifold3d networkx pillow scipy";
+    require(&arguments.python, "import trimesh, manifold3d, networkx, PIL, scipy", packages)?;
     let base = Builtin::Plane.build([1.0, 0.75]).map_err(|error| error.to_string())?;
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
     let plain = MeshSettings { holes: true, solid_m: Some(0.01), ..MeshSettings::default() };
