@@ -2,10 +2,11 @@
 
 mod common;
 
-use common::command::Folder;
+use common::command::{Folder, json_of};
 use common::maps::{Map, encoded};
-use common::meshes::{factor, part, square};
+use common::meshes::{factor, folded, part, square};
 use image::{DynamicImage, ImageFormat, Rgb, RgbImage, Rgba, RgbaImage};
+use relief_io::{MeshOptions, read_mesh};
 use relief_object::{ObjectOptions, read_object};
 
 /// Renders a mesh from the front, lit so that colours are those of the material, and gives the picture.
@@ -318,7 +319,7 @@ fn captures_see_through_what_masks_leave_out() {
 fn what_is_not_shown_or_written_is_said() {
     let folder = folder();
     let mesh = card(&folder, "MASK");
-    let ran = folder.relief(&format!("mesh flat.png --mesh {mesh} -o a.glb"));
+    let ran = folder.relief(&format!("mesh flat.png --mesh {mesh} -o a.stl"));
     assert!(ran.code == Some(0) && ran.stderr.contains("materials"), "{}", ran.stderr);
     let parts = [part(2, 0), part(3, 1)].join(", ");
     let materials = format!(r#", "materials": [{}, {}]"#, factor("1, 0, 0, 1"), factor("0, 1, 1, 1"));
@@ -326,4 +327,104 @@ fn what_is_not_shown_or_written_is_said() {
     let line = "render --height flat.png --mesh two.gltf --method vertex --size 8x8 --backend cpu -o a.png";
     let ran = folder.relief(line);
     assert!(ran.code == Some(0) && ran.stderr.contains("2 materials"), "{}", ran.stderr);
+}
+
+/// The folder with a folded strip of three materials, one of a single material, and hills.
+fn strips() -> Folder {
+    let folder = folder();
+    card(&folder, "MASK");
+    folder.write("hills.png", Map::hills().png());
+    folded(&folder, "three.gltf", true);
+    folded(&folder, "one.gltf", false);
+    folder
+}
+
+#[test]
+fn a_displaced_mesh_keeps_the_materials_of_its_base() {
+    let folder = strips();
+    let options = MeshOptions { colors: true, ..MeshOptions::default() };
+    let read = |name: &str| read_mesh(folder.path(name).as_path(), &options).expect("a mesh");
+    let base = read("three.gltf").colors.expect("materials");
+    for flags in
+        ["--texels 4", "--error 1%", "--quantize 14 --texels 2", "--texels 2 --lods 2", "--solid 0.1"]
+    {
+        let ran = folder.relief(&format!("mesh hills.png --mesh three.gltf --scale 0.1 {flags} -o out.glb"));
+        assert_eq!(ran.code, Some(0), "{flags}: {}", ran.stderr);
+        assert!(!ran.stderr.contains("not written"), "{flags}: {}", ran.stderr);
+        let file = read("out.glb");
+        let made = file.colors.expect("materials");
+        assert_eq!(made.materials.len(), 3, "{flags}");
+        for (made, of_base) in made.materials.iter().zip(&base.materials) {
+            assert_eq!((&made.name, made.factor), (&of_base.name, of_base.factor), "{flags}");
+            assert_eq!((made.cutoff, made.wrap), (of_base.cutoff, of_base.wrap), "{flags}");
+            let pairs = made.transform.as_flattened().iter().zip(of_base.transform.as_flattened());
+            assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-5), "{flags}: {:?}", made.transform);
+            let sizes = [made, of_base].map(|of| of.picture.as_ref().map(|of| [of.width, of.height]));
+            assert_eq!(sizes[0], sizes[1], "{flags}");
+            let texels = [made, of_base].map(|of| of.picture.iter().flat_map(|of| &of.texels));
+            let [texels, wanted] = texels.map(|of| of.copied().collect::<Vec<_>>());
+            let near = |(a, b): (&[f32; 4], &[f32; 4])| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-6);
+            assert!(texels.iter().zip(&wanted).all(near), "{flags}");
+        }
+        // Each triangle that is displaced lies over its square of the strip.
+        for triangle in 0..file.mesh.triangles().len() as u32 {
+            let corners = file.mesh.corners(triangle);
+            if !flags.starts_with("--solid") {
+                let middle = corners.iter().map(|corner| corner.uv.x).sum::<f32>() / 3.0;
+                assert_eq!(made.of_triangles[triangle as usize], middle as u32, "{flags}: {middle}");
+            }
+        }
+    }
+    // A base of one material, too; and what cannot hold materials says so.
+    let ran = folder.relief("mesh hills.png --mesh one.gltf --scale 0.1 --texels 4 --strips -o one.glb");
+    assert_eq!((ran.code, ran.stderr.contains("not written")), (Some(0), false), "{}", ran.stderr);
+    let one = read("one.glb").colors.expect("a material");
+    assert_eq!(one.materials[0].name.as_deref(), Some("red @ \"home\""));
+    for line in [
+        "mesh hills.png --mesh three.gltf --texels 2 -o out.ply",
+        "mesh hills.png --mesh three.gltf --texels 2 -o out.obj",
+        "mesh hills.png --mesh one.gltf --texels 2 -o out.stl",
+        "mesh hills.png --mesh three.gltf --texels 2 --strips -o strips.glb",
+    ] {
+        let ran = folder.relief(line);
+        assert!(
+            ran.code == Some(0) && ran.stderr.contains("materials are not written"),
+            "{line}: {}",
+            ran.stderr
+        );
+    }
+}
+
+#[test]
+fn a_displaced_base_of_three_materials_has_no_crack() {
+    let folder = strips();
+    for flags in ["--texels 4", "--error 1%", "--texels 2 --quantize 12"] {
+        let open = ["three.gltf", "one.gltf"].map(|mesh| {
+            let line = format!("mesh hills.png --mesh {mesh} --scale 0.1 {flags} -o out.glb --json");
+            let about = json_of(&folder.relief(&line));
+            ["open_edges", "branching_edges", "pieces", "triangles"].map(|key| about[key].as_u64())
+        });
+        assert_eq!(open[0], open[1], "{flags}");
+        assert_eq!(open[0][1..3], [Some(0), Some(1)], "{flags}");
+        let ran = folder.relief("inspect out.glb --json");
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    }
+    // A picture of three materials shows something at the very pixels at which one of one material does.
+    let text = std::fs::read_to_string(folder.path("three.gltf")).expect("it was written");
+    folder.write("three.gltf", text.replace("MASK", "OPAQUE"));
+    for more in ["", "--surface prism", "--surface tetrahedra"] {
+        let covered = ["three.gltf", "one.gltf"].map(|mesh| {
+            let line = format!(
+                "render --height hills.png --mesh {mesh} --scale 0.1 --size 90x70 --samples 1 --backend cpu \
+                 --two-sided {more} -o shown.png"
+            );
+            let ran = folder.relief(&line);
+            assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+            let shown = image::open(folder.path("shown.png")).expect("a picture").into_rgb8();
+            let background = *shown.get_pixel(0, 0);
+            shown.pixels().map(|pixel| *pixel != background).collect::<Vec<bool>>()
+        });
+        assert!(covered[0] == covered[1], "{more}");
+        assert!(covered[0].iter().filter(|is_covered| **is_covered).count() > 700, "{more}");
+    }
 }

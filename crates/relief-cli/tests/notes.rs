@@ -99,6 +99,7 @@ const FEEDS: &[Feed] = &[
         folder.write("a.gltf", text.replace(r#"[{"source": 0, "sampler": 0}]"#, basis));
         line
     }),
+    ("other-pictures", |folder| painted(folder, "", r#", "normalTexture": {"index": 0}"#, "")),
     ("blended", |folder| painted(folder, "", r#", "alphaMode": "BLEND""#, "")),
     ("uneven-colours", |folder| {
         let attributes = r#"{"POSITION": 0, "TEXCOORD_0": 1, "COLOR_0": 10}"#;

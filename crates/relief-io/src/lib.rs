@@ -90,9 +90,9 @@ pub use inspect::{HISTOGRAM_BINS, SEAM_LIMIT, SourceInfo, Tiling, Values, inspec
 pub use layout::{Channel, Format, SampleKind, SampleType};
 pub use length::{LengthError, metres};
 pub use mesh::{
-    GlbLayout, GlbLevel, GlbNode, MAX_SHELLS, MeshColors, MeshCounts, MeshFile, MeshFormat, MeshMaterial,
-    MeshOptions, MeshSink, Quantization, Shells, Standing, Up, beside_file, files_of_mesh, read_mesh,
-    read_mesh_extras, read_raw_mesh, write_glb, write_mesh, write_mesh_standing, write_shells,
+    GlbLayout, GlbLevel, GlbMaterials, GlbNode, MAX_SHELLS, MeshColors, MeshCounts, MeshFile, MeshFormat,
+    MeshMaterial, MeshOptions, MeshSink, Quantization, Shells, Standing, Up, beside_file, files_of_mesh,
+    read_mesh, read_mesh_extras, read_raw_mesh, write_glb, write_mesh, write_mesh_standing, write_shells,
 };
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
 pub use omissions::{OMISSIONS, Omission, ReadNote, Remark};

@@ -74,6 +74,9 @@ omissions! {
     UNREAD_PICTURE: "unread-picture", "meshes",
         "a material's picture in a format that is not read, or a texture without a picture",
         "the material has its colour alone";
+    OTHER_PICTURES: "other-pictures", "meshes",
+        "materials with pictures of normals, metal, roughness, occlusion or emission",
+        "they are left out";
     BLENDED: "blended", "meshes",
         "a material that is blended with what is behind it",
         "it is opaque where its opacity is at least 0.5, and nothing elsewhere";
@@ -87,7 +90,7 @@ omissions! {
         "a material's picture where the height map is tiled",
         "the picture is tiled as the height map is";
     UNWRITTEN_MATERIALS: "unwritten-materials", "meshes that are displaced",
-        "materials of the base mesh",
+        "materials of the base mesh in a format, strips or a plane that has none, or more than are drawn",
         "the file that is written has none of them";
 }
 

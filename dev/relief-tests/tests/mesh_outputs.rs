@@ -191,6 +191,7 @@ fn integers_are_read_as_the_lattice_and_open_no_crack() {
                 quantization,
                 strips: false,
                 node: GlbNode::default(),
+                materials: None,
             };
             let paths = [(&blocks, "a.glb"), (&exact, "b.glb")].map(|(blocks, name)| {
                 let path = folder.path().join(name);
@@ -252,6 +253,7 @@ fn a_file_of_integers_that_would_be_wrong_is_not_written() {
             quantization,
             strips: false,
             node: GlbNode::default(),
+            materials: None,
         };
         let written = write_glb(&path, &layout, |sink| blocks.iter().try_for_each(&mut *sink));
         let problem = written.expect_err("it lies beyond").problem.to_string();
@@ -276,8 +278,13 @@ fn levels_of_detail_are_meshes_of_one_file() {
     let around = bounds[0].with(&bounds[1]).with(&bounds[2]).positions_m;
     let grid = PositionGrid::around(&[around], 14).expect("finite")[0];
     for quantization in [None, Some(Quantization { grid, uvs: true })] {
-        let layout =
-            GlbLayout { levels: levels.clone(), quantization, strips: false, node: GlbNode::default() };
+        let layout = GlbLayout {
+            levels: levels.clone(),
+            quantization,
+            strips: false,
+            node: GlbNode::default(),
+            materials: None,
+        };
         let grid = quantization.map(|how| how.grid);
         let blocks = meshers.each_ref().map(|mesher| rounded(mesher, grid).0);
         write_glb(&path, &layout, |sink| blocks.iter().flatten().try_for_each(&mut *sink)).expect("written");
@@ -339,12 +346,19 @@ fn levels_of_detail_are_meshes_of_one_file() {
         quantization: None,
         strips: false,
         node: GlbNode::default(),
+        materials: None,
     };
     assert!(same.check().is_err());
     assert!(
-        GlbLayout { levels: Vec::new(), quantization: None, strips: false, node: GlbNode::default() }
-            .check()
-            .is_err()
+        GlbLayout {
+            levels: Vec::new(),
+            quantization: None,
+            strips: false,
+            node: GlbNode::default(),
+            materials: None
+        }
+        .check()
+        .is_err()
     );
 }
 

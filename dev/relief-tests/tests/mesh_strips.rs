@@ -73,8 +73,13 @@ fn strips_decode_to_the_very_triangles() {
         for quantization in [None, Some(Quantization { grid, uvs: false })] {
             let blocks = blocks(&mesher, quantization.map(|how| how.grid));
             let level = GlbLevel { counts: counts(&mesher), coverage: 0.0 };
-            let plain =
-                GlbLayout { levels: vec![level], quantization, strips: false, node: GlbNode::default() };
+            let plain = GlbLayout {
+                levels: vec![level],
+                quantization,
+                strips: false,
+                node: GlbNode::default(),
+                materials: None,
+            };
             let layout = GlbLayout { strips: true, ..plain.clone() };
             let written = |layout: &GlbLayout, file: &str| {
                 let path = folder.path().join(file);
@@ -127,7 +132,8 @@ fn levels_have_strips_of_their_own() {
     let meshers = [0, 1, 2]
         .map(|level| Mesher::new(&base, &map(), &MeshSettings::default().coarser(level)).expect("a mesh"));
     let levels = GlbLevel::of(&meshers.each_ref().map(counts));
-    let layout = GlbLayout { levels, quantization: None, strips: true, node: GlbNode::default() };
+    let layout =
+        GlbLayout { levels, quantization: None, strips: true, node: GlbNode::default(), materials: None };
     let blocks = meshers.each_ref().map(|mesher| blocks(mesher, None));
     let written = write_glb(&path, &layout, |sink| blocks.iter().flatten().try_for_each(&mut *sink));
     let bytes = std::fs::read(&path).expect("written");

@@ -16,7 +16,7 @@ use clap::{Args, ValueEnum};
 use relief_core::ByteSize;
 use relief_core::registry::UnknownName;
 use relief_io::omissions::{self, UNDECLARED_NODATA};
-use relief_io::{DEFAULT_MAX_BYTES, MeshFormat, Remark, Up};
+use relief_io::{DEFAULT_MAX_BYTES, GlbMaterials, MeshFormat, Remark, Up};
 use relief_mesh::{
     BaseSurface, Directions, EDGE_RULES, EdgeRule, Fit, INTERIORS, Interior, Judge, Mesher, Seams, Shading,
     Side, View,
@@ -334,12 +334,18 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let surface = scene.surfaces()[0].clone();
     let mut notes = maps::of_reading(&spec, &scene, By::Flags);
-    if let (Some(MeshChoice::File(file)), Some(colors)) = (&arguments.placed.mesh, surface.file_colors())
-        && colors.colored() > 0
-    {
-        let what = "the colours, masks and pictures of its materials are not written";
-        notes.insert(By::Flags.note(&Remark::new(&omissions::UNWRITTEN_MATERIALS, what).of(file)));
-    }
+    let materials = match arguments.materials(&surface, format) {
+        Ok(materials) => materials,
+        Err(why) => {
+            let what = format!("the colours, masks and pictures of its materials are not written: {why}");
+            let file = match &arguments.placed.mesh {
+                Some(MeshChoice::File(file)) => file.as_path(),
+                _ => Path::new("mesh"),
+            };
+            notes.insert(By::Flags.note(&Remark::new(&omissions::UNWRITTEN_MATERIALS, what).of(file)));
+            None
+        }
+    };
     // Heights with a value for none among them are no reason to doubt their unit.
     if !notes.iter().any(|note| note.is_about(&UNDECLARED_NODATA))
         && let Some(ground) = spec.each_surface().first().and_then(maps::ground_of)
@@ -371,7 +377,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
         None => Vec::new(),
     };
-    let seen = Seen { surface: &surface, view, coarser, metres: &metres };
+    let seen = Seen { surface: &surface, view, coarser, metres: &metres, materials };
     let written = made::write(arguments, &seen, format, &files, &mut staged, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
@@ -406,6 +412,29 @@ impl Arguments {
             _ => None,
         };
         [Some(self.height.as_path()), mesh, self.view.as_deref()].into_iter().flatten().collect()
+    }
+
+    /// The materials of the base that are written.
+    ///
+    /// # Errors
+    ///
+    /// With a reason where they cannot be.
+    fn materials(&self, surface: &Surface, format: MeshFormat) -> Result<Option<GlbMaterials>, String> {
+        if surface.file_colors().is_none_or(|colors| colors.colored() == 0) {
+            return Ok(None);
+        }
+        if format != MeshFormat::Gltf {
+            return Err(format!("{format} is written without, a .glb holds them"));
+        }
+        let (materials, of_base) =
+            surface.file_materials().ok_or("they are more than are drawn, or lie on few triangles each")?;
+        if self.strips && !of_base.is_empty() {
+            return Err("--strips are of one material".to_owned());
+        }
+        if Mesher::is_plane(surface.mesh()) && !of_base.is_empty() {
+            return Err("the base is a plane, which is made as a whole".to_owned());
+        }
+        GlbMaterials::new(materials, of_base).map(Some).map_err(|problem| problem.to_string())
     }
 
     /// The most memory.

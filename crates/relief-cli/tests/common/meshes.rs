@@ -104,3 +104,48 @@ pub fn part(indices: u32, material: u32) -> String {
 pub fn factor(rgba: &str) -> String {
     format!(r#"{{"pbrMetallicRoughness": {{"baseColorFactor": [{rgba}]}}}}"#)
 }
+
+/// A glTF of a strip of paper, 3 m long and 1 m wide, that is folded twice: each of its three squares has its own
+/// material, of which one has the picture `leaf.png`, or all have the first one.
+pub fn folded(folder: &Folder, name: &str, has_several: bool) {
+    let ends = [[0.0, 0.0], [1.0, 0.0], [1.8, 0.6], [1.8, 1.6]];
+    let numbers = |list: Vec<f32>| list.iter().flat_map(|n| n.to_le_bytes()).collect::<Vec<u8>>();
+    let positions = ends.iter().flat_map(|[x, y]| [*x, *y, 0.0, *x, *y, 1.0]).collect();
+    let uvs = (0..4).flat_map(|at| [at as f32, 0.0, at as f32, 1.0]).collect();
+    let quad = |at: u16| [0, 1, 3, 0, 3, 2].map(|corner| 2 * at + corner);
+    let indices: Vec<u8> = (0..3).flat_map(quad).flat_map(|n| n.to_le_bytes()).collect();
+    let buffer = [numbers(positions), numbers(uvs), indices].concat();
+    let part = |at: u32| {
+        let material = if has_several { at } else { 0 };
+        serde_json::json!({ "attributes": { "POSITION": 0, "TEXCOORD_0": 1 }, "indices": 2 + at,
+            "material": material })
+    };
+    let list = |at: u32| {
+        serde_json::json!({ "bufferView": 2, "byteOffset": 12 * at, "componentType": 5123, "count": 6,
+            "type": "SCALAR" })
+    };
+    let corners = serde_json::json!({ "bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3",
+        "min": [0, 0, 0], "max": [1.8, 1.6, 1] });
+    let uvs = serde_json::json!({ "bufferView": 1, "componentType": 5126, "count": 8, "type": "VEC2" });
+    let json = serde_json::json!({
+        "asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0,
+        "meshes": [{"primitives": [part(0), part(1), part(2)]}],
+        "materials": [
+            {"name": "red @ \"home\"", "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}},
+            {"name": "leaf", "alphaMode": "MASK", "alphaCutoff": 0.25,
+             "pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "extensions":
+                {"KHR_texture_transform": {"offset": [0.5, 0.25], "rotation": 0.5, "scale": [2, -3]}}}}},
+            {"name": "blue", "pbrMetallicRoughness": {"baseColorFactor": [0, 0, 1, 1]}},
+        ],
+        "textures": [{"source": 0, "sampler": 0}], "images": [{"uri": "leaf.png"}],
+        "samplers": [{"wrapS": 33648, "wrapT": 33071}],
+        "accessors": [corners, uvs, list(0), list(1), list(2)],
+        "bufferViews": [
+            {"buffer": 0, "byteLength": 96}, {"buffer": 0, "byteOffset": 96, "byteLength": 64},
+            {"buffer": 0, "byteOffset": 160, "byteLength": 36},
+        ],
+        "buffers": [{"uri": "folded.bin", "byteLength": 196}],
+    });
+    folder.write("folded.bin", buffer);
+    folder.write(name, json.to_string());
+}

@@ -18,9 +18,15 @@ pub struct MeshBlock {
     pub points: Vec<Vec3>,
     /// The same triangles by the places of their corners' positions in `points`.
     pub corners: Vec<[u32; 3]>,
+    /// The number of the base mesh's triangle that each lies on: [`NO_OWNER`](Self::NO_OWNER) of walls, and
+    /// the first of a plane's. Empty where nobody knows.
+    pub owners: Vec<u32>,
 }
 
 impl MeshBlock {
+    /// The owner of a triangle that lies on none of the base mesh.
+    pub const NO_OWNER: u32 = u32::MAX;
+
     /// The positions of the triangles' corners, triangle by triangle.
     pub fn positions(&self) -> impl ExactSizeIterator<Item = [Vec3; 3]> {
         self.corners.iter().map(|corners| corners.map(|corner| self.points[corner as usize]))

@@ -10,6 +10,8 @@ use crate::Picture;
 /// A material, as far as its colour goes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshMaterial {
+    /// Its name.
+    pub name: Option<Arc<str>>,
     /// Linear red, green, blue and opacity, each from 0 to 1, which multiply the picture.
     pub factor: [f32; 4],
     /// The opacity below which nothing is seen; everything is where there is none. Above 1 nothing is seen.
@@ -37,7 +39,14 @@ impl MeshMaterial {
 impl Default for MeshMaterial {
     /// White and opaque.
     fn default() -> Self {
-        Self { factor: [1.0; 4], cutoff: None, picture: None, wrap: [Wrap::Repeat; 2], transform: Self::SAME }
+        Self {
+            name: None,
+            factor: [1.0; 4],
+            cutoff: None,
+            picture: None,
+            wrap: [Wrap::Repeat; 2],
+            transform: Self::SAME,
+        }
     }
 }
 
@@ -82,8 +91,10 @@ impl MeshColors {
 
     /// How many materials show something else than white, with colours of vertices as one more.
     pub fn colored(&self) -> usize {
-        let plain = MeshMaterial::default();
-        let of_materials = self.materials.iter().filter(|material| **material != plain).count();
+        let is_plain = |material: &MeshMaterial| {
+            material.picture.is_none() && material.cutoff.is_none() && material.factor == [1.0; 4]
+        };
+        let of_materials = self.materials.iter().filter(|material| !is_plain(material)).count();
         of_materials + usize::from(!self.tints.is_empty())
     }
 

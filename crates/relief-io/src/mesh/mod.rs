@@ -22,8 +22,8 @@ pub use self::material::{MeshColors, MeshMaterial};
 pub use self::named::files_of_mesh;
 pub use self::up::Up;
 pub use self::write::{
-    GlbLayout, GlbLevel, GlbNode, MAX_SHELLS, MeshCounts, MeshSink, Quantization, Shells, Standing,
-    write_glb, write_mesh, write_mesh_standing, write_shells,
+    GlbLayout, GlbLevel, GlbMaterials, GlbNode, MAX_SHELLS, MeshCounts, MeshSink, Quantization, Shells,
+    Standing, write_glb, write_mesh, write_mesh_standing, write_shells,
 };
 
 use self::builder::Builder;

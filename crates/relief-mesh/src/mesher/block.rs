@@ -52,6 +52,8 @@ impl Mesher {
         let mut making =
             Making { block: emptied(block), normals, smooth, kept, outline, ..Making::default() };
         self.make(work, &mut making);
+        let count = making.block.triangles.len();
+        making.block.owners.resize(count, MeshBlock::NO_OWNER);
         if how.cache_order {
             making.order();
         }
@@ -236,6 +238,7 @@ impl Mesher {
                         && !sight.is_unseen(corners.map(|(_, position)| position), cull)
                 });
             }
+            making.owner = base.whole(patch);
             making.triangles(&cut.triangles, &points, false);
             making.folds.extend(self.folded(base, patch, &cut, &points));
             first_vertex += own;
@@ -319,6 +322,7 @@ impl Mesher {
                 }
             });
         }
+        making.owner = base.whole(patch);
         making.triangles(&cut.triangles, &points, false);
         making.folds.extend(self.folded(base, patch, &cut, &points));
     }
@@ -459,6 +463,8 @@ struct Making<'a> {
     found: Vec<(u32, Vertex)>,
     folds: Vec<FoldedBase>,
     folds_below: Vec<FoldedBase>,
+    /// The triangle of the base on which those lie that come.
+    owner: u32,
 }
 
 impl Making<'_> {
@@ -489,13 +495,16 @@ impl Making<'_> {
         for (vertex, numbered) in own {
             self.vertex(vertex, numbered);
         }
+        self.owner = MeshBlock::NO_OWNER;
         self.triangles(&triangles, &points, is_turned);
     }
 
     /// Adds triangles of the base as they lie at an underside, turned over.
     fn underside(&mut self, base: &Triangles, all: impl Iterator<Item = (u32, [(Numbered, Vec3); 3])>) {
         let (mut places, mut points, mut triangles) = (HashMap::new(), Vec::new(), Vec::new());
+        let mut owners = std::mem::take(&mut self.block.owners);
         for (patch, corners) in all {
+            owners.push(base.whole(patch));
             if folds::is_folded(corners.map(|(_, position)| position), base.directions(patch)) {
                 let (triangle, middle_m) = (base.whole(patch), base.middle(patch));
                 self.folds_below.push(FoldedBase { triangle, pieces: 1, middle_m });
@@ -508,6 +517,7 @@ impl Making<'_> {
             }));
         }
         self.triangles(&triangles, &points, true);
+        self.block.owners = owners;
     }
 
     fn triangles(&mut self, triangles: &[[u32; 3]], points: &[(Numbered, Vec3)], is_turned: bool) {
@@ -531,6 +541,7 @@ impl Making<'_> {
                     corners.map(|c| first + c),
                 );
             }
+            self.block.owners.resize(self.block.triangles.len(), self.owner);
             return;
         }
         let number = |corner: u32| {
@@ -540,6 +551,7 @@ impl Making<'_> {
         let numbers = |[a, b, c]: [u32; 3]| [number(a), number(b), number(c)];
         self.block.triangles.extend(triangles.clone().map(numbers));
         self.block.corners.extend(triangles.map(|[a, b, c]| [first + a, first + b, first + c]));
+        self.block.owners.resize(self.block.triangles.len(), self.owner);
     }
 
     /// Adds a triangle whose corners may lie where pieces touch.
@@ -558,12 +570,13 @@ impl Making<'_> {
 
     /// Adds what lies at the bottom below a block: it faces the other way.
     fn beneath(&mut self, above: MeshBlock, outline: &Outline) {
-        let MeshBlock { vertices, triangles, points, corners } = above;
+        let MeshBlock { vertices, triangles, points, corners, owners } = above;
         let first = outline.first_below;
         self.block.vertices.extend(vertices.iter().map(|vertex| outline.vertex_below(vertex)));
         self.block.triangles.extend(triangles.iter().map(|[a, b, c]| [first + a, first + c, first + b]));
         self.block.points.extend(points.into_iter().map(|point| outline.below(point)));
         self.block.corners.extend(corners.iter().map(|[a, b, c]| [*a, *c, *b]));
+        self.block.owners.extend(owners);
     }
 
     /// Adds a wall along an outline.
@@ -585,6 +598,7 @@ impl Making<'_> {
         let Some(order) = cache_order(&self.block.corners, self.block.points.len()) else { return };
         self.block.triangles = ordered(&self.block.triangles, &order);
         self.block.corners = ordered(&self.block.corners, &order);
+        self.block.owners = ordered(&self.block.owners, &order);
         if let Some(smooth) = &mut self.smooth {
             *smooth = ordered(smooth, &order);
         }
@@ -596,6 +610,7 @@ fn emptied(mut block: MeshBlock) -> MeshBlock {
     block.triangles.clear();
     block.points.clear();
     block.corners.clear();
+    block.owners.clear();
     block
 }
 

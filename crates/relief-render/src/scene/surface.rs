@@ -80,6 +80,29 @@ impl Surface {
         self.file_colors.as_ref()
     }
 
+    /// The materials of its mesh's file as they are drawn, and the number of each triangle's: none where all
+    /// have the first one. None where the file has none that are drawn.
+    pub fn file_materials(&self) -> Option<(Vec<MeshMaterial>, Vec<u32>)> {
+        let of_file = self.file_colors.as_ref().filter(|colors| colors.colored() > 0)?;
+        if let Some(colors) = &self.colors {
+            let drawn = |drawn: &DrawnMaterial| self.of_material(drawn).as_material(drawn.name.clone());
+            return Some((colors.materials.iter().map(drawn).collect(), colors.of_triangles.clone()));
+        }
+        // Several that are not drawn leave nothing.
+        let is_drawn = self.color.is_some() || of_file.materials.len() == 1;
+        let name = of_file.materials.first().and_then(|material| material.name.clone());
+        is_drawn.then(|| (vec![self.as_material(name)], Vec::new()))
+    }
+
+    /// Its colour, picture and mask as a material of that name.
+    fn as_material(&self, name: Option<Arc<str>>) -> MeshMaterial {
+        let [red, green, blue] = self.material.diffuse().to_array();
+        let factor = [red, green, blue, 1.0];
+        let cutoff = Some(self.cutoff).filter(|cutoff| *cutoff > 0.0);
+        let plain = MeshMaterial { cutoff, ..MeshMaterial::default() };
+        MeshMaterial { name, factor, ..self.color_material().unwrap_or(plain) }
+    }
+
     /// The same, all of that material.
     pub(crate) fn of_material(&self, drawn: &DrawnMaterial) -> Self {
         let material = self.material.with_diffuse(drawn.diffuse);

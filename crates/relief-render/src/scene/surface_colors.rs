@@ -14,6 +14,8 @@ const MOST_MATERIALS: usize = 64;
 /// A material as it is drawn.
 #[derive(Clone, Debug)]
 pub struct DrawnMaterial {
+    /// Its name in the mesh's file.
+    pub name: Option<Arc<str>>,
     /// The linear diffuse colour, which multiplies the picture.
     pub diffuse: Vec3,
     /// The picture, and where it lies.
@@ -100,7 +102,8 @@ impl Drawn {
             let [by_red, by_green, by_blue, by_opacity] = group.tint;
             let diffuse = Vec3::new(red, green, blue) * Vec3::new(by_red, by_green, by_blue);
             let cutoff = least_opacity(material.cutoff, opacity * by_opacity, picture.is_some());
-            materials.push(DrawnMaterial { diffuse, picture, place, cutoff });
+            let name = material.name.clone();
+            materials.push(DrawnMaterial { name, diffuse, picture, place, cutoff });
         }
         if materials.len() == 1 {
             return materials.pop().map(Drawn::One);

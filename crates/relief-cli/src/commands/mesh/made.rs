@@ -1,6 +1,7 @@
 //! Makes the mesh while it is written.
 
 use std::collections::BTreeMap;
+use std::convert::Infallible;
 use std::io;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -8,8 +9,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use glam::Vec3;
 use relief_core::mesh::PositionGrid;
 use relief_io::{
-    GlbLayout, GlbLevel, GlbNode, MeshCounts, MeshFormat, MeshSink, Quantization, Standing, write_glb,
-    write_mesh_standing,
+    GlbLayout, GlbLevel, GlbMaterials, GlbNode, MeshCounts, MeshFormat, MeshSink, Quantization, Standing,
+    write_glb, write_mesh_standing,
 };
 use relief_mesh::{Bounds, Certificate, Mesher, Stream, StreamError, Streamed, Watch};
 
@@ -241,7 +242,8 @@ impl Making<'_> {
             |mesher: &Mesher| MeshCounts { vertices: mesher.vertices(), triangles: mesher.triangles() };
         let levels = GlbLevel::of(&meshers.iter().map(counts).collect::<Vec<_>>());
         let node = self.node(size)?;
-        let layout = GlbLayout { levels, quantization, strips: self.arguments.strips, node };
+        let materials = self.materials(meshers)?;
+        let layout = GlbLayout { levels, quantization, strips: self.arguments.strips, node, materials };
         let is_storable = match self.format {
             MeshFormat::Gltf => layout.check(),
             format => format.check(layout.counts()),
@@ -265,6 +267,30 @@ impl Making<'_> {
         });
         let finest = levels.next().ok_or_else(|| nothing_written(&name))?;
         Ok(WrittenPart { finest, coarser: levels.collect(), name, quantization, size, bytes })
+    }
+
+    /// The materials, with the triangles of each level that have them.
+    fn materials(&self, meshers: &[Mesher]) -> Result<Option<GlbMaterials>, Failure> {
+        let Some(mut materials) = self.seen.materials.clone() else { return Ok(None) };
+        if !materials.are_several() {
+            return Ok(Some(materials));
+        }
+        let name = self.arguments.output.display().to_string();
+        let bar = Progress::bar("counting", self.arguments.json);
+        let tell = |part: f32| bar.show(part);
+        let watch = Watch { tell: &tell, cancel: self.cancel };
+        let how = Stream { size: 1.0, check: false, grid: None, cache_order: false, watch };
+        for (level, mesher) in meshers.iter().enumerate() {
+            let counted = mesher.stream(&how, |block| -> Result<(), Infallible> {
+                materials.count(level, block);
+                Ok(())
+            });
+            counted.map_err(|error| match error {
+                StreamError::Cancelled => cancelled(),
+                error => Failure::Work(format!("{name}: {error}")),
+            })?;
+        }
+        Ok(Some(materials))
     }
 
     /// Where a mesh lies that is larger than the scene's by a factor.

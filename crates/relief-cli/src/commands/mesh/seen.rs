@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 use relief_bake::{Filter, Progress as BakeProgress, filter_levels};
 use relief_core::registry::UnknownName;
 use relief_core::{ByteSize, HeightMap};
+use relief_io::GlbMaterials;
 use relief_mesh::View;
 use relief_render::scene::Surface;
 
@@ -22,6 +23,8 @@ pub struct Seen<'a> {
     pub coarser: Vec<HeightMap>,
     /// The metres that it is written in.
     pub metres: &'a Metres,
+    /// The materials of the base that are written.
+    pub materials: Option<GlbMaterials>,
 }
 
 /// How coarser levels are made, if they are.

@@ -173,7 +173,8 @@ impl Colors {
         if self.materials.iter().all(Option::is_none) && self.tints.is_empty() {
             return Ok(None);
         }
-        let mut reading = Reading { document, images: Vec::new(), left_out: Vec::new(), blended: 0 };
+        let mut reading =
+            Reading { document, images: Vec::new(), left_out: Vec::new(), blended: 0, has_others: false };
         let mut materials = Vec::with_capacity(self.materials.len());
         for number in &self.materials {
             let material = number.and_then(|number| document.materials().nth(number));
@@ -186,7 +187,11 @@ impl Colors {
             let what = "a picture lies by texture coordinates that are not there: others are taken";
             notes.push(Remark::new(&omissions::ABSENT_COORDINATES, what));
         }
-        let Reading { left_out, blended, .. } = reading;
+        let Reading { left_out, blended, has_others, .. } = reading;
+        if has_others {
+            let what = "its pictures of normals, metal, roughness, occlusion and emission are not read";
+            notes.push(Remark::new(&omissions::OTHER_PICTURES, what));
+        }
         for why in left_out.iter().take(MOST_NAMED) {
             let what = format!("the picture of its colours is left out: {why}");
             notes.push(Remark::new(&omissions::UNREAD_PICTURE, what));
@@ -218,6 +223,8 @@ struct Reading<'a> {
     /// Why pictures were left out, each reason once.
     left_out: Vec<String>,
     blended: u64,
+    /// Whether a material has pictures besides that of its colours.
+    has_others: bool,
 }
 
 impl Reading<'_> {
@@ -244,7 +251,12 @@ impl Reading<'_> {
                 Some(BLENDED)
             }
         };
-        let plain = MeshMaterial { factor, cutoff, ..MeshMaterial::default() };
+        let name = material.name().map(Arc::from);
+        let plain = MeshMaterial { name, factor, cutoff, ..MeshMaterial::default() };
+        self.has_others |= base.metallic_roughness_texture().is_some()
+            || material.normal_texture().is_some()
+            || material.occlusion_texture().is_some()
+            || material.emissive_texture().is_some();
         let Some(info) = base.base_color_texture() else { return Ok(plain) };
         let texture = info.texture();
         let why = match Image::of(&texture) {

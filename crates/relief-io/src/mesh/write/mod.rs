@@ -13,7 +13,7 @@ use std::path::Path;
 use glam::{DVec3, Vec3};
 use relief_core::mesh::MeshBlock;
 
-pub use glb::{GlbLayout, GlbLevel, GlbNode, Quantization};
+pub use glb::{GlbLayout, GlbLevel, GlbMaterials, GlbNode, Quantization};
 pub use shells::{MAX_SHELLS, Shells, write_shells};
 
 use super::MeshFormat;
@@ -102,7 +102,7 @@ fn check_counts(MeshCounts { vertices, triangles }: MeshCounts) -> Result<(), Wr
 /// let counts = MeshCounts { vertices, triangles };
 /// let (vertices, triangles) = (mesh.vertices().to_vec(), mesh.triangles().to_vec());
 /// let points = vertices.iter().map(|vertex| vertex.position).collect();
-/// let block = MeshBlock { vertices, corners: triangles.clone(), triangles, points };
+/// let block = MeshBlock { vertices, corners: triangles.clone(), triangles, points, owners: Vec::new() };
 /// write_mesh(&path, MeshFormat::Ply, counts, |sink| sink(&block))?;
 /// assert_eq!(read_mesh(path.as_path(), &MeshOptions::default())?.mesh.triangles().len(), 48);
 /// # Ok(())
@@ -254,18 +254,18 @@ fn counted(
     Err(WriteProblem::NotStorable(what))
 }
 
-/// A file that is written in two places: vertices, and what follows all of them.
+/// A file that is written in several places: vertices, and what follows all of them.
 struct Regions<'a, 'b> {
     out: &'a mut BufWriter<&'b File>,
     /// Where each goes on.
-    next: [u64; 2],
+    next: Vec<u64>,
     /// Where the file is written.
     at: u64,
 }
 
 impl<'a, 'b> Regions<'a, 'b> {
     fn new(out: &'a mut BufWriter<&'b File>) -> Self {
-        Self { out, next: [0; 2], at: 0 }
+        Self { out, next: vec![0; 2], at: 0 }
     }
 
     /// Goes on with a region.

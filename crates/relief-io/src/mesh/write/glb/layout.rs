@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use glam::Vec3;
 
 use super::super::{MeshCounts, check_counts};
+use super::materials::GlbMaterials;
 use super::vertex::{Quantization, attributes};
 use super::{HEADERS, INDEX};
 use crate::WriteProblem;
@@ -16,11 +17,14 @@ const ROOM: usize = 160;
 /// What stands for them until then.
 const PLACE: &str = "@";
 
+/// The material of a mesh without any.
+const GREY: &str = r#"{"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],"metallicFactor":0}}"#;
+
 /// A GLB that is written: its levels of detail, the finest first, and how their vertices are stored.
 ///
 /// One level is a mesh. Further ones are named by the extension `MSFT_lod` of the first one's node, with the
 /// part of the picture's area down to which each is to be shown (`MSFT_screencoverage`, in the node's
-/// extras). Programs that know nothing of the extension show the first. The material is a grey one.
+/// extras). Programs that know nothing of the extension show the first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GlbLayout {
     /// The levels, at least one.
@@ -35,6 +39,8 @@ pub struct GlbLayout {
     pub strips: bool,
     /// What is said of the mesh as a whole.
     pub node: GlbNode,
+    /// The materials; a grey one where there are none.
+    pub materials: Option<GlbMaterials>,
 }
 
 /// Where the mesh of a GLB lies, and what else is said of it.
@@ -84,7 +90,7 @@ impl GlbLayout {
     /// One mesh, in floats.
     pub fn of(counts: MeshCounts) -> Self {
         let levels = vec![GlbLevel { counts, coverage: 0.0 }];
-        Self { levels, quantization: None, strips: false, node: GlbNode::default() }
+        Self { levels, quantization: None, strips: false, node: GlbNode::default(), materials: None }
     }
 
     /// The bytes of the file: exactly, but of strips at most.
@@ -119,6 +125,9 @@ impl GlbLayout {
         for level in &self.levels {
             check_counts(level.counts)?;
         }
+        if let Some(materials) = &self.materials {
+            materials.check(self)?;
+        }
         let coverages: Vec<f64> = self.levels.iter().map(|level| level.coverage).collect();
         let in_range = coverages.iter().all(|coverage| (0.0..=1.0).contains(coverage));
         if self.levels.is_empty() || !in_range || coverages.windows(2).any(|pair| pair[1] >= pair[0]) {
@@ -144,7 +153,21 @@ impl GlbLayout {
 
     /// Bytes of the buffer, with so many indices of each level.
     pub(super) fn buffer(&self, indices: &[u64]) -> u64 {
+        self.pictures_at(indices) + self.materials.as_ref().map_or(0, GlbMaterials::bytes)
+    }
+
+    /// Where the pictures begin in the buffer, with so many indices of each level.
+    pub(super) fn pictures_at(&self, indices: &[u64]) -> u64 {
         self.places(self.levels.len(), indices)[0]
+    }
+
+    /// How many triangles of a level each primitive has, by its material: those that have any.
+    pub(super) fn parts(&self, level: usize) -> Vec<(usize, u64)> {
+        let counts = self.materials.as_ref().and_then(|materials| materials.counts.get(level));
+        match counts {
+            Some(counts) => counts.iter().copied().enumerate().filter(|(_, count)| *count > 0).collect(),
+            None => vec![(0, self.levels[level].counts.triangles)],
+        }
     }
 
     /// Where vertices and indices of a level begin in the buffer, with so many indices of those before; both
@@ -191,12 +214,15 @@ impl GlbLayout {
             let ([vertices_at, indices_at], count) = (self.places(at, indices), indices[at]);
             let sizes = self.sizes(*counts, count);
             let mode = if self.strips { r#","mode":5"# } else { "" };
-            let first = 5 * at;
+            let first = accessors.len();
             let named = [0, 1, 2, 3].map(|k| format!(r#""{}":{}"#, lists[k].name, first + k)).join(",");
-            meshes.push(
-                format!(r#"{{"primitives":[{{"attributes":{{{named}}},"#)
-                    + &format!(r#""indices":{},"material":0{mode}}}]}}"#, first + 4),
-            );
+            let parts = self.parts(at);
+            let primitive = |(part, (material, _)): (usize, &(usize, u64))| {
+                format!(r#"{{"attributes":{{{named}}},"#)
+                    + &format!(r#""indices":{},"material":{material}{mode}}}"#, first + 4 + part)
+            };
+            let primitives: Vec<String> = parts.iter().enumerate().map(primitive).collect();
+            meshes.push(format!(r#"{{"primitives":[{}]}}"#, primitives.join(",")));
             views.push(
                 format!(r#"{{"buffer":0,"byteOffset":{vertices_at},"byteLength":{},"#, sizes[0])
                     + &format!(r#""byteStride":{vertex_bytes},"target":34962}}"#),
@@ -209,17 +235,30 @@ impl GlbLayout {
                 let place = if k == 0 { PLACE } else { "" };
                 accessors.push(list.accessor(2 * at, vertices) + place + "}");
             }
-            accessors.push(
-                format!(r#"{{"bufferView":{},"componentType":5125,"#, 2 * at + 1)
-                    + &format!(r#""count":{count},"type":"SCALAR"}}"#),
-            );
+            let mut from = 0;
+            for (_, triangles) in &parts {
+                let of_part = if parts.len() > 1 { 3 * triangles } else { count };
+                let offset =
+                    if from > 0 { format!(r#""byteOffset":{},"#, INDEX * from) } else { String::new() };
+                accessors.push(
+                    format!(r#"{{"bufferView":{},{offset}"componentType":5125,"#, 2 * at + 1)
+                        + &format!(r#""count":{of_part},"type":"SCALAR"}}"#),
+                );
+                from += of_part;
+            }
+        }
+        let (materials, of_pictures) = match &self.materials {
+            Some(materials) => (materials.json(), materials.json_of_pictures(views.len())),
+            None => (GREY.to_owned(), String::new()),
+        };
+        if let Some(materials) = &self.materials {
+            views.extend(materials.views(self.pictures_at(indices)));
         }
         let version = env!("CARGO_PKG_VERSION");
         format!(r#"{{"asset":{{"version":"2.0","generator":"relief {version}"}},"#)
             + &self.extensions()
             + &format!(r#""scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{}],"#, self.nodes())
-            + r#""materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],"#
-            + r#""metallicFactor":0}}],"#
+            + &format!(r#""materials":[{materials}],{of_pictures}"#)
             + &format!(r#""meshes":[{}],"#, meshes.join(","))
             + &format!(r#""buffers":[{{"byteLength":{}}}],"#, self.buffer(indices))
             + &format!(r#""bufferViews":[{}],"accessors":[{}]}}"#, views.join(","), accessors.join(","))
@@ -229,7 +268,9 @@ impl GlbLayout {
     fn extensions(&self) -> String {
         let quantization = self.quantization.map(|_| r#""KHR_mesh_quantization""#);
         let lods = (self.levels.len() > 1).then_some(r#""MSFT_lod""#);
-        let used: Vec<&str> = [quantization, lods].into_iter().flatten().collect();
+        let is_moved = self.materials.as_ref().is_some_and(GlbMaterials::has_transforms);
+        let transforms = is_moved.then_some(r#""KHR_texture_transform""#);
+        let used: Vec<&str> = [quantization, lods, transforms].into_iter().flatten().collect();
         let required = quantization.map(|name| format!(r#""extensionsRequired":[{name}],"#));
         if used.is_empty() {
             return String::new();

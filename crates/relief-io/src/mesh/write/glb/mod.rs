@@ -1,7 +1,8 @@
-//! Binary glTF 2.0: meshes of one material, one or several levels of detail. Of each level the vertices lie
-//! side by side, its indices behind them.
+//! Binary glTF 2.0: meshes of one or several levels of detail. Of each level the vertices lie side by side,
+//! its indices behind them, material by material; pictures lie behind all.
 
 mod layout;
+mod materials;
 mod strips;
 mod vertex;
 
@@ -14,6 +15,7 @@ use super::{MeshCounts, Regions};
 
 use self::strips::Strip;
 pub use layout::{GlbLayout, GlbLevel, GlbNode};
+pub use materials::GlbMaterials;
 pub use vertex::{Quantization, tangent};
 
 /// Bytes of an index.
@@ -53,7 +55,12 @@ impl<'a> Glb<'a> {
 
     /// Goes on at the beginning of a level.
     fn go_to(&self, level: usize, regions: &mut Regions<'_, '_>) {
-        regions.next = self.layout.places(level, &self.indices).map(|place| self.before + place);
+        let [vertices, mut indices] = self.layout.places(level, &self.indices).map(|at| self.before + at);
+        regions.next = vec![vertices];
+        for (_, triangles) in self.layout.parts(level) {
+            regions.next.push(indices);
+            indices += 3 * INDEX * triangles;
+        }
     }
 
     pub fn block(&mut self, block: &MeshBlock, regions: &mut Regions<'_, '_>) -> io::Result<()> {
@@ -84,6 +91,18 @@ impl<'a> Glb<'a> {
         self.bounds[self.level] = [least, greatest];
         regions.write(0, &bytes)?;
         bytes.clear();
+        let parts = self.layout.parts(self.level);
+        if let Some(materials) = self.layout.materials.as_ref().filter(|_| parts.len() > 1) {
+            self.indices[self.level] += 3 * block.triangles.len() as u64;
+            for (region, (material, _)) in parts.iter().enumerate() {
+                bytes.clear();
+                let all = block.triangles.iter().enumerate();
+                let own = all.filter(|(at, _)| materials.of_triangle(block, *at) == *material);
+                bytes.extend(own.flat_map(|(_, corners)| corners).flat_map(|corner| corner.to_le_bytes()));
+                regions.write(1 + region, &bytes)?;
+            }
+            return Ok(());
+        }
         let of_strip = self.layout.strips.then(|| self.strip.extended(&block.triangles));
         let indices = of_strip.as_deref().unwrap_or(block.triangles.as_flattened());
         self.indices[self.level] += indices.len() as u64;
@@ -112,6 +131,11 @@ impl<'a> Glb<'a> {
         head.extend(bytes(buffer));
         head.extend(b"BIN\0");
         regions.write_at(0, &head)?;
+        let mut at = before + layout.pictures_at(&indices);
+        for png in layout.materials.iter().flat_map(GlbMaterials::pictures) {
+            regions.write_at(at, png)?;
+            at += png.len() as u64;
+        }
         Ok(indices)
     }
 }
