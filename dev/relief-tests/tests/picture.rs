@@ -214,7 +214,7 @@ fn a_fitted_camera_sees_all_as_large_as_it_can() {
                         mesh: Some(mesh.into()),
                         position: Some([3.0, -2.0, 7.0]),
                         rotation: Some([10.0, 20.0, 30.0]),
-                        size: Some(2.5),
+                        mesh_scale: Some(2.5),
                         scale: Some(0.3),
                         two_sided: Some(true),
                         ..SurfaceSpec::default()
