@@ -100,6 +100,11 @@ const FEEDS: &[Feed] = &[
         line
     }),
     ("other-pictures", |folder| painted(folder, "", r#", "normalTexture": {"index": 0}"#, "")),
+    ("mtl", |folder| {
+        let obj = "mtllib ../a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n";
+        folder.write("a.obj", obj);
+        "render --mesh a.obj --backend cpu --size 32x24 -o out.png"
+    }),
     ("blended", |folder| painted(folder, "", r#", "alphaMode": "BLEND""#, "")),
     ("uneven-colours", |folder| {
         let attributes = r#"{"POSITION": 0, "TEXCOORD_0": 1, "COLOR_0": 10}"#;

@@ -77,6 +77,9 @@ omissions! {
     OTHER_PICTURES: "other-pictures", "meshes",
         "materials with pictures of normals, metal, roughness, occlusion or emission",
         "they are left out";
+    MTL: "mtl", "meshes",
+        "an OBJ that names a file of materials",
+        "its materials are left out";
     BLENDED: "blended", "meshes",
         "a material that is blended with what is behind it",
         "it is opaque where its opacity is at least 0.5, and nothing elsewhere";

@@ -27,7 +27,7 @@ pub use self::write::{
 };
 
 use self::builder::Builder;
-use crate::{DEFAULT_MAX_BYTES, ReadError, ReadProblem, Remark, Source};
+use crate::{DEFAULT_MAX_BYTES, ReadError, ReadProblem, Remark, Source, omissions};
 
 /// A format of meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -247,7 +247,14 @@ fn read_raw(source: Source<'_>, options: &MeshOptions) -> Result<Read, ReadProbl
     let (mut colors, mut notes) = (None, Vec::new());
     match format {
         MeshFormat::Gltf => colors = gltf::read(source, &bytes, options, &mut builder, &mut notes)?,
-        MeshFormat::Obj => obj::read(&bytes, &mut builder)?,
+        MeshFormat::Obj => {
+            obj::read(&bytes, &mut builder)?;
+            let names_materials = |line: &[u8]| line.trim_ascii_start().starts_with(b"mtllib ");
+            if options.colors && bytes.split(|byte| matches!(byte, b'\n' | b'\r')).any(names_materials) {
+                let what = "the materials of its .mtl file are not read: a .glb of it keeps them";
+                notes.push(Remark::new(&omissions::MTL, what));
+            }
+        }
         MeshFormat::Ply => ply::read(&bytes, &mut builder)?,
         MeshFormat::Stl => stl::read(&bytes, &mut builder)?,
     }
