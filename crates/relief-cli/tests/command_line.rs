@@ -476,3 +476,30 @@ fn long_names_and_lines_are_cut_in_what_is_said() {
     let ran = folder.relief(&format!("render --height {long}.png -o a.png"));
     assert!(ran.stderr.starts_with("error: xxx") && ran.stderr.contains("…"), "{}", ran.stderr);
 }
+
+#[test]
+fn a_light_has_a_vector_or_an_azimuth_and_an_altitude() {
+    let folder = Folder::new();
+    folder.write("map.png", Map::hills().png());
+    let picture = |line: &str| {
+        folder.relief(&format!("render {line} {SMALL}")).fine();
+        std::fs::read(folder.path("a.png")).expect("a picture")
+    };
+    let east = picture("--height map.png --light 1,1,0");
+    assert!(east == picture("--height map.png --light az=90,alt=45"));
+    assert!(east != picture("--height map.png --light az=270,alt=45"));
+    for key in ["light = 'alt=45, az=90'", "lights = [{ direction = 'az=90,alt=45' }]"] {
+        folder.write("s.toml", format!("height = 'map.png'\n{key}\n"));
+        assert!(east == picture("s.toml"), "{key}");
+    }
+    for (bad, named) in [("az=,alt=45", "az=315"), ("az=90,alt=-1", "altitude"), ("az=400,alt=1", "azimuth")]
+    {
+        let ran = folder.relief(&format!("render --height map.png --light {bad} -o b.png"));
+        assert!(ran.code == Some(2) && ran.stderr.contains(named), "{bad}: {}", ran.stderr);
+        folder.write("s.toml", format!("height = 'map.png'\n\nlight = '{bad}'\n"));
+        let ran = folder.relief("render s.toml -o b.png");
+        assert_eq!(ran.code, Some(1), "{bad}: {}", ran.stderr);
+        assert!(ran.stderr.contains("line 3") && ran.stderr.contains(named), "{bad}: {}", ran.stderr);
+    }
+    assert!(!folder.path("b.png").exists());
+}

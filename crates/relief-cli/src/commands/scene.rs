@@ -99,11 +99,10 @@ fn schema() -> Value {
 }
 
 fn of_key(key: &Key) -> Value {
-    let numbers = |kind: &str, count: usize| {
-        json!({
-            "type": "array", "items": { "type": kind }, "minItems": count, "maxItems": count,
-        })
-    };
+    let list = |item: Value, count: usize| json!({ "type": "array", "items": item, "minItems": count, "maxItems": count });
+    let numbers = |kind: &str, count: usize| list(json!({ "type": kind }), count);
+    let length = || json!({ "type": ["number", "string"] });
+    let direction = || json!({ "oneOf": [numbers("number", 3), { "type": "string" }] });
     let colour = || numbers("number", 3);
     let mut schema = match &key.form {
         Form::Text => json!({ "type": "string" }),
@@ -113,6 +112,9 @@ fn of_key(key: &Key) -> Value {
         Form::Number => json!({ "type": "number" }),
         Form::Whole => json!({ "type": "integer" }),
         Form::Numbers(count) => numbers("number", *count),
+        Form::Length => length(),
+        Form::Lengths(count) => list(length(), *count),
+        Form::Direction => direction(),
         Form::Wholes(count) => numbers("integer", *count),
         Form::Range => json!({ "oneOf": [numbers("number", 2), { "const": "auto" }] }),
         Form::Memory => json!({ "type": ["integer", "string"] }),
@@ -129,8 +131,8 @@ fn of_key(key: &Key) -> Value {
             "items": {
                 "type": "object", "additionalProperties": false,
                 "properties": {
-                    "direction": numbers("number", 3), "position": numbers("number", 3), "color": colour(),
-                    "intensity": { "type": "number" },
+                    "direction": direction(), "position": list(length(), 3), "color": colour(),
+                    "intensity": { "type": "number" }, "angle": { "type": "number" }, "radius": length(),
                 },
             },
         }),

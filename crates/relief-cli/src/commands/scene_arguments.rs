@@ -8,8 +8,8 @@ use relief_core::ByteSize;
 use relief_io::{GreenSign, decode_text};
 use relief_render::depth_buffer::Clip;
 use relief_render::scene::{
-    BackendChoice, LightSpec, MaterialSpec, MeshChoice, ProjectionChoice, Sampling, SceneError, SceneSpec,
-    SurfaceSpec, ValueError, ValueProblem, View, parse_scene, read_scene,
+    BackendChoice, LightDirection, LightSpec, MaterialSpec, MeshChoice, ProjectionChoice, Sampling,
+    SceneError, SceneSpec, SurfaceSpec, ValueError, ValueProblem, View, parse_scene, read_scene,
 };
 use relief_render::tone::Tone;
 use relief_shaders::METHODS;
@@ -234,15 +234,15 @@ pub struct SceneArguments {
         hide_short_help = true,
     )]
     far: Option<f64>,
-    /// Direction toward a directional light [default: -0.6,0.6,-0.1]
+    /// Direction toward a directional light: a vector, or degrees clockwise from north (-z) and above the
+    /// horizon [default: -0.6,0.6,-0.1]
     #[arg(
         long,
-        value_name = "X,Y,Z",
-        value_parser = values::point,
+        value_name = "X,Y,Z|az=A,alt=B",
         allow_hyphen_values = true,
-        help_heading = "Camera and light",
+        help_heading = "Camera and light"
     )]
-    light: Option<[f64; 3]>,
+    light: Option<LightDirection>,
     /// Position of a point light, and its intensity in linear red, green and blue (1 lights a white surface
     /// fully from 1 m); may be repeated, and beside --light
     #[arg(
@@ -385,8 +385,9 @@ impl SceneArguments {
             two_sided: given(self.two_sided),
             ..self.placed.surface(&self.reading)
         };
+        let light = self.light.map(|LightDirection(toward)| toward);
         let directional =
-            self.light.map(|direction| LightSpec { direction: Some(direction), ..LightSpec::default() });
+            light.map(|direction| LightSpec { direction: Some(direction), ..LightSpec::default() });
         let lights = || directional.into_iter().chain(self.point_light.iter().cloned()).collect();
         let colour = |colour: [f64; 3]| colour.map(|part| part as f32);
         SceneSpec {
@@ -403,7 +404,7 @@ impl SceneArguments {
             samples: self.samples,
             exposure: self.exposure,
             tone: self.tone,
-            light: self.light.filter(|_| self.point_light.is_empty()),
+            light: light.filter(|_| self.point_light.is_empty()),
             lights: (!self.point_light.is_empty()).then(lights),
             light_angle: self.light_angle,
             ambient_color: self.ambient_color.or(color_of_ambient).map(colour),

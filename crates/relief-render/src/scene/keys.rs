@@ -1,5 +1,6 @@
 //! Values of a scene file's keys, and which keys there are.
 
+use super::LightDirection;
 use relief_core::ByteSize;
 use relief_io::HeightRange;
 use serde::de::value::SeqAccessDeserializer;
@@ -108,6 +109,29 @@ pub fn range<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Height
     }
 
     deserializer.deserialize_any(Range).map(Some)
+}
+
+/// Reads the direction toward a light: three numbers, or a text such as `az=315,alt=45`.
+pub fn light_direction<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<[f64; 3]>, D::Error> {
+    struct Direction;
+
+    impl<'de> Visitor<'de> for Direction {
+        type Value = [f64; 3];
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("three numbers, or \"az=DEGREES,alt=DEGREES\"")
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, numbers: A) -> Result<[f64; 3], A::Error> {
+            numbers_of(SeqAccessDeserializer::new(numbers))
+        }
+
+        fn visit_str<E: de::Error>(self, text: &str) -> Result<[f64; 3], E> {
+            text.parse().map(|LightDirection(vector)| vector).map_err(E::custom)
+        }
+    }
+
+    deserializer.deserialize_any(Direction).map(Some)
 }
 
 /// Reads an amount of memory: a number of bytes, or a text such as `4GiB`.

@@ -29,10 +29,16 @@ pub enum Form {
     Whole,
     /// So many numbers.
     Numbers(usize),
+    /// A number of metres, or a text with a unit, such as `"5cm"`.
+    Length,
+    /// So many lengths.
+    Lengths(usize),
     /// So many whole numbers.
     Wholes(usize),
     /// Two numbers, or `"auto"`.
     Range,
+    /// Three numbers, or a text such as `"az=315,alt=45"`.
+    Direction,
     /// A number of bytes, or a text such as `"512MiB"`.
     Memory,
     /// A table of numbers for each stage.
@@ -104,11 +110,11 @@ pub fn keys() -> Vec<Key> {
         ),
         surface(
             "scale",
-            Form::Number,
+            Form::Length,
             "",
             "metres between heights 0 and 1; else as the file states, or 0.05",
         ),
-        surface("bias", Form::Number, "", "displacement of height 0 in metres; else minus the scale"),
+        surface("bias", Form::Length, "", "displacement of height 0 in metres; else minus the scale"),
         surface("exaggerate", Form::Number, "1", "factor on the scale, 1e-6 to 1e6"),
         surface("creases", Form::Flag, "false", "whether normals of the heights end at creases"),
         surface("color", Form::Text, "", "colour map, in sRGB"),
@@ -130,11 +136,11 @@ pub fn keys() -> Vec<Key> {
         surface("tile", Form::Numbers(2), "[1, 1]", "tiles along u and v"),
         surface(
             "tile-size",
-            Form::Numbers(2),
+            Form::Lengths(2),
             "",
             "metres of a tile; else as the file states, or square texels",
         ),
-        surface("position", Form::Numbers(3), "[0, 0, 0]", "where the mesh's origin lies, in metres"),
+        surface("position", Form::Lengths(3), "[0, 0, 0]", "where the mesh's origin lies, in metres"),
         surface("rotation", Form::Numbers(3), "[0, 0, 0]", "degrees about x, then y, then z"),
         surface("mesh-scale", Form::Number, "1", "how many times as large the mesh is; the relief stays"),
         surface("method", Form::Name(methods), "\"exact\"", "how hits are found; or search and refine"),
@@ -156,24 +162,24 @@ pub fn keys() -> Vec<Key> {
     let tones = Tone::ALL.map(Tone::name).to_vec();
     keys.extend([
         scene("view", Form::Name(views), "\"corner\"", "from where the camera looks that sees all"),
-        scene("eye", Form::Numbers(3), "", "position of the eye in metres, in place of a view"),
-        scene("target", Form::Numbers(3), "", "point looked at"),
+        scene("eye", Form::Lengths(3), "", "position of the eye in metres, in place of a view"),
+        scene("target", Form::Lengths(3), "", "point looked at"),
         scene("projection", Form::Name(projections), "\"perspective\"", "how space becomes a picture"),
         scene("fov", Form::Number, "40", "vertical field of view of a perspective in degrees"),
-        scene("view-height", Form::Number, "", "metres from edge to edge of an orthographic picture"),
+        scene("view-height", Form::Length, "", "metres from edge to edge of an orthographic picture"),
         scene(
             "clip",
             Form::Name(clips),
             "\"standard\"",
             "which end of the depth buffer is near, for the AOV z",
         ),
-        scene("near", Form::Number, "", "metres to that buffer's near plane; else before the scene"),
-        scene("far", Form::Number, "", "metres to its far plane, or inf; else behind the scene"),
+        scene("near", Form::Length, "", "metres to that buffer's near plane; else before the scene"),
+        scene("far", Form::Length, "", "metres to its far plane, or inf; else behind the scene"),
         scene("size", Form::Wholes(2), "[800, 600]", "pixels of the picture"),
         scene("samples", Form::Whole, "4", "samples of a pixel, 1 to 1024"),
         scene("exposure", Form::Number, "0", "stops by which light is brightened"),
         scene("tone", Form::Name(tones), "\"none\"", "tone curve"),
-        scene("light", Form::Numbers(3), "[-0.6, 0.6, -0.1]", "direction toward the only light"),
+        scene("light", Form::Direction, "[-0.6, 0.6, -0.1]", "direction toward the only light"),
         scene("lights", Form::Lights, "", "all lights, in place of it"),
         scene("light-angle", Form::Number, "0.53", "diameter of lights far away in degrees, 0 to 90"),
         scene("ambient-color", Form::Numbers(3), "[0.12, 0.12, 0.12]", "light from all around, linear"),

@@ -1,6 +1,6 @@
 //! Descriptions of scenes, with gaps.
 
-use super::keys::{amount, length, lengths, numbers, parsed};
+use super::keys::{amount, length, lengths, light_direction, numbers, parsed};
 use super::{BackendChoice, ProjectionChoice, Sampling, SurfaceSpec, View};
 use crate::depth_buffer::Clip;
 use crate::tone::Tone;
@@ -62,8 +62,9 @@ pub struct SceneSpec {
     /// The tone curve: `none` (default) or `agx`.
     #[serde(deserialize_with = "parsed")]
     pub tone: Option<Tone>,
-    /// Direction toward the only light, white and of irradiance 1. By default (-0.6, 0.6, -0.1).
-    #[serde(deserialize_with = "numbers")]
+    /// Direction toward the only light, white and of irradiance 1: a vector, or a text such as
+    /// `"az=315,alt=45"` (see [`LightDirection`](super::LightDirection)). By default (-0.6, 0.6, -0.1).
+    #[serde(deserialize_with = "light_direction")]
     pub light: Option<[f64; 3]>,
     /// All lights, in place of `light`.
     pub lights: Option<Vec<LightSpec>>,
@@ -95,11 +96,12 @@ pub struct SceneSpec {
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct LightSpec {
-    /// Direction toward a light infinitely far away, of any length.
-    #[serde(deserialize_with = "numbers")]
+    /// Direction toward a light infinitely far away: a vector of any length, or a text such as
+    /// `"az=315,alt=45"`.
+    #[serde(deserialize_with = "light_direction")]
     pub direction: Option<[f64; 3]>,
     /// Position of a point light in metres.
-    #[serde(deserialize_with = "numbers")]
+    #[serde(deserialize_with = "lengths")]
     pub position: Option<[f64; 3]>,
     /// Linear red, green, blue. By default white.
     #[serde(deserialize_with = "numbers")]
@@ -110,6 +112,7 @@ pub struct LightSpec {
     /// Diameter of a light infinitely far away in degrees, 0 to 90.
     pub angle: Option<f64>,
     /// Radius of a point light in metres. By default 0.
+    #[serde(deserialize_with = "length")]
     pub radius: Option<f64>,
 }
 
