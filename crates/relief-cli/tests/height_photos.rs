@@ -148,6 +148,62 @@ fn heights_normals_and_colours_come_back() {
     assert!(error(&folder, "h.exr") > 0.01);
 }
 
+/// A PNG of linear samples whose rows are stored as an orientation of EXIF says, by which it is shown upright;
+/// marked as linear or not.
+fn turned(pixels: &[[f64; 3]], orientation: u8, gamma: Option<f32>) -> Vec<u8> {
+    let samples = pixels.iter().flatten().map(|&light| (light.min(1.0) * 65535.0).round() as u16).collect();
+    let shown = ImageBuffer::<Rgb<u16>, Vec<u16>>::from_raw(SIDE, SIDE, samples).expect("as many samples");
+    let shown = DynamicImage::ImageRgb16(shown);
+    let stored = match orientation {
+        3 => shown.rotate180(),
+        6 => shown.rotate270(),
+        8 => shown.rotate90(),
+        _ => shown,
+    };
+    let exif =
+        [b"II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0".as_slice(), &[orientation, 0, 0, 0], &[0; 4]]
+            .concat();
+    let mut info = png::Info::with_size(SIDE, SIDE);
+    info.color_type = png::ColorType::Rgb;
+    info.bit_depth = png::BitDepth::Sixteen;
+    info.exif_metadata = Some(exif.into());
+    info.source_gamma = gamma.map(png::ScaledFloat::new);
+    let mut bytes = Vec::new();
+    let writer = png::Encoder::with_info(&mut bytes, info).and_then(png::Encoder::write_header);
+    let mut writer = writer.expect("a valid header");
+    let data: Vec<u8> = stored.into_rgb16().iter().flat_map(|sample| sample.to_be_bytes()).collect();
+    writer.write_image_data(&data).expect("as many samples as the header says");
+    writer.finish().expect("it is whole");
+    bytes
+}
+
+#[test]
+fn photographs_are_turned_and_linear_as_they_say() {
+    let folder = Folder::new();
+    shoot(&folder, Kind::Linear);
+    let list = std::fs::read_to_string(folder.path("shots/lights.toml")).expect("it was written");
+    let unsaid = list.replace("linear = true\n", "");
+    let solve = |list: &str, orientation: u8, gamma: Option<f32>| {
+        for (at, light) in LIGHTS.into_iter().enumerate() {
+            folder.write(&format!("shots/{at}.png"), turned(&photo(&hills(), light), orientation, gamma));
+        }
+        folder.write("shots/lights.toml", list);
+        let ran = folder.relief("height from-photos shots/lights.toml -o h.exr --wrap repeat --damping 0");
+        assert_eq!(ran.code, Some(0), "{ran:?}");
+        (error(&folder, "h.exr"), ran.stderr.matches("note: ").count())
+    };
+    for orientation in [1, 3, 6, 8] {
+        let (off, notes) = solve(&list, orientation, None);
+        assert!(off < 1e-4 && notes == 0, "{orientation}: {off} of the relief");
+        let (off, notes) = solve(&unsaid, orientation, Some(1.0));
+        assert!(off < 1e-4 && notes == 0, "{orientation}, linear: {off} of the relief");
+    }
+    // The list is believed before the files, and numbers that are none are said of each.
+    assert!(solve(&format!("linear = false\n{unsaid}"), 1, Some(1.0)).0 > 0.01);
+    assert!(solve(&unsaid, 1, None).0 > 0.01);
+    assert_eq!(solve(&list, 9, None).1, LIGHTS.len());
+}
+
 #[test]
 fn shadows_and_overexposure_are_left_out() {
     let folder = Folder::new();

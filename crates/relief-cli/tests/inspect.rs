@@ -3,6 +3,7 @@
 mod common;
 
 use common::command::Folder;
+use common::files::{Samples, tiff};
 use common::maps::{Map, encoded};
 use image::{DynamicImage, ImageFormat, RgbImage};
 use relief_io::write_exr;
@@ -103,4 +104,43 @@ fn height_and_depth_and_both_greens_are_told_apart() {
         assert_eq!(text.contains("--depth"), kind == "depth", "{text}");
     }
     assert_eq!(inspect(&folder, "height.png")["detection"], Value::Null);
+}
+
+#[test]
+fn orientations_and_pages_are_told() {
+    let folder = Folder::new();
+    let data: Vec<u8> = (0..24u16 * 16).flat_map(|texel| (texel * 50).to_le_bytes()).collect();
+    let tagged = |orientation: u16| {
+        tiff([24, 16], Samples::Short, &data, &[(274, 3, orientation.to_le_bytes().to_vec())])
+    };
+    for (orientation, width, turned, noted) in [
+        (1, 24, false, false),
+        (3, 24, true, false),
+        (6, 16, true, false),
+        (0, 24, false, true),
+        (9, 24, false, true),
+    ] {
+        folder.write("map.tif", tagged(orientation));
+        let ran = folder.relief("inspect map.tif");
+        assert_eq!(ran.code, Some(0), "{ran:?}");
+        assert!(ran.stdout.contains(&format!("{width}x")), "{ran:?}");
+        assert_eq!(ran.stdout.contains("turned"), turned, "{ran:?}");
+        assert_eq!(ran.stdout.contains(" note "), noted, "{ran:?}");
+        let about = inspect(&folder, "map.tif");
+        let followed = if turned { orientation } else { 1 };
+        assert_eq!(about["orientation"], json!(followed));
+        assert_eq!(about["notes"].as_array().map(Vec::len), Some(usize::from(noted)));
+        for line in [
+            "render --height map.tif --size 8x8 --backend cpu -o a.png",
+            "render --height map.tif --color map.tif --size 8x8 --backend cpu -o a.png",
+            "bake map.tif --kind normal -o out",
+            "mesh map.tif -o a.ply",
+        ] {
+            let ran = folder.relief(line);
+            assert_eq!(ran.code, Some(0), "{ran:?}");
+            assert_eq!(ran.stderr.matches("names the orientation").count(), usize::from(noted), "{ran:?}");
+            let quiet = folder.relief(&format!("{line} -q"));
+            assert!(quiet.code == Some(0) && quiet.stderr.is_empty(), "{quiet:?}");
+        }
+    }
 }

@@ -4,7 +4,7 @@
 mod common;
 
 use common::command::{Folder, Ran, json_of};
-use common::files::{Samples, exr, georeference, pgm, tiff};
+use common::files::{Samples, Tag, crc32, exr, georeference, pgm, tiff};
 use common::maps::Map;
 use common::meshes::{factor, part, square};
 use relief_io::OMISSIONS;
@@ -125,6 +125,31 @@ const FEEDS: &[Feed] = &[
         painted(folder, "", "", "");
         "mesh map.png --mesh a.gltf -o out.stl"
     }),
+    ("no-orientation", |folder| {
+        folder.write("map.tif", tiff(SIZE, Samples::Float, &bytes(&ground(100.0)), &[tag_orientation(9)]));
+        "mesh map.tif -o out.stl"
+    }),
+    ("orientation-on-ground", |folder| {
+        let tags = [&[tag_orientation(6)][..], &georeference()].concat();
+        folder.write("dem.tif", tiff(SIZE, Samples::Float, &bytes(&ground(100.0)), &tags));
+        "bake dem.tif --kind normal -o ."
+    }),
+    ("pages", |folder| {
+        folder.write("map.png", integers(0, 65535));
+        folder.write("colours.tif", pages(&tiff(SIZE, Samples::Float, &bytes(&ground(0.0)), &[])));
+        "render --height map.png --color colours.tif --backend cpu --size 32x24 -o out.png"
+    }),
+    ("animation", |folder| {
+        let chunk = [&b"acTL"[..], &1u32.to_be_bytes(), &0u32.to_be_bytes()].concat();
+        folder.write("map.png", with_chunk(&integers(0, 65535), &chunk));
+        "inspect map.png"
+    }),
+    ("orientation-in-gltf", |folder| {
+        let line = painted(folder, "", "", "");
+        let turned = b"eXIfII*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0";
+        folder.write("map.png", with_chunk(&integers(0, 65535), turned));
+        line
+    }),
 ];
 
 /// A mesh with a picture, and a command that shows it. More of the keys of the picture's place, of the
@@ -138,6 +163,32 @@ fn painted(folder: &Folder, info: &str, material: &str, sampler: &str) -> &'stat
     );
     square(folder, "a.gltf", &part(4, 0), &more);
     "render --mesh a.gltf --backend cpu --size 32x24 -o out.png"
+}
+
+/// The tag that says how a TIFF is turned.
+fn tag_orientation(number: u16) -> Tag {
+    (274, 3, number.to_le_bytes().to_vec())
+}
+
+/// A TIFF with its only page a second time behind it.
+fn pages(one: &[u8]) -> Vec<u8> {
+    let number = |at: usize, len: usize| {
+        one[at..at + len].iter().rev().fold(0, |number, byte| number << 8 | usize::from(*byte))
+    };
+    let page = number(4, 4);
+    let entries = 2 + 12 * number(page, 2);
+    let mut two = one.to_vec();
+    two[page + entries..page + entries + 4].copy_from_slice(&(one.len() as u32).to_le_bytes());
+    two.extend_from_slice(&one[page..page + entries]);
+    two.extend([0; 4]);
+    two
+}
+
+/// A PNG with a chunk more, given from its type on, behind the header.
+fn with_chunk(png: &[u8], chunk: &[u8]) -> Vec<u8> {
+    let [before, after] = [&png[..33], &png[33..]];
+    let length = (chunk.len() as u32 - 4).to_be_bytes();
+    [before, &length, chunk, &crc32(chunk).to_be_bytes(), after].concat()
 }
 
 /// What a note is about, of those that a command gives to programs.

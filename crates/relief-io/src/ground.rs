@@ -37,7 +37,7 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<Ground, ReadProbl
     let layout = file.layout();
     let size = [layout.width, layout.height];
     let terrain = layout.terrain()?;
-    let note = HeightNote::of_file(source, layout.format);
+    let note = HeightNote::of_file(source, layout);
     let of_texel = |[u, v]: [f64; 2]| [u * f64::from(size[0]), v * f64::from(size[1])];
     let tile_m = note.map(|note| note.tile_m).or_else(|| terrain?.texel_size_m().map(of_texel));
     let channel = select(layout, options.channel.as_deref()).ok().map(|selection| selection.first());

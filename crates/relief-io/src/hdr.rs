@@ -10,6 +10,7 @@ use std::io::{BufRead, Read};
 use crate::ReadProblem;
 use crate::input::{Input, io_problem, zeros};
 use crate::layout::{Format, Layout, SampleType, Sink, Span};
+use crate::orientation::Orientation;
 use crate::source::SourceReader;
 
 /// The longest line of a header; longer ones are no header.
@@ -24,8 +25,6 @@ const COMPONENT_WIDTHS: std::ops::RangeInclusive<usize> = 8..=0x7fff;
 pub(crate) struct HdrFile<'a> {
     file: SourceReader<'a>,
     layout: Layout,
-    bottom_up: bool,
-    right_to_left: bool,
 }
 
 impl<'a> HdrFile<'a> {
@@ -51,16 +50,28 @@ impl<'a> HdrFile<'a> {
         }
         let line = read_line(&mut input.file)?;
         let words: Vec<&str> = line.split_ascii_whitespace().collect();
-        let &[y_axis @ ("-Y" | "+Y"), height, x_axis @ ("+X" | "-X"), width] = words.as_slice() else {
-            return Err(damaged("its size is missing, or stored column by column"));
+        let &[slow, lines, fast, texels] = words.as_slice() else {
+            return Err(damaged("its size is missing"));
         };
+        // y runs up there.
+        let turned = |axis: &str| match axis {
+            "+X" | "-Y" => Ok(false),
+            "-X" | "+Y" => Ok(true),
+            _ => Err(damaged("its size names no axes")),
+        };
+        let orientation =
+            Orientation { turned_over: [turned(fast)?, turned(slow)?], transposed: slow.ends_with('X') };
+        if fast.ends_with('X') == orientation.transposed {
+            return Err(damaged("its size names one axis twice"));
+        }
         let side = |text: &str| text.parse::<u32>().map_err(|_| damaged("its size is no number"));
-        let size = [side(width)?, side(height)?];
+        let size = [side(texels)?, side(lines)?];
         // The best encoding turns 127 equal bytes into 2.
         let least = u64::from(size[0]) * u64::from(size[1]) / 32;
         input.check_size(Format::Hdr, size, 8 * u64::from(size[0]), least)?;
-        let layout = Layout::new(Format::Hdr, size, &["r", "g", "b"], SampleType::float(32));
-        Ok(Self { file: input.file, layout, bottom_up: y_axis == "+Y", right_to_left: x_axis == "-X" })
+        let mut layout = Layout::new(Format::Hdr, size, &["r", "g", "b"], SampleType::float(32));
+        layout.orientation = orientation;
+        Ok(Self { file: input.file, layout })
     }
 
     pub(crate) fn layout(&self) -> &Layout {
@@ -75,17 +86,13 @@ impl<'a> HdrFile<'a> {
         let (width, height) = (self.layout.width as usize, self.layout.height);
         let mut texels = zeros::<[u8; 4]>(width)?;
         let mut samples = Vec::with_capacity(width * channels.len());
-        for line in 0..height {
+        for row in 0..height {
             read_scan_line(&mut self.file, &mut texels)?;
-            if self.right_to_left {
-                texels.reverse();
-            }
             samples.clear();
             for &[r, g, b, exponent] in &texels {
                 let scale = if exponent == 0 { 0.0 } else { 2f64.powi(i32::from(exponent) - 136) };
                 samples.extend(channels.iter().map(|&channel| f64::from([r, g, b][channel]) * scale));
             }
-            let row = if self.bottom_up { height - 1 - line } else { line };
             sink(Span { row, column: 0, step: 1, samples: &samples })?;
         }
         Ok(())

@@ -217,7 +217,7 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<(HeightMap, Vec<R
     let sample = layout.channels[selection.first()].sample;
     let terrain = layout.terrain()?;
     let elevation = terrain.map(|terrain| &terrain.channels[selection.first()]);
-    let note = HeightNote::of_file(source, layout.format);
+    let note = HeightNote::of_file(source, &layout);
     let mut samples = Samples::read(file, &selection, options.nodata)
         .map_err(|problem| with_alpha(problem, source, options))?;
     remarks.extend(examine(&mut samples, &layout, sample, options, note.is_some()));

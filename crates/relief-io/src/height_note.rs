@@ -1,6 +1,6 @@
 //! What a height map's file that Relief wrote says of its size in the world.
 
-use crate::layout::Format;
+use crate::layout::{Format, Layout};
 use crate::{Metadata, Source, WriteProblem, read_metadata};
 
 /// What a file says whose displacements are those of a mesh.
@@ -45,11 +45,12 @@ impl HeightNote {
     }
 
     /// What a file says, if it is one that says so. Numbers that cannot be are as good as none.
-    pub(crate) fn of_file(source: Source<'_>, format: Format) -> Option<Self> {
-        if !matches!(format, Format::Png | Format::Exr) {
+    pub(crate) fn of_file(source: Source<'_>, layout: &Layout) -> Option<Self> {
+        if !matches!(layout.format, Format::Png | Format::Exr) {
             return None;
         }
-        Self::of(&read_metadata(source).ok()?)
+        let note = Self::of(&read_metadata(source).ok()?)?;
+        Some(Self { tile_m: layout.orientation.shown(note.tile_m), ..note })
     }
 
     fn of(metadata: &Metadata) -> Option<Self> {

@@ -4,11 +4,12 @@
 use std::io::{Read, Seek, SeekFrom};
 
 use crate::exr::ExrFile;
-use crate::georeference::{Grid, apply_sidecars};
+use crate::georeference::apply_sidecars;
 use crate::hdr::HdrFile;
 use crate::input::Input;
 use crate::jpeg::JpegFile;
-use crate::layout::{Format, Layout, Sink, Span};
+use crate::layout::{Format, Layout, Sink};
+use crate::orientation::LineSink;
 use crate::pgm::PgmFile;
 use crate::png::PngFile;
 use crate::raw::RawFile;
@@ -18,7 +19,14 @@ use crate::webp::WebpFile;
 use crate::{GivenUnits, RawLayout, ReadProblem, Source};
 
 /// A recognised file. Its header is checked; no memory has been taken for samples.
-pub(crate) enum ImageFile<'a> {
+pub(crate) struct ImageFile<'a> {
+    stored: StoredImage<'a>,
+    /// What the header says of the picture as it is shown.
+    layout: Layout,
+}
+
+/// The picture of a file as it is stored.
+enum StoredImage<'a> {
     Png(Box<PngFile<'a>>),
     Jpeg(JpegFile<'a>),
     Exr(ExrFile<'a>),
@@ -39,6 +47,87 @@ impl<'a> ImageFile<'a> {
     /// `bytes_per_texel` is what the caller will hold for each texel; it and the decoder's own buffers must
     /// stay within `max_bytes`.
     pub(crate) fn open(
+        source: Source<'a>,
+        raw: Option<RawLayout>,
+        bytes_per_texel: u64,
+        max_bytes: u64,
+    ) -> Result<Self, ReadProblem> {
+        let stored = StoredImage::open(source, raw, bytes_per_texel, max_bytes)?;
+        let layout = stored.layout().clone().shown();
+        Ok(Self { stored, layout })
+    }
+
+    /// What the header says, of the picture as it is shown.
+    pub(crate) fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    /// The same file with the units that a user gives, if any, in place of its own.
+    pub(crate) fn in_units(mut self, units: Option<GivenUnits>) -> Self {
+        self.stored.layout_mut().give_units(units);
+        self.layout.give_units(units);
+        self
+    }
+
+    /// The same picture as it is stored, whatever it says of its orientation.
+    pub(crate) fn unturned(mut self) -> Self {
+        self.layout = self.stored.layout().clone();
+        self
+    }
+
+    /// Gives the numbers that say which texels of a channel have a value, if the file has such a mask: 0
+    /// where there is none.
+    pub(crate) fn decode_mask(&self, channel: usize, sink: &mut LineSink<'_>) -> Result<(), ReadProblem> {
+        let (orientation, size) = (self.layout.orientation, self.stored_size());
+        match &self.stored {
+            StoredImage::Tiff(file) => {
+                file.decode_mask(channel, &mut |span| sink(orientation.line(size, &span)))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The sample of white of a channel, where the raw value of a height is this less the stored number:
+    /// where shades are stored with 0 as white. Elevations are numbers and no shades.
+    pub(crate) fn white_of_heights(&self, channel: usize) -> Option<f64> {
+        match &self.stored {
+            StoredImage::Tiff(file) => file.white_of_heights(channel),
+            _ => None,
+        }
+    }
+
+    /// The same file, whose samples come as they are stored, with 0 as white, too.
+    pub(crate) fn into_stored(mut self) -> Self {
+        if let StoredImage::Tiff(file) = &mut self.stored {
+            file.keep_stored();
+        }
+        self
+    }
+
+    /// Decodes the chosen channels and gives every texel once.
+    pub(crate) fn decode(self, channels: &[usize], sink: &mut LineSink<'_>) -> Result<(), ReadProblem> {
+        let (orientation, size) = (self.layout.orientation, self.stored_size());
+        let sink: &mut Sink<'_> = &mut |span| sink(orientation.line(size, &span));
+        match self.stored {
+            StoredImage::Png(file) => file.decode(channels, sink),
+            StoredImage::Jpeg(file) => file.decode(channels, sink),
+            StoredImage::Exr(file) => file.decode(channels, sink),
+            StoredImage::Tiff(file) => file.decode(channels, sink),
+            StoredImage::Hdr(file) => file.decode(channels, sink),
+            StoredImage::Pgm(file) => file.decode(channels, sink),
+            StoredImage::Webp(file) => file.decode(channels, sink),
+            StoredImage::Raw(file) => file.decode(sink),
+        }
+    }
+
+    fn stored_size(&self) -> [u32; 2] {
+        let Layout { width, height, .. } = self.stored.layout();
+        [*width, *height]
+    }
+}
+
+impl<'a> StoredImage<'a> {
+    fn open(
         source: Source<'a>,
         raw: Option<RawLayout>,
         bytes_per_texel: u64,
@@ -78,7 +167,7 @@ impl<'a> ImageFile<'a> {
         }
     }
 
-    pub(crate) fn layout(&self) -> &Layout {
+    fn layout(&self) -> &Layout {
         match self {
             Self::Png(file) => file.layout(),
             Self::Jpeg(file) => file.layout(),
@@ -104,38 +193,6 @@ impl<'a> ImageFile<'a> {
         }
     }
 
-    /// The same file with the units that a user gives, if any, in place of its own.
-    pub(crate) fn in_units(mut self, units: Option<GivenUnits>) -> Self {
-        self.layout_mut().give_units(units);
-        self
-    }
-
-    /// Gives the numbers that say which texels of a channel have a value, if the file has such a mask: 0
-    /// where there is none.
-    pub(crate) fn decode_mask(&self, channel: usize, sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
-        match self {
-            Self::Tiff(file) => file.decode_mask(channel, sink),
-            _ => Ok(()),
-        }
-    }
-
-    /// The sample of white of a channel, where the raw value of a height is this less the stored number:
-    /// where shades are stored with 0 as white. Elevations are numbers and no shades.
-    pub(crate) fn white_of_heights(&self, channel: usize) -> Option<f64> {
-        match self {
-            Self::Tiff(file) => file.white_of_heights(channel),
-            _ => None,
-        }
-    }
-
-    /// The same file, whose samples come as they are stored, with 0 as white, too.
-    pub(crate) fn into_stored(mut self) -> Self {
-        if let Self::Tiff(file) = &mut self {
-            file.keep_stored();
-        }
-        self
-    }
-
     /// The same file with what those beside it say.
     fn with_sidecars(mut self, source: Source<'a>, max_bytes: u64) -> Self {
         apply_sidecars(source, max_bytes, self.layout_mut());
@@ -143,51 +200,6 @@ impl<'a> ImageFile<'a> {
             file.follow_layout();
         }
         self
-    }
-
-    /// Whether columns, and whether rows, come in the other order than the map's: a file beside the picture
-    /// may say so. TIFF turns them over itself.
-    fn turned_over(&self) -> [bool; 2] {
-        match self {
-            Self::Tiff(_) => [false; 2],
-            _ => self.layout().facts.grid.as_ref().map_or([false; 2], Grid::turned_over),
-        }
-    }
-
-    /// Decodes the chosen channels and gives every texel once.
-    pub(crate) fn decode(self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
-        let turned = self.turned_over();
-        if turned == [false; 2] {
-            return self.decode_as_stored(channels, sink);
-        }
-        let (width, height) = (self.layout().width, self.layout().height);
-        let mut reversed = Vec::new();
-        self.decode_as_stored(channels, &mut |span| {
-            let row = if turned[1] { height - 1 - span.row } else { span.row };
-            if !turned[0] {
-                return sink(Span { row, ..span });
-            }
-            let count = channels.len().max(1);
-            reversed.clear();
-            span.samples.rchunks_exact(count).for_each(|texel| reversed.extend_from_slice(texel));
-            let texels = (span.samples.len() / count) as u32;
-            let Some(more) = texels.checked_sub(1) else { return Ok(()) };
-            let column = width - 1 - (span.column + more * span.step);
-            sink(Span { row, column, step: span.step, samples: &reversed })
-        })
-    }
-
-    fn decode_as_stored(self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
-        match self {
-            Self::Png(file) => file.decode(channels, sink),
-            Self::Jpeg(file) => file.decode(channels, sink),
-            Self::Exr(file) => file.decode(channels, sink),
-            Self::Tiff(file) => file.decode(channels, sink),
-            Self::Hdr(file) => file.decode(channels, sink),
-            Self::Pgm(file) => file.decode(channels, sink),
-            Self::Webp(file) => file.decode(channels, sink),
-            Self::Raw(file) => file.decode(sink),
-        }
     }
 }
 

@@ -29,6 +29,9 @@ pub struct SourceInfo {
     pub georeference: Option<Georeference>,
     /// What the file notes of its size in the world, where Relief wrote it.
     pub note: Option<HeightNote>,
+    /// The orientation of EXIF or TIFF by which the picture is turned, from 2 to 8; none where it is shown as
+    /// it is stored.
+    pub orientation: Option<u32>,
     /// The values of the channel that [`crate::read_height`] would read; none where it would ask for one.
     pub values: Option<Values>,
     /// What [`crate::read_height_file`] would say of reading it.
@@ -100,7 +103,7 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<SourceInfo, ReadP
     let mut layout = file.layout().clone();
     let mut remarks = std::mem::take(&mut layout.remarks);
     let terrain = layout.terrain()?.cloned();
-    let note = HeightNote::of_file(source, layout.format);
+    let note = HeightNote::of_file(source, &layout);
     let values = match select(&layout, options.channel.as_deref()) {
         Ok(selection) => {
             let channel = selection.first();
@@ -119,12 +122,14 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<SourceInfo, ReadP
         Err(ReadProblem::ChooseChannel { .. }) => None,
         Err(problem) => return Err(problem),
     };
+    let orientation = layout.turning_number();
     Ok(SourceInfo {
         format: layout.format,
         width: layout.width,
         height: layout.height,
         channels: layout.channels,
         nodata_value: layout.nodata,
+        orientation,
         texel_size_m: note
             .map(|note| note.texel_size_m([layout.width, layout.height]))
             .or_else(|| terrain.as_ref()?.texel_size_m()),

@@ -1,5 +1,4 @@
-//! JPEG, 8 bit, grey and colour. Samples are the decoded ones; orientation and colour profiles are not
-//! applied.
+//! JPEG, 8 bit, grey and colour. Samples are the decoded ones; colour profiles are not applied.
 //!
 //! The decoder gives the whole picture at once (1 or 3 bytes a texel; a progressive file takes twice as much
 //! again while it is decoded) and takes a cut-off file for a complete one, so the file's segments are walked
@@ -10,10 +9,13 @@ use std::io::{BufRead, Read, Seek};
 use image::codecs::jpeg::JpegDecoder;
 use image::{ImageDecoder, ImageError};
 
-use crate::ReadProblem;
 use crate::input::{Input, io_problem, zeros};
 use crate::layout::{Format, Layout, SampleType, Sink, Span};
 use crate::source::SourceReader;
+use crate::{ReadProblem, exif};
+
+/// The marker of EXIF metadata, and of others.
+const APP1: u8 = 0xe1;
 
 pub(crate) struct JpegFile<'a> {
     file: SourceReader<'a>,
@@ -32,7 +34,8 @@ impl<'a> JpegFile<'a> {
         input.file.rewind()?;
         let channels: &[&str] = if frame.components == 1 { &["y"] } else { &["r", "g", "b"] };
         let size = [frame.width, frame.height];
-        let layout = Layout::new(Format::Jpeg, size, channels, SampleType::unsigned(8));
+        let mut layout = Layout::new(Format::Jpeg, size, channels, SampleType::unsigned(8));
+        layout.stated_orientation = frame.orientation;
         Ok(Self { file: input.file, layout })
     }
 
@@ -72,16 +75,21 @@ struct Frame {
     height: u32,
     components: u8,
     progressive: bool,
+    /// The orientation in EXIF metadata, whatever number it is.
+    orientation: Option<u32>,
 }
 
 impl Frame {
     /// Walks all segments to the end of the picture (ITU T.81, B.1.1).
     fn read(file: &mut SourceReader<'_>) -> Result<Self, ReadProblem> {
-        let mut frame = None;
+        let (mut frame, mut orientation) = (None, None);
         bytes::<2>(file)?;
         loop {
             match next_marker(file)? {
-                0xd9 => return frame.ok_or_else(|| damaged("it has no frame header")),
+                0xd9 => {
+                    let frame = frame.ok_or_else(|| damaged("it has no frame header"))?;
+                    return Ok(Self { orientation, ..frame });
+                }
                 // Restart markers, and one for arithmetic coding's private use, have no length.
                 0x01 | 0xd0..=0xd8 => {}
                 marker => {
@@ -92,6 +100,13 @@ impl Frame {
                         let [precision, h1, h0, w1, w0, components] = bytes(file)?;
                         rest = rest.checked_sub(6).ok_or_else(|| damaged("its frame header is too short"))?;
                         frame = Some(Self::check(marker, precision, [w1, w0], [h1, h0], components)?);
+                    } else if marker == APP1 && orientation.is_none() {
+                        let mut metadata = zeros::<u8>(usize::from(rest))?;
+                        file.read_exact(&mut metadata).map_err(io)?;
+                        orientation = Some(metadata)
+                            .filter(|metadata| metadata.starts_with(exif::HEAD))
+                            .and_then(|metadata| exif::orientation(&metadata));
+                        rest = 0;
                     }
                     file.seek_relative(i64::from(rest)).map_err(io)?;
                 }
@@ -119,6 +134,7 @@ impl Frame {
             height: u32::from(u16::from_be_bytes(height)),
             components,
             progressive: marker == 0xc2,
+            orientation: None,
         })
     }
 }

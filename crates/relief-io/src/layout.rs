@@ -3,8 +3,9 @@
 
 use crate::ReadProblem;
 use crate::elevation::{Elevation, Georeference};
-use crate::georeference::{Facts, GivenUnits};
-use crate::omissions::Remark;
+use crate::georeference::{Facts, GivenUnits, Grid};
+use crate::omissions::{NO_ORIENTATION, ORIENTATION_ON_GROUND, Remark};
+use crate::orientation::Orientation;
 
 /// A file format that is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -114,6 +115,12 @@ pub(crate) struct Layout {
     pub full_scale: Option<f64>,
     /// The raw value that marks a texel without a value.
     pub nodata: Option<f64>,
+    /// Whether the file says that integers are proportional to light.
+    pub is_linear: bool,
+    /// The orientation that the file names by a number of EXIF or TIFF, if it names one, whatever it is.
+    pub stated_orientation: Option<u32>,
+    /// How the stored picture is turned to be shown.
+    pub orientation: Orientation,
     /// What the file says of the ground and of the metres of its values. An error, with the reason, where
     /// what it says cannot be; that stops who reads heights, not who reads a picture.
     pub terrain: Result<Option<Terrain>, String>,
@@ -151,7 +158,6 @@ impl Layout {
             _ => None,
         };
         let channels = names.iter().map(channel).collect();
-        let (terrain, facts) = (Ok(None), Facts::default());
         Self {
             format,
             width,
@@ -159,9 +165,12 @@ impl Layout {
             channels,
             full_scale,
             nodata: None,
-            terrain,
-            facts,
+            is_linear: false,
+            stated_orientation: None,
+            orientation: Orientation::STORED,
             remarks: Vec::new(),
+            terrain: Ok(None),
+            facts: Facts::default(),
         }
     }
 
@@ -181,6 +190,55 @@ impl Layout {
         if units.is_some() && self.terrain.is_ok() {
             self.terrain = self.facts.terrain(self.channels.len(), units);
         }
+    }
+
+    /// The same picture as it is shown.
+    ///
+    /// On the ground north is on top and east to the right. What the file says of its orientation does not
+    /// count there, as the place is given for the grid as it is stored.
+    pub(crate) fn shown(mut self) -> Self {
+        let terrain = self.terrain.as_ref().ok().and_then(Option::as_ref);
+        let on_ground = terrain.and_then(|terrain| terrain.georeference.as_ref());
+        let of_grid = || self.facts.grid.as_ref().map(Grid::turned_over);
+        let on_ground = on_ground.map(|georeference| georeference.turned_over).or_else(of_grid);
+        let stated = self.stated_orientation;
+        let note = match (on_ground, stated) {
+            (Some(turned_over), stated) => {
+                self.orientation = Orientation { turned_over, transposed: false };
+                let is_turned = |number: &u32| *number != 1;
+                stated.filter(is_turned).map(|number| {
+                    let text = format!(
+                        "it names the orientation {number} and a place on the ground: its rows are read as \
+                         the place says"
+                    );
+                    Remark::new(&ORIENTATION_ON_GROUND, text)
+                })
+            }
+            (None, Some(number)) => match Orientation::of_number(number) {
+                Some(orientation) => {
+                    self.orientation = orientation;
+                    None
+                }
+                None => {
+                    let text = format!(
+                        "it names the orientation {number}, which is none of 1 to 8: the picture is read as \
+                         it is stored"
+                    );
+                    Some(Remark::new(&NO_ORIENTATION, text))
+                }
+            },
+            (None, None) => None,
+        };
+        self.remarks.extend(note);
+        [self.width, self.height] = self.orientation.shown([self.width, self.height]);
+        self
+    }
+
+    /// The number of EXIF or TIFF by which the picture is turned; none where it is shown as it is stored.
+    pub(crate) fn turning_number(&self) -> Option<u32> {
+        let is_followed =
+            |number: &u32| *number != 1 && Orientation::of_number(*number) == Some(self.orientation);
+        self.stated_orientation.filter(is_followed)
     }
 
     /// What the file says as an elevation model; none where it is none.
@@ -213,7 +271,7 @@ impl Layout {
     }
 }
 
-/// Samples of one row, or of a part of it: texel `k` of the span lies in column `column + k * step`.
+/// Samples of one stored row, or of a part of it: texel `k` of the span lies in column `column + k * step`.
 pub(crate) struct Span<'a> {
     pub row: u32,
     pub column: u32,

@@ -5,7 +5,7 @@
 //!
 //! | format | recognised by | samples | notes |
 //! | --- | --- | --- | --- |
-//! | PNG | content | 1 to 16 bit, grey, colour, palette, opacity | gamma chunks are not applied |
+//! | PNG | content | 1 to 16 bit, grey, colour, palette, opacity | pictures that say so are linear |
 //! | JPEG | content | 8 bit, grey, colour | |
 //! | EXR | content | f16, f32, u32, any channel | flat parts, all compressions but HTJ2K |
 //! | TIFF, GeoTIFF | content | 8 to 64-bit integers and floats | metres, nodata, masks; not LZMA |
@@ -14,10 +14,14 @@
 //! | WebP | content | 8 bit, colour, opacity | of animations the first picture |
 //! | raw | [`RawLayout`] given | 16 bit | |
 //!
+//! Pictures are turned as their EXIF metadata or their TIFF tag say, whatever they are read for; those that a
+//! glTF names, and TIFFs with a place on the ground, are not.
+//!
 //! Writers leave a whole file or none; [`file_set`] does the same for several files at once.
 //!
-//! What a reader of heights leaves out or assumes it says by a [`ReadNote`], whose row in [`OMISSIONS`] says
-//! what was met and what was done. [`read_height_file`] and [`inspect`](inspect()) give them.
+//! What a reader leaves out or assumes it says by a [`ReadNote`], whose row in [`OMISSIONS`] says what was met
+//! and what was done. [`read_height_file`] and [`inspect`](inspect()) give them, and [`read_notes`] for other
+//! pictures.
 //!
 //! Every reader takes a [`Source`]: a file's path, or the bytes of a file that are in memory already.
 //!
@@ -38,6 +42,7 @@ mod convention;
 mod elevation;
 mod error;
 mod examine;
+mod exif;
 mod exr;
 pub mod file_set;
 mod fill;
@@ -59,6 +64,7 @@ mod mesh;
 mod nodata;
 mod normal_map;
 pub mod omissions;
+mod orientation;
 mod pgm;
 mod picture;
 mod picture_file;
@@ -95,7 +101,7 @@ pub use mesh::{
     read_mesh, read_mesh_extras, read_raw_mesh, write_glb, write_mesh, write_mesh_standing, write_shells,
 };
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
-pub use omissions::{OMISSIONS, Omission, ReadNote, Remark};
+pub use omissions::{OMISSIONS, Omission, ReadNote, Remark, read_notes};
 pub use picture::{Curve, Picture, linear_to_srgb, read_picture, read_picture_as, srgb_to_linear};
 pub use picture_file::{PictureFormat, PictureSink, write_picture};
 pub use raw_layout::{BadRawLayout, ByteOrder, RawLayout};

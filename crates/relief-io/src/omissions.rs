@@ -4,6 +4,9 @@
 use std::fmt;
 use std::path::PathBuf;
 
+use crate::image_file::ImageFile;
+use crate::{DEFAULT_MAX_BYTES, ReadError, Source};
+
 /// A row of the table of what readers meet.
 #[derive(Debug, PartialEq, Eq, Hash)]
 pub struct Omission {
@@ -95,6 +98,21 @@ omissions! {
     UNWRITTEN_MATERIALS: "unwritten-materials", "meshes that are displaced",
         "materials of the base mesh in a format, strips or a plane that has none, or more than are drawn",
         "the file that is written has none of them";
+    NO_ORIENTATION: "no-orientation", "pictures",
+        "an orientation that is none of 1 to 8",
+        "the picture is read as it is stored";
+    ORIENTATION_ON_GROUND: "orientation-on-ground", "pictures",
+        "an orientation beside a place on the ground",
+        "rows are read as the place says";
+    PAGES: "pages", "pictures",
+        "several pages of a TIFF",
+        "the first is read";
+    ANIMATION: "animation", "pictures",
+        "an animation in a PNG or WebP file",
+        "the picture that is shown without it is read; of WebP the first";
+    ORIENTATION_IN_GLTF: "orientation-in-gltf", "meshes",
+        "a picture with an orientation that a glTF names",
+        "it is read as it is stored, as viewers of glTF do";
 }
 
 /// Something that a reader met in a file.
@@ -140,4 +158,17 @@ impl fmt::Display for ReadNote {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {}", self.path.display(), self.remark.text)
     }
+}
+
+/// What the header of a picture's file says that reading it does not follow, or tells of that is not read. No
+/// sample is decoded. Of heights [`crate::read_height_file`] says this, too, and more.
+///
+/// # Errors
+///
+/// When the file cannot be read, is none of the formats that are recognised by their content, or is damaged.
+pub fn read_notes<'a>(source: impl Into<Source<'a>>) -> Result<Vec<ReadNote>, ReadError> {
+    let source = source.into();
+    let file =
+        ImageFile::open(source, None, 0, DEFAULT_MAX_BYTES).map_err(|problem| source.error(problem))?;
+    Ok(file.layout().remarks.iter().cloned().map(|remark| remark.of(source.name())).collect())
 }

@@ -1,7 +1,8 @@
 //! Colour pictures for shading, in linear light.
 
 use crate::image_file::ImageFile;
-use crate::layout::{Layout, SampleKind, Span};
+use crate::layout::{Layout, SampleKind};
+use crate::orientation::Line;
 use crate::{ReadError, ReadProblem, Source};
 
 /// A picture in linear light (BT.709 primaries where the file is sRGB), row by row from the top.
@@ -28,18 +29,37 @@ pub enum Curve {
     Linear,
 }
 
-/// Reads a picture whose integers are sRGB from a file or from the bytes of one; as [`read_picture_as`].
+/// Reads a picture from a file or from the bytes of one, as [`read_picture_as`] does. Its integers are sRGB
+/// unless the file, a PNG, says that they are linear: by a gamma of 1 (chunk `gAMA`) or by a transfer function
+/// (`cICP`).
 ///
 /// # Errors
 ///
 /// As [`read_picture_as`].
 pub fn read_picture<'a>(source: impl Into<Source<'a>>, max_bytes: u64) -> Result<Picture, ReadError> {
-    read_picture_as(source, Curve::Srgb, max_bytes)
+    let source = source.into();
+    let open = || ImageFile::open(source, None, PICTURE_BYTES_PER_TEXEL, max_bytes);
+    open().and_then(|file| read(file, None)).map_err(|problem| source.error(problem))
+}
+
+/// Reads a picture of a glTF: as it is stored, whatever it says of its orientation, and in sRGB, whatever it
+/// says of its colours (glTF 2.0, 3.8.4.1). Says as well whether an orientation was left out.
+///
+/// # Errors
+///
+/// As [`read_picture_as`].
+pub(crate) fn read_gltf_picture(source: Source<'_>, max_bytes: u64) -> Result<(Picture, bool), ReadError> {
+    let read = || {
+        let file = ImageFile::open(source, None, PICTURE_BYTES_PER_TEXEL, max_bytes)?;
+        let is_turned = file.layout().turning_number().is_some();
+        Ok((read(file.unturned(), Some(Curve::Srgb))?, is_turned))
+    };
+    read().map_err(|problem| source.error(problem))
 }
 
 /// Reads a picture from a file or from the bytes of one: integers of up to 16 bit are decoded by the curve,
 /// floats are linear as they are. Grey becomes three equal channels. At most `max_bytes` of memory are taken,
-/// 16 bytes a texel.
+/// 16 bytes a texel. It is turned as the file says.
 ///
 /// # Errors
 ///
@@ -51,11 +71,13 @@ pub fn read_picture_as<'a>(
     max_bytes: u64,
 ) -> Result<Picture, ReadError> {
     let source = source.into();
-    read(source, curve, max_bytes).map_err(|problem| source.error(problem))
+    let open = || ImageFile::open(source, None, PICTURE_BYTES_PER_TEXEL, max_bytes);
+    open().and_then(|file| read(file, Some(curve))).map_err(|problem| source.error(problem))
 }
 
-fn read(source: Source<'_>, curve: Curve, max_bytes: u64) -> Result<Picture, ReadProblem> {
-    let file = ImageFile::open(source, None, PICTURE_BYTES_PER_TEXEL, max_bytes)?;
+fn read(file: ImageFile<'_>, curve: Option<Curve>) -> Result<Picture, ReadProblem> {
+    let of_file = if file.layout().is_linear { Curve::Linear } else { Curve::Srgb };
+    let curve = curve.unwrap_or(of_file);
     let layout = file.layout().clone();
     let channels = colour_channels(&layout)?;
     let transfer = Transfer::of(&layout, channels[0], curve)?;
@@ -88,13 +110,12 @@ pub(crate) fn collect<T: Copy>(
     let mut texels = Vec::new();
     let needed = (count * size_of::<T>()) as u64;
     texels.try_reserve_exact(count).map_err(|_| ReadProblem::OutOfMemory { needed })?;
-    file.decode(channels, &mut |span: Span<'_>| {
-        let first = span.row as usize * width + span.column as usize;
-        for (index, samples) in span.samples.chunks_exact(channels.len()).enumerate() {
-            let at = first + index * span.step as usize;
-            if texels.len() <= at {
-                texels.resize(at + 1, empty);
-            }
+    file.decode(channels, &mut |line: Line<'_>| {
+        let found = line.samples.chunks_exact(channels.len());
+        if texels.len() < line.end(found.len()) {
+            texels.resize(line.end(found.len()), empty);
+        }
+        for (at, samples) in line.places(found.len()).zip(found) {
             texels[at] = texel(samples);
         }
         Ok(())

@@ -1,13 +1,20 @@
 //! PNG, row by row: grey, grey with alpha, colour, colour with alpha and palettes, 1 to 16 bit, interlaced
 //! too.
 //!
-//! Samples are the stored ones: gamma, sRGB and colour profile chunks are not applied.
+//! Samples are the stored ones. Of chunks about colours only the word that samples are linear is followed, in
+//! pictures.
+
+mod chunks;
+
+use std::io::{Read, Seek};
 
 use png::{BitDepth, ColorType, Decoder, DecodingError, Limits, Reader, Transformations};
 
+use self::chunks::Chunks;
 use crate::ReadProblem;
 use crate::input::{Input, io_problem};
 use crate::layout::{Format, Layout, SampleType, Sink, Span};
+use crate::omissions::{ANIMATION, Remark};
 use crate::source::SourceReader;
 
 /// What the decoder may take for chunks other than image data; a row of the widest height map needs half of
@@ -34,7 +41,9 @@ impl<'a> PngFile<'a> {
         // The decoder owns the file, and the size has to be known before the decoder goes on: so the header
         // is read twice, first by hand. Its place is fixed: signature, then the IHDR chunk (PNG
         // specification, 5.6).
-        let (input, header) = Header::read(input)?;
+        let (mut input, header) = Header::read(input)?;
+        let chunks = Chunks::read(&mut input.file);
+        input.file.rewind()?;
         let row_bytes = (u64::from(header.width) * u64::from(header.bits_per_texel)).div_ceil(8) + 1;
         let least = row_bytes.saturating_mul(u64::from(header.height)) / DEFLATE_RATIO;
         input.check_size(Format::Png, [header.width, header.height], DECODER_BYTES as u64, least)?;
@@ -62,7 +71,13 @@ impl<'a> PngFile<'a> {
             ColorType::Rgba => &["r", "g", "b", "a"],
         };
         let size = [info.width, info.height];
-        let layout = Layout::new(Format::Png, size, channels, SampleType::unsigned(stored_bits));
+        let mut layout = Layout::new(Format::Png, size, channels, SampleType::unsigned(stored_bits));
+        layout.stated_orientation = chunks.orientation;
+        layout.is_linear = chunks.is_linear;
+        if chunks.is_animated {
+            let text = "it is an animation: the picture that is shown without it is read";
+            layout.remarks.push(Remark::new(&ANIMATION, text));
+        }
         Ok(Self { reader, layout, expansion })
     }
 
@@ -128,7 +143,6 @@ struct Header {
 
 impl Header {
     fn read(mut input: Input<'_>) -> Result<(Input<'_>, Self), ReadProblem> {
-        use std::io::{Read, Seek};
         let mut bytes = [0; 26];
         input.file.read_exact(&mut bytes).map_err(|error| io_problem(Format::Png, error))?;
         input.file.rewind()?;

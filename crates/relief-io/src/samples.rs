@@ -2,8 +2,9 @@
 
 use crate::ReadProblem;
 use crate::image_file::ImageFile;
-use crate::layout::{Layout, SampleType, Span};
+use crate::layout::{Layout, SampleType};
 use crate::nodata::Marker;
+use crate::orientation::Line;
 
 /// How far apart red, green and blue of a grey may be, as a part of the greatest value: what lossy
 /// compression does to it.
@@ -77,17 +78,18 @@ impl Samples {
         // Floats come from no lossy compression.
         let most_apart = layout.height_full_scale().map_or(0.0, |full| NEARLY_GREY * full);
         let mut means = Vec::new();
-        file.decode_mask(selection.first(), &mut |span| {
-            collector.mask(&span);
+        file.decode_mask(selection.first(), &mut |line| {
+            collector.mask(&line);
             Ok(())
         })?;
-        file.decode(&channels, &mut |span| {
+        file.decode(&channels, &mut |line| {
             let [_, _, _] = channels[..] else {
-                collector.take(&span, channels.len());
+                collector.take(&line, channels.len());
                 return Ok(());
             };
             means.clear();
-            for (at, texel) in span.samples.chunks_exact(3).enumerate() {
+            let texels = line.samples.as_chunks::<3>().0;
+            for (at, texel) in line.places(texels.len()).zip(texels) {
                 if !texel[1..].iter().any(|sample| differ(*sample, texel[0])) {
                     means.push(texel[0]);
                     continue;
@@ -97,14 +99,15 @@ impl Samples {
                 // Not so where one of them is NaN.
                 let is_near = greatest - least <= most_apart && texel.iter().all(|sample| sample.is_finite());
                 if !is_near {
-                    let (column, row) = (span.column + at as u32 * span.step, span.row);
+                    let width = collector.samples.width as usize;
+                    let [column, row] = [at % width, at / width].map(|at| at as u32);
                     let channels = names.clone();
                     return Err(ReadProblem::NotGrey { channels, column, row, alpha_varies: false });
                 }
                 collector.samples.nearly_grey += 1;
                 means.push(texel.iter().sum::<f64>() / 3.0);
             }
-            collector.take(&Span { samples: &means, ..span }, 1);
+            collector.take(&line.with(&means), 1);
             Ok(())
         })?;
         Ok(collector.samples)
@@ -184,34 +187,30 @@ impl Collector {
         Ok(Self { samples, nodata, exact: sample.fits_f32() })
     }
 
-    /// The texel where a span begins, with room for all of the span. Memory is touched only as far as the
-    /// decoder has come: a cut-off file costs what it holds.
-    fn make_room(&mut self, span: &Span<'_>, channels: usize) -> (usize, usize) {
-        let values = &mut self.samples.values;
-        let first = span.row as usize * self.samples.width as usize + span.column as usize;
-        let count = span.samples.len() / channels;
-        let end = first + count.saturating_sub(1) * span.step as usize + 1;
+    /// Makes room for all of a line. Memory is touched only as far as the decoder has come: a cut-off file
+    /// costs what it holds.
+    fn make_room(&mut self, line: &Line<'_>, count: usize) {
+        let (values, end) = (&mut self.samples.values, line.end(count));
         if values.len() < end {
             values.resize(end, 0.0);
         }
-        (first, end)
     }
 
     /// Marks the texels that a mask leaves out, before their values come.
-    fn mask(&mut self, span: &Span<'_>) {
-        let (first, end) = self.make_room(span, 1);
-        let stored = self.samples.values[first..end].iter_mut().step_by(span.step as usize);
-        for (stored, _) in stored.zip(span.samples).filter(|(_, mask)| **mask == 0.0) {
-            *stored = f32::NAN;
+    fn mask(&mut self, line: &Line<'_>) {
+        self.make_room(line, line.samples.len());
+        let values = &mut self.samples.values;
+        for (at, _) in line.places(line.samples.len()).zip(line.samples).filter(|(_, mask)| **mask == 0.0) {
+            values[at] = f32::NAN;
         }
     }
 
-    fn take(&mut self, span: &Span<'_>, channels: usize) {
-        let (first, end) = self.make_room(span, channels);
+    fn take(&mut self, line: &Line<'_>, channels: usize) {
+        let count = line.samples.len() / channels;
+        self.make_room(line, count);
         let samples = &mut self.samples;
-        let slots = samples.values[first..end].iter_mut().step_by(span.step as usize);
-        for (index, (slot, texel)) in slots.zip(span.samples.chunks_exact(channels)).enumerate() {
-            let stored = texel[0];
+        for (at, texel) in line.places(count).zip(line.samples.chunks_exact(channels)) {
+            let (stored, slot) = (texel[0], &mut samples.values[at]);
             let value = samples.white.map_or(stored, |white| white - stored);
             let is_masked = slot.is_nan();
             let [is_declared, is_given] =
@@ -225,7 +224,6 @@ impl Collector {
                     (false, true) => &mut samples.nodata,
                     (false, false) => &mut samples.not_finite,
                 } += 1;
-                let at = first + index * span.step as usize;
                 samples.first_hole = Some(samples.first_hole.map_or(at, |hole| hole.min(at)));
                 continue;
             }

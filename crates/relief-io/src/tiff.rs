@@ -1,5 +1,6 @@
 //! TIFF, BigTIFF and GeoTIFF, block by block, through `tiff-reader`: strips and tiles, both planar
-//! configurations, integers and floats of 8 to 64 bit, uncompressed, LZW, Deflate, PackBits, ZSTD and LERC.
+//! configurations, integers of 1 to 64 bit, floats of 16 to 64, palettes, uncompressed, LZW, Deflate,
+//! PackBits, ZSTD and LERC.
 //!
 //! The first full-resolution picture of the file is read. Blocks that a sparse file leaves out hold its
 //! nodata value, or zeros where it has none. A mask says which texels have a value: a picture of its own in
@@ -7,7 +8,9 @@
 
 mod gdal;
 mod geo;
+mod halves;
 mod keys;
+mod palette;
 mod raster;
 mod stored;
 
@@ -15,12 +18,13 @@ use tiff_reader::{Ifd, TiffError};
 
 use self::raster::{PARSE_BUDGETS, Raster};
 use self::stored::Stored;
-use crate::georeference::Grid;
 use crate::input::Input;
-use crate::layout::{Channel, Format, Layout, SampleKind, Sink};
+use crate::layout::{Channel, Format, Layout, SampleType, Sink};
+use crate::omissions::{PAGES, Remark};
 use crate::{ReadProblem, Source};
 
 const TAG_NEW_SUBFILE_TYPE: u16 = 254;
+const TAG_ORIENTATION: u16 = 274;
 /// Bits of that tag.
 const REDUCED_COPY: u32 = 1;
 const MASK: u32 = 4;
@@ -55,18 +59,36 @@ impl<'a> TiffFile<'a> {
         let header = &pictures[ifd];
         let mut raster = Raster::open(&input, stored, header, ifd)?;
         let photometric = header.photometric_interpretation().unwrap_or(BLACK_IS_ZERO);
-        let sample = raster.sample;
-        let channels = channel_names(header, photometric, raster.bands)?;
-        let mut layout = Layout::new(Format::Tiff, raster.size, &[], sample);
-        layout.channels = channels.into_iter().map(|name| Channel { name, sample }).collect();
-        layout.full_scale = match sample.kind {
-            SampleKind::Unsigned if sample.bits <= 16 => Some(f64::from((1u32 << sample.bits) - 1)),
-            _ => None,
+        let mut layout = match &mut raster.palette {
+            Some(palette) => {
+                // Of an elevation model the samples are the heights, and their colours are for show.
+                let terrain =
+                    geo::facts(header, raster.bands).and_then(|facts| facts.terrain(raster.bands, None));
+                palette.has_index = !matches!(terrain, Ok(None));
+                let colour = SampleType::unsigned(palette.bits);
+                let mut layout = Layout::new(Format::Tiff, raster.size, palette.channels(), colour);
+                if palette.has_index {
+                    layout.channels[0].sample = raster.sample;
+                }
+                layout
+            }
+            None => {
+                let sample = raster.sample;
+                let mut layout = Layout::new(Format::Tiff, raster.size, &[], sample);
+                let channels = channel_names(header, photometric, raster.bands)?;
+                layout.channels = channels.into_iter().map(|name| Channel { name, sample }).collect();
+                layout
+            }
         };
-        layout.set_facts(geo::facts(header, raster.bands));
-        match gdal::nodata(header, sample) {
+        layout.set_facts(geo::facts(header, layout.channels.len()));
+        match gdal::nodata(header, raster.sample) {
             Ok(nodata) => layout.nodata = nodata,
             Err(what) => layout.terrain = Err(what),
+        }
+        layout.stated_orientation = header.tag(TAG_ORIENTATION).and_then(|tag| tag.value.as_u32());
+        let pages = pictures.iter().filter(|ifd| kind(ifd) & (REDUCED_COPY | MASK) == 0).count();
+        if pages > 1 {
+            layout.remarks.push(Remark::new(&PAGES, format!("it holds {pages} pages: the first is read")));
         }
         raster.nodata = layout.nodata;
         raster.inverted_white = layout.full_scale.filter(|_| photometric == WHITE_IS_ZERO);
@@ -78,11 +100,19 @@ impl<'a> TiffFile<'a> {
         &self.layout
     }
 
-    /// Turns columns and rows over, and fills what a sparse file leaves out, as the layout says.
+    /// Takes from the layout what files beside the picture have changed: what a sparse file leaves out, and
+    /// whether the samples of a palette are heights.
     pub(crate) fn follow_layout(&mut self) {
-        let grid = self.layout.facts.grid.as_ref();
-        self.raster.turned_over = grid.map_or([false; 2], Grid::turned_over);
         self.raster.nodata = self.layout.nodata;
+        let is_elevation = !matches!(self.layout.terrain, Ok(None));
+        if let Some(palette) = self.raster.palette.as_mut().filter(|of| is_elevation && !of.has_index) {
+            palette.has_index = true;
+            let index = Channel { name: palette.channels()[0].to_owned(), sample: self.raster.sample };
+            self.layout.channels.insert(0, index);
+            if self.layout.terrain.is_ok() {
+                self.layout.set_facts(Ok(self.layout.facts.clone()));
+            }
+        }
     }
 
     pub(crate) fn layout_mut(&mut self) -> &mut Layout {
@@ -129,7 +159,7 @@ impl<'a> TiffFile<'a> {
         let pictures = stored.pictures(PARSE_BUDGETS).map_err(problem)?;
         let ifd = self.mask.map_or_else(|| full_resolution(&pictures), Ok)?;
         let header = pictures.get(ifd).ok_or_else(|| ReadProblem::damaged("TIFF", "it has changed"))?;
-        let mut mask = Raster::open(&input, stored, header, ifd)?;
+        let mask = Raster::open(&input, stored, header, ifd)?;
         let each_its_own = mask.bands == self.raster.bands;
         if mask.size != self.raster.size || !(mask.bands == 1 || each_its_own) {
             let text = |raster: &Raster<'_>| {
@@ -137,7 +167,6 @@ impl<'a> TiffFile<'a> {
             };
             return Err(ReadProblem::MaskSize { mask: text(&mask), map: text(&self.raster) });
         }
-        mask.turned_over = self.raster.turned_over;
         mask.decode(&[if each_its_own { channel } else { 0 }], sink)
     }
 }
@@ -174,14 +203,30 @@ fn channel_names(header: &Ifd, photometric: u16, count: usize) -> Result<Vec<Str
             return Ok((1..=count).map(|band| format!("band{band}")).collect());
         }
         (other, _) => {
-            return Err(unsupported(format!("the colour space number {other} (palette, YCbCr, CMYK ...)")));
+            let space = COLOUR_SPACES.iter().find(|(number, _)| *number == other);
+            let space =
+                space.map_or_else(|| format!("the colour space number {other}"), |(_, name)| (*name).into());
+            return Err(unsupported(space, "convert it to RGB, for instance with magick -colorspace sRGB"));
         }
     };
     Ok(names.iter().map(ToString::to_string).collect())
 }
 
-fn unsupported(what: String) -> ReadProblem {
-    let advice = "convert it, for instance with gdal_translate -co COMPRESS=DEFLATE";
+/// Colour spaces that are not read, by their numbers.
+const COLOUR_SPACES: [(u16, &str); 6] = [
+    (3, "a palette with opacity"),
+    (5, "inks (CMYK)"),
+    (6, "the colour space YCbCr"),
+    (8, "the colour space CIELab"),
+    (32803, "the raw mosaic of a camera"),
+    (34892, "the raw samples of a camera"),
+];
+
+/// What mends types of samples, and compressions.
+const TO_FLOATS: &str = "convert it to 32-bit floats, for instance with gdal_translate -ot Float32";
+const TO_DEFLATE: &str = "convert it, for instance with gdal_translate -co COMPRESS=DEFLATE";
+
+fn unsupported(what: String, advice: &'static str) -> ReadProblem {
     ReadProblem::Unsupported { what, advice }
 }
 
@@ -196,11 +241,16 @@ fn compression_name(code: u16) -> String {
 fn problem(error: TiffError) -> ReadProblem {
     match error {
         TiffError::Io(error, _) => crate::input::io_problem(Format::Tiff, error),
-        TiffError::UnsupportedCompression(code) => unsupported(compression_name(code)),
-        error @ (TiffError::UnsupportedPredictor(_)
-        | TiffError::UnsupportedPlanarConfiguration(_)
-        | TiffError::UnsupportedBitsPerSample(_)
-        | TiffError::UnsupportedSampleFormat(_)) => unsupported(error.to_string()),
+        TiffError::UnsupportedCompression(code) => unsupported(compression_name(code), TO_DEFLATE),
+        error @ (TiffError::UnsupportedPredictor(_) | TiffError::UnsupportedPlanarConfiguration(_)) => {
+            unsupported(error.to_string(), TO_DEFLATE)
+        }
+        TiffError::UnsupportedBitsPerSample(bits) => {
+            unsupported(format!("samples of {bits} bits"), TO_FLOATS)
+        }
+        TiffError::UnsupportedSampleFormat(format) => {
+            unsupported(format!("samples of format {format} (complex numbers are 5 and 6)"), TO_FLOATS)
+        }
         other => ReadProblem::damaged("TIFF", other),
     }
 }

@@ -1,13 +1,14 @@
-//! WebP, 8 bit, lossy and lossless. Orientation and colour profiles are not applied.
+//! WebP, 8 bit, lossy and lossless. Colour profiles are not applied. Of an animation the first picture is read.
 //!
 //! The decoder gives the whole picture at once: 3 or 4 bytes a texel, and as much again while it decodes.
 
 use image_webp::{DecodingError, WebPDecoder};
 
-use crate::ReadProblem;
 use crate::input::{Input, io_problem, zeros};
 use crate::layout::{Format, Layout, SampleType, Sink, Span};
+use crate::omissions::{ANIMATION, Remark};
 use crate::source::SourceReader;
+use crate::{ReadProblem, exif};
 
 /// Bytes that the decoder holds for a texel at its peak: the picture, and its planes or its codes.
 const DECODER_BYTES: u64 = 12;
@@ -32,7 +33,14 @@ impl<'a> WebpFile<'a> {
         input.check_size(Format::Webp, size, texels.saturating_mul(DECODER_BYTES) + file_len, 0)?;
         decoder.set_memory_limit(CHUNK_BYTES);
         let channels: &[&str] = if decoder.has_alpha() { &["r", "g", "b", "a"] } else { &["r", "g", "b"] };
-        let layout = Layout::new(Format::Webp, size, channels, SampleType::unsigned(8));
+        let mut layout = Layout::new(Format::Webp, size, channels, SampleType::unsigned(8));
+        // Of damaged metadata nothing is said: the picture may be whole.
+        let metadata = decoder.exif_metadata().ok().flatten();
+        layout.stated_orientation = metadata.and_then(|metadata| exif::orientation(&metadata));
+        if decoder.is_animated() {
+            let text = "it is an animation: its first picture is read";
+            layout.remarks.push(Remark::new(&ANIMATION, text));
+        }
         Ok(Self { decoder, layout })
     }
 

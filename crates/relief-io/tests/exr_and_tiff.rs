@@ -5,7 +5,7 @@ mod common;
 use ::exr::prelude::SampleType as ExrSample;
 use common::tiff_file::{Tiff, Value};
 use common::{Folder, SIZE, assert_reads, channel, default, exr_file, samples};
-use relief_io::{Fill, HeightOptions, ReadProblem, read_height};
+use relief_io::{Fill, HeightOptions, ReadProblem, Source, read_height};
 
 #[test]
 fn exr_of_every_compression_type_and_layout() {
@@ -94,6 +94,123 @@ fn tiff_of_every_type_and_layout() {
             let path = folder.file(&format!("{name} {bits} {format}.tif"), &tiff.bytes(&values));
             assert_reads(&path, &default(), &values, maximum * 1.2e-7);
         }
+    }
+}
+
+#[test]
+fn tiff_of_sixteen_bit_floats() {
+    let folder = Folder::new();
+    let [width, height] = SIZE;
+    // Each is a float of 16 bits.
+    let values: Vec<f64> = samples(width, height, 2000.0).iter().map(|value| value / 64.0 - 8.0).collect();
+    let grey = Tiff { deflate: true, ..Tiff::grey(width, height, 16, 3) };
+    let tiles = Tiff { tile_width: Some(16), ..grey.clone() };
+    for big_endian in [false, true] {
+        for (name, tiff) in [
+            ("plain", Tiff { deflate: false, ..grey.clone() }),
+            ("deflate", grey.clone()),
+            ("predicted", Tiff { float_predictor: true, ..grey.clone() }),
+            ("predicted tiles", Tiff { float_predictor: true, ..tiles.clone() }),
+            ("tiles", tiles.clone()),
+            ("one row a strip", Tiff { block_rows: 1, ..grey.clone() }),
+        ] {
+            let path = folder.file(&format!("{name}.tif"), &Tiff { big_endian, ..tiff }.bytes(&values));
+            assert_reads(&path, &default(), &values, 1e-5);
+        }
+    }
+    let three: Vec<f64> = values.iter().flat_map(|&value| [value, -value, value / 2.0]).collect();
+    for planar in [1, 2] {
+        let bands = Tiff { bands: 3, planar, ..grey.clone() };
+        let halves: Vec<f64> = values.iter().map(|value| value / 2.0).collect();
+        assert_reads(&folder.file("bands.tif", &bands.bytes(&three)), &channel("band3"), &halves, 1e-5);
+    }
+    // Values that are none, and the nodata value as a float of 16 bits has it.
+    let mut holes = values.clone();
+    [holes[3], holes[70], holes[71]] = [f64::NAN, f64::INFINITY, -9999.0];
+    let nodata = Tiff { extra: vec![(42113, Value::Text("-9999".into()))], ..grey };
+    let error = read_height(&folder.file("holes.tif", &nodata.bytes(&holes)), &default());
+    let problem = error.expect_err("values are missing").problem;
+    assert!(matches!(problem, ReadProblem::Holes { nodata: 1, not_finite: 2, .. }), "{problem}");
+}
+
+#[test]
+fn tiff_palettes_are_colours() {
+    let folder = Folder::new();
+    let [width, height] = SIZE;
+    for (bits, count) in [(8, 256), (4, 16)] {
+        let values: Vec<f64> = samples(width, height, f64::from(count - 1));
+        let palette = |colour: &dyn Fn(u32, u32) -> u32| {
+            let planes = (0..3).flat_map(|plane| (0..count).map(move |index| (plane, index)));
+            (320, Value::Short(planes.map(|(plane, index)| colour(plane, index) as u16).collect()))
+        };
+        let of = |colours: (u16, Value)| {
+            let tiff = Tiff { photometric: 3, extra: vec![colours], ..Tiff::grey(width, height, bits, 1) };
+            folder.file("palette.tif", &tiff.bytes(&values))
+        };
+        let step = 255 / (count - 1);
+        let grey: Vec<f64> = values.iter().map(|value| value * f64::from(step)).collect();
+        // Bytes repeated, above zeros, and as old programs write them; then one turned over.
+        for factor in [257, 256, 1] {
+            let path = of(palette(&|_, index| index * step * factor));
+            assert_reads(&path, &default(), &grey, 1e-4);
+        }
+        let inverse: Vec<f64> = grey.iter().map(|value| 255.0 - value).collect();
+        let path = of(palette(&|_, index| (255 - index * step) * 257));
+        assert_reads(&path, &default(), &inverse, 1e-4);
+        // Of 16 bits, and in colour.
+        let wide: Vec<f64> = values.iter().map(|value| value * 250.0 + 3.0).collect();
+        assert_reads(&of(palette(&|_, index| index * 250 + 3)), &default(), &wide, 0.01);
+        let path = of(palette(&|plane, index| if plane == 1 { 257 * 7 } else { index * step * 257 }));
+        assert_reads(&path, &channel("b"), &grey, 1e-4);
+        assert!(matches!(
+            read_height(&path, &default()).expect_err("a colour").problem,
+            ReadProblem::NotGrey { .. }
+        ));
+        let picture = relief_io::read_picture(&path, 1 << 20).expect("a picture");
+        let green = relief_io::srgb_to_linear(7.0 / 255.0);
+        assert!(picture.texels.iter().all(|texel| (f64::from(texel[1]) - green).abs() < 1e-6));
+        // The samples of an elevation model are its heights.
+        let scale = "<GDALMetadata><Item sample=\"0\" role=\"scale\">2</Item></GDALMetadata>";
+        let colours = palette(&|plane, index| if plane == 1 { 0 } else { index * step * 257 });
+        let extra = vec![colours, (42112, Value::Text(scale.into()))];
+        let model = Tiff { photometric: 3, extra, ..Tiff::grey(width, height, bits, 1) };
+        let path = folder.file("model.tif", &model.bytes(&values));
+        let metres: Vec<f64> = values.iter().map(|value| 2.0 * value).collect();
+        assert_reads(&path, &channel("index"), &metres, 1e-4);
+        assert!(relief_io::read_picture(&path, 1 << 20).is_ok());
+    }
+    let short = vec![(320, Value::Short(vec![0; 30]))];
+    let broken = Tiff { photometric: 3, extra: short, ..Tiff::grey(width, height, 8, 1) };
+    let path = folder.file("short.tif", &broken.bytes(&samples(width, height, 255.0)));
+    assert!(matches!(read_height(&path, &default()).expect_err("30").problem, ReadProblem::Damaged { .. }));
+}
+
+#[test]
+fn advice_on_tiffs_is_of_what_is_wrong() {
+    let grey = Tiff::grey(4, 4, 8, 1);
+    let compression = |code: u16| {
+        let mut bytes = grey.bytes(&[0.0; 16]);
+        let at = bytes.windows(4).position(|tag| tag == [3, 1, 3, 0]).expect("the tag");
+        bytes[at + 8..at + 10].copy_from_slice(&code.to_le_bytes());
+        bytes
+    };
+    let bits = |bits: u16, format: u16| {
+        let mut bytes = Tiff::grey(4, 4, 32, format).bytes(&[0.0; 16]);
+        let at = bytes.windows(4).position(|tag| tag == [2, 1, 3, 0]).expect("the tag");
+        bytes[at + 8..at + 10].copy_from_slice(&bits.to_le_bytes());
+        bytes
+    };
+    for (bytes, words) in [
+        (compression(34925), ["LZMA", "COMPRESS=DEFLATE"]),
+        (bits(24, 3), ["24", "-ot Float32"]),
+        (bits(24, 1), ["24", "-ot Float32"]),
+        (Tiff { photometric: 6, bands: 3, ..grey.clone() }.bytes(&[0.0; 48]), ["YCbCr", "sRGB"]),
+        (Tiff { photometric: 5, bands: 4, ..grey.clone() }.bytes(&[0.0; 64]), ["CMYK", "sRGB"]),
+    ] {
+        let problem = read_height(Source::bytes("a.tif", &bytes), &default()).expect_err(words[0]).problem;
+        let text = problem.to_string();
+        assert!(matches!(problem, ReadProblem::Unsupported { .. }), "{text}");
+        assert!(words.iter().all(|word| text.contains(word)), "{text}");
     }
 }
 

@@ -3,14 +3,14 @@
 mod common;
 
 use ::exr::prelude::{Compression, SampleType as ExrSample};
-use common::files::{Scan, big_endian, hdr, jpeg, png, png_with};
+use common::files::{Scan, big_endian, hdr, jpeg, png, png_with, with_chunk};
 use common::tiff_file::Tiff;
 use common::{Folder, exr_file, landscape};
 use png::{BitDepth, ColorType};
 use relief_core::{HeightMap, Wrap};
 use relief_io::{
-    Convention, DEFAULT_MAX_BYTES, GreenSign, NormalMap, Picture, ReadProblem, detect, read_normal_map,
-    read_normal_vectors, read_picture, write_exr,
+    Convention, Curve, DEFAULT_MAX_BYTES, GreenSign, NormalMap, Picture, ReadProblem, Source, detect,
+    read_normal_map, read_normal_vectors, read_picture, read_picture_as, write_exr,
 };
 
 fn picture(path: &std::path::Path) -> Picture {
@@ -52,6 +52,50 @@ fn integers_are_decoded_by_the_srgb_curve_and_opacity_is_not() {
     assert_near(found.texels[0], [1.0, 0.215_860_5, 0.0, 1.0]);
     let found = picture(&folder.file("rgb.jpg", &jpeg(8, 8, 3, &[128; 192])));
     assert!((found.texels[9][0] - 0.2159).abs() < 0.01);
+}
+
+#[test]
+fn a_png_that_says_so_is_linear() {
+    let chunk = |kind: &[u8; 4], data: &[u8]| (*kind, data.to_vec());
+    let gamma = |gamma: u32| chunk(b"gAMA", &gamma.to_be_bytes());
+    let (srgb, linear) = (0.214_048_3, 0.500_007_6);
+    let profile = [b"a\0\0", common::files::zlib(&[0; 128]).as_slice()].concat();
+    for (chunks, expected) in [
+        (vec![], srgb),
+        (vec![gamma(100_000)], linear),
+        (vec![gamma(99_998)], linear),
+        (vec![gamma(45_455)], srgb),
+        (vec![gamma(55_556)], srgb),
+        (vec![gamma(0)], srgb),
+        (vec![chunk(b"cICP", &[1, 8, 0, 1])], linear),
+        (vec![chunk(b"cICP", &[1, 13, 0, 1]), gamma(100_000)], srgb),
+        // What is said more exactly comes before.
+        (vec![chunk(b"sRGB", &[0]), gamma(100_000)], srgb),
+        (vec![chunk(b"iCCP", &profile), gamma(100_000)], srgb),
+    ] {
+        for depth in [BitDepth::Eight, BitDepth::Sixteen] {
+            let samples = if depth == BitDepth::Eight { vec![128; 3] } else { big_endian(&[32768.0; 3]) };
+            let plain = png(1, 1, ColorType::Rgb, depth, &samples);
+            let bytes = chunks
+                .iter()
+                .fold(plain.clone(), |bytes, (kind, data)| with_chunk(&bytes, kind, data, b"IDAT"));
+            let read =
+                |bytes: &[u8]| read_picture(Source::bytes("a.png", bytes), 1 << 26).expect("a picture");
+            let [found, ..] = read(&bytes).texels[0];
+            let rounding = if depth == BitDepth::Eight { 0.003 } else { 1e-6 };
+            assert!((f64::from(found) - expected).abs() < rounding, "{chunks:?}: {found}, not {expected}");
+            // Who says the curve is believed; heights and normals are stored numbers.
+            for (curve, expected) in [(Curve::Srgb, srgb), (Curve::Linear, linear)] {
+                let told =
+                    read_picture_as(Source::bytes("a.png", &bytes), curve, 1 << 26).expect("a picture");
+                assert!((f64::from(told.texels[0][0]) - expected).abs() < rounding);
+            }
+            let stored = |bytes: &[u8]| {
+                read_normal_vectors(Source::bytes("a.png", bytes), 1 << 26).expect("normals").vectors
+            };
+            assert_eq!(stored(&bytes), stored(&plain));
+        }
+    }
 }
 
 #[test]

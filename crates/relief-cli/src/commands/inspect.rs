@@ -2,6 +2,7 @@
 
 mod mesh;
 
+use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -16,11 +17,11 @@ use relief_io::{
 use serde_json::{Value, json};
 
 use super::lengths;
-use super::maps::{self, By, FileArguments};
+use super::maps::{self, By, FileArguments, Note};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::streams::{Files, answer};
-use crate::values;
+use crate::{say, values};
 
 /// What `relief inspect` is given.
 #[derive(Args)]
@@ -79,9 +80,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let info = inspect(&arguments.file, &options).map_err(Failure::of_map)?;
         (info, arguments.normal.as_deref().map(|path| detection(arguments, &options, path)).transpose()?)
     };
+    let mut notes: BTreeSet<Note> = info.notes.iter().map(|note| By::Flags.note(note)).collect();
+    if let Some(normal) = &arguments.normal {
+        let of_normals = maps::of_picture(normal);
+        if !arguments.json {
+            of_normals.iter().for_each(say::note);
+        }
+        notes.extend(of_normals);
+    }
     answer(|out| {
         if arguments.json {
-            writeln!(out, "{:#}", as_json(arguments, &info, detection.as_ref()))?;
+            writeln!(out, "{:#}", as_json(arguments, &info, detection.as_ref(), &notes))?;
             return Ok(());
         }
         Ok(print(out, arguments, &info, detection.as_ref())?)
@@ -127,6 +136,9 @@ fn print(
                 "  turned      {turned} are turned over, so that north is on top and east to the right"
             )?;
         }
+    }
+    if let Some(number) = info.orientation {
+        writeln!(out, "  turned      as the orientation {number} in the file says: it is stored otherwise")?;
     }
     if let Some([u, v]) = info.texel_size_m {
         writeln!(out, "  texel       {u:.6} m x {v:.6} m")?;
@@ -313,7 +325,12 @@ fn green_name(green: GreenSign) -> &'static str {
     }
 }
 
-fn as_json(arguments: &Arguments, info: &SourceInfo, detection: Option<&Detection>) -> Value {
+fn as_json(
+    arguments: &Arguments,
+    info: &SourceInfo,
+    detection: Option<&Detection>,
+    notes: &BTreeSet<Note>,
+) -> Value {
     let channels: Vec<Value> = info
         .channels
         .iter()
@@ -358,9 +375,10 @@ fn as_json(arguments: &Arguments, info: &SourceInfo, detection: Option<&Detectio
     });
     json!({
         "input": arguments.file.display().to_string(), "format": info.format.name(), "width": info.width, "height": info.height,
+        "orientation": info.orientation.unwrap_or(1),
         "channels": channels, "nodata": info.nodata_value, "texel_m": info.texel_size_m,
         "georeference": georeference, "scale_m": info.note.map(|note| note.scale_m), "bias_m": info.note.map(|note| note.bias_m), "values": values,
         "detection": detection, "guess": guess,
-        "notes": maps::as_json(&info.notes.iter().map(|note| By::Flags.note(note)).collect()),
+        "notes": maps::as_json(notes),
     })
 }

@@ -8,7 +8,7 @@ use clap::Args;
 use relief_core::{ByteSize, HeightMap, Wrap};
 use relief_io::{
     Convention, DEFAULT_MAX_BYTES, Fill, GivenUnits, Ground, HeightFile, HeightOptions, HeightRange,
-    Omission, RawLayout, ReadNote, Remark, guess_by_name, omissions, read_ground,
+    Omission, RawLayout, ReadNote, Remark, guess_by_name, omissions, read_ground, read_notes,
 };
 use relief_render::scene::{Scene, SceneSpec, SurfaceSpec};
 use serde_json::{Value, json};
@@ -182,6 +182,12 @@ pub fn of_file(path: &Path, file: &HeightFile, reading: &HeightArguments) -> BTr
     let more = nearly_grey(&file.map).into_iter().chain(turned).chain(of_units(ground.as_ref(), &file.map));
     let more = more.map(|remark| remark.of(path));
     file.notes.iter().cloned().chain(more).map(|note| By::Flags.note(&note)).collect()
+}
+
+/// Of a picture that holds no heights what its header says that is not followed. A file that cannot be read is
+/// an error elsewhere.
+pub fn of_picture(path: &Path) -> BTreeSet<Note> {
+    read_notes(path).unwrap_or_default().iter().map(|note| By::Flags.note(note)).collect()
 }
 
 /// What is said of the units of a map.

@@ -5,7 +5,7 @@ use relief_core::mesh::{RawCorner, RawMesh};
 
 use super::polygon::{self, Triangulated};
 use super::up::Up;
-use crate::ReadProblem;
+use crate::{ReadProblem, Remark};
 
 /// Memory that a normal takes, and texture coordinates: themselves, in lists that double as they grow.
 const NORMAL_BYTES: u64 = 3 * size_of::<Vec3>() as u64;
@@ -18,12 +18,14 @@ pub(super) struct Builder {
     pub up: Up,
     left: u64,
     limit: u64,
+    /// What is to be said of the pictures in the file.
+    pub notes: Vec<Remark>,
 }
 
 impl Builder {
     /// Of nothing yet, which may take so many bytes.
     pub fn new(limit: u64) -> Self {
-        Self { raw: RawMesh::default(), up: Up::Y, left: limit, limit }
+        Self { raw: RawMesh::default(), up: Up::Y, left: limit, limit, notes: Vec::new() }
     }
 
     /// Counts bytes before somebody takes them.

@@ -259,5 +259,6 @@ fn read_raw(source: Source<'_>, options: &MeshOptions) -> Result<Read, ReadProbl
         MeshFormat::Stl => stl::read(&bytes, &mut builder)?,
     }
     drop(bytes);
+    notes.append(&mut builder.notes);
     Ok(Read { raw: builder.finish(), format, colors, notes })
 }

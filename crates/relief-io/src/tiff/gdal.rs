@@ -1,5 +1,6 @@
 //! What GDAL notes in tags of its own: nodata, and of each band the scale, the offset and the unit.
 
+use half::f16;
 use tiff_reader::Ifd;
 
 use crate::elevation::UnitOrigin;
@@ -23,7 +24,11 @@ pub(super) fn nodata(ifd: &Ifd, sample: SampleType) -> Result<Option<f64>, Strin
         None => tag.value.as_f64_vec().and_then(|values| values.first().copied()).unwrap_or(f64::NAN),
     };
     // GDAL writes the number in decimals, which need not be those of the nearest f32.
-    let stored = if sample == SampleType::float(32) { f64::from(value as f32) } else { value };
+    let stored = match (sample.kind, sample.bits) {
+        (SampleKind::Float, 16) => f16::from_f64(value).to_f64(),
+        (SampleKind::Float, 32) => f64::from(value as f32),
+        _ => value,
+    };
     let possible = stored.is_finite() || sample.kind == SampleKind::Float;
     Ok(Some(stored).filter(|stored| possible && !stored.is_nan()))
 }

@@ -1,9 +1,12 @@
 //! One picture of a TIFF, whose header has been checked: its samples, block by block.
 
+use half::f16;
 use tiff_reader::{Ifd, OpenOptions, ParseBudgets};
 
+use super::halves;
+use super::palette::Palette;
 use super::stored::Stored;
-use super::{GREY, problem, unsupported};
+use super::{GREY, TO_FLOATS, problem, unsupported};
 use crate::ReadProblem;
 use crate::input::Input;
 use crate::layout::{Format, SampleKind, SampleType, Sink, Span};
@@ -29,16 +32,18 @@ pub(super) struct Raster<'a> {
     stored: Stored<'a>,
     decoder: tiff_reader::TiffFile,
     ifd: usize,
+    /// The header for the decoder, in place of the file's.
+    as_integers: Option<Ifd>,
     pub size: [u32; 2],
     pub bands: usize,
     pub sample: SampleType,
     blocks: Blocks,
     /// The value of a block that a sparse file leaves out; 0 if none.
     pub nodata: Option<f64>,
+    /// The colours that samples stand for, if they stand for any.
+    pub palette: Option<Palette>,
     /// The sample of white where the grey is stored with 0 as white and handed over with 0 as black.
     pub inverted_white: Option<f64>,
-    /// Whether columns, and whether rows, come in the other order.
-    pub turned_over: [bool; 2],
 }
 
 /// How the picture is cut into blocks.
@@ -59,9 +64,13 @@ impl<'a> Raster<'a> {
         header: &Ifd,
         ifd: usize,
     ) -> Result<Self, ReadProblem> {
-        let raster = header.raster_layout().map_err(problem)?;
+        let as_integers = halves::as_integers(header).map_err(problem)?;
+        let raster = as_integers.as_ref().unwrap_or(header).raster_layout().map_err(problem)?;
         let size = [header.width(), header.height()];
-        let sample = sample_type(raster.sample_format, raster.bits_per_sample)?;
+        let sample = match as_integers {
+            Some(_) => SampleType::float(16),
+            None => sample_type(raster.sample_format, raster.bits_per_sample)?,
+        };
         let (columns, rows) = if header.is_tiled() {
             (header.tile_width().unwrap_or(0), header.tile_height().unwrap_or(0))
         } else {
@@ -90,13 +99,14 @@ impl<'a> Raster<'a> {
             stored,
             decoder,
             ifd,
+            as_integers,
             size,
             bands: raster.samples_per_pixel,
             sample,
             blocks,
             nodata: None,
+            palette: Palette::read(header)?,
             inverted_white: None,
-            turned_over: [false; 2],
         })
     }
 
@@ -132,35 +142,27 @@ impl<'a> Raster<'a> {
                 slots.for_each(|sample| *sample = nodata);
                 continue;
             }
+            let band = if self.palette.is_some() { 0 } else { channel };
             let place = (top as usize, left as usize);
             let read = || {
-                self.decoder.read_band_window_bytes(
-                    self.ifd,
-                    channel,
-                    place.0,
-                    place.1,
-                    rows_len,
-                    columns_len,
-                )
+                let header = self.as_integers.as_ref().map_or_else(|| self.decoder.ifd(self.ifd), Ok)?;
+                let (top, left) = place;
+                self.decoder.read_band_window_bytes_from_ifd(header, band, top, left, rows_len, columns_len)
             };
             let bytes = self.stored.lending(read).map_err(problem)?;
             spread(self.sample, &bytes, slots)?;
+            if let Some(palette) = &self.palette {
+                let slots = samples[slot..].iter_mut().step_by(channels.len());
+                slots.for_each(|sample| *sample = palette.sample(channel, *sample));
+            }
         }
         if let (Some(white), Some(slot)) =
             (self.inverted_white, channels.iter().position(|&channel| channel == GREY))
         {
             samples[slot..].iter_mut().step_by(channels.len()).for_each(|sample| *sample = white - *sample);
         }
-        let [width, height] = self.size;
-        let [columns_turned, rows_turned] = self.turned_over;
-        let column = if columns_turned { width - left - columns } else { left };
-        for (row, samples) in (top..).zip(samples.chunks_exact_mut(columns_len * channels.len())) {
-            if columns_turned {
-                samples.reverse();
-                samples.chunks_exact_mut(channels.len()).for_each(<[f64]>::reverse);
-            }
-            let row = if rows_turned { height - 1 - row } else { row };
-            sink(Span { row, column, step: 1, samples })?;
+        for (row, samples) in (top..).zip(samples.chunks_exact(columns_len * channels.len())) {
+            sink(Span { row, column: left, step: 1, samples })?;
         }
         Ok(())
     }
@@ -195,8 +197,8 @@ fn sample_type(format: u16, bits: u16) -> Result<SampleType, ReadProblem> {
     match (kind, bits) {
         (SampleKind::Unsigned, 1..=16 | 32 | 64)
         | (SampleKind::Signed, 8 | 16 | 32 | 64)
-        | (SampleKind::Float, 32 | 64) => Ok(SampleType { kind, bits: bits as u8 }),
-        _ => Err(unsupported(format!("{bits}-bit samples of format {format}"))),
+        | (SampleKind::Float, 16 | 32 | 64) => Ok(SampleType { kind, bits: bits as u8 }),
+        _ => Err(unsupported(format!("{bits}-bit samples of format {format}"), TO_FLOATS)),
     }
 }
 
@@ -224,7 +226,8 @@ fn spread<'a>(
         (SampleKind::Signed, 9..=16) => each(bytes, slots, |b| f64::from(i16::from_ne_bytes(b))),
         (SampleKind::Signed, 17..=32) => each(bytes, slots, |b| f64::from(i32::from_ne_bytes(b))),
         (SampleKind::Signed, _) => each(bytes, slots, |b| i64::from_ne_bytes(b) as f64),
-        (SampleKind::Float, 1..=32) => each(bytes, slots, |b| f64::from(f32::from_ne_bytes(b))),
+        (SampleKind::Float, 1..=16) => each(bytes, slots, |b| f16::from_ne_bytes(b).to_f64()),
+        (SampleKind::Float, 17..=32) => each(bytes, slots, |b| f64::from(f32::from_ne_bytes(b))),
         (SampleKind::Float, _) => each(bytes, slots, f64::from_ne_bytes),
     };
     if fits {

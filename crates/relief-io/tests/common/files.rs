@@ -30,6 +30,34 @@ pub fn png_with(
     bytes
 }
 
+/// The same PNG with a chunk more, before the first chunk of that kind.
+pub fn with_chunk(png: &[u8], kind: &[u8; 4], data: &[u8], before: &[u8; 4]) -> Vec<u8> {
+    let at = png.windows(4).position(|bytes| bytes == before).expect("such a chunk") - 4;
+    [&png[..at], &png_chunk(kind, data), &png[at..]].concat()
+}
+
+/// The same JPEG with EXIF metadata behind its first marker.
+pub fn with_exif(jpeg: &[u8], exif: &[u8]) -> Vec<u8> {
+    let length = (exif.len() as u16 + 8).to_be_bytes();
+    [&jpeg[..2], &[0xff, 0xe1], &length, b"Exif\0\0", exif, &jpeg[2..]].concat()
+}
+
+/// EXIF metadata that name an orientation, behind another entry.
+pub fn exif(orientation: u16, big_endian: bool) -> Vec<u8> {
+    let short = |value: u16| if big_endian { value.to_be_bytes() } else { value.to_le_bytes() };
+    let long = |value: u32| if big_endian { value.to_be_bytes() } else { value.to_le_bytes() };
+    let mut bytes = if big_endian { b"MM\0*".to_vec() } else { b"II*\0".to_vec() };
+    bytes.extend(long(8));
+    bytes.extend(short(2));
+    for (tag, value) in [(0x103, 6), (0x112, orientation)] {
+        bytes.extend([short(tag), short(3)].concat());
+        bytes.extend(long(1));
+        bytes.extend([short(value), [0; 2]].concat());
+    }
+    bytes.extend(long(0));
+    bytes
+}
+
 /// A chunk of a PNG with its checksum.
 fn png_chunk(kind: &[u8; 4], data: &[u8]) -> Vec<u8> {
     let mut checksum = flate2::Crc::new();

@@ -23,6 +23,8 @@ pub struct Tiff {
     pub photometric: u16,
     pub planar: u16,
     pub deflate: bool,
+    /// Whether floats are stored as differences of their bytes (Adobe's third predictor); of one band.
+    pub float_predictor: bool,
     pub big_endian: bool,
     /// Rows a strip; or, with `tile_width`, rows a tile.
     pub block_rows: u32,
@@ -44,6 +46,7 @@ impl Tiff {
             photometric: 1,
             planar: 1,
             deflate: false,
+            float_predictor: false,
             big_endian: false,
             block_rows: 16,
             tile_width: None,
@@ -92,6 +95,9 @@ impl Tiff {
             (284, Value::Short(vec![self.planar])),
             (339, Value::Short(vec![self.format; usize::from(self.bands)])),
         ];
+        if self.float_predictor {
+            tags.push((317, Value::Short(vec![3])));
+        }
         match self.tile_width {
             Some(tile_width) => tags.extend([
                 (322, Value::Long(vec![tile_width])),
@@ -161,11 +167,16 @@ impl Tiff {
                             bytes.extend(self.packed_row(samples, j.min(self.height - 1), [left, columns]));
                             continue;
                         }
+                        let start = bytes.len();
                         for i in left..left + columns {
                             let at = (j.min(self.height - 1) * self.width + i.min(self.width - 1)) as usize;
                             for band in plane {
                                 bytes.extend(self.number(samples[at * bands + band], self.bits, self.format));
                             }
+                        }
+                        if self.float_predictor {
+                            let row = self.predicted(&bytes[start..]);
+                            bytes.splice(start.., row);
                         }
                     }
                     blocks.push(if self.deflate { zlib(&bytes) } else { bytes });
@@ -173,6 +184,15 @@ impl Tiff {
             }
         }
         blocks
+    }
+
+    /// A row of floats as differences: the highest bytes of all come first, and each byte less the one before.
+    fn predicted(&self, row: &[u8]) -> Vec<u8> {
+        let size = usize::from(self.bits / 8);
+        let byte = |of: usize| move |sample: &[u8]| sample[if self.big_endian { of } else { size - 1 - of }];
+        let planes: Vec<u8> = (0..size).flat_map(|of| row.chunks_exact(size).map(byte(of))).collect();
+        let before = std::iter::once(&0).chain(&planes);
+        planes.iter().zip(before).map(|(byte, before)| byte.wrapping_sub(*before)).collect()
     }
 
     /// A row of samples of less than a byte, the first one highest.
@@ -208,6 +228,7 @@ impl Tiff {
             (2, 16) => (value as i16).to_le_bytes().to_vec(),
             (2, 32) => (value as i32).to_le_bytes().to_vec(),
             (2, 64) => (value as i64).to_le_bytes().to_vec(),
+            (3, 16) => exr::prelude::f16::from_f64(value).to_le_bytes().to_vec(),
             (3, 32) => (value as f32).to_le_bytes().to_vec(),
             (3, 64) => value.to_le_bytes().to_vec(),
             other => panic!("no samples of format and bits {other:?}"),

@@ -157,6 +157,7 @@ impl Maps {
             return Ok(Arc::clone(color));
         }
         let color = Arc::new(relief_io::read_picture(path, self.left).map_err(SceneError::Picture)?);
+        self.note(path);
         self.take_picture(&color);
         self.colors.push((path.to_owned(), Arc::clone(&color)));
         Ok(color)
@@ -204,6 +205,11 @@ impl Maps {
         Ok(loaded)
     }
 
+    /// Notes what the header of a picture says that is not followed. It has been read.
+    fn note(&mut self, path: &Path) {
+        self.notes.extend(relief_io::read_notes(path).unwrap_or_default());
+    }
+
     /// Leaves less for what a picture of colours takes.
     fn take_picture(&mut self, picture: &Picture) {
         let texels = u64::from(picture.width) * u64::from(picture.height);
@@ -215,6 +221,7 @@ impl Maps {
         let [of_texel, kept] = Environment::BYTES;
         let limit = self.left / (READ_BYTES + of_texel) * READ_BYTES;
         let picture = relief_io::read_picture(path, limit).map_err(SceneError::Picture)?;
+        self.note(path);
         let environment = Environment::from_equirectangular(&picture);
         let environment =
             environment.map_err(|source| SceneError::Environment { path: path.to_owned(), source })?;
@@ -472,6 +479,7 @@ impl SurfaceSpec {
             let limit = maps.left / (read + converted) * read;
             let map = relief_io::read_normal_map(path, self.green.unwrap_or_default(), limit);
             let map = map.map_err(SceneError::Picture)?;
+            maps.note(path);
             let bytes = (read + converted) * u64::from(map.width) * u64::from(map.height);
             maps.left = maps.left.saturating_sub(bytes);
             surface = surface.with_normal_map(&map);

@@ -70,6 +70,7 @@ impl Subject {
         let colors = match arguments.color.as_ref().or(surface.color.as_ref()) {
             Some(path) => {
                 let picture = read_picture(path, max_bytes).map_err(Failure::of_picture)?;
+                notes.extend(maps::of_picture(path).iter().map(ToString::to_string));
                 Some(with_picture(picture, &surface))
             }
             None => own,
@@ -150,6 +151,7 @@ fn displaced(
     };
     inputs.extend(arguments.color.clone());
     let mut notes = maps::of_reading(&spec, &scene, By::Keys);
+    notes.extend(arguments.color.iter().flat_map(|path| maps::of_picture(path)));
     let is_left_out = colors.is_none() && shown.file_colors().is_some_and(|colors| colors.colored() > 0);
     if is_left_out {
         let what = "the colours of its mesh's materials are left out, as it is displaced";

@@ -16,6 +16,7 @@ use serde_json::{Value, json};
 
 use super::output::{Format, Output};
 use super::{Common, Relief, WRITTEN, of_integration};
+use crate::commands::maps;
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::interrupt;
@@ -111,6 +112,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Arguments { normals: path, common, .. } = arguments;
     common.check()?;
     let output = Output::new("--output", &arguments.output, &[path])?;
+    let notes = maps::of_picture(path);
+    if !common.json {
+        notes.iter().for_each(say::note);
+    }
     let NormalVectors { width, height, vectors, opacity, .. } = {
         let _reading = Progress::spinner("reading", common.json);
         read_normal_vectors(path, common.max_bytes()).map_err(Failure::of_picture)?.with_zero_centred()
@@ -188,6 +193,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     tell_written(common.json, |out| {
         if common.json {
             let mut about = relief.as_json(&output, seconds);
+            about["notes"] = maps::as_json(&notes);
             about["input"] = path.display().to_string().into();
             about["green"] = green.as_json();
             about["normals"] = faults_as_json(&faults);

@@ -1,5 +1,6 @@
 //! `relief height from-photos`: photographs under known lights to a height map (photometric stereo).
 
+use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -9,7 +10,7 @@ use relief_bake::Progress as BakeProgress;
 use relief_bake::from_normals::{Integration, NormalSlopes, heights_from_slopes};
 use relief_bake::kind::normal::Axes;
 use relief_bake::photometric::{ColourAlbedo, Photo, PhotometricError, Photometry, normals_from_photos};
-use relief_io::{Picture, read_picture_as};
+use relief_io::{Picture, read_picture, read_picture_as};
 
 use super::lights::Lights;
 use super::output::{
@@ -17,10 +18,12 @@ use super::output::{
 };
 use super::{Common, Relief, WRITTEN, of_integration, of_photos};
 use crate::advice;
+use crate::commands::maps::{self, Note};
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::progress::Progress;
+use crate::say;
 use crate::streams::{Files, Written, tell_written};
 
 /// Bytes a texel that a photograph keeps: its brightness.
@@ -60,7 +63,8 @@ fn after_help() -> String {
          [[photo]]\n  file = \"right.png\"\n  light = [0.5, 0.0, 0.8]\n  intensity = 1.2           # brightness of a white \
          surface that faces it [default: 1]\n  [[photo]]\n  file = \"top.png\"\n  light = [0.0, 0.5, 0.8]\n\n\
          Three lights or more, not in one plane with the surface. Above the list it may have:\n\n  \
-         linear = true       # integer samples are proportional to light [default: they are sRGB; floats are linear]\n  \
+         linear = true       # integer samples are proportional to light [default: as a PNG says, else they are sRGB; \
+         floats are linear]\n  \
          shadow = 0.01       # linear brightness up to which a sample is in shadow, and left out\n  \
          overexposed = 1.0   # linear brightness from which a sample is left out; inf for never\n\n\
          Example:\n  relief height from-photos lights.toml -o coin.exr --normals coin_normal.png --albedo coin_color.png\n\n\
@@ -76,6 +80,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     common.check()?;
     let lights = Lights::read(&arguments.lights)?;
     let outputs = arguments.outputs(&lights)?;
+    let notes: BTreeSet<Note> =
+        lights.photos.iter().flat_map(|photo| maps::of_picture(&photo.file)).collect();
+    if !common.json {
+        notes.iter().for_each(say::note);
+    }
     let (size, pixels) = {
         let _reading = Progress::spinner("reading", common.json);
         read_all(&lights, common)?
@@ -135,6 +144,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             let mut about = relief.as_json(&outputs.height, seconds);
             let name =
                 |output: &Option<Output>| output.as_ref().map(|output| output.path.display().to_string());
+            about["notes"] = maps::as_json(&notes);
             about["photographs"] = lights.photos.len().into();
             about["normals"] = name(&outputs.normals).into();
             about["albedo"] = name(&outputs.albedo).into();
@@ -199,7 +209,11 @@ impl Arguments {
 
 fn read_photo(lights: &Lights, photo: usize, max_bytes: u64) -> Result<Picture, Failure> {
     let file = &lights.photos[photo].file;
-    read_picture_as(file, lights.curve, max_bytes).map_err(|error| {
+    let picture = match lights.curve {
+        Some(curve) => read_picture_as(file, curve, max_bytes),
+        None => read_picture(file, max_bytes),
+    };
+    picture.map_err(|error| {
         lights.of_photo(photo, &advice::with_flag(&error, advice::of_picture(&error.problem)))
     })
 }

@@ -26,7 +26,8 @@ pub struct Lights {
     /// The file.
     pub path: PathBuf,
     text: String,
-    pub curve: Curve,
+    /// By which curve integers were made of light; none where each file says it.
+    pub curve: Option<Curve>,
     pub exposure: Exposure,
     pub photos: Vec<LitPhoto>,
 }
@@ -45,8 +46,7 @@ pub struct LitPhoto {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Text {
-    #[serde(default)]
-    linear: bool,
+    linear: Option<bool>,
     shadow: Option<Spanned<f32>>,
     overexposed: Option<Spanned<f32>>,
     #[serde(default)]
@@ -72,7 +72,7 @@ impl Lights {
         let folder = path.parent().unwrap_or(Path::new(""));
         let mut lights = Self {
             path: path.to_owned(),
-            curve: if found.linear { Curve::Linear } else { Curve::Srgb },
+            curve: found.linear.map(|linear| if linear { Curve::Linear } else { Curve::Srgb }),
             exposure: Exposure { shadow: DEFAULT_SHADOW, overexposed: DEFAULT_OVEREXPOSED },
             photos: Vec::new(),
             text,

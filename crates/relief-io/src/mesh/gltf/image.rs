@@ -5,7 +5,9 @@ use ::gltf::{Document, Texture};
 use super::buffers::Buffers;
 use super::damaged;
 use crate::mesh::builder::Builder;
-use crate::{Picture, ReadProblem, Source, read_picture};
+use crate::omissions::ORIENTATION_IN_GLTF;
+use crate::picture::read_gltf_picture;
+use crate::{Picture, ReadProblem, Remark, Source};
 
 /// Extensions by which a texture names a picture in a format of its own, and whether that is read.
 const SOURCES: [(&str, bool); 4] = [
@@ -57,9 +59,13 @@ pub fn read(
         (None, Some(uri)) => buffers.named(&name, uri, builder)?.into_owned(),
         (None, None) => return Err(damaged(format!("{name} has no bytes"))),
     };
-    let picture = read_picture(Source::bytes(&name, &bytes), builder.left());
-    let picture = picture
+    let read = read_gltf_picture(Source::bytes(&name, &bytes), builder.left());
+    let (picture, is_turned) = read
         .map_err(|error| ReadProblem::Part { file: error.path.clone(), problem: Box::new(error.problem) })?;
+    if is_turned {
+        let what = "has an orientation, which viewers of glTF ignore: it is read as it is stored";
+        builder.notes.push(Remark::new(&ORIENTATION_IN_GLTF, format!("{name} {what}")));
+    }
     builder.take(size_of_val(&picture.texels[..]) as u64)?;
     Ok(picture)
 }

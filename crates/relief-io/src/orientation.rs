@@ -1,0 +1,88 @@
+//! How a stored picture is turned before it is shown: the one place where orientations of EXIF, of TIFF and of
+//! Radiance files become places of texels.
+
+use crate::layout::Span;
+
+/// A turn of a stored picture: its columns and its rows may be turned over, and after that the two may change
+/// places. These are the eight orientations of EXIF and TIFF (tag 274).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Orientation {
+    /// Whether stored columns run from right to left, and stored rows from bottom to top.
+    pub turned_over: [bool; 2],
+    /// Whether stored rows are columns.
+    pub transposed: bool,
+}
+
+impl Orientation {
+    /// As it is stored.
+    pub const STORED: Self = Self { turned_over: [false; 2], transposed: false };
+
+    /// That of a number of EXIF or TIFF, which is from 1 to 8.
+    pub const fn of_number(number: u32) -> Option<Self> {
+        let (turned_over, transposed) = match number {
+            1 => ([false, false], false),
+            2 => ([true, false], false),
+            3 => ([true, true], false),
+            4 => ([false, true], false),
+            5 => ([false, false], true),
+            6 => ([false, true], true),
+            7 => ([true, true], true),
+            8 => ([true, false], true),
+            _ => return None,
+        };
+        Some(Self { turned_over, transposed })
+    }
+
+    /// What is along `u` and along `v` when it is shown, of what is along rows and columns as stored.
+    pub fn shown<T>(self, [u, v]: [T; 2]) -> [T; 2] {
+        if self.transposed { [v, u] } else { [u, v] }
+    }
+
+    /// Where the samples of a span lie, of a picture of that stored size.
+    pub fn line<'a>(self, [width, height]: [u32; 2], span: &Span<'a>) -> Line<'a> {
+        let [columns_turned, rows_turned] = self.turned_over;
+        let turn = |at: u32, side: u32, is_turned: bool| if is_turned { side - 1 - at } else { at } as usize;
+        let column = turn(span.column, width, columns_turned);
+        let row = turn(span.row, height, rows_turned);
+        let (first, step) = if self.transposed {
+            (column * height as usize + row, height as isize)
+        } else {
+            (row * width as usize + column, 1)
+        };
+        let forth = if columns_turned { -step } else { step };
+        Line { first, step: forth * span.step as isize, samples: span.samples }
+    }
+}
+
+/// Samples of texels that lie at equal distances in the picture that is shown.
+#[derive(Clone, Copy)]
+pub(crate) struct Line<'a> {
+    /// The number of the first texel, in rows from the top.
+    first: usize,
+    /// From a texel's number to that of the next.
+    step: isize,
+    /// Raw values, the chosen channels side by side.
+    pub samples: &'a [f64],
+}
+
+impl Line<'_> {
+    /// The number of each of so many texels.
+    pub fn places(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
+        let Self { first, step, .. } = *self;
+        (0..count as isize).map(move |at| (first as isize + at * step) as usize)
+    }
+
+    /// One above the highest number of so many texels.
+    pub fn end(&self, count: usize) -> usize {
+        let last = self.first as isize + (count as isize - 1).max(0) * self.step;
+        self.first.max(last as usize) + 1
+    }
+
+    /// The same texels with other samples.
+    pub fn with<'b>(&self, samples: &'b [f64]) -> Line<'b> {
+        Line { first: self.first, step: self.step, samples }
+    }
+}
+
+/// Takes the lines of a picture; every texel comes exactly once, in the decoder's order.
+pub(crate) type LineSink<'a> = dyn FnMut(Line<'_>) -> Result<(), crate::ReadProblem> + 'a;
