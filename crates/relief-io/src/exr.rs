@@ -1,5 +1,5 @@
 //! EXR, block by block: f16, f32 and u32 channels of flat scan line and tiled parts, all compressions but
-//! HTJ2K.
+//! HTJ2K, LJ2K and ZSTD.
 //!
 //! The header is parsed here ([`header`]): the `exr` crate takes memory by what an unchecked header claims.
 //! Chunks are found and checked here too; the crate only decompresses them.

@@ -7,7 +7,7 @@
 //! | --- | --- | --- | --- |
 //! | PNG | content | 1 to 16 bit, grey, colour, palette, opacity | pictures that say so are linear |
 //! | JPEG | content | 8 bit, grey, colour | |
-//! | EXR | content | f16, f32, u32, any channel | flat parts, all compressions but HTJ2K |
+//! | EXR | content | f16, f32, u32, any channel | flat parts, all compressions but HTJ2K, LJ2K, ZSTD |
 //! | TIFF, GeoTIFF | content | 8 to 64-bit integers and floats | metres, nodata, masks; not LZMA |
 //! | Radiance HDR | content | RGBE | |
 //! | PGM (PPM) | content | 8 and 16 bit, plain and binary | |

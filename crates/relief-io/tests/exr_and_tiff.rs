@@ -215,6 +215,31 @@ fn advice_on_tiffs_is_of_what_is_wrong() {
 }
 
 #[test]
+fn compressions_of_exr_that_are_not_read_are_named_and_nonsense_is_damage() {
+    let [width, height] = SIZE;
+    let values = samples(width, height, 1.0);
+    let (_, compression, _) = exr_file::COMPRESSIONS[0];
+    let bytes = exr_file::exr(SIZE, None, compression, &[("Y", ExrSample::F32, &values)]);
+    let name = b"compression\0compression\0";
+    let at = bytes.windows(name.len()).position(|text| text == name).expect("the attribute");
+    let read = |code: u8| {
+        let mut bytes = bytes.clone();
+        bytes[at + name.len() + 4] = code;
+        read_height(Source::bytes("a.exr", &bytes), &default()).expect_err("not read").problem
+    };
+    for (code, name) in [(10, "HTJ2K"), (11, "HTJ2K"), (12, "LJ2K"), (13, "ZSTD")] {
+        let problem = read(code);
+        let text = problem.to_string();
+        assert!(matches!(problem, ReadProblem::Unsupported { .. }) && text.contains(name), "{text}");
+        assert_eq!(text.contains("newer than this program"), code > 11, "{text}");
+        assert!(text.contains("ZIP"), "{text}");
+    }
+    for code in [14, 200, 255] {
+        assert!(matches!(read(code), ReadProblem::Damaged { .. }), "{code}");
+    }
+}
+
+#[test]
 fn tiff_bands_are_channels() {
     let folder = Folder::new();
     let [width, height] = SIZE;

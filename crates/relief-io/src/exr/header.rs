@@ -311,12 +311,19 @@ fn compression(code: u8) -> Result<Compression, ReadProblem> {
         8 => Compression::DWAA(None),
         9 => Compression::DWAB(None),
         10 | 11 => return Err(unsupported("HTJ2K compression".into())),
+        12 => return Err(newer("LJ2K")),
+        13 => return Err(newer("ZSTD")),
         other => return Err(damaged(&format!("it has the unknown compression {other}"))),
     })
 }
 
 fn damaged(what: &str) -> ReadProblem {
     ReadProblem::damaged("EXR", what)
+}
+
+/// A compression of OpenEXR 3.5, which is newer than this reader.
+fn newer(name: &str) -> ReadProblem {
+    unsupported(format!("{name} compression, which is newer than this program"))
 }
 
 fn unsupported(what: String) -> ReadProblem {
