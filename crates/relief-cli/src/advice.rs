@@ -4,7 +4,7 @@
 use std::io::ErrorKind;
 
 use relief_core::mesh::FramingError;
-use relief_io::{ReadNote, ReadProblem, omissions};
+use relief_io::{ForeignFormat, ReadNote, ReadProblem, omissions};
 use relief_render::scene::SceneError;
 use relief_render::{Reason, RenderError};
 
@@ -46,6 +46,17 @@ pub fn of_read(problem: &ReadProblem) -> Option<Mend> {
         ReadProblem::Unrecognised => Mend {
             flag: "headerless 16-bit samples are read with --raw 1024x1024,le (or be)",
             key: "headerless 16-bit samples are read with the key raw = \"1024x1024,le\" (or be)",
+        },
+        // Raw samples are unsigned: what marks no height is -32768.
+        ReadProblem::Foreign(ForeignFormat::Srtm { side: 3601 }) => Mend {
+            flag: "where no height is below 0, --raw 3601x3601,be --nodata 32768 reads it without its place",
+            key: "where no height is below 0, the keys raw = \"3601x3601,be\" and nodata = 32768 read it without its \
+                  place",
+        },
+        ReadProblem::Foreign(ForeignFormat::Srtm { .. }) => Mend {
+            flag: "where no height is below 0, --raw 1201x1201,be --nodata 32768 reads it without its place",
+            key: "where no height is below 0, the keys raw = \"1201x1201,be\" and nodata = 32768 read it without its \
+                  place",
         },
         ReadProblem::NeedsRawLayout => Mend {
             flag: "--raw 1024x1024,le (or be) gives them",

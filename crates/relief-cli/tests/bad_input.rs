@@ -133,6 +133,11 @@ fn files_that_cannot_be_used_are_refused_with_their_name() {
     folder.write("empty.exr", []);
     folder.write("text.png", "This is no picture.\n");
     folder.write("unknown.r16", [7; 64]);
+    folder
+        .write("array.npy", b"\x93NUMPY\x01\0v\0{'descr': '<f4', 'fortran_order': False, 'shape': (4, 4), }");
+    folder.write("grid.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n");
+    let tile: Vec<u8> = (0..1201u32 * 1201).flat_map(|at| (100 + (at % 900) as i16).to_be_bytes()).collect();
+    folder.write("N46E007.hgt", &tile);
     folder.write("zeros.tif", [0; 4096]);
     folder.write("folder.png/inside", []);
     let colour = image::RgbImage::from_fn(8, 8, |x, y| image::Rgb([x as u8, y as u8, 7]));
@@ -155,6 +160,9 @@ fn files_that_cannot_be_used_are_refused_with_their_name() {
         ("--height text.png", &["text.png", "PNG"]),
         ("--height zeros.tif", &["zeros.tif"]),
         ("--height unknown.r16", &["unknown.r16", "--raw"]),
+        ("--height array.npy", &["array.npy", "NumPy", "imwrite"]),
+        ("--height grid.asc", &["grid.asc", "Arc ASCII", "gdal_translate"]),
+        ("--height N46E007.hgt", &["N46E007.hgt", "SRTM", "--raw 1201x1201,be --nodata 32768"]),
         ("--height unknown.r16 --raw 5x7,le", &["unknown.r16", "70"]),
         ("--height unknown.r16 --raw 100000x100000,le", &["unknown.r16"]),
         ("--height map.png --channel q", &["map.png", "'q'"]),
@@ -189,6 +197,9 @@ fn files_that_cannot_be_used_are_refused_with_their_name() {
     for (flags, words) in table {
         assert_refused(&folder, &folder.relief(&render(flags)), 1, words);
     }
+    // The command that is named reads the tile.
+    let ran = folder.relief("inspect N46E007.hgt --raw 1201x1201,be --nodata 32768");
+    assert!(ran.code == Some(0) && ran.stdout.contains("100 to 999"), "{ran:?}");
     // Headerless samples are heights alone.
     for (flag, is_height) in [("--height", true), ("--color", false), ("--environment", false)] {
         let height = if is_height { "" } else { "--height map.png" };

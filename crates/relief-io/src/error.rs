@@ -7,7 +7,7 @@ use relief_core::HeightMapError;
 use relief_core::mesh::FramingError;
 use relief_core::registry::UnknownName;
 
-use crate::RawLayout;
+use crate::{ForeignFormat, RawLayout};
 
 /// A file could not be read: which file, and why.
 #[derive(Debug, thiserror::Error)]
@@ -37,6 +37,9 @@ pub enum ReadProblem {
     /// The content is none of the formats that are read.
     #[error("is not a PNG, JPEG, EXR, TIFF, Radiance HDR, PGM or WebP file: convert it")]
     Unrecognised,
+    /// The content is of a format of heights that is known and not read.
+    #[error("{0}")]
+    Foreign(ForeignFormat),
     /// A headerless file, by its name, without its layout.
     #[error("holds samples without a header: give its size and byte order")]
     NeedsRawLayout,

@@ -16,7 +16,7 @@ use crate::raw::RawFile;
 use crate::text::MARK;
 use crate::tiff::TiffFile;
 use crate::webp::WebpFile;
-use crate::{GivenUnits, RawLayout, ReadProblem, Source};
+use crate::{ForeignFormat, GivenUnits, RawLayout, ReadProblem, Source};
 
 /// A recognised file. Its header is checked; no memory has been taken for samples.
 pub(crate) struct ImageFile<'a> {
@@ -159,6 +159,9 @@ impl<'a> StoredImage<'a> {
             Some(Format::Webp) => Ok(Self::Webp(Box::new(WebpFile::open(input)?))),
             Some(Format::Raw) | None => {
                 let extension = source.name().extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
+                if let Some(foreign) = ForeignFormat::of(source.name(), input.file_len, &signature) {
+                    return Err(ReadProblem::Foreign(foreign));
+                }
                 match extension.as_deref() {
                     Some("raw" | "r16" | "bin") => Err(ReadProblem::NeedsRawLayout),
                     _ => Err(ReadProblem::Unrecognised),

@@ -46,6 +46,7 @@ mod exif;
 mod exr;
 pub mod file_set;
 mod fill;
+mod foreign;
 mod georeference;
 mod ground;
 mod hdr;
@@ -84,6 +85,7 @@ pub use self::ktx2::{Ktx2File, Ktx2Level, Ktx2Texture, TexelFormat, read_ktx2, w
 pub use convention::{Detection, Guess, detect, guess_by_name};
 pub use elevation::{CoordinateSystem, Doubt, Elevation, Georeference, GridTransform, UnitOrigin};
 pub use error::{ReadError, ReadProblem, WriteError, WriteProblem};
+pub use foreign::ForeignFormat;
 pub use georeference::{GivenUnits, LengthUnit, epsg};
 pub use ground::{Ground, read_ground};
 pub use height::{

@@ -1,0 +1,87 @@
+//! Files of heights in formats that are not read, recognised so that an error can say what they are.
+
+use std::fmt;
+use std::path::Path;
+
+/// A format of heights that is not read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ForeignFormat {
+    /// An array of NumPy, `.npy`.
+    Npy,
+    /// Arrays of NumPy in a ZIP file, `.npz`.
+    Npz,
+    /// An Arc ASCII grid, `.asc`.
+    ArcGrid,
+    /// A tile of SRTM, `.hgt`: big-endian signed 16-bit metres without a header.
+    Srtm {
+        /// Samples along each side: 3601 or 1201.
+        side: u32,
+    },
+}
+
+impl ForeignFormat {
+    /// The format of a file of that name, length and beginning; none where it is no format that is known.
+    pub(crate) fn of(name: &Path, len: u64, start: &[u8]) -> Option<Self> {
+        let extension = name.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+        let extension = extension.as_deref().unwrap_or_default();
+        let text = start.trim_ascii_start().to_ascii_lowercase();
+        let is_grid = |key: &[u8]| {
+            text.strip_prefix(key).is_some_and(|rest| rest.starts_with(b" ") || rest.starts_with(b"\t"))
+        };
+        match start {
+            [0x93, b'N', b'U', b'M', b'P', b'Y', ..] => Some(Self::Npy),
+            [b'P', b'K', 3, 4, ..] if extension == "npz" => Some(Self::Npz),
+            _ if is_grid(b"ncols") || is_grid(b"nrows") => Some(Self::ArcGrid),
+            _ if extension == "hgt" => [3601, 1201]
+                .into_iter()
+                .find(|side| 2 * side * side == len)
+                .map(|side| Self::Srtm { side: side as u32 }),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for ForeignFormat {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Npy => f.write_str(
+                "is an array of NumPy: write it as a TIFF of 32-bit floats, for instance with \
+                 tifffile.imwrite(\"out.tif\", array.astype(\"float32\"))",
+            ),
+            Self::Npz => f.write_str(
+                "is an archive of NumPy arrays: write one as a TIFF of 32-bit floats, for instance with \
+                 tifffile.imwrite(\"out.tif\", archive[\"NAME\"].astype(\"float32\"))",
+            ),
+            Self::ArcGrid => f.write_str(
+                "is an Arc ASCII grid: convert it, for instance with gdal_translate -ot Float32 in.asc out.tif",
+            ),
+            Self::Srtm { side } => write!(
+                f,
+                "is a tile of SRTM, {side}x{side} heights without a header: convert it, for instance with \
+                 gdal_translate in.hgt out.tif"
+            ),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn formats_are_known_by_content_and_tiles_by_their_length() {
+        let of = |name: &str, len: u64, start: &[u8]| ForeignFormat::of(Path::new(name), len, start);
+        assert_eq!(of("a", 100, b"\x93NUMPY\x01\0v\0{'descr'"), Some(ForeignFormat::Npy));
+        assert_eq!(of("a.npz", 100, b"PK\x03\x04"), Some(ForeignFormat::Npz));
+        assert_eq!(of("a.zip", 100, b"PK\x03\x04"), None);
+        for start in [&b"ncols         4\n"[..], b"NCOLS 4", b"\r\nnrows\t3"] {
+            assert_eq!(of("a.txt", 100, start), Some(ForeignFormat::ArcGrid));
+        }
+        assert_eq!(of("a.asc", 100, b"ncolsX 4"), None);
+        assert_eq!(of("N46E007.hgt", 25_934_402, &[0; 16]), Some(ForeignFormat::Srtm { side: 3601 }));
+        assert_eq!(of("n46e007.HGT", 2_884_802, &[0; 16]), Some(ForeignFormat::Srtm { side: 1201 }));
+        assert_eq!(of("a.hgt", 2_884_800, &[0; 16]), None);
+        assert_eq!(of("a.dat", 2_884_802, &[0; 16]), None);
+    }
+}
