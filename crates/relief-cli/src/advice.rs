@@ -3,7 +3,6 @@
 
 use std::io::ErrorKind;
 
-use relief_core::mesh::FramingError;
 use relief_io::{ForeignFormat, ReadNote, ReadProblem, omissions};
 use relief_render::scene::SceneError;
 use relief_render::{Reason, RenderError};
@@ -103,19 +102,11 @@ pub fn of_note(note: &ReadNote) -> Option<[String; 2]> {
     }
 }
 
-/// Whether a mesh is refused for its texture coordinates alone.
-pub fn has_no_texture(problem: &ReadProblem) -> bool {
-    matches!(
-        problem,
-        ReadProblem::Mesh(FramingError::NoTextureCoordinates { .. } | FramingError::NoTextureArea { .. })
-    )
-}
-
 /// What lets a mesh be read.
 pub fn of_mesh(problem: &ReadProblem) -> Option<Mend> {
     match problem {
         ReadProblem::MeshMemory { .. } => Some(Mend::everywhere("--max-memory raises it")),
-        problem if has_no_texture(problem) => Some(Mend {
+        problem if problem.is_of_texture_coordinates() => Some(Mend {
             flag: "--project box, cylinder or sphere makes texture coordinates",
             key: "the key project = \"box\", \"cylinder\" or \"sphere\" makes texture coordinates",
         }),

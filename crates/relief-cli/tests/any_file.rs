@@ -8,6 +8,7 @@ use common::maps::Map;
 use common::meshes::obj;
 use common::refused::{assert_refused, with_out};
 use relief_core::mesh::torus;
+use relief_io::HeightOptions;
 
 const SMALL: &str = "--size 40x30 --samples 1 --backend cpu";
 
@@ -60,6 +61,19 @@ fn a_mesh_alone_is_shown_as_it_is() {
     let corner = *image.get_pixel(0, 0);
     let shown = image.pixels().filter(|pixel| **pixel != corner).count();
     assert!(shown * 100 > 20 * image.pixels().len(), "{shown} pixels");
+    // So it is without texture coordinates, and however small.
+    let covered = |side: f32| {
+        let [a, b] = [-side, side];
+        let corners = [[a, 0.0, a], [a, 0.0, b], [b, 0.0, b], [b, 0.0, a]];
+        let lines = corners.map(|[x, y, z]| format!("v {x} {y} {z}\n")).concat();
+        folder.write("bare.obj", format!("{lines}f 1 2 3\nf 1 3 4\n"));
+        let image = image::load_from_memory(&picture(&folder, "bare.obj")).expect("a PNG").to_rgb8();
+        let corner = *image.get_pixel(0, 0);
+        image.pixels().filter(|pixel| **pixel != corner).count()
+    };
+    let of_one_metre = covered(1.0);
+    assert!(of_one_metre > 300, "{of_one_metre} pixels");
+    assert!(covered(0.001).abs_diff(of_one_metre) * 50 < of_one_metre, "{} pixels", covered(0.001));
     // Where a height map is what is asked for, it is still missed.
     folder.write("alone.toml", "mesh = \"ring.obj\"\n");
     let ran = folder.relief("slices alone.toml -o out/ring.glb");
@@ -161,6 +175,13 @@ fn maps_have_the_names_of_other_programs() {
         let said = json_of(&folder.relief(&format!("bake hills.png --kind {other} --json -o maps")).fine());
         assert_eq!(said["baked"][0]["kind"], kind, "{said}");
     }
+    folder.relief("bake hills.png --kind ao --set ao.azimuths=4 -o fewer.exr").fine();
+    folder.relief("bake hills.png --kind occlusion --set occlusion.azimuths=4 -o same.exr").fine();
+    folder.relief("bake hills.png --kind ao -o usual.exr").fine();
+    let [fewer, same, usual] = ["fewer.exr", "same.exr", "usual.exr"].map(|name| {
+        relief_io::read_height_file(&folder.path(name), &HeightOptions::default()).expect(name).map
+    });
+    assert!(fewer == same && fewer != usual);
     for (other, nearest) in [("curvature", "'normal'"), ("roughness", "'normal'"), ("normall", "'normal'")] {
         let ran = folder.relief(&format!("bake hills.png --kind {other} -o out/maps"));
         assert_refused(&folder, &ran, 2, &[nearest]);

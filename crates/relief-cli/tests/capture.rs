@@ -81,11 +81,10 @@ fn bytes_are_the_same_whatever_the_threads_and_the_views_come_from() {
 }
 
 #[test]
-fn open_meshes_and_missing_colours_are_told() {
+fn open_meshes_are_told() {
     let folder = folder();
     let ran = folder.relief("capture bare.obj --size 32 --verify 2 -o out/bare");
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-    assert!(ran.stderr.contains("texture coordinates"), "{}", ran.stderr);
     assert!(ran.stdout.contains("3 edges of the mesh are open"), "{}", ran.stdout);
     let about =
         json_of(&folder.relief("capture bare.obj --size 32 --verify 0 --cover pixel --json -o out/b"));

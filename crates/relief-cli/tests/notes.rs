@@ -231,7 +231,7 @@ fn a_value_for_none_is_named_with_its_flag_by_all_commands() {
     for (line, flag) in [
         ("inspect f32.tif", "-9999"),
         ("mesh limit.tif -o out.stl", "-3.4028235e38"),
-        ("mesh dem.tif -o out.glb", "-32768"),
+        ("render dem.tif --backend cpu --size 32x24 -o out.png", "-32768"),
         ("render --height high.exr --backend cpu --size 32x24 -o out.png", "1e20"),
         ("bake surfer.exr --kind normal -o .", "1.70141e38"),
         ("render --height wide.png --backend cpu --size 32x24 -o out.png", "65535"),
@@ -255,6 +255,11 @@ fn a_value_for_none_is_named_with_its_flag_by_all_commands() {
         assert_eq!(ran.code, Some(0), "relief {line}: {}", ran.stderr);
         assert!(!format!("{}{}", ran.stderr, ran.stdout).contains(&words), "relief {line}: {}", ran.stderr);
     }
+    // No mesh in metres is made of it.
+    let ran = folder.relief("mesh dem.tif -o refused.glb");
+    assert!(ran.code == Some(1) && ran.stderr.contains("--nodata -32768"), "{}", ran.stderr);
+    assert!(!ran.stderr.contains("--unit") && !folder.path("refused.glb").exists(), "{}", ran.stderr);
+    folder.relief("mesh dem.tif --nodata -32768 --fill -o mended.glb").fine();
     // Commands that take a scene file name the key.
     folder.write("scene.toml", "height = 'f32.tif'\n");
     for line in ["slices scene.toml -o out.glb", "capture scene.toml --views cube --size 16 -o ball"] {

@@ -231,6 +231,12 @@ pub enum ReadProblem {
 }
 
 impl ReadProblem {
+    /// Whether a mesh is refused for its texture coordinates alone, which a projection makes.
+    pub fn is_of_texture_coordinates(&self) -> bool {
+        use relief_core::mesh::FramingError::{NoTextureArea, NoTextureCoordinates};
+        matches!(self, Self::Mesh(NoTextureCoordinates { .. } | NoTextureArea { .. }))
+    }
+
     pub(crate) fn damaged(format: &'static str, what: impl ToString) -> Self {
         Self::Damaged { format, what: what.to_string() }
     }

@@ -158,11 +158,11 @@ const MIPS: &str = "mips";
 /// The kinds of that names, with their settings.
 fn choose<'k>(
     arguments: &Arguments,
-    kind: impl Fn(&str) -> Result<&'k Kind, UnknownName>,
+    kind_of: impl Fn(&str) -> Result<&'k Kind, UnknownName>,
 ) -> Result<Vec<(&'k Kind, Settings)>, Failure> {
     let mut kinds: Vec<(&Kind, Settings)> = Vec::new();
     for name in &arguments.kind {
-        let kind = kind(name.trim()).map_err(Failure::usage)?;
+        let kind = kind_of(name.trim()).map_err(Failure::usage)?;
         if !kinds.iter().any(|(known, _)| known.name == kind.name) {
             kinds.push((kind, kind.defaults()));
         }
@@ -173,15 +173,20 @@ fn choose<'k>(
         })?;
         let names = kinds.iter().map(|(kind, _)| kind.name);
         let unknown = UnknownName::new("kind among those to bake", name, names);
+        let name = kind_of(name).map_or(name, |kind| kind.name);
         let chosen = kinds.iter_mut().find(|(kind, _)| kind.name == name);
         let (_, settings) = chosen.ok_or_else(|| Failure::usage(unknown))?;
         settings.set(param, *value).map_err(Failure::usage)?;
     }
     // Where each level is a file of its own, they come only when they are asked for.
     for (kind, settings) in &mut kinds {
-        let key = format!("{}.{MIPS}", kind.name);
+        let is_given = |(key, _): &(String, f64)| {
+            key.split_once('.').is_some_and(|(name, param)| {
+                param == MIPS && kind_of(name).is_ok_and(|given| given.name == kind.name)
+            })
+        };
         let has_mips = kind.params.iter().any(|param| param.name == MIPS);
-        if has_mips && !arguments.set.iter().any(|(given, _)| *given == key) {
+        if has_mips && !arguments.set.iter().any(is_given) {
             let mips = f64::from(u8::from(arguments.format_of(kind) == FileFormat::Ktx2));
             settings.set(MIPS, mips).map_err(Failure::usage)?;
         }

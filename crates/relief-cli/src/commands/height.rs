@@ -23,7 +23,7 @@ use self::output::{Content, Format, Output};
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
 use crate::streams::Files;
-use crate::{advice, units, values};
+use crate::{units, values};
 
 /// What `relief height` is given.
 #[derive(Args)]
@@ -147,7 +147,7 @@ fn check_memory([width, height]: [u32; 2], bytes_per_texel: u64, limit: u64) -> 
 /// An error in reading a mesh of which each place needs its own part of the map. No flag makes such texture
 /// coordinates.
 fn of_unwrapped(error: ReadError) -> Failure {
-    if advice::has_no_texture(&error.problem) {
+    if error.problem.is_of_texture_coordinates() {
         return Failure::Work(format!(
             "{error}: unwrap it in a program for meshes, so that each place has its own"
         ));

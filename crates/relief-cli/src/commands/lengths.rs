@@ -3,6 +3,8 @@
 use relief_core::HeightMap;
 use relief_io::{CoordinateSystem, Elevation, Format, Georeference, Ground, LengthUnit, UnitOrigin};
 
+use crate::values::six_digits;
+
 /// How a unit is known, behind the unit's name.
 pub fn by(origin: &UnitOrigin) -> String {
     match origin {
@@ -66,14 +68,9 @@ fn is_linear(system: CoordinateSystem) -> bool {
 /// A unit with its metres, where it is not the metre.
 pub fn with_metres(unit: &str, metres: Option<f64>) -> String {
     match metres {
-        Some(metres) if metres != 1.0 => format!("{unit} of {metres} m each"),
+        Some(metres) if metres != 1.0 => format!("{unit} of {} m each", six_digits(metres)),
         _ => unit.to_owned(),
     }
-}
-
-/// The same of a map that has been read, and why its heights are no metres, if they are none.
-pub fn of_map(ground: &Ground, map: &HeightMap) -> Vec<String> {
-    notes(ground).into_iter().chain(doubt_of(ground, map)).collect()
 }
 
 /// Why the heights of a map are no metres of ground.

@@ -179,7 +179,11 @@ pub fn of_file(path: &Path, file: &HeightFile, reading: &HeightArguments) -> BTr
     let ground = read_ground(path, &reading.options(None)).ok();
     let is_depth = reading.depth || ground.as_ref().is_some_and(is_depth);
     let turned = inside_out(path).filter(|_| !is_depth);
-    let more = nearly_grey(&file.map).into_iter().chain(turned).chain(of_units(ground.as_ref(), &file.map));
+    let more = nearly_grey(&file.map).into_iter().chain(turned).chain(of_units(
+        ground.as_ref(),
+        &file.map,
+        &file.notes,
+    ));
     let more = more.map(|remark| remark.of(path));
     file.notes.iter().cloned().chain(more).map(|note| By::Flags.note(&note)).collect()
 }
@@ -190,9 +194,14 @@ pub fn of_picture(path: &Path) -> BTreeSet<Note> {
     read_notes(path).unwrap_or_default().iter().map(|note| By::Flags.note(note)).collect()
 }
 
-/// What is said of the units of a map.
-fn of_units(ground: Option<&Ground>, map: &HeightMap) -> Vec<Remark> {
-    let notes = ground.map(|ground| lengths::of_map(ground, map)).unwrap_or_default();
+/// What is said of the units of a map. Where a value for none may be among its heights, these are not doubted.
+fn of_units(ground: Option<&Ground>, map: &HeightMap, noted: &[ReadNote]) -> Vec<Remark> {
+    let has_no_value = noted.iter().any(|note| *note.remark.row == omissions::UNDECLARED_NODATA);
+    let units = |ground| {
+        let doubt = lengths::doubt_of(ground, map).filter(|_| !has_no_value);
+        lengths::notes(ground).into_iter().chain(doubt).collect::<Vec<_>>()
+    };
+    let notes = ground.map(units).unwrap_or_default();
     notes.into_iter().map(|note| Remark::new(&omissions::UNITS, note)).collect()
 }
 
@@ -236,7 +245,7 @@ pub fn of_reading(spec: &SceneSpec, scene: &Scene, by: By) -> BTreeSet<Note> {
         };
         let map = surface.height_map();
         let remarks = filled.into_iter().chain(nearly_grey(map)).chain(turned);
-        let remarks = remarks.chain(of_units(ground.as_ref(), map));
+        let remarks = remarks.chain(of_units(ground.as_ref(), map, scene.notes()));
         remarks.map(|remark| remark.of(&path)).collect::<Vec<_>>()
     });
     scene.notes().iter().cloned().chain(notes).map(|note| by.note(&note)).collect()

@@ -346,12 +346,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             None
         }
     };
-    // Heights with a value for none among them are no reason to doubt their unit.
-    if !notes.iter().any(|note| note.is_about(&UNDECLARED_NODATA))
-        && let Some(ground) = spec.each_surface().first().and_then(maps::ground_of)
+    if let Some(ground) = spec.each_surface().first().and_then(maps::ground_of)
         && let Some(doubt) = lengths::doubt_of(&ground, surface.height_map())
     {
-        return Err(Failure::Work(format!("{}: {doubt}", arguments.height.display())));
+        // A value for none among heights is what is to be named, not their unit.
+        let no_value = notes.iter().find(|note| note.is_about(&UNDECLARED_NODATA));
+        return Err(Failure::Work(match no_value {
+            Some(note) => note.to_string(),
+            None => format!("{}: {doubt}", arguments.height.display()),
+        }));
     }
     if !arguments.json {
         notes.iter().for_each(say::note);

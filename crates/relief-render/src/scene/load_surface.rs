@@ -359,13 +359,15 @@ impl SurfaceSpec {
             _ => parts.mesh,
         };
         let stated_m = map.stated_displacement_m().filter(|_| parts.scale_m.is_none());
-        let scale_m = parts.scale_m.or(stated_m.map(|[low, high]| high - low)).or_else(|| {
-            let stated = stated_scale_m(&map, &mesh)?;
-            let [u, v] = mesh.tile_m();
-            let deepest = if map.has_named_heights() { DEEPEST_NAMED } else { DEEPEST_GROUND };
-            let is_ground = stated <= deepest * u.max(v);
-            Some(if is_ground { stated } else { DEPTH_OF_NO_GROUND * u.min(v) })
-        });
+        let of_mesh_alone = self.is_mesh_alone().then_some(0.0);
+        let scale_m =
+            parts.scale_m.or(of_mesh_alone).or(stated_m.map(|[low, high]| high - low)).or_else(|| {
+                let stated = stated_scale_m(&map, &mesh)?;
+                let [u, v] = mesh.tile_m();
+                let deepest = if map.has_named_heights() { DEEPEST_NAMED } else { DEEPEST_GROUND };
+                let is_ground = stated <= deepest * u.max(v);
+                Some(if is_ground { stated } else { DEPTH_OF_NO_GROUND * u.min(v) })
+            });
         let scale_m = parts.exaggerate * scale_m.unwrap_or(DEFAULT_SCALE_M);
         check_scale(scale_m)?;
         let low_m = stated_m.map_or(-scale_m, |[low, _]| parts.exaggerate * low);
@@ -402,7 +404,18 @@ impl SurfaceSpec {
             Some(MeshChoice::File(file)) => {
                 let own =
                     self.color.is_some() || self.material.as_ref().is_some_and(|own| own.diffuse.is_some());
-                let LoadedMesh { mesh, colors } = maps.mesh(file, (self.project, self.mesh_up), !own)?;
+                // Where nothing lies on the mesh, it needs no texture coordinates.
+                let is_bare = self.is_mesh_alone()
+                    && self.project.is_none()
+                    && self.color.is_none()
+                    && self.normal.is_none();
+                let loaded = match maps.mesh(file, (self.project, self.mesh_up), !own) {
+                    Err(SceneError::Mesh(error)) if is_bare && error.problem.is_of_texture_coordinates() => {
+                        maps.mesh(file, (Some(UvProjection::Box), self.mesh_up), !own)
+                    }
+                    loaded => loaded,
+                };
+                let LoadedMesh { mesh, colors } = loaded?;
                 // Pictures lie by the coordinates of the file, whatever its tiles.
                 let of_file = colors.map(|colors| (file, colors, mesh.clone()));
                 let mesh = self.placed(mesh).map_err(of_number)?;

@@ -6,14 +6,12 @@ use glam::Vec2;
 use relief_core::ByteSize;
 use relief_core::mesh::{Mesh, Placement, UvProjection, Vertex};
 use relief_io::{
-    MeshColors, MeshFile, MeshMaterial, MeshOptions, Picture, ReadError, Remark, Up, omissions, read_mesh,
-    read_picture,
+    MeshColors, MeshFile, MeshMaterial, MeshOptions, Picture, Remark, Up, omissions, read_mesh, read_picture,
 };
 use relief_mesh::{MeshSettings, Mesher};
 use relief_render::scene::{MeshChoice, SceneSpec, SurfaceSpec, read_scene};
 
 use super::Arguments;
-use crate::advice;
 use crate::commands::maps::{self, By};
 use crate::commands::numbered::{Numbering, ONE_FRAME, files};
 use crate::commands::scene_arguments::of_scene_file;
@@ -170,9 +168,8 @@ fn of_mesh_file(
 ) -> Result<(Mesh, Option<MeshColors>), Failure> {
     let options = MeshOptions { projection, up, colors: true, max_bytes };
     let MeshFile { mesh, colors, notes: of_file, .. } = match read_mesh(path, &options) {
-        Err(ReadError { problem, .. }) if advice::has_no_texture(&problem) && projection.is_none() => {
+        Err(error) if error.problem.is_of_texture_coordinates() && projection.is_none() => {
             // No picture lies on it by coordinates that it has not, and nothing else needs them.
-            notes.push(format!("{}: it has no texture coordinates for a picture of colours", path.display()));
             let projected = MeshOptions { projection: Some(UvProjection::Box), ..options };
             read_mesh(path, &projected).map_err(Failure::of_mesh)?
         }
