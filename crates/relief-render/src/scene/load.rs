@@ -2,7 +2,8 @@
 
 use super::builder::{DEFAULT_EYE, DEFAULT_FOV, DEFAULT_LIGHT};
 use super::error::{SceneError, ValueError, ValueProblem};
-use super::load_surface::{BYTES_PER_TRIANGLE, Maps, Parts};
+use super::load_surface::Parts;
+use super::maps::{BYTES_PER_TRIANGLE, Maps};
 use super::metres::check_metres;
 use super::{
     DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, LightSpec, MAX_IMAGE_SIDE, MeshChoice, ProjectionChoice, Scene,

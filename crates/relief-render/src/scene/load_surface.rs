@@ -2,23 +2,20 @@
 
 use super::builder::{DEFAULT_METHOD, DEFAULT_METHOD_OF_OBJECTS, SEEN, of_selection};
 use super::error::{SceneError, ValueError, ValueProblem};
+use super::maps::{LoadedMesh, Maps};
 use super::metres::{MAX_METRES, check_metres};
 use super::surface_colors::{Drawn, DrawnMaterial};
 use super::surface_spec::ENVIRONMENT;
 use super::{MeshChoice, ObjectProblem, SceneObject, Surface, SurfaceSpec};
-use crate::environment::Environment;
 use crate::material::{Material, MaterialError};
 use crate::mesh::{Builtin, Mesh, Placement, UvProjection, square};
 use glam::{Vec2, Vec3};
 use relief_core::object::ImageObject;
-use relief_core::{ByteSize, HeightMap, Wrap};
-use relief_io::{
-    Convention, Fill, HeightFile, HeightOptions, HeightRange, MeshColors, MeshOptions, Picture, ReadError,
-    ReadNote, ReadProblem, Remark, Up, omissions,
-};
+use relief_core::{HeightMap, Wrap};
+use relief_io::{Convention, Fill, HeightOptions, HeightRange, Remark, omissions};
 use relief_object::{ObjectFile, ObjectOptions};
 use relief_shaders::{AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 /// The detail of pictures with several samples a pixel, where the search's maps can have levels of detail.
@@ -27,28 +24,6 @@ const FOOTPRINT: &str = "footprint";
 /// What shows a mesh without a height map: its triangles, and the shadows that they throw on each other.
 const METHOD_OF_MESHES: &str = "bump";
 const SHADOW_OF_MESHES: &str = "map";
-
-/// Memory that a texel of a height map takes while it is rendered: itself, and the exact tracer's hierarchy
-/// or what a GPU holds of it.
-const BYTES_PER_HEIGHT: u64 = 4 + 7;
-
-/// Memory that a texel of a height map takes more where levels of detail are seen: a third more of itself and
-/// of what is built on it, and the normals that are derived, with what is at hand then.
-const BYTES_OF_LEVELS: u64 = 16;
-
-/// Memory that a texel of a normal map takes: as read, and as the shaders take it with its coarser levels, of
-/// which reading sees the first part.
-const NORMAL_BYTES: [u64; 2] = [12, 16 + 11 + 8];
-
-/// Memory that a texel of a picture takes as it is read.
-const READ_BYTES: u64 = 16;
-
-/// Memory that a texel of a colour map takes, with its coarser levels.
-const COLOR_BYTES: u64 = READ_BYTES + 6;
-
-/// Memory that a triangle of a mesh takes while it is rendered: itself, its vertices, and the hierarchies and
-/// triangles that the backends make of it.
-pub(super) const BYTES_PER_TRIANGLE: u64 = 640;
 
 /// What a projection needs.
 const MESH_OF_FILE: &str = "mesh FILE";
@@ -102,148 +77,6 @@ impl Parts {
     /// What is run.
     pub fn selection(&self) -> &Selection {
         &self.selection
-    }
-}
-
-/// What a mesh's file gives.
-#[derive(Clone)]
-struct LoadedMesh {
-    mesh: Mesh,
-    colors: Option<Arc<MeshColors>>,
-}
-
-/// Reads maps, each file once, within what memory is left.
-pub struct Maps {
-    limit: ByteSize,
-    left: u64,
-    heights: Vec<(PathBuf, HeightOptions, HeightMap)>,
-    colors: Vec<(PathBuf, Arc<Picture>)>,
-    meshes: Vec<(PathBuf, MeshOptions, LoadedMesh)>,
-    /// What is to be said of reading the files.
-    notes: Vec<ReadNote>,
-}
-
-impl Maps {
-    /// Of a limit to all memory so much is left for maps.
-    pub fn new(limit: ByteSize, left: u64) -> Self {
-        Self { limit, left, heights: Vec::new(), colors: Vec::new(), meshes: Vec::new(), notes: Vec::new() }
-    }
-
-    /// What is to be said of reading the files.
-    pub fn into_notes(self) -> Vec<ReadNote> {
-        self.notes
-    }
-
-    /// The memory that is left.
-    pub fn left(&self) -> u64 {
-        self.left
-    }
-
-    fn height(&mut self, path: &Path, options: HeightOptions) -> Result<HeightMap, SceneError> {
-        let same = |(known, with, _): &&(PathBuf, HeightOptions, _)| {
-            known == path && HeightOptions { max_bytes: options.max_bytes, ..with.clone() } == options
-        };
-        if let Some((_, _, map)) = self.heights.iter().find(same) {
-            return Ok(map.clone());
-        }
-        let HeightFile { map, notes } = relief_io::read_height_file(path, &options)?;
-        self.notes.extend(notes);
-        self.heights.push((path.to_owned(), options, map.clone()));
-        Ok(map)
-    }
-
-    fn color(&mut self, path: &Path) -> Result<Arc<Picture>, SceneError> {
-        if let Some((_, color)) = self.colors.iter().find(|(known, _)| known == path) {
-            return Ok(Arc::clone(color));
-        }
-        let color = Arc::new(relief_io::read_picture(path, self.left).map_err(SceneError::Picture)?);
-        self.note(path);
-        self.take_picture(&color);
-        self.colors.push((path.to_owned(), Arc::clone(&color)));
-        Ok(color)
-    }
-
-    /// The mesh of a file, where the file has it, and its colours if they are asked for.
-    fn mesh(
-        &mut self,
-        path: &Path,
-        (projection, up): (Option<UvProjection>, Option<Up>),
-        colors: bool,
-    ) -> Result<LoadedMesh, SceneError> {
-        let options = MeshOptions { projection, up, colors, max_bytes: self.left };
-        let is_same = |(known, with, _): &&(PathBuf, MeshOptions, _)| {
-            known == path && MeshOptions { max_bytes: options.max_bytes, ..*with } == options
-        };
-        let loaded = match self.meshes.iter().find(is_same) {
-            Some((_, _, loaded)) => loaded.clone(),
-            None => {
-                let file = relief_io::read_mesh(path, &options).map_err(SceneError::Mesh)?;
-                let colors = file.colors.map(Arc::new);
-                let mut pictures: Vec<&Arc<Picture>> = Vec::new();
-                for picture in
-                    colors.iter().flat_map(|colors| &colors.materials).filter_map(|of| of.picture.as_ref())
-                {
-                    if !pictures.iter().any(|known| Arc::ptr_eq(known, picture)) {
-                        pictures.push(picture);
-                    }
-                }
-                for picture in pictures {
-                    self.take_picture(picture);
-                }
-                self.notes.extend(file.notes.into_iter().map(|remark| remark.of(path)));
-                let loaded = LoadedMesh { mesh: file.mesh, colors: colors.clone() };
-                self.meshes.push((path.to_owned(), options, loaded.clone()));
-                loaded
-            }
-        };
-        // Each surface has it in its own place.
-        let needed = BYTES_PER_TRIANGLE * loaded.mesh.triangles().len() as u64;
-        self.left = self.left.checked_sub(needed).ok_or_else(|| {
-            let problem = ReadProblem::MeshMemory { limit: self.limit.0 };
-            SceneError::Mesh(ReadError { path: path.to_owned(), problem })
-        })?;
-        Ok(loaded)
-    }
-
-    /// Notes what the header of a picture says that is not followed. It has been read.
-    fn note(&mut self, path: &Path) {
-        self.notes.extend(relief_io::read_notes(path).unwrap_or_default());
-    }
-
-    /// Leaves less for what a picture of colours takes.
-    fn take_picture(&mut self, picture: &Picture) {
-        let texels = u64::from(picture.width) * u64::from(picture.height);
-        self.left = self.left.saturating_sub(COLOR_BYTES * texels);
-    }
-
-    /// The surroundings of a file.
-    pub fn environment(&mut self, path: &Path) -> Result<Environment, SceneError> {
-        let [of_texel, kept] = Environment::BYTES;
-        let limit = self.left / (READ_BYTES + of_texel) * READ_BYTES;
-        let picture = relief_io::read_picture(path, limit).map_err(SceneError::Picture)?;
-        self.note(path);
-        let environment = Environment::from_equirectangular(&picture);
-        let environment =
-            environment.map_err(|source| SceneError::Environment { path: path.to_owned(), source })?;
-        self.left = self.left.saturating_sub(kept);
-        Ok(environment)
-    }
-
-    /// Leaves less for colours and normals: room for a height map and what is built on it.
-    fn take(&mut self, path: &Path, map: &HeightMap, selection: &Selection) -> Result<(), SceneError> {
-        let (width, height) = (map.width(), map.height());
-        let maps = relief_maps::Maps::in_memory();
-        let baked = maps.bytes(selection, [width, height])?;
-        let at_hand = maps.working_bytes(selection, [width, height])?;
-        let of_levels = if selection.has_levels() { BYTES_OF_LEVELS } else { 0 };
-        let texels = u64::from(width) * u64::from(height);
-        let needed = ((BYTES_PER_HEIGHT + of_levels) * texels).saturating_add(baked).saturating_add(at_hand);
-        let (left, limit) = (self.left, self.limit);
-        self.left = left.checked_sub(needed).ok_or_else(|| {
-            let path = path.to_owned();
-            SceneError::TooMuchToTrace { path, width, height, needed, left, limit }
-        })?;
-        Ok(())
     }
 }
 
@@ -313,7 +146,7 @@ impl SurfaceSpec {
 
     /// The surface of an object's file.
     fn load_object(&self, path: &Path, parts: Parts, maps: &mut Maps) -> Result<Surface, SceneError> {
-        let options = ObjectOptions { max_bytes: maps.left, ..ObjectOptions::default() };
+        let options = ObjectOptions { max_bytes: maps.left(), ..ObjectOptions::default() };
         let ObjectFile { object, color, normal, .. } = relief_object::read_object(path, &options)?;
         maps.take(path, object.heights(), &parts.selection)?;
         let object = self.placed_object(&object)?;
@@ -332,8 +165,7 @@ impl SurfaceSpec {
         }
         // Silhouettes have normals of their own.
         if let Some(normal) = normal.filter(|_| parts.selection.has_normals_of_relief()) {
-            let bytes = NORMAL_BYTES[1] * u64::from(normal.width) * u64::from(normal.height);
-            maps.left = maps.left.saturating_sub(bytes);
+            maps.take_normals(&normal);
             surface = surface.with_normal_map(&normal);
         }
         Ok(surface.with_creases(parts.creases))
@@ -437,7 +269,7 @@ impl SurfaceSpec {
                 Some(false) => Fill::Never,
             },
             wrap: self.wrap,
-            max_bytes: maps.left,
+            max_bytes: maps.left(),
         };
         let map = match &self.height {
             Some(path) => maps.height(path, options)?,
@@ -453,7 +285,7 @@ impl SurfaceSpec {
                 remarks.push(Remark::new(&omissions::TILED_PICTURE, what));
             }
             let drawn = Drawn::of(&colors, &mesh, splits, &mut remarks);
-            maps.notes.extend(remarks.into_iter().map(|remark| remark.of(file)));
+            maps.remark(file, remarks);
             drawn
         });
         let diffuse = match &drawn {
@@ -488,13 +320,7 @@ impl SurfaceSpec {
             surface = surface.with_color(maps.color(path)?);
         }
         if let Some(path) = &self.normal {
-            let [read, converted] = NORMAL_BYTES;
-            let limit = maps.left / (read + converted) * read;
-            let map = relief_io::read_normal_map(path, self.green.unwrap_or_default(), limit);
-            let map = map.map_err(SceneError::Picture)?;
-            maps.note(path);
-            let bytes = (read + converted) * u64::from(map.width) * u64::from(map.height);
-            maps.left = maps.left.saturating_sub(bytes);
+            let map = maps.normal(path, self.green.unwrap_or_default())?;
             surface = surface.with_normal_map(&map);
         }
         Ok(surface)

@@ -16,6 +16,7 @@ mod light_direction;
 mod limits;
 mod load;
 mod load_surface;
+mod maps;
 mod mesh_choice;
 mod mesh_defaults;
 mod metres;
