@@ -144,3 +144,15 @@ fn orientations_and_pages_are_told() {
         }
     }
 }
+
+#[test]
+fn scenes_and_objects_are_named() {
+    let folder = Folder::new();
+    folder.write("scene.toml", "height = 'map.png'\n");
+    folder.write("ball/object.toml", "[[view]]\n");
+    for (file, named) in [("scene.toml", "scene"), ("ball/object.toml", "object")] {
+        let ran = folder.relief(&format!("inspect {file}"));
+        let has_all = [file, named, "render"].iter().all(|word| ran.stderr.contains(word));
+        assert!(ran.code == Some(1) && has_all && !ran.stderr.contains("--raw"), "{}", ran.stderr);
+    }
+}

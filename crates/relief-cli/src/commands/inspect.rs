@@ -19,6 +19,7 @@ use serde_json::{Value, json};
 use super::lengths;
 use super::maps::{self, By, FileArguments, Note};
 use crate::failure::Failure;
+use crate::file_kind::FileKind;
 use crate::progress::Progress;
 use crate::streams::{Files, answer};
 use crate::{say, values};
@@ -65,6 +66,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     if arguments.mesh_up.is_some() {
         return Err(Failure::usage("--mesh-up is for meshes: leave it out"));
+    }
+    if arguments.reading.raw.is_none() && arguments.file.extension().is_some_and(|ending| ending == "toml") {
+        let what = match FileKind::of(&arguments.file)? {
+            FileKind::Object => "an object of images",
+            _ => "a scene file",
+        };
+        let name = arguments.file.display();
+        return Err(Failure::Work(format!(
+            "{name}: it is {what}, and no map or mesh: `relief render` shows it"
+        )));
     }
     let options = HeightOptions {
         channel: arguments.reading.channel.clone(),
