@@ -70,7 +70,9 @@ macro_rules! structs {
     ($($name:ident { $($member:ident),* $(,)? })*) => {$(
         impl Valued for $name {
             fn value(&self) -> Value {
-                Value::Struct(vec![$((stringify!($member), self.$member.value())),*])
+                // Whole, so that a new member is missed here, where it is to be named.
+                let Self { $($member),* } = self;
+                Value::Struct(vec![$((stringify!($member), $member.value())),*])
             }
         }
     )*};
@@ -84,7 +86,7 @@ structs! {
         normal_levels, color_texels, normal_texels, normal_tile_m, wrap, shininess, has_color, has_normal,
         has_holes, has_creases, has_vertex_normals, has_shadows, scale_m, bias_m, shell_m, mean_height,
         transmission, ior, number, environment_side, environment_levels, images, solids,
-        cells, jump,
+        cells, jump, color_u, color_v, color_wrap_u, color_wrap_v, cutoff,
     }
     Light { place, color, first_view, views }
     LightView { column, row, depth, corner, across, along, eye, near, texel_m, from_point, size }
