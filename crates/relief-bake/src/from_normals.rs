@@ -10,10 +10,10 @@
 //! (eq. 9, with the map's wrap), are nearest to the slopes `s` of the normals. `D` is linear, and the normal
 //! equations `DᵀD h = Dᵀs` are diagonal in waves: in those of a Hartley transform where the map is tiled, and
 //! of a cosine transform (DCT-II) where it is clamped or mirrored, which makes no difference to a texel's
-//! neighbours. (At the edges of a clamped map `kind::normal` takes twice as much of a difference as `D`. There
-//! half of the slope is taken, so an error counts half.) The eigenvalue of a wave that turns by `θ` from texel
-//! to texel is `sin²θ / texel² = (2 - 2 cos 2θ) / (2 texel)²` along each axis. There is one transform there and
-//! one back, in `f64`.
+//! neighbours. (At the edges of a clamped map `kind::normal` takes twice as much of a difference as `D`.
+//! There half of the slope is taken, so an error counts half.) The eigenvalue of a wave that turns by `θ`
+//! from texel to texel is `sin²θ / texel² = (2 - 2 cos 2θ) / (2 texel)²` along each axis. There is one
+//! transform there and one back, in `f64`.
 //!
 //! # What normals do not say
 //!

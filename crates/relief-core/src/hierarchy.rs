@@ -1,10 +1,10 @@
 //! Hierarchies of boxes, built by `obvhs`, in blocks where it would take too long.
 //!
-//! Its builder joins pairs of neighbours in rounds. Where the best neighbour always lies to the same side, as in
-//! even rows, in stacks of slices that grow, and among boxes that coincide, a round joins a single pair, and the time
-//! grows with the square of the number. Such boxes are sorted along a Morton curve and cut into blocks, of which each
-//! gets a hierarchy; another one is built above the blocks. The time then grows with the number. Others get a single
-//! hierarchy, through which rays pass about a tenth fewer boxes.
+//! Its builder joins pairs of neighbours in rounds. Where the best neighbour always lies to the same side, as
+//! in even rows, in stacks of slices that grow, and among boxes that coincide, a round joins a single pair,
+//! and the time grows with the square of the number. Such boxes are sorted along a Morton curve and cut into
+//! blocks. Each block gets a hierarchy, and another one is built above the blocks. The time then grows with
+//! the number. Others get a single hierarchy, through which rays pass about a tenth fewer boxes.
 
 use glam::DVec3;
 use obvhs::BvhBuildParams;
@@ -15,20 +15,21 @@ use obvhs::ploc::{PlocBuilder, morton::morton_encode_u64_unorm};
 /// Boxes of a trial, and of what is built without one.
 const TRIAL: usize = 1024;
 
-/// Of so many trials one is made, before boxes are taken to be good for rounds of pairs.
+/// One trial in this number is made, before boxes are taken to be good for rounds of pairs.
 const TRIED: usize = 4;
 
 /// Boxes in a block, which takes at most as many rounds.
 const BLOCK: usize = 64;
 
-/// A trial that took more rounds joined next to one pair in each. The builder takes 20 to 50 rounds for usual boxes,
-/// and says how many there were as far as they are more than 95: its `max_depth` is one more.
+/// A trial that took more rounds joined next to one pair in each. The builder takes 20 to 50 rounds for usual
+/// boxes, and says how many there were as far as they are more than 95: its `max_depth` is one more.
 const ROUNDS: usize = TRIAL / 8;
 
-/// A hierarchy with one box in each leaf, before anything is improved or collapsed. Without boxes it is empty.
+/// A hierarchy with one box in each leaf, before anything is improved or collapsed. Without boxes it is
+/// empty.
 ///
-/// Equal boxes in equal order give equal hierarchies. `params` says how far the builder searches and how exactly it
-/// sorts; its steps after that are the caller's.
+/// Equal boxes in equal order give equal hierarchies. `params` says how far the builder searches and how
+/// exactly it sorts; its steps after that are the caller's.
 pub fn hierarchy(boxes: &[Aabb], params: &BvhBuildParams) -> Bvh2 {
     if boxes.is_empty() {
         return Bvh2::default();
@@ -82,7 +83,7 @@ fn along_curve(boxes: &[Aabb]) -> Vec<u32> {
 /// The end of a Morton curve's last step: 1 would come round to its beginning.
 const LAST_STEP: f64 = 1.0 - 1.0 / (1u64 << 22) as f64;
 
-/// A hierarchy of blocks whose leaves are replaced by those of the blocks.
+/// A hierarchy of blocks, with the hierarchy of each block in place of its leaf.
 fn joined(mut all: Bvh2, below: &[(&[u32], Bvh2)]) -> Bvh2 {
     let mut leaf_of = vec![0; below.len()];
     for (index, node) in all.nodes.iter().enumerate().filter(|(_, node)| node.is_leaf()) {
@@ -90,7 +91,8 @@ fn joined(mut all: Bvh2, below: &[(&[u32], Bvh2)]) -> Bvh2 {
     }
     let mut numbers = Vec::with_capacity(below.iter().map(|(block, _)| block.len()).sum());
     for ((block, of_block), leaf) in below.iter().zip(leaf_of) {
-        // A block's root takes the leaf's place, the other nodes follow those that are there, in pairs as before.
+        // A block's root takes the leaf's place, the other nodes follow those that are there, in pairs as
+        // before.
         let (nodes, first_number) = (all.nodes.len() as u32 - 1, numbers.len() as u32);
         let mut moved = of_block.nodes.iter().map(|node| {
             let mut node = *node;

@@ -29,8 +29,8 @@ pub struct Georeference {
     pub grid_file: Option<String>,
 }
 
-/// Where the texels of a map lie in the coordinates of its file. The map is the one that is read: its rows are
-/// those of the file turned over where [`Georeference::turned_over`] says so.
+/// Where the texels of a map lie in the coordinates of its file. The map is the one that is read: its rows
+/// are those of the file turned over where [`Georeference::turned_over`] says so.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridTransform {
     /// The outer corner of the first texel, x and y.
@@ -175,8 +175,8 @@ impl Elevation {
 /// The deepest and the highest ground of the Earth in metres, with something to spare.
 const GROUND_M: [f64; 2] = [-11_100.0, 9_000.0];
 
-/// The deepest relief as a part of the longer side of a map. A map shorter than a kilometre may be deeper, since
-/// a single cliff may fill it.
+/// The deepest relief as a part of the longer side of a map. A map shorter than a kilometre may be deeper,
+/// since a single cliff may fill it.
 const DEEPEST: f64 = 1.0 / 3.0;
 const DEEPEST_OF_SHORT: f64 = 0.75;
 const SHORT_GROUND_M: f64 = 1000.0;

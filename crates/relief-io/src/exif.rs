@@ -8,7 +8,8 @@ const TAG_ORIENTATION: u16 = 0x112;
 /// Bytes of a directory's entry.
 const ENTRY: usize = 12;
 
-/// The orientation that the metadata name, whatever number that is. None where they name none, or are damaged.
+/// The orientation that the metadata name, whatever number that is. None where they name none, or are
+/// damaged.
 pub(crate) fn orientation(bytes: &[u8]) -> Option<u32> {
     let bytes = bytes.strip_prefix(HEAD).unwrap_or(bytes);
     let big_endian = match bytes {

@@ -153,8 +153,8 @@ pub(crate) const BYTES_PER_TEXEL: u64 = 8;
 /// its texels is that on the ground (see [`Georeference`](crate::Georeference)).
 ///
 /// Its units are the ones that it names, or the units of the coordinate systems whose numbers it names. Where
-/// only one of ground and heights has a unit, both share it. Where neither has one, only their proportions are
-/// known. Heights that count downward are depths.
+/// only one of ground and heights has a unit, both share it. Where neither has one, only their proportions
+/// are known. Heights that count downward are depths.
 ///
 /// Its row 0 lies in the north, however the file stores it. Texels that its mask leaves out, in the file or
 /// in one beside it with `.msk` after its name, have no value.

@@ -10,7 +10,7 @@ use image::codecs::jpeg::JpegDecoder;
 use image::{ImageDecoder, ImageError};
 
 use crate::input::{Input, io_problem, zeros};
-use crate::layout::{Format, Layout, SampleType, Sink, Span};
+use crate::layout::{Format, Layout, SampleType, Sink, send_bytes};
 use crate::source::SourceReader;
 use crate::{ReadProblem, exif};
 
@@ -57,15 +57,7 @@ impl<'a> JpegFile<'a> {
         let row_len = size.0 as usize * per_texel;
         let mut bytes = zeros::<u8>(row_len * size.1 as usize)?;
         decoder.read_image(&mut bytes).map_err(problem)?;
-        let mut samples = Vec::with_capacity(size.0 as usize * channels.len());
-        for (row, texels) in (0..).zip(bytes.chunks_exact(row_len)) {
-            samples.clear();
-            for texel in texels.chunks_exact(per_texel) {
-                samples.extend(channels.iter().map(|&channel| f64::from(texel[channel])));
-            }
-            sink(Span { row, column: 0, step: 1, samples: &samples })?;
-        }
-        Ok(())
+        send_bytes(&bytes, [row_len, per_texel], channels, sink)
     }
 }
 

@@ -282,3 +282,22 @@ pub(crate) struct Span<'a> {
 
 /// Takes the spans of a picture; every texel comes exactly once, in the decoder's order.
 pub(crate) type Sink<'a> = dyn FnMut(Span<'_>) -> Result<(), ReadProblem> + 'a;
+
+/// Hands over the rows of a picture that is decoded as bytes, with the chosen channels: `row_len`
+/// bytes a row, `texel_len` bytes a texel.
+pub(crate) fn send_bytes(
+    bytes: &[u8],
+    [row_len, texel_len]: [usize; 2],
+    channels: &[usize],
+    sink: &mut Sink<'_>,
+) -> Result<(), ReadProblem> {
+    let mut samples = Vec::with_capacity(row_len / texel_len * channels.len());
+    for (row, texels) in (0..).zip(bytes.chunks_exact(row_len)) {
+        samples.clear();
+        for texel in texels.chunks_exact(texel_len) {
+            samples.extend(channels.iter().map(|&channel| f64::from(texel[channel])));
+        }
+        sink(Span { row, column: 0, step: 1, samples: &samples })?;
+    }
+    Ok(())
+}

@@ -1,7 +1,7 @@
 //! Height maps, pictures, normal maps and meshes from files; pictures, float channels and meshes to files.
 //!
-//! Meshes are read by [`read_mesh`] and written by [`write_mesh`], which list their formats. Those of maps and
-//! pictures are:
+//! Meshes are read by [`read_mesh`] and written by [`write_mesh`], which list their formats. Those of maps
+//! and pictures are:
 //!
 //! | format | recognised by | samples | notes |
 //! | --- | --- | --- | --- |
@@ -19,9 +19,9 @@
 //!
 //! Writers leave a whole file or none; [`file_set`] does the same for several files at once.
 //!
-//! What a reader leaves out or assumes it says by a [`ReadNote`], whose row in [`OMISSIONS`] says what was met
-//! and what was done. [`read_height_file`] and [`inspect`](inspect()) give them, and [`read_notes`] for other
-//! pictures.
+//! What a reader leaves out or assumes it says by a [`ReadNote`], whose row in [`OMISSIONS`] says what was
+//! met and what was done. [`read_height_file`] and [`inspect`](inspect()) give them, and [`read_notes`] for
+//! other pictures.
 //!
 //! Every reader takes a [`Source`]: a file's path, or the bytes of a file that are in memory already.
 //!

@@ -1,5 +1,5 @@
-//! How a stored picture is turned before it is shown: the one place where orientations of EXIF, of TIFF and of
-//! Radiance files become places of texels.
+//! How a stored picture is turned before it is shown: the one place where orientations of EXIF, of TIFF and
+//! of Radiance files become places of texels.
 
 use crate::layout::Span;
 
@@ -17,7 +17,7 @@ impl Orientation {
     /// As it is stored.
     pub const STORED: Self = Self { turned_over: [false; 2], transposed: false };
 
-    /// That of a number of EXIF or TIFF, which is from 1 to 8.
+    /// The orientation of a number of EXIF or TIFF, from 1 to 8.
     pub const fn of_number(number: u32) -> Option<Self> {
         let (turned_over, transposed) = match number {
             1 => ([false, false], false),
@@ -59,20 +59,20 @@ impl Orientation {
 pub(crate) struct Line<'a> {
     /// The number of the first texel, in rows from the top.
     first: usize,
-    /// From a texel's number to that of the next.
+    /// From a texel's number to the next one's.
     step: isize,
     /// Raw values, the chosen channels side by side.
     pub samples: &'a [f64],
 }
 
 impl Line<'_> {
-    /// The number of each of so many texels.
+    /// The number of each of `count` texels.
     pub fn places(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
         let Self { first, step, .. } = *self;
         (0..count as isize).map(move |at| (first as isize + at * step) as usize)
     }
 
-    /// One above the highest number of so many texels.
+    /// One above the highest number of `count` texels.
     pub fn end(&self, count: usize) -> usize {
         let last = self.first as isize + (count as isize - 1).max(0) * self.step;
         self.first.max(last as usize) + 1

@@ -30,8 +30,8 @@ pub enum Curve {
 }
 
 /// Reads a picture from a file or from the bytes of one, as [`read_picture_as`] does. Its integers are sRGB
-/// unless the file, a PNG, says that they are linear: by a gamma of 1 (chunk `gAMA`) or by a transfer function
-/// (`cICP`).
+/// unless the file, a PNG, says that they are linear: by a gamma of 1 (chunk `gAMA`) or by a transfer
+/// function (`cICP`).
 ///
 /// # Errors
 ///

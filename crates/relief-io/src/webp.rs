@@ -1,11 +1,12 @@
-//! WebP, 8 bit, lossy and lossless. Colour profiles are not applied. Of an animation the first picture is read.
+//! WebP, 8 bit, lossy and lossless. Colour profiles are not applied. Of an animation the first picture is
+//! read.
 //!
 //! The decoder gives the whole picture at once: 3 or 4 bytes a texel, and as much again while it decodes.
 
 use image_webp::{DecodingError, WebPDecoder};
 
 use crate::input::{Input, io_problem, zeros};
-use crate::layout::{Format, Layout, SampleType, Sink, Span};
+use crate::layout::{Format, Layout, SampleType, Sink, send_bytes};
 use crate::omissions::{ANIMATION, Remark};
 use crate::source::SourceReader;
 use crate::{ReadProblem, exif};
@@ -60,15 +61,7 @@ impl<'a> WebpFile<'a> {
             return Err(ReadProblem::damaged("WebP", "its header contradicts itself"));
         }
         self.decoder.read_image(&mut bytes).map_err(problem)?;
-        let mut samples = Vec::with_capacity(self.layout.width as usize * channels.len());
-        for (row, texels) in (0..).zip(bytes.chunks_exact(row_len)) {
-            samples.clear();
-            for texel in texels.chunks_exact(per_texel) {
-                samples.extend(channels.iter().map(|&channel| f64::from(texel[channel])));
-            }
-            sink(Span { row, column: 0, step: 1, samples: &samples })?;
-        }
-        Ok(())
+        send_bytes(&bytes, [row_len, per_texel], channels, sink)
     }
 }
 

@@ -87,7 +87,8 @@ fn interlaced(bytes: &[u8]) -> Vec<u8> {
     rows
 }
 
-/// Files of every kind that names orientations, of one channel: by their names, and made with that orientation.
+/// Files of every kind that names orientations, of one channel: by their names, and made with that
+/// orientation.
 fn grey_files(orientation: u16) -> Vec<(&'static str, Vec<u8>)> {
     let [width, height] = STORED;
     let wide = numbers(width * height, 60_000);

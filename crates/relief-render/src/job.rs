@@ -53,7 +53,7 @@ pub struct JobSurface {
     pub two_sided: bool,
 }
 
-/// Parts of the settings' `has_holes`: holes of the height map, and those of the colour map's opacity.
+/// Parts of the settings' `has_holes`: holes of the height map, and holes by the colour map's opacity.
 pub(crate) const HOLES_OF_HEIGHTS: u32 = 1;
 pub(crate) const HOLES_OF_COLORS: u32 = 2;
 

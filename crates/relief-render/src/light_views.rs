@@ -51,8 +51,8 @@ pub struct LightViews {
 }
 
 impl LightViews {
-    /// The views of lights in which surfaces look up their shadows; none where no surface does. They are as fine
-    /// as a frame of these columns and rows asks for. Each surface gets the width of its filter.
+    /// The views of lights in which surfaces look up their shadows; none where no surface does. They are as
+    /// fine as a frame of these columns and rows asks for. Each surface gets the width of its filter.
     pub(crate) fn new(
         lights: &[Light],
         camera: &Camera,

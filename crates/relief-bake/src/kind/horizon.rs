@@ -3,9 +3,9 @@
 //! Max 1988, *Horizon mapping: shadows for bump-mapped surfaces*; Szirmay-Kalos and Umenhoffer 2008, section
 //! 6.1. The sweep is that of Timonen and Westerholm 2010, *Scalable height field self-shadowing*: one pass of
 //! sheared lines an azimuth, with an upper hull that grows towards the texels, O(1) a texel. Two things are
-//! added. The tangent is taken from the texel itself and not from the line that passes it. The texel is raised
-//! or lowered by as much as the line passes it on an even slope. And the first [`NEAR_STEPS`] steps, where the
-//! half texel between the two matters, are read from the texel's own ray, in closed form.
+//! added. The tangent is taken from the texel itself and not from the line that passes it. The texel is
+//! raised or lowered by as much as the line passes it on an even slope. And the first [`NEAR_STEPS`] steps,
+//! where the half texel between the two matters, are read from the texel's own ray, in closed form.
 //!
 //! # What is stored
 //!
@@ -39,12 +39,13 @@
 //!   the other axis): `2 G p / 4`, seen from at least `n / 2` steps away, is a slope of at most
 //!   `G p / (n l)`, which is within `e`, as `p <= 1`.
 //! * *Far*, from `n` steps on. The line passes the texel at most half a texel beside its ray, where the
-//!   surface is at most `G / 2` higher or lower. The texel looks from as much higher or lower as an even slope
-//!   would be there, at most `G / 2`, too. On an even slope both are equal, and nothing is off. Between the
-//!   columns `c` and `c + 1` the surface at row `y` is `(1-τ) f(c, y) + τ f(c+1, y)`. There the line has gone
-//!   `pτ` rows since the first column and will go `p (1-τ)` to the second. So the surface on it differs from
-//!   the chord of the two samples by at most `2 τ (1-τ) p G <= p G / 2`. Seen over `n` steps or more, all together are `e`. A tangent to the upper
-//!   hull of the samples is the greatest slope towards any point of their chords.
+//!   surface is at most `G / 2` higher or lower. The texel looks from as much higher or lower as an even
+//!   slope would be there, at most `G / 2`, too. On an even slope both are equal, and nothing is off. Between
+//!   the columns `c` and `c + 1` the surface at row `y` is `(1-τ) f(c, y) + τ f(c+1, y)`. There the line has
+//!   gone `pτ` rows since the first column and will go `p (1-τ)` to the second. So the surface on it differs
+//!   from the chord of the two samples by at most `2 τ (1-τ) p G <= p G / 2`. Seen over `n` steps or more,
+//!   all together are `e`. A tangent to the upper hull of the samples is the greatest slope towards any point
+//!   of their chords.
 //! * *Rounding.* Heights are in `[0, 1]` and lerped in `f32`; samples, hull and tangent each lose a few times
 //!   2⁻²³ of a height over at least one step: at most `1e-5 scale_m / l` in all, for lines of up to 2¹⁴
 //!   texels.

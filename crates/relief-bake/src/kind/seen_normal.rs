@@ -14,8 +14,9 @@
 //!
 //! A ray belongs to the texel over which it crosses the plane at the map's mean height. Its normal is that of
 //! the first hit, by central differences over two texels, or over less at the edge of a clamped map: a unit
-//! vector in tangent space, `y` along falling `v`. Slice `2 (a * elevations + e)` holds the means of `x`, `y`,
-//! `z` and `x²`. The next slice holds the means of `xy`, `y²`, `xz` and `yz`. (`z²` is what is missing to 1.)
+//! vector in tangent space, `y` along falling `v`. Slice `2 (a * elevations + e)` holds the means of `x`,
+//! `y`, `z` and `x²`. The next slice holds the means of `xy`, `y²`, `xz` and `yz`. (`z²` is what is missing
+//! to 1.)
 //!
 //! # Guarantee
 //!

@@ -252,13 +252,13 @@ impl Lines<'_> {
         self.each(from..to, heights, stride, |lane, p| sample(line + lane as i64, p));
     }
 
-    /// The heights from which the texels of neighbouring slots from `slot` on look along their lines, position
-    /// by position, each slot's in `stride` values.
+    /// The heights from which the texels of neighbouring slots from `slot` on look along their lines,
+    /// position by position, each slot's in `stride` values.
     ///
-    /// Each is the texel's own height, corrected for the line that passes beside it: by the line's distance in
-    /// rows times the slope across. The slope is the lesser of the differences to the rows on both sides, or 0
-    /// where one rises and the other falls. On the edge of a clamped map it is the difference to the row inside,
-    /// if the lines go there.
+    /// Each is the texel's own height, corrected for the line that passes beside it: by the line's distance
+    /// in rows times the slope across. The slope is the lesser of the differences to the rows on both sides,
+    /// or 0 where one rises and the other falls. On the edge of a clamped map it is the difference to the row
+    /// inside, if the lines go there.
     pub fn origins(&self, slot: usize, stride: usize, heights: &mut [f32]) {
         let last = self.count - 1;
         let goes_inside = |row: usize| match self.wrap {

@@ -188,13 +188,14 @@ pub fn of_file(path: &Path, file: &HeightFile, reading: &HeightArguments) -> BTr
     file.notes.iter().cloned().chain(more).map(|note| By::Flags.note(&note)).collect()
 }
 
-/// Of a picture that holds no heights what its header says that is not followed. A file that cannot be read is
-/// an error elsewhere.
+/// Of a picture that holds no heights what its header says that is not followed. A file that cannot be read
+/// is an error elsewhere.
 pub fn of_picture(path: &Path) -> BTreeSet<Note> {
     read_notes(path).unwrap_or_default().iter().map(|note| By::Flags.note(note)).collect()
 }
 
-/// What is said of the units of a map. Where a value for none may be among its heights, these are not doubted.
+/// What is said of the units of a map. Where a value for none may be among its heights, these are not
+/// doubted.
 fn of_units(ground: Option<&Ground>, map: &HeightMap, noted: &[ReadNote]) -> Vec<Remark> {
     let has_no_value = noted.iter().any(|note| *note.remark.row == omissions::UNDECLARED_NODATA);
     let units = |ground| {

@@ -39,8 +39,8 @@ pub fn gltf(picture: &str, buffer: &str) -> (String, Vec<u8>) {
     (json.to_string(), numbers.iter().flat_map(|number| number.to_le_bytes()).collect())
 }
 
-/// A glTF of two triangles that make the square from (0, 0, 0) to (1, 1, 0), with those primitives and more of
-/// the file's keys.
+/// A glTF of two triangles that make the square from (0, 0, 0) to (1, 1, 0), with those primitives and more
+/// of the file's keys.
 ///
 /// Attributes are positions (0), texture coordinates (1, mirrored 6, from -1 to 2 7), colours (all yellow 5,
 /// of several hues 10), joints (8) and weights of 0 (9). Indices are those of the lower triangle (2), of the
@@ -105,8 +105,8 @@ pub fn factor(rgba: &str) -> String {
     format!(r#"{{"pbrMetallicRoughness": {{"baseColorFactor": [{rgba}]}}}}"#)
 }
 
-/// A glTF of a strip of paper, 3 m long and 1 m wide, that is folded twice: each of its three squares has its own
-/// material, of which one has the picture `leaf.png`, or all have the first one.
+/// A glTF of a strip of paper, 3 m long and 1 m wide, that is folded twice: each of its three squares has its
+/// own material, of which one has the picture `leaf.png`, or all have the first one.
 pub fn folded(folder: &Folder, name: &str, has_several: bool) {
     let ends = [[0.0, 0.0], [1.0, 0.0], [1.8, 0.6], [1.8, 1.6]];
     let numbers = |list: Vec<f32>| list.iter().flat_map(|n| n.to_le_bytes()).collect::<Vec<u8>>();

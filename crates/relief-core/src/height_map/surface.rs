@@ -61,8 +61,8 @@ impl HeightMap {
     /// across is the mean of both sides'. So at the centre of a texel it is the central difference.
     ///
     /// From the outermost centres of a clamped map to its edge the surface is level, because nothing is known
-    /// of what lies beyond. There the cells inside give the derivatives, so that neighbouring tiles of a terrain
-    /// have no rim where they meet.
+    /// of what lies beyond. There the cells inside give the derivatives, so that neighbouring tiles of a
+    /// terrain have no rim where they meet.
     pub fn slope_at_place(&self, x: f64, y: f64) -> [f64; 2] {
         if self.is_at_edge(x, y) {
             return self.slope_inside(x, y);
@@ -128,9 +128,9 @@ impl HeightMap {
         Around { at, before: before.max(0.0), behind: behind.min(last) }
     }
 
-    /// Texels between the heights a texel before and a texel behind texture coordinates, along `u` and `v`: 2,
-    /// or less at the edges of a clamped map, whose heights do not change beyond the outermost centres. The
-    /// difference of the two heights over it is the slope that shading takes (eq. 9).
+    /// Texels between the heights a texel before and a texel behind texture coordinates, along `u` and `v`:
+    /// 2, or less at the edges of a clamped map, whose heights do not change beyond the outermost centres.
+    /// The difference of the two heights over it is the slope that shading takes (eq. 9).
     pub fn texels_apart_at(&self, u: f64, v: f64) -> [f64; 2] {
         let apart = |place: f64, side: f64| match self.wrap {
             Wrap::Clamp => {

@@ -40,14 +40,15 @@ impl Found for Nearest {
     }
 }
 
-/// Some of the first hits. Each batch wants more than the one before, so that a ray with many hits walks through the
-/// hierarchy a few times, and not as often as it hits something.
+/// Some of the first hits. Each batch wants more than the one before, so that a ray with many hits walks
+/// through the hierarchy a few times, and not as often as it hits something.
 pub struct Several {
-    /// Those that may be among the first, in no order while they are looked for, then from the last to the first.
+    /// Those that may be among the first, in no order while they are looked for, then from the last to the
+    /// first.
     hits: Vec<SurfaceHit>,
     /// How many are wanted.
     wanted: usize,
-    /// The last of the wanted ones, where so many were found.
+    /// The last of the wanted ones, once all of them are found.
     last: Option<SurfaceHit>,
 }
 
@@ -76,7 +77,7 @@ impl Several {
         self.hits.pop()
     }
 
-    /// Drops what comes after the wanted ones, where so many were found.
+    /// Drops what comes after the wanted ones, if there are more.
     fn keep_wanted(&mut self) {
         if self.hits.len() >= self.wanted {
             self.hits.select_nth_unstable_by(self.wanted - 1, order);

@@ -73,7 +73,7 @@ impl MeshColors {
         MeshMaterial { factor: [red, green, blue, 1.0], picture, ..MeshMaterial::default() }.into()
     }
 
-    /// Those of the triangles of a framed mesh, by the numbers that these had before.
+    /// The colours of a framed mesh's triangles, by the numbers that the triangles had before.
     pub(super) fn of_framed(self, mesh: &Mesh, numbers: &[u32]) -> Self {
         fn kept<T: Copy>(list: &[T], numbers: &[u32]) -> Vec<T> {
             numbers.iter().filter_map(|number| list.get(*number as usize).copied()).collect()

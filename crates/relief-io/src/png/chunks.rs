@@ -14,7 +14,8 @@ const CHECKSUM: u64 = 4;
 /// The most bytes of EXIF metadata that are read. A JPEG's are at most 64 KiB.
 const MOST_EXIF: u64 = 1 << 20;
 
-/// The gamma of samples that are proportional to light, in the chunk's unit, and how far others may be from it.
+/// The gamma of samples that are proportional to light, in the chunk's unit, and how far others may be from
+/// it.
 const LINEAR_GAMMA: u32 = 100_000;
 const GAMMA_ROUNDING: u32 = 500;
 
@@ -33,8 +34,8 @@ pub(super) struct Chunks {
 }
 
 impl Chunks {
-    /// Walks all chunks, since EXIF metadata may come last. What cannot be read ends it: the decoder says what
-    /// is wrong with the file.
+    /// Walks all chunks, since EXIF metadata may come last. What cannot be read ends it: the decoder says
+    /// what is wrong with the file.
     pub(super) fn read(file: &mut SourceReader<'_>) -> Self {
         let mut found = Found::default();
         // What was found counts, whatever ended the walk.

@@ -1,5 +1,5 @@
-//! Floats of 16 bits. The decoder takes them for unknown without its feature `f16`, which needs an older `half`
-//! than other crates do: so it is shown a header that says integers, whose bytes are the same.
+//! Floats of 16 bits. The decoder takes them for unknown without its feature `f16`, which needs an older
+//! `half` than other crates do: so it is shown a header that says integers, whose bytes are the same.
 
 use tiff_reader::header::TiffHeader;
 use tiff_reader::ifd::parse_ifd_at;
@@ -19,7 +19,7 @@ const ENTRY: usize = 20;
 const LINK: usize = 8;
 const INLINE: usize = 8;
 
-/// The header of a picture of 16-bit floats as that of 16-bit integers; none for other samples.
+/// The header of a picture of 16-bit floats as a header of 16-bit integers; none for other samples.
 pub(super) fn as_integers(header: &Ifd) -> Result<Option<Ifd>, TiffError> {
     let shorts = |tag: u16| header.tag(tag).and_then(|tag| tag.value.as_u16_slice()).unwrap_or_default();
     let all =

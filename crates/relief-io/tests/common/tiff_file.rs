@@ -186,7 +186,8 @@ impl Tiff {
         blocks
     }
 
-    /// A row of floats as differences: the highest bytes of all come first, and each byte less the one before.
+    /// A row of floats as differences: the highest bytes of all come first, and each byte less the one
+    /// before.
     fn predicted(&self, row: &[u8]) -> Vec<u8> {
         let size = usize::from(self.bits / 8);
         let byte = |of: usize| move |sample: &[u8]| sample[if self.big_endian { of } else { size - 1 - of }];

@@ -60,8 +60,8 @@ pub struct Room {
 pub struct Sides {
     /// Each from corner to corner as its triangle turns, with the triangle's third corner.
     border: Vec<[u32; 3]>,
-    /// The triangles around touching vertices, but for the largest piece: lists of the two other corners, each
-    /// list from side to side.
+    /// The triangles around touching vertices, but for the largest piece: lists of the two other corners,
+    /// each list from side to side.
     fans: Vec<(u32, Vec<[u32; 2]>)>,
 }
 
@@ -242,7 +242,8 @@ fn moved(
     let [Some(a), Some(b)] = middle else { return None };
     let toward = (a.position.as_dvec3() + b.position.as_dvec3() - 2.0 * from) / 3.0;
     let toward_uv = (a.uv + b.uv - 2.0 * own.uv) / 3.0;
-    // The distance from the opposite sides, and how much heights change where the vertex is moved all the way.
+    // The distance from the opposite sides, and how much heights change where the vertex is moved all the
+    // way.
     let (mut nearest, mut change) = (f64::INFINITY, 0.0_f64);
     for &[next, last] in fan {
         let [b, c] = [at(next)?, at(last)?];

@@ -41,7 +41,8 @@ pub struct Corners {
 }
 
 impl Corners {
-    /// Finds the corners of a mesh. In a welded one the vertices at a position may be `shared`: one for all of them.
+    /// Finds the corners of a mesh. In a welded one the vertices at a position may be `shared`: one for all
+    /// of them.
     pub fn new(mesh: &Mesh, point_of: &[u32], [is_welded, shared]: [bool; 2], along: Directions) -> Self {
         let vertices = mesh.vertices().to_vec();
         let directions = if is_welded { welded_directions(mesh, point_of) } else { Vec::new() };

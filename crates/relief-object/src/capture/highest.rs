@@ -63,7 +63,8 @@ impl Polygon {
 }
 
 /// Raises the texels of an image to the highest points of triangles in them, given by their corners in texels
-/// and heights, but for those that are left out. Texels that a triangle only touches from outside are not raised by it.
+/// and heights, but for those that are left out. Texels that a triangle only touches from outside are not
+/// raised by it.
 pub fn raise(
     [columns, rows]: [u32; 2],
     triangles: impl Iterator<Item = [DVec3; 3]>,

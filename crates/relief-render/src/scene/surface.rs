@@ -157,8 +157,8 @@ impl Surface {
         })
     }
 
-    /// The same, seen only where the opacity of its colour picture is at least `cutoff`: 0, the default, shows
-    /// all of it, and what is above 1 nothing. A surface without a picture is opaque.
+    /// The same, seen only where the opacity of its colour picture is at least `cutoff`: 0, the default,
+    /// shows all of it, and what is above 1 nothing. A surface without a picture is opaque.
     #[must_use]
     pub fn with_cutoff(self, cutoff: f32) -> Self {
         Self { cutoff, ..self }

@@ -83,7 +83,7 @@ impl Drawn {
             of_triangles.push(place as u32);
         }
         if groups.len() > 1 && !splits {
-            let what = "only those of a single material are shown on displaced triangles and slices";
+            let what = "only the colours of a single material are shown on displaced triangles and slices";
             let what = format!("the colours of its {} materials are left out: {what}", groups.len());
             notes.push(Remark::new(&omissions::LEFT_OUT_COLORS, what));
             return None;

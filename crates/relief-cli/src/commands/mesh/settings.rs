@@ -96,7 +96,7 @@ impl Arguments {
         self.error.is_some() || self.triangles.is_some() || (self.texels.is_none() && asks)
     }
 
-    /// The edge rule and the interior: where none is named those of a tolerance, or of a fixed distance.
+    /// The edge rule and the interior: where none is named, as a tolerance or a fixed distance asks.
     pub(super) fn rules(&self, is_measured: bool) -> (&'static EdgeRule, &'static Interior) {
         let usual = if is_measured { MeshSettings::within(1.0) } else { MeshSettings::default() };
         let seen = || EDGE_RULES.iter().find(|edges| self.view.is_some() && edges.spacing == Spacing::Voxels);

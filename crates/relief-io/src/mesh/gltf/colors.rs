@@ -26,12 +26,12 @@ const MOST_NAMED: usize = 3;
 pub struct Colors {
     /// Numbers of the file's materials, none for triangles without, in the order in which they come.
     materials: Vec<Option<usize>>,
-    /// The place of each of the file's materials among them, the last that of none.
+    /// The place of each of the file's materials in the list; last, the place of no material.
     places: Vec<Option<u32>>,
     of_triangles: Vec<u32>,
     uvs: Vec<[[f32; 2]; 3]>,
     tints: Vec<[[f32; 4]; 3]>,
-    /// Whether coordinates are to be kept beside those of the mesh in any case.
+    /// Whether the file's coordinates are kept beside the mesh's in any case.
     keeps_uvs: bool,
     /// Materials whose picture lies by coordinates that a primitive has not.
     without_uvs: bool,
@@ -75,7 +75,7 @@ impl Colors {
         }
     }
 
-    /// What a primitive of so many vertices looks like.
+    /// What a primitive with `count` vertices looks like.
     pub fn of_primitive(
         &mut self,
         primitive: &Primitive<'_>,
@@ -223,7 +223,7 @@ struct Reading<'a> {
     /// Why pictures were left out, each reason once.
     left_out: Vec<String>,
     blended: u64,
-    /// Whether a material has pictures besides that of its colours.
+    /// Whether a material has other pictures than its colours.
     has_others: bool,
 }
 

@@ -28,7 +28,7 @@ pub enum Image {
 }
 
 impl Image {
-    /// That of a texture: of an extension whose format is read, else the plain one.
+    /// The image of a texture: an extension's, where its format is read, else the plain one.
     pub fn of(texture: &Texture<'_>) -> Image {
         let by_extension = |name: &str| texture.extension_value(name)?.get("source")?.as_u64();
         let known = SOURCES.iter().filter(|(_, is_read)| *is_read);

@@ -13,7 +13,7 @@ use crate::mesh::builder::Builder;
 /// Bytes of a vertex's matrix while a primitive is placed.
 const MATRIX_BYTES: u64 = size_of::<Turned>() as u64;
 
-/// A transformation of positions, and that of normals.
+/// How positions are transformed, and how normals are.
 #[derive(Clone, Copy)]
 pub struct Turned {
     transform: DMat4,
@@ -51,7 +51,7 @@ pub enum Placing {
 }
 
 impl Placing {
-    /// That of a vertex.
+    /// The transformation of a vertex.
     pub fn of(&self, vertex: usize) -> &Turned {
         match self {
             Self::Node(turned) => turned,
@@ -81,7 +81,7 @@ impl Poses {
         Self { transforms: None, unweighted: 0 }
     }
 
-    /// Where the vertices of a primitive go, of which there are so many, on a node in its place.
+    /// Where the `count` vertices of a primitive go, on a node in its place.
     pub fn placing(
         &mut self,
         document: &Document,

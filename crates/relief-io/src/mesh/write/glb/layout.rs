@@ -156,7 +156,7 @@ impl GlbLayout {
         self.pictures_at(indices) + self.materials.as_ref().map_or(0, GlbMaterials::bytes)
     }
 
-    /// Where the pictures begin in the buffer, with so many indices of each level.
+    /// Where the pictures begin in the buffer, by the number of indices of each level.
     pub(super) fn pictures_at(&self, indices: &[u64]) -> u64 {
         self.places(self.levels.len(), indices)[0]
     }

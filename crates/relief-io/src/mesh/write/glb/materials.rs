@@ -10,11 +10,11 @@ use serde_json::{Value, json};
 use super::layout::GlbLayout;
 use crate::{MeshMaterial, Picture, WriteProblem, linear_to_srgb};
 
-/// How far numbers of a transform may be from those of one that turns and scales.
+/// How far a transform may be from one that turns and scales, in each of its numbers.
 const NEAR: f64 = 1e-4;
 
-/// Materials of a mesh that is written as GLB: their names, base colours, masks and pictures, as PNG of 8 bits
-/// a channel.
+/// Materials of a mesh that is written as GLB: their names, base colours, masks and pictures, as PNG of 8
+/// bits a channel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GlbMaterials {
     materials: Vec<MeshMaterial>,
@@ -56,7 +56,7 @@ impl GlbMaterials {
         !self.of_base.is_empty()
     }
 
-    /// Counts the triangles of a block of a level, the finest of which is 0.
+    /// Counts the triangles of a block of a level; level 0 is the finest.
     pub fn count(&mut self, level: usize, block: &MeshBlock) {
         if self.counts.len() <= level {
             self.counts.resize(level + 1, vec![0; self.materials.len()]);
@@ -163,7 +163,7 @@ impl GlbMaterials {
         format!(r#""textures":{textures},"samplers":{samplers},"images":{images},"#)
     }
 
-    /// The buffer views of the pictures, of which the first begins there.
+    /// The buffer views of the pictures; the first one begins there.
     pub(super) fn views(&self, mut at: u64) -> Vec<String> {
         let view = |png: &Vec<u8>| {
             let first = at;
@@ -192,7 +192,8 @@ fn transform_of(material: &MeshMaterial) -> Option<Value> {
         .then(|| json!({ "offset": [x, y], "rotation": turn, "scale": [along_u, along_v] }))
 }
 
-/// A picture of 8 bits a channel, with zeros behind it to a length that 4 divides. Opaque ones have no opacity.
+/// A picture of 8 bits a channel, with zeros behind it to a length that 4 divides. Opaque ones have no
+/// opacity.
 fn encoded(picture: &Picture) -> Result<Vec<u8>, WriteProblem> {
     let problem = |error: png::EncodingError| WriteProblem::NotStorable(error.to_string());
     let code = |part: f32| (255.0 * part.clamp(0.0, 1.0)).round() as u8;
