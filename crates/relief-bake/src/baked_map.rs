@@ -1,7 +1,7 @@
 //! One texture of a bake as the value that shaders read.
 
 use rayon::prelude::*;
-use relief_core::area_mean::level_count;
+use relief_core::area_mean::{coarser_size, level_count};
 use relief_core::encoding::{code::Codes, half};
 use relief_core::registry::MapLevels;
 use relief_core::{BakedMap, HeightMap, MapFormat, MapIdentity, MapLayout, MapTexels, Metric};
@@ -21,6 +21,8 @@ pub struct WantedMap<'a> {
     pub metric: Metric,
     /// The levels.
     pub levels: MapLevels,
+    /// The level of the height map that it is baked from, at most the last; 0 is the map itself.
+    pub height_level: u32,
     /// How values are stored: in fewer bits they are rounded to the side that keeps the kind's promise.
     pub format: MapFormat,
 }
@@ -37,6 +39,10 @@ impl WantedMap<'_> {
             wrap: map.wrap(),
             metric: self.metric,
             first_level: self.first_level(),
+            height_level: match self.levels {
+                MapLevels::MeansFrom(first) => self.height_level + first,
+                MapLevels::One | MapLevels::EachDetail | MapLevels::ChainFrom(_) => self.height_level,
+            },
         }
     }
 
@@ -47,6 +53,7 @@ impl WantedMap<'_> {
     /// When the kind has no texture of that name, or no map has the texture's shape.
     pub fn layout(&self, size: [u32; 2]) -> Result<MapLayout, BakeError> {
         let impossible = |reason: String| BakeError::Impossible { kind: self.kind.name, reason };
+        let size = (0..self.height_level).fold(size, |size, _| coarser_size(size));
         let shapes = (self.kind.shapes)(size, &self.settings);
         let shape = shapes.iter().find(|shape| shape.name == self.texture);
         let shape = shape.ok_or_else(|| impossible(format!("it has no texture '{}'", self.texture)))?;
@@ -57,7 +64,7 @@ impl WantedMap<'_> {
 
     fn first_level(&self) -> u32 {
         match self.levels {
-            MapLevels::One | MapLevels::EachDetail | MapLevels::Means => 0,
+            MapLevels::One | MapLevels::EachDetail | MapLevels::MeansFrom(_) => 0,
             MapLevels::ChainFrom(first) => first,
         }
     }
@@ -71,7 +78,7 @@ impl WantedMap<'_> {
                 let size = [shape.size[0], shape.size[1]];
                 (size, level_count(size))
             }
-            MapLevels::ChainFrom(_) | MapLevels::Means => {
+            MapLevels::ChainFrom(_) | MapLevels::MeansFrom(_) => {
                 // Of a texture of a single level the chain is that level.
                 let last = shape.mips.len() as u32;
                 let first = self.first_level().min(last);
@@ -91,6 +98,8 @@ impl WantedMap<'_> {
 pub fn baked_map(map: &HeightMap, wanted: &WantedMap, progress: &Progress) -> Result<BakedMap, BakeError> {
     let layout = wanted.layout([map.width(), map.height()])?;
     let impossible = |reason: String| BakeError::Impossible { kind: wanted.kind.name, reason };
+    let identity = wanted.identity(map);
+    let map = &map.level(wanted.height_level);
     let kept = if wanted.levels == MapLevels::EachDetail {
         bake_details(map, wanted, layout, progress)?
     } else {
@@ -98,8 +107,7 @@ pub fn baked_map(map: &HeightMap, wanted: &WantedMap, progress: &Progress) -> Re
         bake(wanted.kind, map, wanted.metric, &wanted.settings, progress, &mut kept)?;
         kept
     };
-    BakedMap::new(wanted.identity(map), layout, kept.codes, kept.texels)
-        .map_err(|error| impossible(error.to_string()))
+    BakedMap::new(identity, layout, kept.codes, kept.texels).map_err(|error| impossible(error.to_string()))
 }
 
 /// Bakes each level of detail from its own heights.
@@ -309,7 +317,8 @@ mod tests {
 
     fn wanted<'a>(name: &str, texture: &'a str, levels: MapLevels, format: MapFormat) -> WantedMap<'a> {
         let kind = kind(name).expect("a kind");
-        WantedMap { kind, texture, settings: kind.defaults(), metric: Metric::UNIT, levels, format }
+        let (settings, metric) = (kind.defaults(), Metric::UNIT);
+        WantedMap { kind, texture, settings, metric, levels, height_level: 0, format }
     }
 
     fn collected(map: &HeightMap, wanted: &WantedMap) -> CollectedTexture {

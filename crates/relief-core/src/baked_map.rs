@@ -148,6 +148,9 @@ pub struct MapIdentity {
     /// The level of the kind's texture that is the map's finest: the finest of all, or of a chain whose
     /// finest level says nothing that the heights do not say a coarser one.
     pub first_level: u32,
+    /// The level of the height map whose place and size the map's finest level has. A map that is baked from
+    /// a coarser level begins at that level.
+    pub height_level: u32,
 }
 
 impl MapIdentity {
@@ -163,6 +166,7 @@ impl MapIdentity {
             wrap: Wrap::Clamp,
             metric: Metric::UNIT,
             first_level: 0,
+            height_level: 0,
         }
     }
 }
@@ -320,6 +324,7 @@ mod tests {
             wrap: map.wrap(),
             metric: Metric::UNIT,
             first_level: 0,
+            height_level: 0,
         }
     }
 

@@ -46,6 +46,9 @@ pub struct MapInput {
     pub metric: MapMetric,
     /// The levels that it has.
     pub levels: MapLevels,
+    /// The most texels of the longer side of the height map's level that it is baked from: of the finest such
+    /// level. None: it is baked from the height map itself.
+    pub side: Option<MapSetting>,
 }
 
 /// The value of a kind's setting that a stage needs.
@@ -78,9 +81,9 @@ pub enum MapLevels {
     /// The levels of the kind's texture from that one on. Each is padded, to the right and below, to half the
     /// size of the one before, as textures of GPUs have it: kinds round sizes up, textures round down.
     ChainFrom(u32),
-    /// All levels of the kind's texture, each a mean over areas. They have the sizes of the coarser levels of
-    /// detail.
-    Means,
+    /// All levels of the kind's texture, each a mean over areas. They have the sizes of the levels of detail
+    /// from that one on.
+    MeansFrom(u32),
     /// The finest level of the kind's texture for each [level](crate::HeightMap::level) of the height map,
     /// baked from that level's heights.
     EachDetail,
@@ -89,7 +92,7 @@ pub enum MapLevels {
 impl MapInput {
     /// The finest level of a kind's texture, with default settings, in texture units.
     pub const fn new(kind: &'static str, texture: &'static str) -> Self {
-        Self { kind, texture, settings: &[], metric: MapMetric::Texture, levels: MapLevels::One }
+        Self { kind, texture, settings: &[], metric: MapMetric::Texture, levels: MapLevels::One, side: None }
     }
 
     /// The same with settings.

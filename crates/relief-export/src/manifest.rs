@@ -133,6 +133,10 @@ pub struct Bake {
     pub texture: &'static str,
     /// The kind's settings that it needs.
     pub settings: BTreeMap<&'static str, f32>,
+    /// The most texels of the longer side of the height map's level that it is baked from: of the finest such
+    /// level. None: it is baked from the height map itself.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub side: Option<u32>,
     /// In what it is baked: `texture` units, or the metres of the surface.
     pub metric: &'static str,
     /// How it is baked, in the words of the program that exported.

@@ -65,15 +65,23 @@ pub fn need(binding: &Binding, needs: &[MapNeed], options: &Options) -> Option<T
 }
 
 fn levels_of(need: &MapNeed) -> String {
-    match need.input.levels {
+    let levels = match need.input.levels {
         MapLevels::One => "1".to_owned(),
         MapLevels::ChainFrom(first) => {
             format!("those of the bake from level {first} on, each padded to half the size of the one before")
         }
-        MapLevels::Means => "all of the bake".to_owned(),
+        MapLevels::MeansFrom(_) => "all of the bake".to_owned(),
         MapLevels::EachDetail => {
             "one for each level of the height map, baked from that level's heights".to_owned()
         }
+    };
+    match need.side {
+        Some(side) => format!(
+            "{levels}; the finest is of the height map's finest level of at most {side} texels a side, whose \
+             number is surface_settings.maps[{}].first_level",
+            need.slot as u32
+        ),
+        None => levels,
     }
 }
 
@@ -86,6 +94,7 @@ fn bake(need: &MapNeed, options: &Options) -> Bake {
         kind: need.input.kind,
         texture: need.input.texture,
         settings: need.settings.iter().copied().collect(),
+        side: need.side,
         metric,
         how: options.bake.map(|how| how(need)),
     }
@@ -93,6 +102,7 @@ fn bake(need: &MapNeed, options: &Options) -> Bake {
 
 #[cfg(test)]
 mod tests {
+    use relief_shaders::Selection;
     use relief_shaders::bindings::BINDINGS;
 
     use super::*;
@@ -110,6 +120,22 @@ mod tests {
             // Masks alone are of 8 bits.
             let is_mask = need.is_some_and(|need| need.formats == MASKS);
             assert_eq!(is_mask, binding.name == "hole_map", "{}", binding.name);
+        }
+    }
+
+    #[test]
+    fn a_map_of_a_coarser_level_says_of_which() {
+        let binding = BINDINGS.iter().find(|binding| binding.name == MapSlot::Ambient.name());
+        let binding = binding.expect("a binding");
+        for (ambient, side) in [("bent-normal", None), ("occlusion", None), ("sky", Some(256))] {
+            let mut selection = Selection::exact();
+            selection.choose("ambient", ambient).expect("an ambient light");
+            if let Some(side) = side {
+                selection.set("ambient.side", f64::from(side)).expect("a setting");
+            }
+            let texture = need(binding, &selection.map_needs(), &Options::default()).expect("a texture");
+            assert_eq!(texture.bake.expect("a baked map").side, side, "{ambient}");
+            assert_eq!(texture.levels.contains("first_level"), side.is_some(), "{ambient}");
         }
     }
 }

@@ -6,7 +6,8 @@ use relief_core::{MapFormat, MapIdentity, MapLayout, Metric, Wrap};
 /// The hash of all that decides a map's bytes. It holds the revision of the kind, not the version of the
 /// program: another version finds the maps that it would bake alike.
 pub fn key(identity: &MapIdentity, layout: &MapLayout) -> Hash {
-    let MapIdentity { kind, revision, texture, settings, heights, wrap, metric, first_level } = identity;
+    let MapIdentity { kind, revision, texture, settings, heights, wrap, metric, first_level, height_level } =
+        identity;
     let Metric { tile_m, scale_m } = metric;
     let mut hasher = Hasher::new();
     let mut text = |text: &str| {
@@ -37,7 +38,7 @@ pub fn key(identity: &MapIdentity, layout: &MapLayout) -> Hash {
     };
     let [width, height] = layout.size;
     let layout = [width, height, layout.levels, layout.layers, layout.channels, format];
-    for number in [*revision, wrap, *first_level].into_iter().chain(layout) {
+    for number in [*revision, wrap, *first_level, *height_level].into_iter().chain(layout) {
         hasher.update(&number.to_le_bytes());
     }
     hasher.finalize()
@@ -62,6 +63,7 @@ mod tests {
             wrap: Wrap::Clamp,
             metric: Metric::UNIT,
             first_level: 0,
+            height_level: 0,
         };
         let layout = MapLayout { size: [4, 2], levels: 1, layers: 1, channels: 1, format: MapFormat::F32 };
         let other = |change: fn(&mut MapIdentity)| {
@@ -82,6 +84,7 @@ mod tests {
             other(|identity| identity.wrap = Wrap::Mirror),
             other(|identity| identity.metric.scale_m = 2.0),
             other(|identity| identity.first_level = 1),
+            other(|identity| identity.height_level = 1),
         ];
         let layouts = [
             MapLayout { size: [2, 4], ..layout },

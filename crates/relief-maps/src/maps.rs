@@ -214,7 +214,7 @@ impl Maps {
             if needs[..place].iter().any(|other| other.is_same_map(need)) {
                 return Ok(bytes);
             }
-            let layout = self.wanted(need, Metric::UNIT)?.layout(size)?;
+            let layout = self.wanted(need, size, Metric::UNIT)?.layout(size)?;
             Ok(bytes.saturating_add(layout.bytes()))
         })
     }
@@ -225,10 +225,17 @@ impl Maps {
     ///
     /// As [`Self::bytes`].
     pub fn working_bytes(&self, selection: &Selection, size: [u32; 2]) -> Result<u64, MapsError> {
-        let texels = f64::from(size[0]) * f64::from(size[1]);
+        let texels = |level: u32| {
+            let [width, height] = size.map(|side| f64::from((side >> level).max(1)));
+            width * height
+        };
         selection.map_needs().iter().try_fold(0, |bytes, need| {
-            let WantedMap { kind, settings, .. } = self.wanted(need, Metric::UNIT)?;
-            Ok(bytes.max((4.0 * texels * f64::from((kind.working_maps)(&settings))) as u64))
+            let WantedMap { kind, settings, height_level, .. } = self.wanted(need, size, Metric::UNIT)?;
+            // The height map keeps its coarser levels once they are made.
+            let last = if height_level > 0 { size[0].max(size[1]).max(1).ilog2() } else { 0 };
+            let levels: f64 = (1..=last).map(texels).sum();
+            let working = texels(height_level) * f64::from((kind.working_maps)(&settings));
+            Ok(bytes.max((4.0 * (working + levels)) as u64))
         })
     }
 
@@ -237,12 +244,18 @@ impl Maps {
         if self.kept.iter().all(|map| map.identity().kind != need.input.kind) {
             return Ok(false);
         }
-        let wanted = self.wanted(need, surface)?;
-        let layout = wanted.layout([heights.width(), heights.height()])?;
+        let size = [heights.width(), heights.height()];
+        let wanted = self.wanted(need, size, surface)?;
+        let layout = wanted.layout(size)?;
         Ok(self.remembered(&wanted.identity(heights), &layout).is_some())
     }
 
-    fn wanted(&self, need: &MapNeed, surface: Metric) -> Result<WantedMap<'static>, MapsError> {
+    fn wanted(
+        &self,
+        need: &MapNeed,
+        size: [u32; 2],
+        surface: Metric,
+    ) -> Result<WantedMap<'static>, MapsError> {
         let kind = relief_bake::kind(need.input.kind)?;
         let mut settings = kind.defaults();
         for (name, value) in &need.settings {
@@ -250,7 +263,8 @@ impl Maps {
         }
         let (texture, levels) = (need.input.texture, need.input.levels);
         let (metric, format) = (need.metric(surface), self.format);
-        Ok(WantedMap { kind, texture, settings, metric, levels, format })
+        let height_level = need.height_level(size);
+        Ok(WantedMap { kind, texture, settings, metric, levels, height_level, format })
     }
 
     fn one(
@@ -261,9 +275,10 @@ impl Maps {
         watch: &Watch,
     ) -> Result<(Arc<BakedMap>, Account), MapsError> {
         let started = Instant::now();
-        let wanted = self.wanted(need, surface)?;
+        let size = [heights.width(), heights.height()];
+        let wanted = self.wanted(need, size, surface)?;
         let identity = wanted.identity(heights);
-        let layout = wanted.layout([heights.width(), heights.height()])?;
+        let layout = wanted.layout(size)?;
         let mut account = Account {
             kind: need.input.kind,
             texture: need.input.texture,

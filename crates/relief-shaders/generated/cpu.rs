@@ -680,6 +680,8 @@ pub struct MapSettings {
     pub layers: u32,
     /// Bytes of a texel.
     pub texel_bytes: u32,
+    /// The level of the height map whose place and size the map's finest level has.
+    pub first_level: u32,
     pub low: rt::Vec4<f32>,
     pub step: rt::Vec4<f32>,
     /// Metres of a tile along u and v in the metric that it was baked in.
@@ -690,11 +692,12 @@ impl MapSettings {
         coded: impl rt::Into<u32>,
         layers: impl rt::Into<u32>,
         texel_bytes: impl rt::Into<u32>,
+        first_level: impl rt::Into<u32>,
         low: impl rt::Into<rt::Vec4<f32>>,
         step: impl rt::Into<rt::Vec4<f32>>,
         tile_m: impl rt::Into<rt::Vec2<f32>>,
     ) -> Self {
-        Self { coded: rt::into(coded), layers: rt::into(layers), texel_bytes: rt::into(texel_bytes), low: rt::into(low), step: rt::into(step), tile_m: rt::into(tile_m) }
+        Self { coded: rt::into(coded), layers: rt::into(layers), texel_bytes: rt::into(texel_bytes), first_level: rt::into(first_level), low: rt::into(low), step: rt::into(step), tile_m: rt::into(tile_m) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -1492,8 +1495,6 @@ pub const SEEN_AZIMUTHS: rt::Scalar<u32> = rt::Scalar(8u32);
 #[allow(non_upper_case_globals)]
 pub const SEEN_ELEVATIONS: rt::Scalar<u32> = rt::Scalar(4u32);
 #[allow(non_upper_case_globals)]
-pub const SEEN_FIRST_LEVEL: rt::Scalar<u32> = rt::Scalar(2u32);
-#[allow(non_upper_case_globals)]
 pub const SHELL_FOLDED: rt::Scalar<u32> = rt::Scalar(64u32);
 #[allow(non_upper_case_globals)]
 pub const SLICES_ALONG_HEIGHT: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -2170,15 +2171,17 @@ impl<'g> Resources<'g> {
         uv_1: rt::Vec2<f32>,
         level_3: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e2 = self.v_height_texels(level_3);
-        let _e3 = self.v_texels_around(uv_1, _e2);
-        let k_41 = level_3.to_i32();
-        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_41);
-        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_41);
-        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_41);
-        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_41);
-        let _e34 = self.v_bilinear(_e11, _e18, _e25, _e32, _e3.part);
-        return _e34;
+        let first_10 = rt::Scalar(self.surface_settings.maps[4usize].first_level);
+        let seen_6 = first_10.select(level_3, level_3.elementwise_gt(first_10));
+        let _e9 = self.v_height_texels(seen_6);
+        let _e10 = self.v_texels_around(uv_1, _e9);
+        let k_41 = (seen_6 - first_10).to_i32();
+        let _e19 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.x()), rt::Scalar(0i32), k_41);
+        let _e26 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.x()), rt::Scalar(0i32), k_41);
+        let _e33 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.x(), _e10.rows.y()), rt::Scalar(0i32), k_41);
+        let _e40 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e10.columns.y(), _e10.rows.y()), rt::Scalar(0i32), k_41);
+        let _e42 = self.v_bilinear(_e19, _e26, _e33, _e40, _e10.part);
+        return _e42;
     }
     pub(crate) fn ambient_bent_normal(
         &self,
@@ -2482,77 +2485,159 @@ impl<'g> Resources<'g> {
         let _e97 = light;
         return (_e97 * params_3.x());
     }
-    pub(crate) fn ambient_occlusion(
+    pub(crate) fn hemisphere_grade(
+        &self,
+        normal_5: impl rt::Into<rt::Vec3<f32>>,
+        ground: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_hemisphere_grade(rt::into(normal_5), rt::into(ground)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_hemisphere_grade(
+        &self,
+        normal_5: rt::Vec3<f32>,
+        ground: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return (ground + ((rt::Scalar(1f32) - ground) * (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * normal_5.y()))));
+    }
+    pub(crate) fn ambient_hemisphere(
         &self,
         at_8: Entered,
         hit_4: Hit,
-        normal_5: impl rt::Into<rt::Vec3<f32>>,
+        normal_6: impl rt::Into<rt::Vec3<f32>>,
         view_4: impl rt::Into<rt::Vec3<f32>>,
         color_5: impl rt::Into<rt::Vec3<f32>>,
         params_4: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_occlusion(at_8, hit_4, rt::into(normal_5), rt::into(view_4), rt::into(color_5), rt::into(params_4)))
+        rt::into(self.v_ambient_hemisphere(at_8, hit_4, rt::into(normal_6), rt::into(view_4), rt::into(color_5), rt::into(params_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_ambient_occlusion(
+    fn v_ambient_hemisphere(
         &self,
         at_8: Entered,
         hit_4: Hit,
-        normal_5: rt::Vec3<f32>,
+        normal_6: rt::Vec3<f32>,
         view_4: rt::Vec3<f32>,
         color_5: rt::Vec3<f32>,
         params_4: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e8 = self.frame.ambient;
-        let _e13 = self.v_ambient_texel_between(hit_4.uv, rt::Scalar(at_8.level));
-        return ((_e8.xyz() * color_5) * _e13.x());
+        let _e12 = self.v_hemisphere_grade(normal_6, params_4.x());
+        return ((_e8.xyz() * color_5) * _e12);
     }
-    pub(crate) fn ambient_stage(
+    pub(crate) fn ambient_occlusion(
         &self,
         at_9: Entered,
         hit_5: Hit,
-        normal_6: impl rt::Into<rt::Vec3<f32>>,
+        normal_7: impl rt::Into<rt::Vec3<f32>>,
         view_5: impl rt::Into<rt::Vec3<f32>>,
         color_6: impl rt::Into<rt::Vec3<f32>>,
+        params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_stage(at_9, hit_5, rt::into(normal_6), rt::into(view_5), rt::into(color_6)))
+        rt::into(self.v_ambient_occlusion(at_9, hit_5, rt::into(normal_7), rt::into(view_5), rt::into(color_6), rt::into(params_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_ambient_occlusion(
+        &self,
+        at_9: Entered,
+        hit_5: Hit,
+        normal_7: rt::Vec3<f32>,
+        view_5: rt::Vec3<f32>,
+        color_6: rt::Vec3<f32>,
+        params_5: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e8 = self.frame.ambient;
+        let _e13 = self.v_ambient_texel_between(hit_5.uv, rt::Scalar(at_9.level));
+        return ((_e8.xyz() * color_6) * _e13.x());
+    }
+    pub(crate) fn ambient_sky(
+        &self,
+        at_10: Entered,
+        hit_6: Hit,
+        normal_8: impl rt::Into<rt::Vec3<f32>>,
+        view_6: impl rt::Into<rt::Vec3<f32>>,
+        color_7: impl rt::Into<rt::Vec3<f32>>,
+        params_6: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_ambient_sky(at_10, hit_6, rt::into(normal_8), rt::into(view_6), rt::into(color_7), rt::into(params_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_ambient_sky(
+        &self,
+        at_10: Entered,
+        hit_6: Hit,
+        normal_8: rt::Vec3<f32>,
+        view_6: rt::Vec3<f32>,
+        color_7: rt::Vec3<f32>,
+        params_6: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e8 = self.v_ambient_texel_between(hit_6.uv, rt::Scalar(at_10.level));
+        let _e10 = self.v_from_tangent_space(at_10, _e8.xyz());
+        let toward_6 = (_e10 / rt::Vec3::splat_from_scalar(_e10.length().max(rt::Scalar(0.000001f32))));
+        let part_9 = normal_8.dot(_e10).max(rt::Scalar(0f32));
+        let _e21 = self.frame.ambient;
+        let _e25 = self.v_hemisphere_grade(toward_6, params_6.x());
+        return ((_e21.xyz() * color_7) * (part_9 * _e25));
+    }
+    pub(crate) fn ambient_stage(
+        &self,
+        at_11: Entered,
+        hit_7: Hit,
+        normal_9: impl rt::Into<rt::Vec3<f32>>,
+        view_7: impl rt::Into<rt::Vec3<f32>>,
+        color_8: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_ambient_stage(at_11, hit_7, rt::into(normal_9), rt::into(view_7), rt::into(color_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ambient_stage(
         &self,
-        at_9: Entered,
-        hit_5: Hit,
-        normal_6: rt::Vec3<f32>,
-        view_5: rt::Vec3<f32>,
-        color_6: rt::Vec3<f32>,
+        at_11: Entered,
+        hit_7: Hit,
+        normal_9: rt::Vec3<f32>,
+        view_7: rt::Vec3<f32>,
+        color_8: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e9 = rt::Scalar(self.surface_settings.choices[10usize].number);
         match rt::Scalar::into_inner(_e9) {
             0u32 => {
                 let _e14 = self.surface_settings.choices[10usize].params;
-                let _e15 = self.v_ambient_constant(at_9, hit_5, normal_6, view_5, color_6, _e14);
+                let _e15 = self.v_ambient_constant(at_11, hit_7, normal_9, view_7, color_8, _e14);
                 return _e15;
             }
             1u32 => {
                 let _e20 = self.surface_settings.choices[10usize].params;
-                let _e21 = self.v_ambient_occlusion(at_9, hit_5, normal_6, view_5, color_6, _e20);
+                let _e21 = self.v_ambient_occlusion(at_11, hit_7, normal_9, view_7, color_8, _e20);
                 return _e21;
             }
             2u32 => {
                 let _e26 = self.surface_settings.choices[10usize].params;
-                let _e27 = self.v_ambient_bent_normal(at_9, hit_5, normal_6, view_5, color_6, _e26);
+                let _e27 = self.v_ambient_bent_normal(at_11, hit_7, normal_9, view_7, color_8, _e26);
                 return _e27;
             }
             3u32 => {
                 let _e32 = self.surface_settings.choices[10usize].params;
-                let _e33 = self.v_ambient_bounce(at_9, hit_5, normal_6, view_5, color_6, _e32);
+                let _e33 = self.v_ambient_bounce(at_11, hit_7, normal_9, view_7, color_8, _e32);
                 return _e33;
             }
-            _ => {
+            4u32 => {
                 let _e38 = self.surface_settings.choices[10usize].params;
-                let _e39 = self.v_ambient_environment(at_9, hit_5, normal_6, view_5, color_6, _e38);
+                let _e39 = self.v_ambient_environment(at_11, hit_7, normal_9, view_7, color_8, _e38);
                 return _e39;
+            }
+            5u32 => {
+                let _e44 = self.surface_settings.choices[10usize].params;
+                let _e45 = self.v_ambient_hemisphere(at_11, hit_7, normal_9, view_7, color_8, _e44);
+                return _e45;
+            }
+            _ => {
+                let _e50 = self.surface_settings.choices[10usize].params;
+                let _e51 = self.v_ambient_sky(at_11, hit_7, normal_9, view_7, color_8, _e50);
+                return _e51;
             }
         }
     }
@@ -2764,22 +2849,22 @@ impl<'g> Resources<'g> {
         &self,
         image_5: Image,
         point_5: impl rt::Into<rt::Vec3<f32>>,
-        view_6: impl rt::Into<rt::Vec3<f32>>,
+        view_8: impl rt::Into<rt::Vec3<f32>>,
         asked: impl rt::Into<rt::Scalar<bool>>,
     ) -> f32 {
-        rt::into(self.v_angle_to_image(image_5, rt::into(point_5), rt::into(view_6), rt::into(asked)))
+        rt::into(self.v_angle_to_image(image_5, rt::into(point_5), rt::into(view_8), rt::into(asked)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_angle_to_image(
         &self,
         image_5: Image,
         point_5: rt::Vec3<f32>,
-        view_6: rt::Vec3<f32>,
+        view_8: rt::Vec3<f32>,
         asked: rt::Scalar<bool>,
     ) -> rt::Scalar<f32> {
         let _e4 = self.v_toward_image(image_5, point_5);
-        let beside_3 = _e4.cross(view_6);
-        let _e10 = self.v_turn_of(<rt::Vec2<f32>>::from_scalars(_e4.dot(view_6), beside_3.dot(beside_3).sqrt()));
+        let beside_3 = _e4.cross(view_8);
+        let _e10 = self.v_turn_of(<rt::Vec2<f32>>::from_scalars(_e4.dot(view_8), beside_3.dot(beside_3).sqrt()));
         if rt::Scalar::into_branch_condition((!asked)) {
             return _e10;
         }
@@ -2814,19 +2899,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn axis_of(
         &self,
-        at_10: impl rt::Into<rt::Vec3<i32>>,
+        at_12: impl rt::Into<rt::Vec3<i32>>,
         axis: impl rt::Into<rt::Scalar<u32>>,
     ) -> i32 {
-        rt::into(self.v_axis_of(rt::into(at_10), rt::into(axis)))
+        rt::into(self.v_axis_of(rt::into(at_12), rt::into(axis)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_axis_of(
         &self,
-        at_10: rt::Vec3<i32>,
+        at_12: rt::Vec3<i32>,
         axis: rt::Scalar<u32>,
     ) -> rt::Scalar<i32> {
-        return at_10.z().select(at_10.y(), axis.elementwise_eq(rt::Scalar(1u32))).select(at_10.x(), axis.elementwise_eq(rt::Scalar(0u32)));
+        return at_12.z().select(at_12.y(), axis.elementwise_eq(rt::Scalar(1u32))).select(at_12.x(), axis.elementwise_eq(rt::Scalar(0u32)));
     }
     pub(crate) fn base_height(&self) -> f32 {
         rt::into(self.v_base_height())
@@ -2880,12 +2965,12 @@ impl<'g> Resources<'g> {
         let parts_4 = <rt::Vec3<f32>>::from_scalars(_e16, _e18, _e20);
         let limited = parts_4.min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32)));
         let w_3 = (limited / rt::Vec3::splat_from_scalar(((limited.x() + limited.y()) + limited.z())));
-        let normal_20 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
-        let place_25 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_20 * offset));
+        let normal_23 = (((prism.n0_ * w_3.x()) + (prism.n1_ * w_3.y())) + (prism.n2_ * w_3.z()));
+        let place_25 = ((((prism.p0_ * w_3.x()) + (prism.p1_ * w_3.y())) + (prism.p2_ * w_3.z())) + (normal_23 * offset));
         let t_35 = place_25.dot(along).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let second_1 = ((prism.p1_ - prism.p0_) + ((prism.n1_ - prism.n0_) * offset));
         let third_1 = ((prism.p2_ - prism.p0_) + ((prism.n2_ - prism.n0_) * offset));
-        let volume = (second_1.cross(third_1).dot(normal_20) * rt::Scalar(way.turn));
+        let volume = (second_1.cross(third_1).dot(normal_23) * rt::Scalar(way.turn));
         let _e83 = self.v_lift_of(prism.lift, w_3);
         let height_14 = (((offset - low_1) - _e83) / width_2).min(rt::Scalar(300000000000000000000000000000000000000f32));
         return <WayPoint>::new(<ShellPoint>::new(w_3, height_14), t_35, (place_25 - (along * t_35)).length(), volume);
@@ -3124,10 +3209,10 @@ impl<'g> Resources<'g> {
         a_2: ShellPoint,
         m: ShellPoint,
         b_2: ShellPoint,
-        at_11: ShellPoint,
+        at_13: ShellPoint,
         part_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_beside_chord(pixel_2, a_2, m, b_2, at_11, rt::into(part_1)))
+        rt::into(self.v_beside_chord(pixel_2, a_2, m, b_2, at_13, rt::into(part_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3137,17 +3222,17 @@ impl<'g> Resources<'g> {
         a_2: ShellPoint,
         m: ShellPoint,
         b_2: ShellPoint,
-        at_11: ShellPoint,
+        at_13: ShellPoint,
         part_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let line = (a_2.weights + ((b_2.weights - a_2.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_1));
-        let _e19 = self.v_uv_of(pixel_2, (at_11.weights - line));
+        let _e19 = self.v_uv_of(pixel_2, (at_13.weights - line));
         let _e21 = self.v_height_size(rt::Scalar(0u32));
         let apart = (_e19 * _e21).abs();
         let bend_3 = (rt::Scalar(2f32) * ((rt::Scalar(a_2.height) + rt::Scalar(b_2.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
         let slope_5 = ((rt::Scalar(b_2.height) - rt::Scalar(a_2.height)) - bend_3);
         let height_15 = (rt::Scalar(a_2.height) + (part_1 * (slope_5 + (part_1 * bend_3))));
-        return apart.x().max(apart.y()).max(((rt::Scalar(at_11.height) - height_15).abs() / rt::Scalar(0.0625f32)));
+        return apart.x().max(apart.y()).max(((rt::Scalar(at_13.height) - height_15).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn beside_way(
         &self,
@@ -3155,9 +3240,9 @@ impl<'g> Resources<'g> {
         a_3: WayPoint,
         b_3: WayPoint,
         bend_1: impl rt::Into<rt::Scalar<f32>>,
-        at_12: WayPoint,
+        at_14: WayPoint,
     ) -> f32 {
-        rt::into(self.v_beside_way(pixel_3, a_3, b_3, rt::into(bend_1), at_12))
+        rt::into(self.v_beside_way(pixel_3, a_3, b_3, rt::into(bend_1), at_14))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3167,16 +3252,16 @@ impl<'g> Resources<'g> {
         a_3: WayPoint,
         b_3: WayPoint,
         bend_1: rt::Scalar<f32>,
-        at_12: WayPoint,
+        at_14: WayPoint,
     ) -> rt::Scalar<f32> {
-        let part_9 = ((rt::Scalar(at_12.t) - rt::Scalar(a_3.t)) / (rt::Scalar(b_3.t) - rt::Scalar(a_3.t)));
-        let line_1 = (a_3.point.weights + ((b_3.point.weights - a_3.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_9));
-        let _e29 = self.v_uv_of(pixel_3, (at_12.point.weights - line_1));
+        let part_10 = ((rt::Scalar(at_14.t) - rt::Scalar(a_3.t)) / (rt::Scalar(b_3.t) - rt::Scalar(a_3.t)));
+        let line_1 = (a_3.point.weights + ((b_3.point.weights - a_3.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_10));
+        let _e29 = self.v_uv_of(pixel_3, (at_14.point.weights - line_1));
         let _e31 = self.v_height_size(rt::Scalar(0u32));
         let apart_1 = (_e29 * _e31).abs();
         let slope_6 = ((rt::Scalar(b_3.point.height) - rt::Scalar(a_3.point.height)) - bend_1);
-        let height_16 = (rt::Scalar(a_3.point.height) + (part_9 * (slope_6 + (part_9 * bend_1))));
-        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_12.point.height) - height_16).abs() / rt::Scalar(0.0625f32)));
+        let height_16 = (rt::Scalar(a_3.point.height) + (part_10 * (slope_6 + (part_10 * bend_1))));
+        return apart_1.x().max(apart_1.y()).max(((rt::Scalar(at_14.point.height) - height_16).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn between(&self, a_4: ShellPoint, b_4: ShellPoint) -> ShellPoint {
         rt::into(self.v_between(a_4, b_4))
@@ -3367,18 +3452,18 @@ impl<'g> Resources<'g> {
         let bx = (h_1.y() - h_1.x());
         let by_3 = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_143 = ((grid_1.origin - cell_3) + (grid_1.step * t_10));
+        let at_145 = ((grid_1.origin - cell_3) + (grid_1.step * t_10));
         let z_1 = (path_6.h.x() + (t_10 * (path_6.h.y() + (t_10 * path_6.h.z()))));
         let dz = (path_6.h.y() + ((rt::Scalar(2f32) * t_10) * path_6.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_143.x())) + (by_3 * at_143.y())) + ((twist * at_143.x()) * at_143.y()))), (dz - (((bx * grid_1.step.x()) + (by_3 * grid_1.step.y())) + (twist * ((at_143.x() * grid_1.step.y()) + (at_143.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z_1 - (((h_1.x() + (bx * at_145.x())) + (by_3 * at_145.y())) + ((twist * at_145.x()) * at_145.y()))), (dz - (((bx * grid_1.step.x()) + (by_3 * grid_1.step.y())) + (twist * ((at_145.x() * grid_1.step.y()) + (at_145.y() * grid_1.step.x()))))), (path_6.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn object_none_cell(
         &self,
         cell_4: impl rt::Into<rt::Vec2<i32>>,
         level_11: impl rt::Into<rt::Scalar<u32>>,
-        params_5: impl rt::Into<rt::Vec4<f32>>,
+        params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_none_cell(rt::into(cell_4), rt::into(level_11), rt::into(params_5)))
+        rt::into(self.v_object_none_cell(rt::into(cell_4), rt::into(level_11), rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3386,7 +3471,7 @@ impl<'g> Resources<'g> {
         &self,
         cell_4: rt::Vec2<i32>,
         level_11: rt::Scalar<u32>,
-        params_5: rt::Vec4<f32>,
+        params_7: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_cell(cell_4, level_11);
         return _e3;
@@ -3451,9 +3536,9 @@ impl<'g> Resources<'g> {
         &self,
         cell_6: impl rt::Into<rt::Vec2<i32>>,
         level_13: impl rt::Into<rt::Scalar<u32>>,
-        params_6: impl rt::Into<rt::Vec4<f32>>,
+        params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_depth_cell(rt::into(cell_6), rt::into(level_13), rt::into(params_6)))
+        rt::into(self.v_object_depth_cell(rt::into(cell_6), rt::into(level_13), rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3461,7 +3546,7 @@ impl<'g> Resources<'g> {
         &self,
         cell_6: rt::Vec2<i32>,
         level_13: rt::Scalar<u32>,
-        params_6: rt::Vec4<f32>,
+        params_8: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_cell_of_images(cell_6, level_13);
         return _e3;
@@ -3487,9 +3572,9 @@ impl<'g> Resources<'g> {
         &self,
         cell_8: impl rt::Into<rt::Vec2<i32>>,
         level_15: impl rt::Into<rt::Scalar<u32>>,
-        params_7: impl rt::Into<rt::Vec4<f32>>,
+        params_9: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_hull_cell(rt::into(cell_8), rt::into(level_15), rt::into(params_7)))
+        rt::into(self.v_object_hull_cell(rt::into(cell_8), rt::into(level_15), rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3497,7 +3582,7 @@ impl<'g> Resources<'g> {
         &self,
         cell_8: rt::Vec2<i32>,
         level_15: rt::Scalar<u32>,
-        params_7: rt::Vec4<f32>,
+        params_9: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_cell_of_mask(cell_8, level_15);
         return _e3;
@@ -3506,9 +3591,9 @@ impl<'g> Resources<'g> {
         &self,
         cell_9: impl rt::Into<rt::Vec2<i32>>,
         level_16: impl rt::Into<rt::Scalar<u32>>,
-        params_8: impl rt::Into<rt::Vec4<f32>>,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_object_blend_cell(rt::into(cell_9), rt::into(level_16), rt::into(params_8)))
+        rt::into(self.v_object_blend_cell(rt::into(cell_9), rt::into(level_16), rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3516,7 +3601,7 @@ impl<'g> Resources<'g> {
         &self,
         cell_9: rt::Vec2<i32>,
         level_16: rt::Scalar<u32>,
-        params_8: rt::Vec4<f32>,
+        params_10: rt::Vec4<f32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_cell(cell_9, level_16);
         return _e3;
@@ -3659,10 +3744,10 @@ impl<'g> Resources<'g> {
         sweep: Sweep,
         start: impl rt::Into<rt::Scalar<u32>>,
         to: impl rt::Into<rt::Scalar<u32>>,
-        at_13: impl rt::Into<rt::Scalar<i32>>,
+        at_15: impl rt::Into<rt::Scalar<i32>>,
         parts: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec2<u32> {
-        rt::into(self.v_swept_border(sweep, rt::into(start), rt::into(to), rt::into(at_13), rt::into(parts)))
+        rt::into(self.v_swept_border(sweep, rt::into(start), rt::into(to), rt::into(at_15), rt::into(parts)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3671,20 +3756,20 @@ impl<'g> Resources<'g> {
         sweep: Sweep,
         start: rt::Scalar<u32>,
         to: rt::Scalar<u32>,
-        at_13: rt::Scalar<i32>,
+        at_15: rt::Scalar<i32>,
         parts: rt::Scalar<i32>,
     ) -> rt::Vec2<u32> {
-        if rt::Scalar::into_branch_condition(at_13.elementwise_eq(rt::Scalar(0i32))) {
+        if rt::Scalar::into_branch_condition(at_15.elementwise_eq(rt::Scalar(0i32))) {
             return <rt::Vec2<u32>>::from_scalars(start, rt::Scalar(0u32));
         }
-        if rt::Scalar::into_branch_condition(at_13.elementwise_eq(parts)) {
+        if rt::Scalar::into_branch_condition(at_15.elementwise_eq(parts)) {
             return <rt::Vec2<u32>>::from_scalars(to, rt::Scalar(0u32));
         }
         let _e13 = self.v_around_three(start, rt::Scalar(1u32));
         if rt::Scalar::into_branch_condition(to.elementwise_eq(_e13)) {
-            return <rt::Vec2<u32>>::from_scalars(start, at_13.to_u32());
+            return <rt::Vec2<u32>>::from_scalars(start, at_15.to_u32());
         }
-        return <rt::Vec2<u32>>::from_scalars(to, (parts - at_13).to_u32());
+        return <rt::Vec2<u32>>::from_scalars(to, (parts - at_15).to_u32());
     }
     pub(crate) fn top_point(
         &self,
@@ -3718,9 +3803,9 @@ impl<'g> Resources<'g> {
         &self,
         sweep_2: Sweep,
         column: SweptColumn,
-        at_14: impl rt::Into<rt::Scalar<i32>>,
+        at_16: impl rt::Into<rt::Scalar<i32>>,
     ) -> SweptPoint {
-        rt::into(self.v_low_point(sweep_2, column, rt::into(at_14)))
+        rt::into(self.v_low_point(sweep_2, column, rt::into(at_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -3728,12 +3813,12 @@ impl<'g> Resources<'g> {
         &self,
         sweep_2: Sweep,
         column: SweptColumn,
-        at_14: rt::Scalar<i32>,
+        at_16: rt::Scalar<i32>,
     ) -> SweptPoint {
         let x_6 = rt::Scalar(column.column);
-        if rt::Scalar::into_branch_condition(at_14.elementwise_gt(rt::Scalar(0i32))) {
-            let y_3 = ((rt::Scalar(column.inside) + at_14) - rt::Scalar(1i32));
-            return <SweptPoint>::new(INSIDE, (rt::Scalar(column.first) + (at_14 - rt::Scalar(1i32)).to_u32()), x_6, y_3, rt::Scalar(1i32), rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition(at_16.elementwise_gt(rt::Scalar(0i32))) {
+            let y_3 = ((rt::Scalar(column.inside) + at_16) - rt::Scalar(1i32));
+            return <SweptPoint>::new(INSIDE, (rt::Scalar(column.first) + (at_16 - rt::Scalar(1i32)).to_u32()), x_6, y_3, rt::Scalar(1i32), rt::Scalar(0u32));
         }
         let columns = sweep_2.end.x();
         let _e25 = self.v_swept_border(sweep_2, sweep_2.corners.x(), sweep_2.corners.y(), x_6, columns);
@@ -3780,19 +3865,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn chord_end(
         &self,
-        at_15: Entered,
+        at_17: Entered,
         k: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_chord_end(at_15, rt::into(k)))
+        rt::into(self.v_chord_end(at_17, rt::into(k)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_chord_end(
         &self,
-        at_15: Entered,
+        at_17: Entered,
         k: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        return (at_15.span.x() + ((at_15.span.y() - at_15.span.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * (k.to_f32() / rt::Scalar(at_15.segments).to_f32())));
+        return (at_17.span.x() + ((at_17.span.y() - at_17.span.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * (k.to_f32() / rt::Scalar(at_17.segments).to_f32())));
     }
     pub(crate) fn shell_slack(
         &self,
@@ -3899,16 +3984,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_none_parts(
         &self,
         level_18: impl rt::Into<rt::Scalar<u32>>,
-        params_9: impl rt::Into<rt::Vec4<f32>>,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_none_parts(rt::into(level_18), rt::into(params_9)))
+        rt::into(self.v_object_none_parts(rt::into(level_18), rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_none_parts(
         &self,
         level_18: rt::Scalar<u32>,
-        params_9: rt::Vec4<f32>,
+        params_11: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         return rt::Scalar(1i32);
     }
@@ -3932,16 +4017,16 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_depth_parts(
         &self,
         level_19: impl rt::Into<rt::Scalar<u32>>,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_depth_parts(rt::into(level_19), rt::into(params_10)))
+        rt::into(self.v_object_depth_parts(rt::into(level_19), rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_depth_parts(
         &self,
         level_19: rt::Scalar<u32>,
-        params_10: rt::Vec4<f32>,
+        params_12: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         let _e2 = self.v_parts_of_images();
         return _e2;
@@ -3949,32 +4034,32 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_hull_parts(
         &self,
         level_20: impl rt::Into<rt::Scalar<u32>>,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_hull_parts(rt::into(level_20), rt::into(params_11)))
+        rt::into(self.v_object_hull_parts(rt::into(level_20), rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_hull_parts(
         &self,
         level_20: rt::Scalar<u32>,
-        params_11: rt::Vec4<f32>,
+        params_13: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         return rt::Scalar(1i32);
     }
     pub(crate) fn object_blend_parts(
         &self,
         level_21: impl rt::Into<rt::Scalar<u32>>,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> i32 {
-        rt::into(self.v_object_blend_parts(rt::into(level_21), rt::into(params_12)))
+        rt::into(self.v_object_blend_parts(rt::into(level_21), rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_blend_parts(
         &self,
         level_21: rt::Scalar<u32>,
-        params_12: rt::Vec4<f32>,
+        params_14: rt::Vec4<f32>,
     ) -> rt::Scalar<i32> {
         return rt::Scalar(1i32);
     }
@@ -4136,24 +4221,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn chord_path(
         &self,
         pixel_5: PixelIn,
-        at_16: Entered,
+        at_18: Entered,
         middle_1: impl rt::Into<rt::Scalar<f32>>,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
         a_5: ShellPoint,
         b_5: ShellPoint,
         bend_2: impl rt::Into<rt::Scalar<f32>>,
         ends: impl rt::Into<rt::Vec2<f32>>,
         beyond: impl rt::Into<rt::Vec3<f32>>,
     ) -> Path {
-        rt::into(self.v_chord_path(pixel_5, at_16, rt::into(middle_1), rt::into(params_13), a_5, b_5, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
+        rt::into(self.v_chord_path(pixel_5, at_18, rt::into(middle_1), rt::into(params_15), a_5, b_5, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_chord_path(
         &self,
         pixel_5: PixelIn,
-        at_16: Entered,
+        at_18: Entered,
         middle_1: rt::Scalar<f32>,
-        params_13: rt::Vec4<f32>,
+        params_15: rt::Vec4<f32>,
         a_5: ShellPoint,
         b_5: ShellPoint,
         bend_2: rt::Scalar<f32>,
@@ -4164,7 +4249,7 @@ impl<'g> Resources<'g> {
         let mut path_12: Path;
 
         let heights_1 = pixel_5.shell.heights;
-        let first_10 = ends.x();
+        let first_11 = ends.x();
         let long = (ends.y() - ends.x());
         let _e16 = self.v_uv_of(pixel_5, a_5.weights);
         let _e18 = self.v_uv_of(pixel_5, b_5.weights);
@@ -4172,7 +4257,7 @@ impl<'g> Resources<'g> {
         let slope_7 = ((rt::Scalar(b_5.height) - rt::Scalar(a_5.height)) - bend_2);
         let _e26 = self.v_shell_slack(pixel_5, middle_1);
         let change_3 = ((b_5.weights - a_5.weights) / rt::Vec3::splat_from_scalar(long));
-        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_10)), long);
+        inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_11)), long);
         let _e39 = inside;
         let _e44 = self.v_where_positive(_e39, a_5.weights.x(), change_3.x(), beyond.x());
         inside = _e44;
@@ -4192,7 +4277,7 @@ impl<'g> Resources<'g> {
             inside = _e69;
         }
         let _e76 = inside.y();
-        path_12 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_5.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_16.metric, RAY_VIEW, rt::Scalar(at_16.level), (middle_1 + first_10), (rt::Scalar(1f32) / rt::Scalar(at_16.segments).to_f32()), rt::Scalar(0f32));
+        path_12 = <Path>::new(_e16, duv_4, <rt::Vec3<f32>>::from_scalars(rt::Scalar(a_5.height), (slope_7 / long), (bend_2 / (long * long))), _e76, rt::Scalar(0f32), at_18.metric, RAY_VIEW, rt::Scalar(at_18.level), (middle_1 + first_11), (rt::Scalar(1f32) / rt::Scalar(at_18.segments).to_f32()), rt::Scalar(0f32));
         let _e90 = inside.y();
         let _e92 = inside.x();
         if rt::Scalar::into_branch_condition((!_e90.elementwise_gt(_e92))) {
@@ -4220,7 +4305,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e125.elementwise_gt(rt::Scalar(0f32))) {
             let _e128 = path_12;
             let _e129 = path_12;
-            let _e133 = self.v_out_of_ground(_e129, (rt::Scalar(4f32) * _e26), params_13.x());
+            let _e133 = self.v_out_of_ground(_e129, (rt::Scalar(4f32) * _e26), params_15.x());
             let _e134 = self.v_path_from(_e128, _e133);
             path_12 = _e134;
         }
@@ -4230,26 +4315,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn chord_reach(
         &self,
         pixel_6: PixelIn,
-        at_17: Entered,
+        at_19: Entered,
         middle_2: impl rt::Into<rt::Scalar<f32>>,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_chord_reach(pixel_6, at_17, rt::into(middle_2), rt::into(params_14)))
+        rt::into(self.v_chord_reach(pixel_6, at_19, rt::into(middle_2), rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_chord_reach(
         &self,
         pixel_6: PixelIn,
-        at_17: Entered,
+        at_19: Entered,
         middle_2: rt::Scalar<f32>,
-        params_14: rt::Vec4<f32>,
+        params_16: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let _e11 = self.v_height_size(rt::Scalar(0u32));
         let _e14 = self.v_height_size(rt::Scalar(0u32));
-        let texel_6 = (at_17.metric.x().max(at_17.metric.z()).sqrt() / _e11.x().max(_e14.y()));
+        let texel_6 = (at_19.metric.x().max(at_19.metric.z()).sqrt() / _e11.x().max(_e14.y()));
         let _e18 = self.v_shell_slack(pixel_6, middle_2);
-        return (_e18 + ((rt::Scalar(2f32) * params_14.x()) * texel_6));
+        return (_e18 + ((rt::Scalar(2f32) * params_16.x()) * texel_6));
     }
     pub(crate) fn way_bend(
         &self,
@@ -4372,19 +4457,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn coarser_voxel(
         &self,
-        at_18: impl rt::Into<rt::Vec3<i32>>,
+        at_20: impl rt::Into<rt::Vec3<i32>>,
         level_23: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<i32> {
-        rt::into(self.v_coarser_voxel(rt::into(at_18), rt::into(level_23)))
+        rt::into(self.v_coarser_voxel(rt::into(at_20), rt::into(level_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_coarser_voxel(
         &self,
-        at_18: rt::Vec3<i32>,
+        at_20: rt::Vec3<i32>,
         level_23: rt::Scalar<u32>,
     ) -> rt::Vec3<i32> {
-        return <rt::Vec3<i32>>::from_scalars((at_18.x() >> level_23), (at_18.y() >> level_23), (at_18.z() >> level_23));
+        return <rt::Vec3<i32>>::from_scalars((at_20.x() >> level_23), (at_20.y() >> level_23), (at_20.z() >> level_23));
     }
     pub(crate) fn color_index(
         &self,
@@ -4531,13 +4616,13 @@ impl<'g> Resources<'g> {
         let along_23 = ((_e78 + rt::Scalar(1f32)).select(((_e81 - _e82) + rt::Scalar(1f32)), is_hemi) * (rt::Scalar(0.5f32) * last_4));
         let place_26 = <rt::Vec2<f32>>::from_scalars(across_3, along_23).clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(last_4, last_4));
         let cell_29 = place_26.floor().min(<rt::Vec2<f32>>::from_scalars((last_4 - rt::Scalar(1f32)), (last_4 - rt::Scalar(1f32))));
-        let part_10 = (place_26 - cell_29);
+        let part_11 = (place_26 - cell_29);
         let side_6 = (last_4.to_u32() + rt::Scalar(1u32));
-        let first_11 = ((cell_29.y().to_u32() * side_6) + cell_29.x().to_u32());
-        let beside_4 = (first_11 + side_6).select((first_11 + rt::Scalar(1u32)), part_10.x().elementwise_gt(part_10.y()));
-        let least_2 = part_10.x().min(part_10.y());
-        let most_7 = part_10.x().max(part_10.y());
-        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_11, beside_4, ((first_11 + side_6) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_2), least_2));
+        let first_12 = ((cell_29.y().to_u32() * side_6) + cell_29.x().to_u32());
+        let beside_4 = (first_12 + side_6).select((first_12 + rt::Scalar(1u32)), part_11.x().elementwise_gt(part_11.y()));
+        let least_2 = part_11.x().min(part_11.y());
+        let most_7 = part_11.x().max(part_11.y());
+        return <Frames>::new(<rt::Vec3<u32>>::from_scalars(first_12, beside_4, ((first_12 + side_6) + rt::Scalar(1u32))), <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - most_7), (most_7 - least_2), least_2));
     }
     pub(crate) fn image_of_object(&self, number_3: impl rt::Into<rt::Scalar<u32>>) -> Image {
         rt::into(self.v_image_of_object(rt::into(number_3)))
@@ -4599,21 +4684,21 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn color_of_frames(
         &self,
-        at_19: Entered,
-        view_7: impl rt::Into<rt::Vec3<f32>>,
+        at_21: Entered,
+        view_9: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_color_of_frames(at_19, rt::into(view_7)))
+        rt::into(self.v_color_of_frames(at_21, rt::into(view_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_color_of_frames(
         &self,
-        at_19: Entered,
-        view_7: rt::Vec3<f32>,
+        at_21: Entered,
+        view_9: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let mut sum_1: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let mut k_3: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e2 = self.v_frames_around(view_7);
+        let _e2 = self.v_frames_around(view_9);
         'naga_break: loop {
             'naga_continue: {
                 let _e10 = k_3;
@@ -4626,7 +4711,7 @@ impl<'g> Resources<'g> {
                     let _e14 = self.v_frame_number(_e2, _e13);
                     let _e15 = self.v_image_of_object(_e14);
                     let _e16 = sum_1;
-                    let _e18 = self.v_place_in_image(_e15, at_19.point);
+                    let _e18 = self.v_place_in_image(_e15, at_21.point);
                     let _e21 = self.v_color_at(_e18.xy(), rt::Scalar(0u32));
                     let _e23 = k_3;
                     let _e24 = self.v_frame_weight(_e2, _e23);
@@ -4641,17 +4726,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_color(
         &self,
-        at_20: Entered,
-        view_8: impl rt::Into<rt::Vec3<f32>>,
+        at_22: Entered,
+        view_10: impl rt::Into<rt::Vec3<f32>>,
         asked_1: impl rt::Into<rt::Scalar<bool>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color(at_20, rt::into(view_8), rt::into(asked_1)))
+        rt::into(self.v_object_color(at_22, rt::into(view_10), rt::into(asked_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_color(
         &self,
-        at_20: Entered,
-        view_8: rt::Vec3<f32>,
+        at_22: Entered,
+        view_10: rt::Vec3<f32>,
         asked_1: rt::Scalar<bool>,
     ) -> rt::Vec3<f32> {
         let mut angle1_: rt::Scalar<f32> = rt::Scalar(4f32);
@@ -4677,7 +4762,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e24 = k_4;
                     let _e25 = self.v_image_of_object(_e24);
-                    let _e27 = self.v_angle_to_image(_e25, at_20.point, view_8, asked_1);
+                    let _e27 = self.v_angle_to_image(_e25, at_22.point, view_10, asked_1);
                     let _e28 = angle1_;
                     if rt::Scalar::into_branch_condition(_e27.elementwise_lt(_e28)) {
                         let _e30 = angle3_;
@@ -4750,24 +4835,24 @@ impl<'g> Resources<'g> {
         }
         let _e106 = image1_;
         let _e107 = self.v_image_of_object(_e106);
-        let _e109 = self.v_place_in_image(_e107, at_20.point);
+        let _e109 = self.v_place_in_image(_e107, at_22.point);
         let uv1_ = _e109.xy();
         let _e111 = image2_;
         let _e112 = self.v_image_of_object(_e111);
-        let _e114 = self.v_place_in_image(_e112, at_20.point);
+        let _e114 = self.v_place_in_image(_e112, at_22.point);
         let uv2_ = _e114.xy();
         let _e116 = image3_;
         let _e117 = self.v_image_of_object(_e116);
-        let _e119 = self.v_place_in_image(_e117, at_20.point);
+        let _e119 = self.v_place_in_image(_e117, at_22.point);
         let uv3_ = _e119.xy();
         let _e122 = self.v_color_at(uv1_, rt::Scalar(0u32));
         let _e124 = weight1_;
-        let first_12 = (_e122.xyz() * _e124);
+        let first_13 = (_e122.xyz() * _e124);
         let _e127 = self.v_color_at(uv2_, rt::Scalar(0u32));
         let _e129 = weight2_;
         let _e133 = self.v_color_at(uv3_, rt::Scalar(0u32));
         let _e135 = weight3_;
-        let sum_7 = ((first_12 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
+        let sum_7 = ((first_13 + (_e127.xyz() * _e129)) + (_e133.xyz() * _e135));
         let _e138 = weight1_;
         let _e139 = weight2_;
         let _e141 = weight3_;
@@ -4775,17 +4860,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn color_of_object(
         &self,
-        at_21: Entered,
-        view_9: impl rt::Into<rt::Vec3<f32>>,
+        at_23: Entered,
+        view_11: impl rt::Into<rt::Vec3<f32>>,
         how: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_color_of_object(at_21, rt::into(view_9), rt::into(how)))
+        rt::into(self.v_color_of_object(at_23, rt::into(view_11), rt::into(how)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_color_of_object(
         &self,
-        at_21: Entered,
-        view_9: rt::Vec3<f32>,
+        at_23: Entered,
+        view_11: rt::Vec3<f32>,
         how: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let mut local_23: rt::Scalar<bool>;
@@ -4801,10 +4886,10 @@ impl<'g> Resources<'g> {
             return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
         }
         if rt::Scalar::into_branch_condition(how.elementwise_eq(rt::Scalar(3f32))) {
-            let _e21 = self.v_color_of_frames(at_21, view_9);
+            let _e21 = self.v_color_of_frames(at_23, view_11);
             return _e21;
         }
-        let _e24 = self.v_object_color(at_21, view_9, how.elementwise_eq(rt::Scalar(1f32)));
+        let _e24 = self.v_object_color(at_23, view_11, how.elementwise_eq(rt::Scalar(1f32)));
         return _e24;
     }
     pub(crate) fn color_or_white(
@@ -4983,26 +5068,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn plane_distance(
         &self,
         pixel_8: PixelIn,
-        normal_7: impl rt::Into<rt::Vec3<f32>>,
+        normal_10: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_plane_distance(pixel_8, rt::into(normal_7)))
+        rt::into(self.v_plane_distance(pixel_8, rt::into(normal_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_distance(
         &self,
         pixel_8: PixelIn,
-        normal_7: rt::Vec3<f32>,
+        normal_10: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        return (normal_7.dot((pixel_8.a.position - pixel_8.origin)) / normal_7.dot(pixel_8.direction));
+        return (normal_10.dot((pixel_8.a.position - pixel_8.origin)) / normal_10.dot(pixel_8.direction));
     }
-    pub(crate) fn depth_in_samples(&self, pixel_9: PixelIn, at_22: Entered) -> f32 {
-        rt::into(self.v_depth_in_samples(pixel_9, at_22))
+    pub(crate) fn depth_in_samples(&self, pixel_9: PixelIn, at_24: Entered) -> f32 {
+        rt::into(self.v_depth_in_samples(pixel_9, at_24))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_depth_in_samples(&self, pixel_9: PixelIn, at_22: Entered) -> rt::Scalar<f32> {
-        let _e3 = self.v_plane_distance(pixel_9, at_22.facing);
+    fn v_depth_in_samples(&self, pixel_9: PixelIn, at_24: Entered) -> rt::Scalar<f32> {
+        let _e3 = self.v_plane_distance(pixel_9, at_24.facing);
         let _e6 = self.frame.eye_right;
         let _e10 = self.frame.right;
         let _e17 = rt::Scalar(self.frame.sample_width);
@@ -5010,65 +5095,65 @@ impl<'g> Resources<'g> {
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         return (_e21 / width_3);
     }
-    pub(crate) fn depth_on_ray(&self, pixel_10: PixelIn, path_15: Path, hit_6: Hit) -> f32 {
-        rt::into(self.v_depth_on_ray(pixel_10, path_15, hit_6))
+    pub(crate) fn depth_on_ray(&self, pixel_10: PixelIn, path_15: Path, hit_8: Hit) -> f32 {
+        rt::into(self.v_depth_on_ray(pixel_10, path_15, hit_8))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_depth_on_ray(&self, pixel_10: PixelIn, path_15: Path, hit_6: Hit) -> rt::Scalar<f32> {
-        return ((rt::Scalar(path_15.start) + rt::Scalar(hit_6.t)) / pixel_10.direction.length());
+    fn v_depth_on_ray(&self, pixel_10: PixelIn, path_15: Path, hit_8: Hit) -> rt::Scalar<f32> {
+        return ((rt::Scalar(path_15.start) + rt::Scalar(hit_8.t)) / pixel_10.direction.length());
     }
     pub(crate) fn footprint_axis(
         &self,
         pixel_11: PixelIn,
-        at_23: Entered,
-        normal_8: impl rt::Into<rt::Vec3<f32>>,
+        at_25: Entered,
+        normal_11: impl rt::Into<rt::Vec3<f32>>,
         t_14: impl rt::Into<rt::Scalar<f32>>,
         origin: impl rt::Into<rt::Vec3<f32>>,
         direction_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_footprint_axis(pixel_11, at_23, rt::into(normal_8), rt::into(t_14), rt::into(origin), rt::into(direction_4)))
+        rt::into(self.v_footprint_axis(pixel_11, at_25, rt::into(normal_11), rt::into(t_14), rt::into(origin), rt::into(direction_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_footprint_axis(
         &self,
         pixel_11: PixelIn,
-        at_23: Entered,
-        normal_8: rt::Vec3<f32>,
+        at_25: Entered,
+        normal_11: rt::Vec3<f32>,
         t_14: rt::Scalar<f32>,
         origin: rt::Vec3<f32>,
         direction_4: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
         let aside_3 = (origin + (direction_4 * t_14));
-        let along_24 = (normal_8.dot(aside_3) / normal_8.dot(pixel_11.direction));
-        let _e15 = self.v_climb(at_23, (aside_3 - (pixel_11.direction * along_24)));
+        let along_24 = (normal_11.dot(aside_3) / normal_11.dot(pixel_11.direction));
+        let _e15 = self.v_climb(at_25, (aside_3 - (pixel_11.direction * along_24)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.to_f32());
     }
     pub(crate) fn footprint_of(
         &self,
         pixel_12: PixelIn,
-        at_24: Entered,
+        at_26: Entered,
         anisotropy: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_footprint_of(pixel_12, at_24, rt::into(anisotropy)))
+        rt::into(self.v_footprint_of(pixel_12, at_26, rt::into(anisotropy)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_of(
         &self,
         pixel_12: PixelIn,
-        at_24: Entered,
+        at_26: Entered,
         anisotropy: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let normal_21 = at_24.facing;
-        let _e4 = self.v_plane_distance(pixel_12, normal_21);
+        let normal_24 = at_26.facing;
+        let _e4 = self.v_plane_distance(pixel_12, normal_24);
         let _e7 = self.frame.eye_right;
         let _e11 = self.frame.right;
-        let _e13 = self.v_footprint_axis(pixel_12, at_24, normal_21, _e4, _e7.xyz(), _e11.xyz());
+        let _e13 = self.v_footprint_axis(pixel_12, at_26, normal_24, _e4, _e7.xyz(), _e11.xyz());
         let _e16 = self.frame.eye_down;
         let _e20 = self.frame.down;
-        let _e22 = self.v_footprint_axis(pixel_12, at_24, normal_21, _e4, _e16.xyz(), _e20.xyz());
+        let _e22 = self.v_footprint_axis(pixel_12, at_26, normal_24, _e4, _e16.xyz(), _e20.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
         let sum_8 = both.dot(both);
         let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
@@ -5082,87 +5167,87 @@ impl<'g> Resources<'g> {
     pub(crate) fn detail_fade(
         &self,
         pixel_13: PixelIn,
-        at_25: Entered,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        at_27: Entered,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_fade(pixel_13, at_25, rt::into(params_15)))
+        rt::into(self.v_detail_fade(pixel_13, at_27, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_fade(
         &self,
         pixel_13: PixelIn,
-        at_25: Entered,
-        params_15: rt::Vec4<f32>,
+        at_27: Entered,
+        params_17: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_13, at_25, params_15.x());
-        let begin_4 = (params_15.z() * params_15.w());
-        let _e8 = self.v_depth_in_samples(pixel_13, at_25);
-        let part_11 = ((begin_4 - _e8) / (begin_4 - params_15.z()).max(rt::Scalar(0.000001f32)));
+        let _e4 = self.v_footprint_of(pixel_13, at_27, params_17.x());
+        let begin_4 = (params_17.z() * params_17.w());
+        let _e8 = self.v_depth_in_samples(pixel_13, at_27);
+        let part_12 = ((begin_4 - _e8) / (begin_4 - params_17.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
-        let _e20 = self.v_levels_of((_e4 / params_15.y()), _e19);
+        let _e20 = self.v_levels_of((_e4 / params_17.y()), _e19);
         let level_47 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_47, _e4, part_11.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        return <Detail>::new(level_47, _e4, part_12.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
         pixel_14: PixelIn,
-        at_26: Entered,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        at_28: Entered,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_14, at_26, rt::into(params_16)))
+        rt::into(self.v_detail_footprint(pixel_14, at_28, rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_footprint(
         &self,
         pixel_14: PixelIn,
-        at_26: Entered,
-        params_16: rt::Vec4<f32>,
+        at_28: Entered,
+        params_18: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_14, at_26, params_16.x());
+        let _e4 = self.v_footprint_of(pixel_14, at_28, params_18.x());
         let _e9 = rt::Scalar(self.surface_settings.height_levels);
-        let _e10 = self.v_levels_of((_e4 / params_16.y()), _e9);
+        let _e10 = self.v_levels_of((_e4 / params_18.y()), _e9);
         return <Detail>::new(rt::Scalar(_e10.fine), _e4, rt::Scalar(0f32));
     }
     pub(crate) fn detail_none(
         &self,
         pixel_15: PixelIn,
-        at_27: Entered,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        at_29: Entered,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_15, at_27, rt::into(params_17)))
+        rt::into(self.v_detail_none(pixel_15, at_29, rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_none(
         &self,
         pixel_15: PixelIn,
-        at_27: Entered,
-        params_17: rt::Vec4<f32>,
+        at_29: Entered,
+        params_19: rt::Vec4<f32>,
     ) -> Detail {
         return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn detail_stage(&self, pixel_16: PixelIn, at_28: Entered) -> Detail {
-        rt::into(self.v_detail_stage(pixel_16, at_28))
+    pub(crate) fn detail_stage(&self, pixel_16: PixelIn, at_30: Entered) -> Detail {
+        rt::into(self.v_detail_stage(pixel_16, at_30))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_detail_stage(&self, pixel_16: PixelIn, at_28: Entered) -> Detail {
+    fn v_detail_stage(&self, pixel_16: PixelIn, at_30: Entered) -> Detail {
         let _e6 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[4usize].params;
-                let _e12 = self.v_detail_none(pixel_16, at_28, _e11);
+                let _e12 = self.v_detail_none(pixel_16, at_30, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[4usize].params;
-                let _e18 = self.v_detail_footprint(pixel_16, at_28, _e17);
+                let _e18 = self.v_detail_footprint(pixel_16, at_30, _e17);
                 return _e18;
             }
             _ => {
                 let _e23 = self.surface_settings.choices[4usize].params;
-                let _e24 = self.v_detail_fade(pixel_16, at_28, _e23);
+                let _e24 = self.v_detail_fade(pixel_16, at_30, _e23);
                 return _e24;
             }
         }
@@ -5206,13 +5291,14 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_28);
         let _e4 = self.v_texels_around(uv_6, _e3);
-        let k_46 = (level_28 - SEEN_FIRST_LEVEL).to_i32();
-        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_46);
-        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_46);
-        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_46);
-        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_46);
-        let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
-        return _e33;
+        let _e9 = rt::Scalar(self.surface_settings.maps[0usize].first_level);
+        let k_46 = (level_28 - _e9).to_i32();
+        let _e17 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_46);
+        let _e23 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_46);
+        let _e29 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_46);
+        let _e35 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_46);
+        let _e37 = self.v_bilinear(_e17, _e23, _e29, _e35, _e4.part);
+        return _e37;
     }
     pub(crate) fn one_of(
         &self,
@@ -5234,9 +5320,9 @@ impl<'g> Resources<'g> {
         &self,
         rows: DiceRows,
         side: impl rt::Into<rt::Scalar<u32>>,
-        at_29: impl rt::Into<rt::Scalar<u32>>,
+        at_31: impl rt::Into<rt::Scalar<u32>>,
     ) -> DicePoint {
-        rt::into(self.v_dice_border(rows, rt::into(side), rt::into(at_29)))
+        rt::into(self.v_dice_border(rows, rt::into(side), rt::into(at_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -5244,11 +5330,11 @@ impl<'g> Resources<'g> {
         &self,
         rows: DiceRows,
         side: rt::Scalar<u32>,
-        at_29: rt::Scalar<u32>,
+        at_31: rt::Scalar<u32>,
     ) -> DicePoint {
         let _e4 = self.v_one_of(rows.sides, side);
         let _e6 = self.v_one_of(rows.parts, side);
-        let on_side = at_29.select((_e6 - at_29), side.elementwise_eq(rt::Scalar(2u32)));
+        let on_side = at_31.select((_e6 - at_31), side.elementwise_eq(rt::Scalar(2u32)));
         let no_weights = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(on_side.elementwise_eq(_e6)) {
             let _e17 = self.v_around_three(_e4, rt::Scalar(1u32));
@@ -5272,8 +5358,8 @@ impl<'g> Resources<'g> {
         before: rt::Scalar<u32>,
         all: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let part_12 = ((before.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
-        return (part_12 * rt::Scalar(rows_1.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_1.count) - rt::Scalar(1u32)));
+        let part_13 = ((before.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
+        return (part_13 * rt::Scalar(rows_1.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_1.count) - rt::Scalar(1u32)));
     }
     pub(crate) fn sum_of_quotients(
         &self,
@@ -5788,11 +5874,11 @@ impl<'g> Resources<'g> {
         }
         let _e24 = rest_1;
         let _e27 = rest_1;
-        let part_13 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
-        let square_1 = (part_13 * part_13);
+        let part_14 = ((_e24 - rt::Scalar(1f32)) / (_e27 + rt::Scalar(1f32)));
+        let square_1 = (part_14 * part_14);
         let sum_9 = (rt::Scalar(1f32) + (square_1 * (rt::Scalar(0.33333334f32) + (square_1 * (rt::Scalar(0.2f32) + (square_1 * (rt::Scalar(0.14285715f32) + (square_1 * rt::Scalar(0.11111111f32)))))))));
         let _e45 = exponent;
-        return (_e45 + ((rt::Scalar(2.88539f32) * part_13) * sum_9));
+        return (_e45 + ((rt::Scalar(2.88539f32) * part_14) * sum_9));
     }
     pub(crate) fn level_at(&self, grid_5: Tessellation, site: BaseSite) -> f32 {
         rt::into(self.v_level_at(grid_5, site))
@@ -5847,13 +5933,13 @@ impl<'g> Resources<'g> {
         level_30: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let finer = level_30.to_u32();
-        let part_14 = (level_30 - finer.to_f32());
+        let part_15 = (level_30 - finer.to_f32());
         let _e5 = self.v_height_and_slope(uv_8, finer);
-        if rt::Scalar::into_branch_condition(part_14.elementwise_eq(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(part_15.elementwise_eq(rt::Scalar(0f32))) {
             return _e5;
         }
         let _e10 = self.v_height_and_slope(uv_8, (finer + rt::Scalar(1u32)));
-        return (_e5 + ((_e10 - _e5) * part_14));
+        return (_e5 + ((_e10 - _e5) * part_15));
     }
     pub(crate) fn sloped_uv(
         &self,
@@ -5897,7 +5983,7 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_displaced_site(&self, grid_6: Tessellation, site_1: BaseSite) -> Corner {
         let mut up_1: rt::Vec3<f32>;
-        let mut normal_9: rt::Vec3<f32>;
+        let mut normal_12: rt::Vec3<f32>;
 
         let _e2 = self.v_level_at(grid_6, site_1);
         let _e4 = self.v_relief_between_levels(site_1.seen_uv, _e2);
@@ -5923,17 +6009,17 @@ impl<'g> Resources<'g> {
         let _e53 = self.v_displaced_derivative(site_1.bitangent, _e50, rise_v, (site_1.turn_v * metres_1));
         let _e57 = up_1;
         let is_mirrored = site_1.bitangent.cross(site_1.tangent).dot(_e57).elementwise_lt(rt::Scalar(0f32));
-        normal_9 = (_e53.cross(_e48) * rt::Scalar(1f32).select(rt::Scalar(-1f32), is_mirrored));
-        let _e67 = normal_9;
-        let _e68 = normal_9;
+        normal_12 = (_e53.cross(_e48) * rt::Scalar(1f32).select(rt::Scalar(-1f32), is_mirrored));
+        let _e67 = normal_12;
+        let _e68 = normal_12;
         if rt::Scalar::into_branch_condition(_e67.dot(_e68).elementwise_gt(rt::Scalar(0f32))) {
-            let _e72 = normal_9;
-            normal_9 = _e72.normalize();
+            let _e72 = normal_12;
+            normal_12 = _e72.normalize();
         } else {
             let _e74 = up_1;
-            normal_9 = _e74;
+            normal_12 = _e74;
         }
-        let _e75 = normal_9;
+        let _e75 = normal_12;
         return <Corner>::new(position_3, _e75, _e48, _e53, site_1.uv, <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
     }
     pub(crate) fn search_texel_between(
@@ -6019,10 +6105,10 @@ impl<'g> Resources<'g> {
         a_11: impl rt::Into<rt::Vec3<f32>>,
         b_11: impl rt::Into<rt::Vec3<f32>>,
         c_5: impl rt::Into<rt::Vec3<f32>>,
-        normal_10: impl rt::Into<rt::Vec3<f32>>,
+        normal_13: impl rt::Into<rt::Vec3<f32>>,
         point_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_of(rt::into(a_11), rt::into(b_11), rt::into(c_5), rt::into(normal_10), rt::into(point_7)))
+        rt::into(self.v_weights_of(rt::into(a_11), rt::into(b_11), rt::into(c_5), rt::into(normal_13), rt::into(point_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6031,46 +6117,46 @@ impl<'g> Resources<'g> {
         a_11: rt::Vec3<f32>,
         b_11: rt::Vec3<f32>,
         c_5: rt::Vec3<f32>,
-        normal_10: rt::Vec3<f32>,
+        normal_13: rt::Vec3<f32>,
         point_7: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let nn = normal_10.dot(normal_10);
+        let nn = normal_13.dot(normal_13);
         let from_a = (point_7 - a_11);
-        let wb = (from_a.cross((c_5 - a_11)).dot(normal_10) / nn);
-        let wc = ((b_11 - a_11).cross(from_a).dot(normal_10) / nn);
+        let wb = (from_a.cross((c_5 - a_11)).dot(normal_13) / nn);
+        let wc = ((b_11 - a_11).cross(from_a).dot(normal_13) / nn);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - wb) - wc), wb, wc);
     }
     pub(crate) fn plane_weights(
         &self,
         pixel_18: PixelIn,
-        normal_11: impl rt::Into<rt::Vec3<f32>>,
+        normal_14: impl rt::Into<rt::Vec3<f32>>,
         point_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_plane_weights(pixel_18, rt::into(normal_11), rt::into(point_8)))
+        rt::into(self.v_plane_weights(pixel_18, rt::into(normal_14), rt::into(point_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_weights(
         &self,
         pixel_18: PixelIn,
-        normal_11: rt::Vec3<f32>,
+        normal_14: rt::Vec3<f32>,
         point_8: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e9 = self.v_weights_of(pixel_18.a.position, pixel_18.b.position, pixel_18.c.position, normal_11, point_8);
+        let _e9 = self.v_weights_of(pixel_18.a.position, pixel_18.b.position, pixel_18.c.position, normal_14, point_8);
         return _e9;
     }
     pub(crate) fn surface_plane_enter(
         &self,
         pixel_19: PixelIn,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_enter(pixel_19, rt::into(params_18)))
+        rt::into(self.v_surface_plane_enter(pixel_19, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_enter(
         &self,
         pixel_19: PixelIn,
-        params_18: rt::Vec4<f32>,
+        params_20: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_30: rt::Scalar<bool>;
 
@@ -6084,14 +6170,14 @@ impl<'g> Resources<'g> {
         let uv_34 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
         let tangent_1 = (((pixel_19.a.tangent * wa) + (pixel_19.b.tangent * wb_1)) + (pixel_19.c.tangent * wc_1));
         let bitangent = (((pixel_19.a.bitangent * wa) + (pixel_19.b.bitangent * wb_1)) + (pixel_19.c.bitangent * wc_1));
-        let normal_22 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
+        let normal_25 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
         let tt = tangent_1.dot(tangent_1);
         let tb = tangent_1.dot(bitangent);
         let bb = bitangent.dot(bitangent);
         let area_2 = ((tt * bb) - (tb * tb));
         let _e67 = rt::Scalar(self.surface_settings.scale_m);
         let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
-        let descent_2 = (rt::Scalar(0f32) - normal_22.dot((pixel_19.direction / rt::Vec3::splat_from_scalar(pixel_19.direction.length()))));
+        let descent_2 = (rt::Scalar(0f32) - normal_25.dot((pixel_19.direction / rt::Vec3::splat_from_scalar(pixel_19.direction.length()))));
         if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
             local_30 = descent_2.elementwise_gt(rt::Scalar(0f32));
         } else {
@@ -6099,7 +6185,7 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_30;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_26, uv_34, tangent_1, bitangent, normal_22, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_26, uv_34, tangent_1, bitangent, normal_25, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
@@ -6123,9 +6209,9 @@ impl<'g> Resources<'g> {
         pixel_21: PixelIn,
         along_5: impl rt::Into<rt::Vec3<f32>>,
         middle_3: impl rt::Into<rt::Scalar<f32>>,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Prism {
-        rt::into(self.v_prism_of(pixel_21, rt::into(along_5), rt::into(middle_3), rt::into(params_19)))
+        rt::into(self.v_prism_of(pixel_21, rt::into(along_5), rt::into(middle_3), rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6134,13 +6220,13 @@ impl<'g> Resources<'g> {
         pixel_21: PixelIn,
         along_5: rt::Vec3<f32>,
         middle_3: rt::Scalar<f32>,
-        params_19: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
     ) -> Prism {
         let origin_4 = (pixel_21.origin + (along_5 * middle_3));
         let _e8 = self.v_ordered(pixel_21, rt::Scalar(0u32));
         let _e10 = self.v_ordered(pixel_21, rt::Scalar(1u32));
         let _e12 = self.v_ordered(pixel_21, rt::Scalar(2u32));
-        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_21.side)), (_e10.normal * rt::Scalar(pixel_21.side)), (_e12.normal * rt::Scalar(pixel_21.side)), (pixel_21.shell.lift * (params_19.y() * rt::Scalar(pixel_21.side))));
+        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_21.side)), (_e10.normal * rt::Scalar(pixel_21.side)), (_e12.normal * rt::Scalar(pixel_21.side)), (pixel_21.shell.lift * (params_21.y() * rt::Scalar(pixel_21.side))));
     }
     pub(crate) fn frame_at(
         &self,
@@ -6167,10 +6253,10 @@ impl<'g> Resources<'g> {
         let _e10 = self.v_ordered(pixel_22, rt::Scalar(2u32));
         let tangent_2 = (((_e6.tangent * weights_1.x()) + (_e8.tangent * weights_1.y())) + (_e10.tangent * weights_1.z()));
         let bitangent_1 = (((_e6.bitangent * weights_1.x()) + (_e8.bitangent * weights_1.y())) + (_e10.bitangent * weights_1.z()));
-        let normal_23 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
+        let normal_26 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
         let _e49 = rt::Scalar(self.surface_settings.scale_m);
         let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
-        let unit = (normal_23.normalize() * rt::Scalar(pixel_22.side));
+        let unit = (normal_26.normalize() * rt::Scalar(pixel_22.side));
         return <Entered>::new(rt::Scalar(1u32), point_9, uv_12, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facing_of(
@@ -6206,7 +6292,7 @@ impl<'g> Resources<'g> {
         pixel_24: PixelIn,
         along_7: rt::Vec3<f32>,
     ) -> Entered {
-        let mut at_30: Entered;
+        let mut at_32: Entered;
 
         let third_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
         let uv_35 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
@@ -6214,9 +6300,9 @@ impl<'g> Resources<'g> {
         let point_27 = (pixel_24.origin + (along_7 * _e17));
         let _e20 = self.v_facing_of(pixel_24, along_7);
         let _e21 = self.v_frame_at(pixel_24, third_2, point_27, uv_35, _e20);
-        at_30 = _e21;
-        rt::Scalar(at_30.segments) = rt::Scalar(0u32);
-        let _e25 = at_30;
+        at_32 = _e21;
+        rt::Scalar(at_32.segments) = rt::Scalar(0u32);
+        let _e25 = at_32;
         return _e25;
     }
     pub(crate) fn way_weight(
@@ -6259,9 +6345,9 @@ impl<'g> Resources<'g> {
         prism_3: Prism,
         along_9: rt::Vec3<f32>,
     ) -> Way {
-        let first_13 = (rt::Scalar(pixel_25.shell.order) & rt::Scalar(3u32));
+        let first_14 = (rt::Scalar(pixel_25.shell.order) & rt::Scalar(3u32));
         let second_3 = ((rt::Scalar(pixel_25.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
-        let is_turned = (((second_3 + rt::Scalar(3u32)) - first_13) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
+        let is_turned = (((second_3 + rt::Scalar(3u32)) - first_14) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
         let _e24 = self.v_way_weight(along_9, prism_3.p1_, prism_3.n1_, prism_3.p2_, prism_3.n2_);
         let _e29 = self.v_way_weight(along_9, prism_3.p2_, prism_3.n2_, prism_3.p0_, prism_3.n0_);
         let _e34 = self.v_way_weight(along_9, prism_3.p0_, prism_3.n0_, prism_3.p1_, prism_3.n1_);
@@ -6499,12 +6585,12 @@ impl<'g> Resources<'g> {
                             let _e63 = begin;
                             let long_2 = (end_5 - _e63).min(rt::Scalar(300000000000000000000000000000000000000f32));
                             let _e67 = count_4;
-                            let part_15 = ((number_9 - _e67).to_f32() / _e53.to_f32());
+                            let part_16 = ((number_9 - _e67).to_f32() / _e53.to_f32());
                             let _e72 = count_4;
                             let next_10 = (((number_9 - _e72) + rt::Scalar(1u32)).to_f32() / _e53.to_f32());
                             let _e79 = begin;
                             let _e82 = begin;
-                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_15)), (_e82 + (long_2 * next_10)));
+                            chosen = <rt::Vec2<f32>>::from_scalars((_e79 + (long_2 * part_16)), (_e82 + (long_2 * next_10)));
                         }
                         let _e86 = count_4;
                         count_4 = (_e86 + _e53);
@@ -6520,38 +6606,38 @@ impl<'g> Resources<'g> {
     pub(crate) fn folded_enter(
         &self,
         pixel_28: PixelIn,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_folded_enter(pixel_28, rt::into(params_20)))
+        rt::into(self.v_folded_enter(pixel_28, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_folded_enter(
         &self,
         pixel_28: PixelIn,
-        params_20: rt::Vec4<f32>,
+        params_22: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_31: Entered;
+        let mut at_33: Entered;
 
         let along_25 = pixel_28.direction.normalize();
         let _e4 = self.v_middle_of(pixel_28, along_25);
-        let _e5 = self.v_prism_of(pixel_28, along_25, _e4, params_20);
+        let _e5 = self.v_prism_of(pixel_28, along_25, _e4, params_22);
         let _e6 = self.v_shell_middle(pixel_28, along_25);
-        at_31 = _e6;
+        at_33 = _e6;
         let _e8 = self.v_way_of(pixel_28, _e5, along_25);
         let _e9 = self.v_shell_slack(pixel_28, _e4);
         let _e10 = self.v_way_offsets(pixel_28, _e5, _e9);
-        let _e11 = at_31;
-        let _e12 = self.v_chord_reach(pixel_28, _e11, _e4, params_20);
+        let _e11 = at_33;
+        let _e12 = self.v_chord_reach(pixel_28, _e11, _e4, params_22);
         let _e13 = self.v_way_beyond(_e5, _e10, _e12);
-        let _e17 = self.v_way_chord(pixel_28, _e5, along_25, _e8, _e10, _e13, params_20.x(), rt::Scalar(0u32));
-        rt::Scalar(at_31.segments) = rt::Scalar(_e17.count);
-        let _e19 = at_31;
+        let _e17 = self.v_way_chord(pixel_28, _e5, along_25, _e8, _e10, _e13, params_22.x(), rt::Scalar(0u32));
+        rt::Scalar(at_33.segments) = rt::Scalar(_e17.count);
+        let _e19 = at_33;
         return _e19;
     }
     pub(crate) fn in_slab(
         &self,
         interval_2: impl rt::Into<rt::Vec2<f32>>,
-        normal_12: impl rt::Into<rt::Vec3<f32>>,
+        normal_15: impl rt::Into<rt::Vec3<f32>>,
         a_12: impl rt::Into<rt::Vec3<f32>>,
         b_12: impl rt::Into<rt::Vec3<f32>>,
         c_7: impl rt::Into<rt::Vec3<f32>>,
@@ -6559,14 +6645,14 @@ impl<'g> Resources<'g> {
         along_11: impl rt::Into<rt::Vec3<f32>>,
         slack_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_in_slab(rt::into(interval_2), rt::into(normal_12), rt::into(a_12), rt::into(b_12), rt::into(c_7), rt::into(d_2), rt::into(along_11), rt::into(slack_4)))
+        rt::into(self.v_in_slab(rt::into(interval_2), rt::into(normal_15), rt::into(a_12), rt::into(b_12), rt::into(c_7), rt::into(d_2), rt::into(along_11), rt::into(slack_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_in_slab(
         &self,
         interval_2: rt::Vec2<f32>,
-        normal_12: rt::Vec3<f32>,
+        normal_15: rt::Vec3<f32>,
         a_12: rt::Vec3<f32>,
         b_12: rt::Vec3<f32>,
         c_7: rt::Vec3<f32>,
@@ -6574,11 +6660,11 @@ impl<'g> Resources<'g> {
         along_11: rt::Vec3<f32>,
         slack_4: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let far_6 = <rt::Vec4<f32>>::from_scalars(normal_12.dot(a_12), normal_12.dot(b_12), normal_12.dot(c_7), normal_12.dot(d_2));
+        let far_6 = <rt::Vec4<f32>>::from_scalars(normal_15.dot(a_12), normal_15.dot(b_12), normal_15.dot(c_7), normal_15.dot(d_2));
         let least_5 = far_6.x().min(far_6.y()).min(far_6.z().min(far_6.w()));
         let most_10 = far_6.x().max(far_6.y()).max(far_6.z().max(far_6.w()));
-        let beyond_3 = (slack_4 * normal_12.length());
-        let change_4 = normal_12.dot(along_11);
+        let beyond_3 = (slack_4 * normal_15.length());
+        let change_4 = normal_15.dot(along_11);
         let _e32 = self.v_where_positive(interval_2, (rt::Scalar(0f32) - least_5), change_4, beyond_3);
         let _e35 = self.v_where_positive(_e32, most_10, (rt::Scalar(0f32) - change_4), beyond_3);
         return _e35;
@@ -6589,9 +6675,9 @@ impl<'g> Resources<'g> {
         prism_8: Prism,
         along_12: impl rt::Into<rt::Vec3<f32>>,
         middle_4: impl rt::Into<rt::Scalar<f32>>,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_span_of(pixel_29, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_21)))
+        rt::into(self.v_span_of(pixel_29, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_span_of(
@@ -6600,14 +6686,14 @@ impl<'g> Resources<'g> {
         prism_8: Prism,
         along_12: rt::Vec3<f32>,
         middle_4: rt::Scalar<f32>,
-        params_21: rt::Vec4<f32>,
+        params_23: rt::Vec4<f32>,
     ) -> rt::Vec2<f32> {
         let mut shell_2: Shell;
         let mut span_1: rt::Vec2<f32>;
 
         shell_2 = pixel_29.shell;
         let _e9 = shell_2.lift;
-        shell_2.lift = (_e9 * params_21.y());
+        shell_2.lift = (_e9 * params_23.y());
         let _e12 = shell_2;
         let _e13 = self.v_offsets_of(_e12);
         let _e14 = self.v_shell_slack(pixel_29, middle_4);
@@ -6701,12 +6787,12 @@ impl<'g> Resources<'g> {
                     let _e35 = w_1.x();
                     let _e39 = w_1.y();
                     let _e44 = w_1.z();
-                    let normal_24 = (((prism_9.n0_ * _e35) + (prism_9.n1_ * _e39)) + (prism_9.n2_ * _e44));
+                    let normal_27 = (((prism_9.n0_ * _e35) + (prism_9.n1_ * _e39)) + (prism_9.n2_ * _e44));
                     let _e49 = w_1.x();
                     let _e53 = w_1.y();
                     let _e58 = w_1.z();
                     let base_1 = (((prism_9.p0_ * _e49) + (prism_9.p1_ * _e53)) + (prism_9.p2_ * _e58));
-                    let rest_3 = ((place_11 - base_1) - (normal_24 * offset_7));
+                    let rest_3 = ((place_11 - base_1) - (normal_27 * offset_7));
                     let _e66 = w_1.x();
                     let _e68 = w_1.y();
                     let _e72 = w_1.z();
@@ -6715,9 +6801,9 @@ impl<'g> Resources<'g> {
                     let _e82 = w_1.z();
                     let _e86 = w_1.y();
                     let third_3 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
-                    let a_33 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_24 * second_4));
-                    let b_33 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_24 * third_3));
-                    let c_24 = (normal_24 * width_5);
+                    let a_33 = (((prism_9.p1_ - prism_9.p0_) + ((prism_9.n1_ - prism_9.n0_) * offset_7)) + (normal_27 * second_4));
+                    let b_33 = (((prism_9.p2_ - prism_9.p0_) + ((prism_9.n2_ - prism_9.n0_) * offset_7)) + (normal_27 * third_3));
+                    let c_24 = (normal_27 * width_5);
                     let across_4 = b_33.cross(c_24);
                     let one_over = (rt::Scalar(1f32) / a_33.dot(across_4));
                     let db = (rest_3.dot(across_4) * one_over);
@@ -6761,27 +6847,27 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_enter(
         &self,
         pixel_30: PixelIn,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_enter(pixel_30, rt::into(params_22)))
+        rt::into(self.v_surface_prism_enter(pixel_30, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_enter(
         &self,
         pixel_30: PixelIn,
-        params_22: rt::Vec4<f32>,
+        params_24: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_34: rt::Scalar<bool>;
-        let mut at_32: Entered;
+        let mut at_34: Entered;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_30.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e6 = self.v_folded_enter(pixel_30, params_22);
+            let _e6 = self.v_folded_enter(pixel_30, params_24);
             return _e6;
         }
         let along_26 = pixel_30.direction.normalize();
         let _e9 = self.v_middle_of(pixel_30, along_26);
-        let _e10 = self.v_prism_of(pixel_30, along_26, _e9, params_22);
-        let _e11 = self.v_span_of(pixel_30, _e10, along_26, _e9, params_22);
+        let _e10 = self.v_prism_of(pixel_30, along_26, _e9, params_24);
+        let _e11 = self.v_span_of(pixel_30, _e10, along_26, _e9, params_24);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
             local_34 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
@@ -6794,20 +6880,20 @@ impl<'g> Resources<'g> {
             return _e28;
         }
         let _e29 = self.v_shell_middle(pixel_30, along_26);
-        at_32 = _e29;
-        at_32.span = _e11;
+        at_34 = _e29;
+        at_34.span = _e11;
         let height_17 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
-        let _e43 = at_32.span.x();
+        let _e43 = at_34.span.x();
         let _e45 = self.v_shell_point(_e10, (along_26 * _e43), height_17);
-        let _e48 = at_32.span.y();
+        let _e48 = at_34.span.y();
         let _e50 = self.v_shell_point(_e10, (along_26 * _e48), height_17);
-        let _e53 = at_32.span.x();
+        let _e53 = at_34.span.x();
         let _e58 = self.v_between(_e45, _e50);
         let _e59 = self.v_shell_point_from(_e10, (along_26 * (_e53 + (rt::Scalar(0.5f32) * long_3))), _e58);
-        let _e62 = at_32.span.x();
+        let _e62 = at_34.span.x();
         let _e67 = self.v_between(_e45, _e59);
         let _e68 = self.v_shell_point_from(_e10, (along_26 * (_e62 + (rt::Scalar(0.25f32) * long_3))), _e67);
-        let _e71 = at_32.span.x();
+        let _e71 = at_34.span.x();
         let _e76 = self.v_between(_e59, _e50);
         let _e77 = self.v_shell_point_from(_e10, (along_26 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
         let _e79 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e68, rt::Scalar(0.25f32));
@@ -6815,8 +6901,8 @@ impl<'g> Resources<'g> {
         let quarters_1 = _e79.max(_e81);
         let _e84 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e59, rt::Scalar(0.5f32));
         let most_11 = _e84.max(quarters_1);
-        rt::Scalar(at_32.segments) = (most_11 / params_22.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
-        let _e95 = at_32;
+        rt::Scalar(at_34.segments) = (most_11 / params_24.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
+        let _e95 = at_34;
         return _e95;
     }
     pub(crate) fn weight_at(
@@ -6893,63 +6979,63 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_enter(
         &self,
         pixel_32: PixelIn,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_enter(pixel_32, rt::into(params_23)))
+        rt::into(self.v_surface_quadric_vertical_enter(pixel_32, rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_enter(
         &self,
         pixel_32: PixelIn,
-        params_23: rt::Vec4<f32>,
+        params_25: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_33: Entered;
+        let mut at_35: Entered;
 
-        let _e2 = self.v_surface_plane_enter(pixel_32, params_23);
-        at_33 = _e2;
-        let _e6 = at_33.point;
-        let _e8 = self.v_quadric_of(pixel_32, _e6, params_23.y());
-        at_33.of_surface = _e8;
-        let _e11 = at_33.metric.x();
-        let _e14 = at_33.metric.z();
-        let _e18 = at_33.metric.y();
-        let _e21 = at_33.metric.y();
+        let _e2 = self.v_surface_plane_enter(pixel_32, params_25);
+        at_35 = _e2;
+        let _e6 = at_35.point;
+        let _e8 = self.v_quadric_of(pixel_32, _e6, params_25.y());
+        at_35.of_surface = _e8;
+        let _e11 = at_35.metric.x();
+        let _e14 = at_35.metric.z();
+        let _e18 = at_35.metric.y();
+        let _e21 = at_35.metric.y();
         let area_3 = ((_e11 * _e14) - (_e18 * _e21));
-        rt::Scalar(at_33.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
-        let _e30 = at_33;
+        rt::Scalar(at_35.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
+        let _e30 = at_35;
         return _e30;
     }
     pub(crate) fn surface_quadric_perpendicular_enter(
         &self,
         pixel_33: PixelIn,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_33, rt::into(params_24)))
+        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_33, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_enter(
         &self,
         pixel_33: PixelIn,
-        params_24: rt::Vec4<f32>,
+        params_26: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_34: Entered;
+        let mut at_36: Entered;
 
-        let _e2 = self.v_surface_quadric_vertical_enter(pixel_33, params_24);
-        at_34 = _e2;
+        let _e2 = self.v_surface_quadric_vertical_enter(pixel_33, params_26);
+        at_36 = _e2;
         let along_27 = pixel_33.direction.length();
-        let _e6 = at_34;
+        let _e6 = at_36;
         let _e10 = self.v_across_of(_e6, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_27)));
         let _e11 = self.v_plane_normal(pixel_33);
         let _e12 = self.v_plane_distance(pixel_33, _e11);
         let eye_2 = (rt::Scalar(0f32) - (_e12 * along_27));
-        let _e17 = at_34;
+        let _e17 = at_36;
         let _e18 = self.v_across_span(_e17, _e10, eye_2);
-        at_34.span = _e18;
-        let _e22 = rt::Scalar(at_34.segments);
-        let _e28 = at_34.span.y();
-        let _e31 = at_34.span.x();
-        rt::Scalar(at_34.segments) = rt::Scalar(0u32).select((_e22 * params_24.z().to_u32()), _e28.elementwise_gt(_e31));
-        let _e34 = at_34;
+        at_36.span = _e18;
+        let _e22 = rt::Scalar(at_36.segments);
+        let _e28 = at_36.span.y();
+        let _e31 = at_36.span.x();
+        rt::Scalar(at_36.segments) = rt::Scalar(0u32).select((_e22 * params_26.z().to_u32()), _e28.elementwise_gt(_e31));
+        let _e34 = at_36;
         return _e34;
     }
     pub(crate) fn moved_out(
@@ -7103,19 +7189,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_enter(
         &self,
         pixel_36: PixelIn,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_enter(pixel_36, rt::into(params_25)))
+        rt::into(self.v_surface_tetrahedra_enter(pixel_36, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_enter(
         &self,
         pixel_36: PixelIn,
-        params_25: rt::Vec4<f32>,
+        params_27: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_36: rt::Scalar<bool>;
         let mut local_37: rt::Scalar<bool>;
-        let mut at_35: Entered;
+        let mut at_37: Entered;
 
         let along_28 = pixel_36.direction.normalize();
         let _e4 = self.v_middle_of(pixel_36, along_28);
@@ -7139,24 +7225,24 @@ impl<'g> Resources<'g> {
             return _e22;
         }
         let _e23 = self.v_shell_middle(pixel_36, along_28);
-        at_35 = _e23;
-        rt::Scalar(at_35.segments) = rt::Scalar(3u32);
-        let _e27 = at_35;
+        at_37 = _e23;
+        rt::Scalar(at_37.segments) = rt::Scalar(3u32);
+        let _e27 = at_37;
         return _e27;
     }
     pub(crate) fn triangle_distance(
         &self,
         pixel_37: PixelIn,
-        normal_13: impl rt::Into<rt::Vec3<f32>>,
+        normal_16: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_triangle_distance(pixel_37, rt::into(normal_13)))
+        rt::into(self.v_triangle_distance(pixel_37, rt::into(normal_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_triangle_distance(
         &self,
         pixel_37: PixelIn,
-        normal_13: rt::Vec3<f32>,
+        normal_16: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
         let a_34 = (pixel_37.a.position - pixel_37.origin);
         let b_34 = (pixel_37.b.position - pixel_37.origin);
@@ -7165,29 +7251,29 @@ impl<'g> Resources<'g> {
         let places_1 = <rt::Vec3<f32>>::from_scalars(a_34.dot(along_29), b_34.dot(along_29), c_25.dot(along_29));
         let least_6 = places_1.x().min(places_1.y()).min(places_1.z());
         let most_12 = places_1.x().max(places_1.y()).max(places_1.z());
-        let across_5 = normal_13.dot(pixel_37.direction);
+        let across_5 = normal_16.dot(pixel_37.direction);
         if rt::Scalar::into_branch_condition(across_5.elementwise_eq(rt::Scalar(0f32))) {
             return least_6;
         }
-        return (normal_13.dot(a_34) / across_5).clamp(least_6, most_12);
+        return (normal_16.dot(a_34) / across_5).clamp(least_6, most_12);
     }
     pub(crate) fn triangle_weights(
         &self,
         pixel_38: PixelIn,
-        normal_14: impl rt::Into<rt::Vec3<f32>>,
+        normal_17: impl rt::Into<rt::Vec3<f32>>,
         point_11: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_triangle_weights(pixel_38, rt::into(normal_14), rt::into(point_11)))
+        rt::into(self.v_triangle_weights(pixel_38, rt::into(normal_17), rt::into(point_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_triangle_weights(
         &self,
         pixel_38: PixelIn,
-        normal_14: rt::Vec3<f32>,
+        normal_17: rt::Vec3<f32>,
         point_11: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_plane_weights(pixel_38, normal_14, point_11);
+        let _e3 = self.v_plane_weights(pixel_38, normal_17, point_11);
         let inside_6 = _e3.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
         return (inside_6 / rt::Vec3::splat_from_scalar(((inside_6.x() + inside_6.y()) + inside_6.z())));
     }
@@ -7212,15 +7298,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_facets_enter(
         &self,
         pixel_39: PixelIn,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_enter(pixel_39, rt::into(params_26)))
+        rt::into(self.v_surface_facets_enter(pixel_39, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_facets_enter(
         &self,
         pixel_39: PixelIn,
-        params_26: rt::Vec4<f32>,
+        params_28: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_39: rt::Scalar<bool>;
 
@@ -7248,15 +7334,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_slices_enter(
         &self,
         pixel_40: PixelIn,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_enter(pixel_40, rt::into(params_27)))
+        rt::into(self.v_surface_slices_enter(pixel_40, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_slices_enter(
         &self,
         pixel_40: PixelIn,
-        params_27: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_40: rt::Scalar<bool>;
         let mut local_41: rt::Scalar<bool>;
@@ -7278,7 +7364,7 @@ impl<'g> Resources<'g> {
         let _e87 = rt::Scalar(self.surface_settings.bias_m);
         let _e90 = rt::Scalar(self.surface_settings.scale_m);
         let height_m = (_e87 + (_e90 * slice_6.x()));
-        let normal_25 = raw_.normalize();
+        let normal_28 = raw_.normalize();
         let _e95 = self.v_is_on_map(uv_38);
         if rt::Scalar::into_branch_condition(_e95) {
             local_40 = ((slice_6.x() - rt::Scalar(0.5f32)).abs() - rt::Scalar(0.5f32)).elementwise_le(rt::Scalar(0.000001f32));
@@ -7299,79 +7385,79 @@ impl<'g> Resources<'g> {
         }
         let _e122 = local_42;
         let _e128 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_29 - (raw_ * height_m)), uv_38, tangent_4, bitangent_3, normal_25, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_25, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_29 - (raw_ * height_m)), uv_38, tangent_4, bitangent_3, normal_28, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_28, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
         pixel_41: PixelIn,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_enter(pixel_41, rt::into(params_28)))
+        rt::into(self.v_surface_object_enter(pixel_41, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_enter(
         &self,
         pixel_41: PixelIn,
-        params_28: rt::Vec4<f32>,
+        params_30: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_36: Entered;
+        let mut at_38: Entered;
 
         let _e2 = self.v_passed_by();
-        at_36 = _e2;
+        at_38 = _e2;
         let _e7 = rt::Scalar(self.surface_settings.solids);
-        rt::Scalar(at_36.segments) = _e7;
-        at_36.point = pixel_41.origin;
-        let _e10 = at_36;
+        rt::Scalar(at_38.segments) = _e7;
+        at_38.point = pixel_41.origin;
+        let _e10 = at_38;
         return _e10;
     }
     pub(crate) fn surface_frames_enter(
         &self,
         pixel_42: PixelIn,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_enter(pixel_42, rt::into(params_29)))
+        rt::into(self.v_surface_frames_enter(pixel_42, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_frames_enter(
         &self,
         pixel_42: PixelIn,
-        params_29: rt::Vec4<f32>,
+        params_31: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_37: Entered;
+        let mut at_39: Entered;
 
         let _e2 = self.v_passed_by();
-        at_37 = _e2;
-        rt::Scalar(at_37.segments) = FRAMES;
-        at_37.point = pixel_42.origin;
-        let _e8 = at_37;
+        at_39 = _e2;
+        rt::Scalar(at_39.segments) = FRAMES;
+        at_39.point = pixel_42.origin;
+        let _e8 = at_39;
         return _e8;
     }
     pub(crate) fn surface_object_slices_enter(
         &self,
         pixel_43: PixelIn,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_enter(pixel_43, rt::into(params_30)))
+        rt::into(self.v_surface_object_slices_enter(pixel_43, rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_slices_enter(
         &self,
         pixel_43: PixelIn,
-        params_30: rt::Vec4<f32>,
+        params_32: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_38: Entered;
+        let mut at_40: Entered;
 
         let _e2 = self.v_plane_normal(pixel_43);
         let _e3 = self.v_passed_by();
-        at_38 = _e3;
-        rt::Scalar(at_38.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
+        at_40 = _e3;
+        rt::Scalar(at_40.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
         let _e15 = self.v_triangle_distance(pixel_43, _e2);
-        at_38.point = (pixel_43.origin + (pixel_43.direction * _e15));
-        at_38.normal = (_e2.normalize() * rt::Scalar(1f32).select(rt::Scalar(-1f32), _e2.dot(pixel_43.direction).elementwise_gt(rt::Scalar(0f32))));
-        let _e28 = at_38;
+        at_40.point = (pixel_43.origin + (pixel_43.direction * _e15));
+        at_40.normal = (_e2.normalize() * rt::Scalar(1f32).select(rt::Scalar(-1f32), _e2.dot(pixel_43.direction).elementwise_gt(rt::Scalar(0f32))));
+        let _e28 = at_40;
         return _e28;
     }
     pub(crate) fn surface_enter_stage(&self, pixel_44: PixelIn) -> Entered {
@@ -7438,21 +7524,21 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_enter_relief(&self, pixel_45: PixelIn) -> Entered {
-        let mut at_39: Entered;
+        let mut at_41: Entered;
 
         let _e1 = self.v_surface_enter_stage(pixel_45);
-        at_39 = _e1;
-        let _e4 = rt::Scalar(at_39.segments);
+        at_41 = _e1;
+        let _e4 = rt::Scalar(at_41.segments);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0u32))) {
-            let _e7 = at_39;
+            let _e7 = at_41;
             return _e7;
         }
-        let _e8 = at_39;
+        let _e8 = at_41;
         let _e9 = self.v_detail_stage(pixel_45, _e8);
-        rt::Scalar(at_39.level) = rt::Scalar(_e9.level);
-        rt::Scalar(at_39.footprint) = rt::Scalar(_e9.footprint);
-        rt::Scalar(at_39.fade) = rt::Scalar(_e9.fade);
-        let _e16 = at_39;
+        rt::Scalar(at_41.level) = rt::Scalar(_e9.level);
+        rt::Scalar(at_41.footprint) = rt::Scalar(_e9.footprint);
+        rt::Scalar(at_41.fade) = rt::Scalar(_e9.fade);
+        let _e16 = at_41;
         return _e16;
     }
     pub(crate) fn entered_once(
@@ -7668,20 +7754,20 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(apart_3.elementwise_ge((rt::Scalar(1f32) * along_30))) {
             return own;
         }
-        let part_16 = (((apart_3 / along_30) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
-        return (beside + ((own - beside) * part_16));
+        let part_17 = (((apart_3 / along_30) - rt::Scalar(0.5f32)) / rt::Scalar(0.5f32));
+        return (beside + ((own - beside) * part_17));
     }
     pub(crate) fn slopes_between_creases(
         &self,
-        at_40: Entered,
+        at_42: Entered,
         uv_15: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_slopes_between_creases(at_40, rt::into(uv_15)))
+        rt::into(self.v_slopes_between_creases(at_42, rt::into(uv_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slopes_between_creases(
         &self,
-        at_40: Entered,
+        at_42: Entered,
         uv_15: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let mut part_4: rt::Vec2<f32>;
@@ -7722,9 +7808,9 @@ impl<'g> Resources<'g> {
         let _e71 = self.v_cell_slopes(_e69, _e70);
         let behind_v = _e71.y();
         let _e76 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_u = ((_e3.x() * _e76) / at_40.tangent.length());
+        let rate_u = ((_e3.x() * _e76) / at_42.tangent.length());
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        let rate_v = ((_e3.y() * _e84) / at_40.bitangent.length());
+        let rate_v = ((_e3.y() * _e84) / at_42.bitangent.length());
         let _e90 = self.v_slope_beside(_e32.x(), before_u, rate_u);
         let _e92 = self.v_slope_beside(_e32.y(), before_v, rate_v);
         let before_3 = <rt::Vec2<f32>>::from_scalars(_e90, _e92);
@@ -7736,24 +7822,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_of_slopes(
         &self,
-        at_41: Entered,
+        at_43: Entered,
         slope_u: impl rt::Into<rt::Scalar<f32>>,
         slope_v: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_slopes(at_41, rt::into(slope_u), rt::into(slope_v)))
+        rt::into(self.v_normal_of_slopes(at_43, rt::into(slope_u), rt::into(slope_v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_normal_of_slopes(
         &self,
-        at_41: Entered,
+        at_43: Entered,
         slope_u: rt::Scalar<f32>,
         slope_v: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_1 = (at_41.tangent + (at_41.normal * slope_u));
-        let along_v_1 = (at_41.bitangent + (at_41.normal * slope_v));
+        let along_u_1 = (at_43.tangent + (at_43.normal * slope_u));
+        let along_v_1 = (at_43.bitangent + (at_43.normal * slope_v));
         let across_6 = along_v_1.cross(along_u_1).normalize();
-        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_41.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_6 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_6.dot(at_43.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn texels_apart(
         &self,
@@ -7777,24 +7863,24 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_42: Entered,
+        at_44: Entered,
         uv_16: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_42, rt::into(uv_16)))
+        rt::into(self.v_normal_from_height(at_44, rt::into(uv_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
-        at_42: Entered,
+        at_44: Entered,
         uv_16: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let _e6 = rt::Scalar(self.surface_settings.has_creases);
         if rt::Scalar::into_branch_condition(_e6.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_slopes_between_creases(at_42, uv_16);
+            let _e9 = self.v_slopes_between_creases(at_44, uv_16);
             let _e13 = rt::Scalar(self.surface_settings.scale_m);
             let slopes = ((_e9 * _e3) * _e13);
-            let _e17 = self.v_normal_of_slopes(at_42, slopes.x(), slopes.y());
+            let _e17 = self.v_normal_of_slopes(at_44, slopes.x(), slopes.y());
             return _e17;
         }
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
@@ -7813,30 +7899,30 @@ impl<'g> Resources<'g> {
         let slope_u_1 = (rise_u_1 * ((rate_u_1 * _e3.x()) * _e60));
         let _e67 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v_1 = (rise_v_1 * ((rate_v_1 * _e3.y()) * _e67));
-        let _e70 = self.v_normal_of_slopes(at_42, slope_u_1, slope_v_1);
+        let _e70 = self.v_normal_of_slopes(at_44, slope_u_1, slope_v_1);
         return _e70;
     }
     pub(crate) fn finest_normal(
         &self,
-        at_43: Entered,
+        at_45: Entered,
         uv_17: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_43, rt::into(uv_17)))
+        rt::into(self.v_finest_normal(at_45, rt::into(uv_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_finest_normal(
         &self,
-        at_43: Entered,
+        at_45: Entered,
         uv_17: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
             let _e9 = self.v_normal_at(uv_17, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_43, _e9.xyz());
+            let _e11 = self.v_from_tangent_space(at_45, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_43, uv_17);
+        let _e13 = self.v_normal_from_height(at_45, uv_17);
         return _e13;
     }
     pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
@@ -7850,19 +7936,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_segment(
         &self,
         pixel_46: PixelIn,
-        at_44: Entered,
+        at_46: Entered,
         k_5: impl rt::Into<rt::Scalar<u32>>,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_46, at_44, rt::into(k_5), rt::into(params_31)))
+        rt::into(self.v_surface_plane_segment(pixel_46, at_46, rt::into(k_5), rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
         &self,
         pixel_46: PixelIn,
-        at_44: Entered,
+        at_46: Entered,
         k_5: rt::Scalar<u32>,
-        params_31: rt::Vec4<f32>,
+        params_33: rt::Vec4<f32>,
     ) -> Path {
         let mut enter: rt::Scalar<f32>;
         let mut leave_3: rt::Scalar<f32>;
@@ -7870,9 +7956,9 @@ impl<'g> Resources<'g> {
 
         let along_31 = pixel_46.direction.length();
         let direction_6 = (pixel_46.direction / rt::Vec3::splat_from_scalar(along_31));
-        let _e9 = self.v_climb(at_44, direction_6);
+        let _e9 = self.v_climb(at_46, direction_6);
         let duv_5 = _e9.xy();
-        let descent_3 = (rt::Scalar(0f32) - at_44.normal.dot(direction_6));
+        let descent_3 = (rt::Scalar(0f32) - at_46.normal.dot(direction_6));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
         let slope_8 = ((rt::Scalar(0f32) - descent_3) / _e15);
@@ -7890,10 +7976,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
             let _e49 = leave_3;
-            let _e51 = self.v_inside_unit(at_44.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
+            let _e51 = self.v_inside_unit(at_46.uv.x(), duv_5.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
             interval_3 = _e51;
             let _e56 = interval_3;
-            let _e57 = self.v_inside_unit(at_44.uv.y(), duv_5.y(), _e56);
+            let _e57 = self.v_inside_unit(at_46.uv.y(), duv_5.y(), _e56);
             interval_3 = _e57;
             let _e59 = interval_3.x();
             enter = _e59;
@@ -7909,24 +7995,24 @@ impl<'g> Resources<'g> {
         let _e81 = leave_3;
         let _e82 = enter;
         let _e87 = enter;
-        return <Path>::new((at_44.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_44.metric, RAY_VIEW, rt::Scalar(at_44.level), (distance + _e87), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new((at_46.uv + (duv_5 * _e76)), duv_5, <rt::Vec3<f32>>::from_scalars(entry_height, slope_8, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_46.metric, RAY_VIEW, rt::Scalar(at_46.level), (distance + _e87), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn folded_segment(
         &self,
         pixel_47: PixelIn,
-        at_45: Entered,
+        at_47: Entered,
         k_6: impl rt::Into<rt::Scalar<u32>>,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_folded_segment(pixel_47, at_45, rt::into(k_6), rt::into(params_32)))
+        rt::into(self.v_folded_segment(pixel_47, at_47, rt::into(k_6), rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_folded_segment(
         &self,
         pixel_47: PixelIn,
-        at_45: Entered,
+        at_47: Entered,
         k_6: rt::Scalar<u32>,
-        params_32: rt::Vec4<f32>,
+        params_34: rt::Vec4<f32>,
     ) -> Path {
         let mut a_13: WayPoint;
         let mut b_13: WayPoint;
@@ -7935,13 +8021,13 @@ impl<'g> Resources<'g> {
 
         let along_32 = pixel_47.direction.normalize();
         let _e6 = self.v_middle_of(pixel_47, along_32);
-        let _e7 = self.v_prism_of(pixel_47, along_32, _e6, params_32);
+        let _e7 = self.v_prism_of(pixel_47, along_32, _e6, params_34);
         let _e8 = self.v_shell_slack(pixel_47, _e6);
         let _e9 = self.v_way_of(pixel_47, _e7, along_32);
         let _e10 = self.v_way_offsets(pixel_47, _e7, _e8);
-        let _e11 = self.v_chord_reach(pixel_47, at_45, _e6, params_32);
+        let _e11 = self.v_chord_reach(pixel_47, at_47, _e6, params_34);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_47, _e7, along_32, _e9, _e10, _e12, params_32.x(), k_6);
+        let _e14 = self.v_way_chord(pixel_47, _e7, along_32, _e9, _e10, _e12, params_34.x(), k_6);
         let _e16 = self.v_before_turn(_e7, along_32, _e9, _e14.offsets);
         let _e18 = self.v_way_point(_e7, along_32, _e9, _e16.x());
         a_13 = _e18;
@@ -7959,15 +8045,15 @@ impl<'g> Resources<'g> {
         let _e38 = rt::Scalar(a_13.t);
         let _e41 = rt::Scalar(b_13.t);
         let _e43 = rt::Scalar(a_13.t);
-        let part_17 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
+        let part_18 = ((rt::Scalar(_e25.t) - _e38) / (_e41 - _e43));
         let _e48 = rt::Scalar(a_13.point.height);
         let _e53 = rt::Scalar(b_13.point.height);
-        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_17);
+        let _e54 = self.v_way_bend(_e48, rt::Scalar(_e25.point.height), _e53, part_18);
         let _e56 = a_13.point;
         let _e58 = b_13.point;
         let _e60 = rt::Scalar(a_13.t);
         let _e62 = rt::Scalar(b_13.t);
-        let _e64 = self.v_chord_path(pixel_47, at_45, _e6, params_32, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        let _e64 = self.v_chord_path(pixel_47, at_47, _e6, params_34, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
         path_19 = _e64;
         let _e67 = rt::Scalar(a_13.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
@@ -7986,57 +8072,57 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_segment(
         &self,
         pixel_48: PixelIn,
-        at_46: Entered,
+        at_48: Entered,
         k_7: impl rt::Into<rt::Scalar<u32>>,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_48, at_46, rt::into(k_7), rt::into(params_33)))
+        rt::into(self.v_surface_prism_segment(pixel_48, at_48, rt::into(k_7), rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_segment(
         &self,
         pixel_48: PixelIn,
-        at_46: Entered,
+        at_48: Entered,
         k_7: rt::Scalar<u32>,
-        params_33: rt::Vec4<f32>,
+        params_35: rt::Vec4<f32>,
     ) -> Path {
         if rt::Scalar::into_branch_condition(rt::Scalar(pixel_48.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_folded_segment(pixel_48, at_46, k_7, params_33);
+            let _e8 = self.v_folded_segment(pixel_48, at_48, k_7, params_35);
             return _e8;
         }
         let along_33 = pixel_48.direction.normalize();
         let _e11 = self.v_middle_of(pixel_48, along_33);
-        let _e12 = self.v_prism_of(pixel_48, along_33, _e11, params_33);
+        let _e12 = self.v_prism_of(pixel_48, along_33, _e11, params_35);
         let heights_2 = pixel_48.shell.heights;
         let mean_3 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
-        let _e20 = self.v_chord_end(at_46, k_7);
-        let _e23 = self.v_chord_end(at_46, (k_7 + rt::Scalar(1u32)));
+        let _e20 = self.v_chord_end(at_48, k_7);
+        let _e23 = self.v_chord_end(at_48, (k_7 + rt::Scalar(1u32)));
         let _e25 = self.v_shell_point(_e12, (along_33 * _e20), mean_3);
         let _e27 = self.v_shell_point(_e12, (along_33 * _e23), mean_3);
         let _e32 = self.v_between(_e25, _e27);
         let _e33 = self.v_shell_point_from(_e12, (along_33 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
-        let _e56 = self.v_chord_reach(pixel_48, at_46, _e11, params_33);
+        let _e56 = self.v_chord_reach(pixel_48, at_48, _e11, params_35);
         let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_48, at_46, _e11, params_33, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
+        let _e68 = self.v_chord_path(pixel_48, at_48, _e11, params_35, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
         pixel_49: PixelIn,
-        at_47: Entered,
+        at_49: Entered,
         k_8: impl rt::Into<rt::Scalar<u32>>,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_49, at_47, rt::into(k_8), rt::into(params_34)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_49, at_49, rt::into(k_8), rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_segment(
         &self,
         pixel_49: PixelIn,
-        at_47: Entered,
+        at_49: Entered,
         k_8: rt::Scalar<u32>,
-        params_34: rt::Vec4<f32>,
+        params_36: rt::Vec4<f32>,
     ) -> Path {
         let mut begin_1: rt::Scalar<f32>;
         let mut end_1: rt::Scalar<f32>;
@@ -8045,26 +8131,26 @@ impl<'g> Resources<'g> {
         let mut inside_2: rt::Vec2<f32>;
 
         let along_34 = pixel_49.direction.length();
-        let _e9 = self.v_across_of(at_47, (pixel_49.direction / rt::Vec3::splat_from_scalar(along_34)));
+        let _e9 = self.v_across_of(at_49, (pixel_49.direction / rt::Vec3::splat_from_scalar(along_34)));
         let _e10 = self.v_traced_scale_m();
         let _e11 = self.v_plane_normal(pixel_49);
         let _e12 = self.v_plane_distance(pixel_49, _e11);
         let distance_1 = (_e12 * along_34);
-        let whole = (at_47.span.y() - at_47.span.x());
-        let first_14 = (at_47.span.x() + (whole * (k_8.to_f32() / params_34.z())));
-        let last_9 = (at_47.span.x() + (whole * ((k_8 + rt::Scalar(1u32)).to_f32() / params_34.z())));
-        let long_4 = (last_9 - first_14);
-        let _e38 = self.v_across_depth(_e9, first_14);
-        begin_1 = (at_47.of_surface.w() - (_e38 / _e10));
+        let whole = (at_49.span.y() - at_49.span.x());
+        let first_15 = (at_49.span.x() + (whole * (k_8.to_f32() / params_36.z())));
+        let last_9 = (at_49.span.x() + (whole * ((k_8 + rt::Scalar(1u32)).to_f32() / params_36.z())));
+        let long_4 = (last_9 - first_15);
+        let _e38 = self.v_across_depth(_e9, first_15);
+        begin_1 = (at_49.of_surface.w() - (_e38 / _e10));
         if rt::Scalar::into_branch_condition(k_8.elementwise_eq(rt::Scalar(0u32))) {
             let _e44 = begin_1;
             begin_1 = _e44.min(rt::Scalar(1f32));
         }
-        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_14 + last_9)));
-        let middle_13 = (at_47.of_surface.w() - (_e52 / _e10));
+        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_15 + last_9)));
+        let middle_13 = (at_49.of_surface.w() - (_e52 / _e10));
         let _e57 = self.v_across_depth(_e9, last_9);
-        end_1 = (at_47.of_surface.w() - (_e57 / _e10));
-        if rt::Scalar::into_branch_condition((k_8 + rt::Scalar(1u32)).elementwise_eq(params_34.z().to_u32())) {
+        end_1 = (at_49.of_surface.w() - (_e57 / _e10));
+        if rt::Scalar::into_branch_condition((k_8 + rt::Scalar(1u32)).elementwise_eq(params_36.z().to_u32())) {
             let _e68 = end_1;
             local_46 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
@@ -8081,9 +8167,9 @@ impl<'g> Resources<'g> {
         let _e84 = end_1;
         let _e85 = begin_1;
         let slope_9 = ((_e84 - _e85) - bend_5);
-        let base_3 = (rt::Scalar(0f32) - first_14).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let base_3 = (rt::Scalar(0f32) - first_15).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e98 = begin_1;
-        path_20 = <Path>::new((at_47.uv + (_e9.duv * first_14)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_47.metric, RAY_VIEW, rt::Scalar(at_47.level), (distance_1 + first_14), (rt::Scalar(1f32) / params_34.z()), rt::Scalar(0f32));
+        path_20 = <Path>::new((at_49.uv + (_e9.duv * first_15)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_9 / long_4), (bend_5 / (long_4 * long_4))), long_4, base_3, at_49.metric, RAY_VIEW, rt::Scalar(at_49.level), (distance_1 + first_15), (rt::Scalar(1f32) / params_36.z()), rt::Scalar(0f32));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_4);
         let _e118 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e118.elementwise_eq(WRAP_CLAMP)) {
@@ -8112,19 +8198,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
         pixel_50: PixelIn,
-        at_48: Entered,
+        at_50: Entered,
         k_9: impl rt::Into<rt::Scalar<u32>>,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_50, at_48, rt::into(k_9), rt::into(params_35)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_50, at_50, rt::into(k_9), rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_segment(
         &self,
         pixel_50: PixelIn,
-        at_48: Entered,
+        at_50: Entered,
         k_9: rt::Scalar<u32>,
-        params_35: rt::Vec4<f32>,
+        params_37: rt::Vec4<f32>,
     ) -> Path {
         let mut local_47: rt::Scalar<bool>;
         let mut local_48: rt::Scalar<bool>;
@@ -8136,13 +8222,13 @@ impl<'g> Resources<'g> {
 
         let along_35 = pixel_50.direction.length();
         let direction_7 = (pixel_50.direction / rt::Vec3::splat_from_scalar(along_35));
-        let _e9 = self.v_climb(at_48, direction_7);
+        let _e9 = self.v_climb(at_50, direction_7);
         let duv_6 = _e9.xy();
-        let descent_4 = (rt::Scalar(0f32) - at_48.normal.dot(direction_7));
+        let descent_4 = (rt::Scalar(0f32) - at_50.normal.dot(direction_7));
         let _e15 = self.v_traced_scale_m();
-        let height_18 = at_48.of_surface.w();
+        let height_18 = at_50.of_surface.w();
         let slope_10 = ((rt::Scalar(0f32) - descent_4) / _e15);
-        let _e23 = self.v_quadric_at(at_48.of_surface.xyz(), duv_6);
+        let _e23 = self.v_quadric_at(at_50.of_surface.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
         let _e27 = self.v_plane_normal(pixel_50);
         let _e28 = self.v_plane_distance(pixel_50, _e27);
@@ -8180,10 +8266,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e85.elementwise_eq(WRAP_CLAMP)) {
             let _e91 = enter_1;
             let _e92 = leave_4;
-            let _e94 = self.v_inside_unit(at_48.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
+            let _e94 = self.v_inside_unit(at_50.uv.x(), duv_6.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
             interval_4 = _e94;
             let _e99 = interval_4;
-            let _e100 = self.v_inside_unit(at_48.uv.y(), duv_6.y(), _e99);
+            let _e100 = self.v_inside_unit(at_50.uv.y(), duv_6.y(), _e99);
             interval_4 = _e100;
             let _e102 = interval_4.x();
             enter_1 = _e102;
@@ -8201,7 +8287,7 @@ impl<'g> Resources<'g> {
         let _e131 = leave_4;
         let _e132 = enter_1;
         let _e137 = enter_1;
-        path_21 = <Path>::new((at_48.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_48.metric, RAY_VIEW, rt::Scalar(at_48.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
+        path_21 = <Path>::new((at_50.uv + (duv_6 * _e122)), duv_6, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_10 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_50.metric, RAY_VIEW, rt::Scalar(at_50.level), (distance_2 + _e137), rt::Scalar(1f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e148 = rt::Scalar(path_21.exit);
             local_49 = (!_e148.elementwise_gt(rt::Scalar(0f32)));
@@ -8218,19 +8304,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_tetrahedra_segment(
         &self,
         pixel_51: PixelIn,
-        at_49: Entered,
+        at_51: Entered,
         k_10: impl rt::Into<rt::Scalar<u32>>,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_51, at_49, rt::into(k_10), rt::into(params_36)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_51, at_51, rt::into(k_10), rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_segment(
         &self,
         pixel_51: PixelIn,
-        at_49: Entered,
+        at_51: Entered,
         k_10: rt::Scalar<u32>,
-        params_36: rt::Vec4<f32>,
+        params_38: rt::Vec4<f32>,
     ) -> Path {
         let mut chosen_1: Tetrahedron;
         let mut inside_3: rt::Vec2<f32>;
@@ -8285,7 +8371,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_3.x();
         let _e149 = inside_3.y();
         let _e151 = inside_3.x();
-        path_22 = <Path>::new((uv_39 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_49.metric, RAY_VIEW, rt::Scalar(at_49.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
+        path_22 = <Path>::new((uv_39 + (duv_7 * _e125)), duv_7, <rt::Vec3<f32>>::from_scalars((w_4.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_51.metric, RAY_VIEW, rt::Scalar(at_51.level), (_e6 + _e146), ((_e149 - _e151) / whole_1), rt::Scalar(0f32));
         let _e159 = rt::Scalar(path_22.exit);
         if rt::Scalar::into_branch_condition(_e159.elementwise_gt(rt::Scalar(0f32))) {
             let _e162 = path_22;
@@ -8300,37 +8386,37 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_facets_segment(
         &self,
         pixel_52: PixelIn,
-        at_50: Entered,
+        at_52: Entered,
         k_11: impl rt::Into<rt::Scalar<u32>>,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_facets_segment(pixel_52, at_50, rt::into(k_11), rt::into(params_37)))
+        rt::into(self.v_surface_facets_segment(pixel_52, at_52, rt::into(k_11), rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_segment(
         &self,
         pixel_52: PixelIn,
-        at_50: Entered,
+        at_52: Entered,
         k_11: rt::Scalar<u32>,
-        params_37: rt::Vec4<f32>,
+        params_39: rt::Vec4<f32>,
     ) -> Path {
         let _e4 = self.v_plane_normal(pixel_52);
         let _e5 = self.v_triangle_distance(pixel_52, _e4);
         let start_5 = (_e5 * pixel_52.direction.length());
-        let _e11 = self.v_height_at(at_50.uv, rt::Scalar(at_50.level));
+        let _e11 = self.v_height_at(at_52.uv, rt::Scalar(at_52.level));
         let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let h_5 = <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32));
-        return <Path>::new(at_50.uv, duv_8, h_5, rt::Scalar(1f32), rt::Scalar(0f32), at_50.metric, RAY_VIEW, rt::Scalar(at_50.level), start_5, rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new(at_52.uv, duv_8, h_5, rt::Scalar(1f32), rt::Scalar(0f32), at_52.metric, RAY_VIEW, rt::Scalar(at_52.level), start_5, rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn slice_inside(
         &self,
         map_1: impl rt::Into<rt::Scalar<f32>>,
         slice: impl rt::Into<rt::Scalar<f32>>,
         spacing: impl rt::Into<rt::Scalar<f32>>,
-        params_38: impl rt::Into<rt::Vec4<f32>>,
+        params_40: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice), rt::into(spacing), rt::into(params_38)))
+        rt::into(self.v_slice_inside(rt::into(map_1), rt::into(slice), rt::into(spacing), rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8339,7 +8425,7 @@ impl<'g> Resources<'g> {
         map_1: rt::Scalar<f32>,
         slice: rt::Scalar<f32>,
         spacing: rt::Scalar<f32>,
-        params_38: rt::Vec4<f32>,
+        params_40: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_1.elementwise_gt(slice);
     }
@@ -8348,9 +8434,9 @@ impl<'g> Resources<'g> {
         map_2: impl rt::Into<rt::Scalar<f32>>,
         slice_1: impl rt::Into<rt::Scalar<f32>>,
         spacing_1: impl rt::Into<rt::Scalar<f32>>,
-        params_39: impl rt::Into<rt::Vec4<f32>>,
+        params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_1), rt::into(spacing_1), rt::into(params_39)))
+        rt::into(self.v_slice_at_least(rt::into(map_2), rt::into(slice_1), rt::into(spacing_1), rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8359,7 +8445,7 @@ impl<'g> Resources<'g> {
         map_2: rt::Scalar<f32>,
         slice_1: rt::Scalar<f32>,
         spacing_1: rt::Scalar<f32>,
-        params_39: rt::Vec4<f32>,
+        params_41: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return map_2.elementwise_ge(slice_1);
     }
@@ -8368,9 +8454,9 @@ impl<'g> Resources<'g> {
         map_3: impl rt::Into<rt::Scalar<f32>>,
         slice_2: impl rt::Into<rt::Scalar<f32>>,
         spacing_2: impl rt::Into<rt::Scalar<f32>>,
-        params_40: impl rt::Into<rt::Vec4<f32>>,
+        params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> bool {
-        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_2), rt::into(spacing_2), rt::into(params_40)))
+        rt::into(self.v_slice_band(rt::into(map_3), rt::into(slice_2), rt::into(spacing_2), rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8379,7 +8465,7 @@ impl<'g> Resources<'g> {
         map_3: rt::Scalar<f32>,
         slice_2: rt::Scalar<f32>,
         spacing_2: rt::Scalar<f32>,
-        params_40: rt::Vec4<f32>,
+        params_42: rt::Vec4<f32>,
     ) -> rt::Scalar<bool> {
         return (map_3 - slice_2).abs().elementwise_le((rt::Scalar(0.5f32) * spacing_2));
     }
@@ -8419,29 +8505,29 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slice_spacing(
         &self,
-        at_51: Entered,
+        at_53: Entered,
         axis_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_slice_spacing(at_51, rt::into(axis_1)))
+        rt::into(self.v_slice_spacing(at_53, rt::into(axis_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_slice_spacing(
         &self,
-        at_51: Entered,
+        at_53: Entered,
         axis_1: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let step_6 = at_51.of_surface.y();
+        let step_6 = at_53.of_surface.y();
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_HEIGHT)) {
             return step_6;
         }
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_U)) {
             let _e12 = self.v_traced_scale_m();
-            return ((step_6 * at_51.metric.x().sqrt()) / _e12);
+            return ((step_6 * at_53.metric.x().sqrt()) / _e12);
         }
         if rt::Scalar::into_branch_condition(axis_1.elementwise_eq(SLICES_ALONG_V)) {
             let _e20 = self.v_traced_scale_m();
-            return ((step_6 * at_51.metric.z().sqrt()) / _e20);
+            return ((step_6 * at_53.metric.z().sqrt()) / _e20);
         }
         let _e22 = self.v_traced_scale_m();
         return (step_6 / _e22);
@@ -8449,23 +8535,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn slice_above(
         &self,
         pixel_53: PixelIn,
-        at_52: Entered,
+        at_54: Entered,
         along_16: impl rt::Into<rt::Scalar<f32>>,
         far_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_above(pixel_53, at_52, rt::into(along_16), rt::into(far_2)))
+        rt::into(self.v_slice_above(pixel_53, at_54, rt::into(along_16), rt::into(far_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_above(
         &self,
         pixel_53: PixelIn,
-        at_52: Entered,
+        at_54: Entered,
         along_16: rt::Scalar<f32>,
         far_2: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut local_50: rt::Scalar<bool>;
 
-        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_53.direction.dot(at_52.normal).elementwise_lt(rt::Scalar(0f32))) * at_52.of_surface.y());
+        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_53.direction.dot(at_54.normal).elementwise_lt(rt::Scalar(0f32))) * at_54.of_surface.y());
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
         let step_m = (upward * _e17);
         let a_36 = (pixel_53.a.position + (pixel_53.a.normal * step_m));
@@ -8484,29 +8570,29 @@ impl<'g> Resources<'g> {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
         let _e68 = self.v_weights_of(a_36, b_36, c_26, n_12, (pixel_53.origin + (pixel_53.direction * t_37)));
-        let aside_4 = ((((pixel_53.a.uv * _e68.x()) + (pixel_53.b.uv * _e68.y())) + (pixel_53.c.uv * _e68.z())) - at_52.uv);
+        let aside_4 = ((((pixel_53.a.uv * _e68.x()) + (pixel_53.b.uv * _e68.y())) + (pixel_53.c.uv * _e68.z())) - at_54.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_4, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
     pub(crate) fn slice_beside(
         &self,
-        at_53: Entered,
+        at_55: Entered,
         climbs: impl rt::Into<rt::Vec3<f32>>,
         pace: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_beside(at_53, rt::into(climbs), rt::into(pace)))
+        rt::into(self.v_slice_beside(at_55, rt::into(climbs), rt::into(pace)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_slice_beside(
         &self,
-        at_53: Entered,
+        at_55: Entered,
         climbs: rt::Vec3<f32>,
         pace: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut local_51: rt::Scalar<bool>;
 
-        let up_3 = (at_53.of_surface.x().select((rt::Scalar(1f32) - at_53.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
-        let lead_1 = (at_53.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_3, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
+        let up_3 = (at_55.of_surface.x().select((rt::Scalar(1f32) - at_55.of_surface.x()), climbs.z().elementwise_lt(rt::Scalar(0f32))) / climbs.z().abs());
+        let lead_1 = (at_55.of_surface.y() / pace).min(rt::Scalar(1000000000f32).select(up_3, climbs.z().abs().elementwise_gt(rt::Scalar(0f32))));
         if rt::Scalar::into_branch_condition(lead_1.elementwise_gt(rt::Scalar(0f32))) {
             local_51 = lead_1.elementwise_le(rt::Scalar(1000000000f32));
         } else {
@@ -8521,68 +8607,68 @@ impl<'g> Resources<'g> {
     pub(crate) fn slice_before(
         &self,
         pixel_54: PixelIn,
-        at_54: Entered,
+        at_56: Entered,
         axis_2: impl rt::Into<rt::Scalar<u32>>,
         along_17: impl rt::Into<rt::Scalar<f32>>,
         far_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_before(pixel_54, at_54, rt::into(axis_2), rt::into(along_17), rt::into(far_3)))
+        rt::into(self.v_slice_before(pixel_54, at_56, rt::into(axis_2), rt::into(along_17), rt::into(far_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_before(
         &self,
         pixel_54: PixelIn,
-        at_54: Entered,
+        at_56: Entered,
         axis_2: rt::Scalar<u32>,
         along_17: rt::Scalar<f32>,
         far_3: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_HEIGHT)) {
-            let _e7 = self.v_slice_above(pixel_54, at_54, along_17, far_3);
+            let _e7 = self.v_slice_above(pixel_54, at_56, along_17, far_3);
             return _e7;
         }
-        let _e11 = self.v_climb(at_54, (pixel_54.direction / rt::Vec3::splat_from_scalar(along_17)));
+        let _e11 = self.v_climb(at_56, (pixel_54.direction / rt::Vec3::splat_from_scalar(along_17)));
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_U)) {
-            let _e16 = self.v_slice_beside(at_54, _e11, _e11.x().abs());
+            let _e16 = self.v_slice_beside(at_56, _e11, _e11.x().abs());
             return _e16;
         }
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_V)) {
-            let _e21 = self.v_slice_beside(at_54, _e11, _e11.y().abs());
+            let _e21 = self.v_slice_beside(at_56, _e11, _e11.y().abs());
             return _e21;
         }
-        let _e24 = self.v_slice_beside(at_54, _e11, (rt::Scalar(1f32) / along_17));
+        let _e24 = self.v_slice_beside(at_56, _e11, (rt::Scalar(1f32) / along_17));
         return _e24;
     }
     pub(crate) fn surface_slices_segment(
         &self,
         pixel_55: PixelIn,
-        at_55: Entered,
+        at_57: Entered,
         k_12: impl rt::Into<rt::Scalar<u32>>,
-        params_41: impl rt::Into<rt::Vec4<f32>>,
+        params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_slices_segment(pixel_55, at_55, rt::into(k_12), rt::into(params_41)))
+        rt::into(self.v_surface_slices_segment(pixel_55, at_57, rt::into(k_12), rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_segment(
         &self,
         pixel_55: PixelIn,
-        at_55: Entered,
+        at_57: Entered,
         k_12: rt::Scalar<u32>,
-        params_41: rt::Vec4<f32>,
+        params_43: rt::Vec4<f32>,
     ) -> Path {
         let along_37 = pixel_55.direction.length();
         let _e6 = self.v_plane_normal(pixel_55);
         let _e7 = self.v_triangle_distance(pixel_55, _e6);
         let far_7 = (_e7 * along_37);
         let axis_4 = pixel_55.a.of_surface.z().to_u32();
-        let height_19 = at_55.of_surface.x();
-        let _e17 = self.v_height_at(at_55.uv, rt::Scalar(at_55.level));
-        let _e18 = self.v_slice_spacing(at_55, axis_4);
+        let height_19 = at_57.of_surface.x();
+        let _e17 = self.v_height_at(at_57.uv, rt::Scalar(at_57.level));
+        let _e18 = self.v_slice_spacing(at_57, axis_4);
         let _e19 = self.v_slices_stage(_e17, height_19, _e18);
-        let _e20 = self.v_slice_before(pixel_55, at_55, axis_4, along_37, far_7);
+        let _e20 = self.v_slice_before(pixel_55, at_57, axis_4, along_37, far_7);
         let lead_2 = (far_7 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_7), _e20.w().elementwise_gt(rt::Scalar(0f32)));
-        return <Path>::new((at_55.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_19 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_55.metric, RAY_VIEW, rt::Scalar(at_55.level), (far_7 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new((at_57.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_19 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_57.metric, RAY_VIEW, rt::Scalar(at_57.level), (far_7 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn within_bounds(
         &self,
@@ -8714,20 +8800,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_segment(
         &self,
         pixel_57: PixelIn,
-        at_56: Entered,
+        at_58: Entered,
         k_14: impl rt::Into<rt::Scalar<u32>>,
-        params_42: impl rt::Into<rt::Vec4<f32>>,
+        params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_segment(pixel_57, at_56, rt::into(k_14), rt::into(params_42)))
+        rt::into(self.v_surface_object_segment(pixel_57, at_58, rt::into(k_14), rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_segment(
         &self,
         pixel_57: PixelIn,
-        at_56: Entered,
+        at_58: Entered,
         k_14: rt::Scalar<u32>,
-        params_42: rt::Vec4<f32>,
+        params_44: rt::Vec4<f32>,
     ) -> Path {
         let _e4 = self.v_path_through_image(pixel_57, k_14);
         return _e4;
@@ -8735,20 +8821,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_frames_segment(
         &self,
         pixel_58: PixelIn,
-        at_57: Entered,
+        at_59: Entered,
         k_15: impl rt::Into<rt::Scalar<u32>>,
-        params_43: impl rt::Into<rt::Vec4<f32>>,
+        params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_frames_segment(pixel_58, at_57, rt::into(k_15), rt::into(params_43)))
+        rt::into(self.v_surface_frames_segment(pixel_58, at_59, rt::into(k_15), rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_frames_segment(
         &self,
         pixel_58: PixelIn,
-        at_57: Entered,
+        at_59: Entered,
         k_15: rt::Scalar<u32>,
-        params_43: rt::Vec4<f32>,
+        params_45: rt::Vec4<f32>,
     ) -> Path {
         let _e7 = self.v_frames_around((-pixel_58.direction.normalize()));
         let _e8 = self.v_frame_number(_e7, k_15);
@@ -8781,13 +8867,13 @@ impl<'g> Resources<'g> {
         let uv_40 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_3, v_5)));
         let _e42 = self.v_height_size(rt::Scalar(0u32));
         let _e49 = self.v_object_parts_stage(rt::Scalar(0u32));
-        let at_144 = (((uv_40 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
-        let _e52 = self.v_cell_of(at_144);
-        let part_18 = (at_144 - _e52);
+        let at_146 = (((uv_40 * _e42) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) * _e49.to_f32());
+        let _e52 = self.v_cell_of(at_146);
+        let part_19 = (at_146 - _e52);
         let _e56 = self.v_object_cell_stage(_e52.to_i32(), rt::Scalar(0u32));
-        let top_7 = (_e56.x() + ((_e56.y() - _e56.x()) * part_18.x()));
-        let bottom_4 = (_e56.z() + ((_e56.w() - _e56.z()) * part_18.x()));
-        let map_5 = (top_7 + ((bottom_4 - top_7) * part_18.y()));
+        let top_7 = (_e56.x() + ((_e56.y() - _e56.x()) * part_19.x()));
+        let bottom_4 = (_e56.z() + ((_e56.w() - _e56.z()) * part_19.x()));
+        let map_5 = (top_7 + ((bottom_4 - top_7) * part_19.y()));
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(0f32))) {
             local_54 = beside_5.elementwise_le(rt::Scalar(0.5f32));
         } else {
@@ -8809,16 +8895,16 @@ impl<'g> Resources<'g> {
         let _e97 = rt::Scalar(self.surface_settings.cells);
         return <OnImage>::new(uv_40, h_7.select(rt::Scalar(0.5f32), _e97.elementwise_eq(CELLS_MASK)), map_5, is_inside_2);
     }
-    pub(crate) fn is_in_image(&self, at_58: OnImage) -> bool {
-        rt::into(self.v_is_in_image(at_58))
+    pub(crate) fn is_in_image(&self, at_60: OnImage) -> bool {
+        rt::into(self.v_is_in_image(at_60))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_is_in_image(&self, at_58: OnImage) -> rt::Scalar<bool> {
+    fn v_is_in_image(&self, at_60: OnImage) -> rt::Scalar<bool> {
         let mut local_57: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_58.is_inside)) {
-            let _e7 = self.v_slices_stage(rt::Scalar(at_58.map), rt::Scalar(at_58.height), rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_60.is_inside)) {
+            let _e7 = self.v_slices_stage(rt::Scalar(at_60.map), rt::Scalar(at_60.height), rt::Scalar(0f32));
             local_57 = _e7;
         } else {
             local_57 = rt::Scalar(false);
@@ -8891,94 +8977,94 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_segment(
         &self,
         pixel_59: PixelIn,
-        at_59: Entered,
+        at_61: Entered,
         k_16: impl rt::Into<rt::Scalar<u32>>,
-        params_44: impl rt::Into<rt::Vec4<f32>>,
+        params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_slices_segment(pixel_59, at_59, rt::into(k_16), rt::into(params_44)))
+        rt::into(self.v_surface_object_slices_segment(pixel_59, at_61, rt::into(k_16), rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_slices_segment(
         &self,
         pixel_59: PixelIn,
-        at_59: Entered,
+        at_61: Entered,
         k_16: rt::Scalar<u32>,
-        params_44: rt::Vec4<f32>,
+        params_46: rt::Vec4<f32>,
     ) -> Path {
-        let _e5 = self.v_slice_at(at_59.point);
+        let _e5 = self.v_slice_at(at_61.point);
         let _e7 = self.v_image_of_object(rt::Scalar(_e5.number));
-        let far_8 = (at_59.point - pixel_59.origin).length();
+        let far_8 = (at_61.point - pixel_59.origin).length();
         let lead_3 = (far_8 * rt::Scalar(0.0000005f32));
-        let _e28 = self.v_depth_in_image(_e7, at_59.point);
+        let _e28 = self.v_depth_in_image(_e7, at_61.point);
         let _e29 = self.v_metric_of_image(_e7, _e28);
         return <Path>::new(_e5.nearest.uv, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e5.nearest.height), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_3, rt::Scalar(_e5.passes)), lead_3, _e29, RAY_VIEW, rt::Scalar(0u32), (far_8 - lead_3), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_segment_stage(
         &self,
         pixel_60: PixelIn,
-        at_60: Entered,
+        at_62: Entered,
         k_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_60, at_60, rt::into(k_17)))
+        rt::into(self.v_surface_segment_stage(pixel_60, at_62, rt::into(k_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
         pixel_60: PixelIn,
-        at_60: Entered,
+        at_62: Entered,
         k_17: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[1usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_60, at_60, k_17, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_60, at_62, k_17, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[1usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_60, at_60, k_17, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_60, at_62, k_17, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[1usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_60, at_60, k_17, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_60, at_62, k_17, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[1usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_60, at_60, k_17, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_60, at_62, k_17, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[1usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_60, at_60, k_17, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_60, at_62, k_17, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[1usize].params;
-                let _e43 = self.v_surface_facets_segment(pixel_60, at_60, k_17, _e42);
+                let _e43 = self.v_surface_facets_segment(pixel_60, at_62, k_17, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[1usize].params;
-                let _e49 = self.v_surface_slices_segment(pixel_60, at_60, k_17, _e48);
+                let _e49 = self.v_surface_slices_segment(pixel_60, at_62, k_17, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[1usize].params;
-                let _e55 = self.v_surface_object_segment(pixel_60, at_60, k_17, _e54);
+                let _e55 = self.v_surface_object_segment(pixel_60, at_62, k_17, _e54);
                 return _e55;
             }
             8u32 => {
                 let _e60 = self.surface_settings.choices[1usize].params;
-                let _e61 = self.v_surface_frames_segment(pixel_60, at_60, k_17, _e60);
+                let _e61 = self.v_surface_frames_segment(pixel_60, at_62, k_17, _e60);
                 return _e61;
             }
             _ => {
                 let _e66 = self.surface_settings.choices[1usize].params;
-                let _e67 = self.v_surface_object_slices_segment(pixel_60, at_60, k_17, _e66);
+                let _e67 = self.v_surface_object_slices_segment(pixel_60, at_62, k_17, _e66);
                 return _e67;
             }
         }
@@ -9026,26 +9112,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn segment_of(
         &self,
         pixel_61: PixelIn,
-        at_61: Entered,
+        at_63: Entered,
         k_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_61, at_61, rt::into(k_18)))
+        rt::into(self.v_segment_of(pixel_61, at_63, rt::into(k_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
         pixel_61: PixelIn,
-        at_61: Entered,
+        at_63: Entered,
         k_18: rt::Scalar<u32>,
     ) -> Path {
         let mut path_24: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_61, at_61, k_18);
+        let _e3 = self.v_surface_segment_stage(pixel_61, at_63, k_18);
         path_24 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_61.fade).elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_63.fade).elementwise_gt(rt::Scalar(0f32))) {
             let _e8 = path_24;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_61.fade));
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_63.fade));
             path_24 = _e13;
             let _e16 = path_24.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
@@ -9058,24 +9144,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_polish(
         &self,
         pixel_62: PixelIn,
-        at_62: Entered,
+        at_64: Entered,
         path_25: Path,
-        hit_7: Hit,
-        params_45: impl rt::Into<rt::Vec4<f32>>,
+        hit_9: Hit,
+        params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_62, at_62, path_25, hit_7, rt::into(params_45)))
+        rt::into(self.v_surface_plane_polish(pixel_62, at_64, path_25, hit_9, rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_polish(
         &self,
         pixel_62: PixelIn,
-        at_62: Entered,
+        at_64: Entered,
         path_25: Path,
-        hit_7: Hit,
-        params_45: rt::Vec4<f32>,
+        hit_9: Hit,
+        params_47: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_7;
+        return hit_9;
     }
     pub(crate) fn weights_at_offset(
         &self,
@@ -9165,21 +9251,21 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_prism_polish(
         &self,
         pixel_64: PixelIn,
-        at_63: Entered,
+        at_65: Entered,
         path_26: Path,
-        hit_8: Hit,
-        params_46: impl rt::Into<rt::Vec4<f32>>,
+        hit_10: Hit,
+        params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_64, at_63, path_26, hit_8, rt::into(params_46)))
+        rt::into(self.v_surface_prism_polish(pixel_64, at_65, path_26, hit_10, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
         &self,
         pixel_64: PixelIn,
-        at_63: Entered,
+        at_65: Entered,
         path_26: Path,
-        hit_8: Hit,
-        params_46: rt::Vec4<f32>,
+        hit_10: Hit,
+        params_48: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_15: rt::Scalar<f32>;
         let mut point_15: ShellPoint;
@@ -9187,12 +9273,12 @@ impl<'g> Resources<'g> {
 
         let along_39 = pixel_64.direction.normalize();
         let _e7 = self.v_middle_of(pixel_64, along_39);
-        let _e8 = self.v_prism_of(pixel_64, along_39, _e7, params_46);
-        let _e10 = self.v_path_gap(path_26, rt::Scalar(hit_8.t));
+        let _e8 = self.v_prism_of(pixel_64, along_39, _e7, params_48);
+        let _e10 = self.v_path_gap(path_26, rt::Scalar(hit_10.t));
         let _e11 = self.v_grid_of(path_26);
         let texels_5 = _e11.step.abs();
-        let most_13 = ((rt::Scalar(2f32) * params_46.x()) / texels_5.x().max(texels_5.y()).max((path_26.h.y().abs() / rt::Scalar(0.0625f32))));
-        t_15 = rt::Scalar(hit_8.t);
+        let most_13 = ((rt::Scalar(2f32) * params_48.x()) / texels_5.x().max(texels_5.y()).max((path_26.h.y().abs() / rt::Scalar(0.0625f32))));
+        t_15 = rt::Scalar(hit_10.t);
         let _e30 = t_15;
         let _e34 = t_15;
         let _e35 = self.v_path_height(path_26, _e34);
@@ -9220,7 +9306,7 @@ impl<'g> Resources<'g> {
                     let change_6 = _e62.y();
                     if rt::Scalar::into_branch_condition(change_6.elementwise_lt(rt::Scalar(0f32))) {
                         let _e66 = t_15;
-                        t_15 = (_e66 - (gap_1 / change_6)).clamp((rt::Scalar(hit_8.t) - most_13), (rt::Scalar(hit_8.t) + most_13));
+                        t_15 = (_e66 - (gap_1 / change_6)).clamp((rt::Scalar(hit_10.t) - most_13), (rt::Scalar(hit_10.t) + most_13));
                     }
                     let _e75 = t_15;
                     let place_28 = (along_39 * ((rt::Scalar(path_26.start) + _e75) - _e7));
@@ -9241,120 +9327,120 @@ impl<'g> Resources<'g> {
         let _e92 = self.v_uv_of(pixel_64, _e91);
         let _e94 = rt::Scalar(point_15.height);
         let _e95 = t_15;
-        return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_8.exhausted), _e92, _e94, _e95, hit_8.cost);
+        return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_10.exhausted), _e92, _e94, _e95, hit_10.cost);
     }
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
         pixel_65: PixelIn,
-        at_64: Entered,
+        at_66: Entered,
         path_27: Path,
-        hit_9: Hit,
-        params_47: impl rt::Into<rt::Vec4<f32>>,
+        hit_11: Hit,
+        params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_65, at_64, path_27, hit_9, rt::into(params_47)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_65, at_66, path_27, hit_11, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_polish(
         &self,
         pixel_65: PixelIn,
-        at_64: Entered,
+        at_66: Entered,
         path_27: Path,
-        hit_9: Hit,
-        params_47: rt::Vec4<f32>,
+        hit_11: Hit,
+        params_49: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_9;
+        return hit_11;
     }
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
         pixel_66: PixelIn,
-        at_65: Entered,
+        at_67: Entered,
         path_28: Path,
-        hit_10: Hit,
-        params_48: impl rt::Into<rt::Vec4<f32>>,
+        hit_12: Hit,
+        params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_66, at_65, path_28, hit_10, rt::into(params_48)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_66, at_67, path_28, hit_12, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_vertical_polish(
         &self,
         pixel_66: PixelIn,
-        at_65: Entered,
+        at_67: Entered,
         path_28: Path,
-        hit_10: Hit,
-        params_48: rt::Vec4<f32>,
+        hit_12: Hit,
+        params_50: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_10;
+        return hit_12;
     }
     pub(crate) fn surface_tetrahedra_polish(
         &self,
         pixel_67: PixelIn,
-        at_66: Entered,
+        at_68: Entered,
         path_29: Path,
-        hit_11: Hit,
-        params_49: impl rt::Into<rt::Vec4<f32>>,
+        hit_13: Hit,
+        params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_67, at_66, path_29, hit_11, rt::into(params_49)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_67, at_68, path_29, hit_13, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_tetrahedra_polish(
         &self,
         pixel_67: PixelIn,
-        at_66: Entered,
+        at_68: Entered,
         path_29: Path,
-        hit_11: Hit,
-        params_49: rt::Vec4<f32>,
+        hit_13: Hit,
+        params_51: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_11;
+        return hit_13;
     }
     pub(crate) fn surface_facets_polish(
         &self,
         pixel_68: PixelIn,
-        at_67: Entered,
+        at_69: Entered,
         path_30: Path,
-        hit_12: Hit,
-        params_50: impl rt::Into<rt::Vec4<f32>>,
+        hit_14: Hit,
+        params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_68, at_67, path_30, hit_12, rt::into(params_50)))
+        rt::into(self.v_surface_facets_polish(pixel_68, at_69, path_30, hit_14, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_polish(
         &self,
         pixel_68: PixelIn,
-        at_67: Entered,
+        at_69: Entered,
         path_30: Path,
-        hit_12: Hit,
-        params_50: rt::Vec4<f32>,
+        hit_14: Hit,
+        params_52: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_12;
+        return hit_14;
     }
     pub(crate) fn surface_slices_polish(
         &self,
         pixel_69: PixelIn,
-        at_68: Entered,
+        at_70: Entered,
         path_31: Path,
-        hit_13: Hit,
-        params_51: impl rt::Into<rt::Vec4<f32>>,
+        hit_15: Hit,
+        params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_slices_polish(pixel_69, at_68, path_31, hit_13, rt::into(params_51)))
+        rt::into(self.v_surface_slices_polish(pixel_69, at_70, path_31, hit_15, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_polish(
         &self,
         pixel_69: PixelIn,
-        at_68: Entered,
+        at_70: Entered,
         path_31: Path,
-        hit_13: Hit,
-        params_51: rt::Vec4<f32>,
+        hit_15: Hit,
+        params_53: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted: Hit;
 
-        counted = hit_13;
-        counted.cost = (hit_13.cost + HEIGHTS_READ);
+        counted = hit_15;
+        counted.cost = (hit_15.cost + HEIGHTS_READ);
         let _e10 = counted;
         return _e10;
     }
@@ -9374,16 +9460,16 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return (t_16 / (rt::Scalar(1f32) - (rt::Scalar(path_32.bend) * t_16)));
     }
-    pub(crate) fn polished_on_image(&self, path_33: Path, hit_14: Hit) -> Hit {
-        rt::into(self.v_polished_on_image(path_33, hit_14))
+    pub(crate) fn polished_on_image(&self, path_33: Path, hit_16: Hit) -> Hit {
+        rt::into(self.v_polished_on_image(path_33, hit_16))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_polished_on_image(&self, path_33: Path, hit_14: Hit) -> Hit {
+    fn v_polished_on_image(&self, path_33: Path, hit_16: Hit) -> Hit {
         let mut polished: Hit;
 
-        polished = hit_14;
-        let _e5 = self.v_metres_on(path_33, rt::Scalar(hit_14.t));
+        polished = hit_16;
+        let _e5 = self.v_metres_on(path_33, rt::Scalar(hit_16.t));
         rt::Scalar(polished.t) = _e5;
         let _e6 = polished;
         return _e6;
@@ -9391,144 +9477,144 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_polish(
         &self,
         pixel_70: PixelIn,
-        at_69: Entered,
+        at_71: Entered,
         path_34: Path,
-        hit_15: Hit,
-        params_52: impl rt::Into<rt::Vec4<f32>>,
+        hit_17: Hit,
+        params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_polish(pixel_70, at_69, path_34, hit_15, rt::into(params_52)))
+        rt::into(self.v_surface_object_polish(pixel_70, at_71, path_34, hit_17, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_polish(
         &self,
         pixel_70: PixelIn,
-        at_69: Entered,
+        at_71: Entered,
         path_34: Path,
-        hit_15: Hit,
-        params_52: rt::Vec4<f32>,
+        hit_17: Hit,
+        params_54: rt::Vec4<f32>,
     ) -> Hit {
-        let _e5 = self.v_polished_on_image(path_34, hit_15);
+        let _e5 = self.v_polished_on_image(path_34, hit_17);
         return _e5;
     }
     pub(crate) fn surface_frames_polish(
         &self,
         pixel_71: PixelIn,
-        at_70: Entered,
+        at_72: Entered,
         path_35: Path,
-        hit_16: Hit,
-        params_53: impl rt::Into<rt::Vec4<f32>>,
+        hit_18: Hit,
+        params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_frames_polish(pixel_71, at_70, path_35, hit_16, rt::into(params_53)))
+        rt::into(self.v_surface_frames_polish(pixel_71, at_72, path_35, hit_18, rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_frames_polish(
         &self,
         pixel_71: PixelIn,
-        at_70: Entered,
+        at_72: Entered,
         path_35: Path,
-        hit_16: Hit,
-        params_53: rt::Vec4<f32>,
+        hit_18: Hit,
+        params_55: rt::Vec4<f32>,
     ) -> Hit {
-        let _e5 = self.v_polished_on_image(path_35, hit_16);
+        let _e5 = self.v_polished_on_image(path_35, hit_18);
         return _e5;
     }
     pub(crate) fn surface_object_slices_polish(
         &self,
         pixel_72: PixelIn,
-        at_71: Entered,
+        at_73: Entered,
         path_36: Path,
-        hit_17: Hit,
-        params_54: impl rt::Into<rt::Vec4<f32>>,
+        hit_19: Hit,
+        params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_slices_polish(pixel_72, at_71, path_36, hit_17, rt::into(params_54)))
+        rt::into(self.v_surface_object_slices_polish(pixel_72, at_73, path_36, hit_19, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_slices_polish(
         &self,
         pixel_72: PixelIn,
-        at_71: Entered,
+        at_73: Entered,
         path_36: Path,
-        hit_17: Hit,
-        params_54: rt::Vec4<f32>,
+        hit_19: Hit,
+        params_56: rt::Vec4<f32>,
     ) -> Hit {
         let mut counted_1: Hit;
 
-        counted_1 = hit_17;
+        counted_1 = hit_19;
         let _e10 = rt::Scalar(self.surface_settings.solids);
         let _e15 = rt::Scalar(self.surface_settings.solids);
-        counted_1.cost = (hit_17.cost + <rt::Vec3<u32>>::from_scalars(_e10, rt::Scalar(0u32), (rt::Scalar(16u32) * _e15)));
+        counted_1.cost = (hit_19.cost + <rt::Vec3<u32>>::from_scalars(_e10, rt::Scalar(0u32), (rt::Scalar(16u32) * _e15)));
         let _e19 = counted_1;
         return _e19;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_73: PixelIn, at_72: Entered, path_37: Path, hit_18: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_73, at_72, path_37, hit_18))
+    pub(crate) fn surface_polish_stage(&self, pixel_73: PixelIn, at_74: Entered, path_37: Path, hit_20: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_73, at_74, path_37, hit_20))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_73: PixelIn, at_72: Entered, path_37: Path, hit_18: Hit) -> Hit {
+    fn v_surface_polish_stage(&self, pixel_73: PixelIn, at_74: Entered, path_37: Path, hit_20: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_73, at_72, path_37, hit_18, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_73, at_74, path_37, hit_20, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_73, at_72, path_37, hit_18, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_73, at_74, path_37, hit_20, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_73, at_72, path_37, hit_18, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_73, at_74, path_37, hit_20, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_73, at_72, path_37, hit_18, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_73, at_74, path_37, hit_20, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_73, at_72, path_37, hit_18, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_73, at_74, path_37, hit_20, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_73, at_72, path_37, hit_18, _e43);
+                let _e44 = self.v_surface_facets_polish(pixel_73, at_74, path_37, hit_20, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_polish(pixel_73, at_72, path_37, hit_18, _e49);
+                let _e50 = self.v_surface_slices_polish(pixel_73, at_74, path_37, hit_20, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_polish(pixel_73, at_72, path_37, hit_18, _e55);
+                let _e56 = self.v_surface_object_polish(pixel_73, at_74, path_37, hit_20, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_polish(pixel_73, at_72, path_37, hit_18, _e61);
+                let _e62 = self.v_surface_frames_polish(pixel_73, at_74, path_37, hit_20, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_polish(pixel_73, at_72, path_37, hit_18, _e67);
+                let _e68 = self.v_surface_object_slices_polish(pixel_73, at_74, path_37, hit_20, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_74: PixelIn, at_73: Entered, path_38: Path, hit_19: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_74, at_73, path_38, hit_19))
+    pub(crate) fn polish_hit(&self, pixel_74: PixelIn, at_75: Entered, path_38: Path, hit_21: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_74, at_75, path_38, hit_21))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_polish_hit(&self, pixel_74: PixelIn, at_73: Entered, path_38: Path, hit_19: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_74, at_73, path_38, hit_19);
+    fn v_polish_hit(&self, pixel_74: PixelIn, at_75: Entered, path_38: Path, hit_21: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_74, at_75, path_38, hit_21);
         return _e4;
     }
     pub(crate) fn key_of(&self, depth_7: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -9590,18 +9676,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn hit_on_segment(
         &self,
         pixel_75: PixelIn,
-        at_74: Entered,
+        at_76: Entered,
         path_39: Path,
         found: Hit,
         k_19: impl rt::Into<rt::Scalar<u32>>,
     ) -> FirstHit {
-        rt::into(self.v_hit_on_segment(pixel_75, at_74, path_39, found, rt::into(k_19)))
+        rt::into(self.v_hit_on_segment(pixel_75, at_76, path_39, found, rt::into(k_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_segment(
         &self,
         pixel_75: PixelIn,
-        at_74: Entered,
+        at_76: Entered,
         path_39: Path,
         found: Hit,
         k_19: rt::Scalar<u32>,
@@ -9610,7 +9696,7 @@ impl<'g> Resources<'g> {
 
         first_1 = <FirstHit>::new(found, k_19, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(rt::Scalar(found.found).elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_polish_hit(pixel_75, at_74, path_39, found);
+            let _e11 = self.v_polish_hit(pixel_75, at_76, path_39, found);
             let _e12 = self.v_depth_on_ray(pixel_75, path_39, _e11);
             let _e13 = self.v_key_of(_e12);
             first_1 = <FirstHit>::new(_e11, k_19, _e13);
@@ -9682,9 +9768,9 @@ impl<'g> Resources<'g> {
         &self,
         path_42: Path,
         found_2: Found,
-        params_55: impl rt::Into<rt::Vec4<f32>>,
+        params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_42, found_2, rt::into(params_55)))
+        rt::into(self.v_refine_none(path_42, found_2, rt::into(params_57)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -9692,7 +9778,7 @@ impl<'g> Resources<'g> {
         &self,
         path_42: Path,
         found_2: Found,
-        params_55: rt::Vec4<f32>,
+        params_57: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_2.cost);
@@ -9707,16 +9793,16 @@ impl<'g> Resources<'g> {
         &self,
         path_43: Path,
         found_3: Found,
-        params_56: impl rt::Into<rt::Vec4<f32>>,
+        params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_43, found_3, rt::into(params_56)))
+        rt::into(self.v_refine_offset(path_43, found_3, rt::into(params_58)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
         path_43: Path,
         found_3: Found,
-        params_56: rt::Vec4<f32>,
+        params_58: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_18: rt::Scalar<f32>;
 
@@ -9741,18 +9827,18 @@ impl<'g> Resources<'g> {
         &self,
         path_44: Path,
         found_4: Found,
-        params_57: impl rt::Into<rt::Vec4<f32>>,
+        params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_44, found_4, rt::into(params_57)))
+        rt::into(self.v_refine_offset_limited(path_44, found_4, rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
         path_44: Path,
         found_4: Found,
-        params_57: rt::Vec4<f32>,
+        params_59: rt::Vec4<f32>,
     ) -> Hit {
-        let mut hit_20: Hit;
+        let mut hit_22: Hit;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_4.cost);
@@ -9765,12 +9851,12 @@ impl<'g> Resources<'g> {
         let rise_m = ((_e11 - _e12) * path_44.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED));
         let _e27 = self.v_hit_on_path(path_44, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
-        hit_20 = _e27;
-        let _e30 = rt::Scalar(hit_20.found);
+        hit_22 = _e27;
+        let _e30 = rt::Scalar(hit_22.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit_20.height) = _e11;
+            rt::Scalar(hit_22.height) = _e11;
         }
-        let _e34 = hit_20;
+        let _e34 = hit_22;
         return _e34;
     }
     pub(crate) fn normal_z(
@@ -9796,16 +9882,16 @@ impl<'g> Resources<'g> {
         &self,
         path_46: Path,
         found_5: Found,
-        params_58: impl rt::Into<rt::Vec4<f32>>,
+        params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_46, found_5, rt::into(params_58)))
+        rt::into(self.v_refine_slope(path_46, found_5, rt::into(params_60)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
         path_46: Path,
         found_5: Found,
-        params_58: rt::Vec4<f32>,
+        params_60: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_19: rt::Scalar<f32>;
 
@@ -9819,7 +9905,7 @@ impl<'g> Resources<'g> {
         let _e13 = self.v_path_height(path_46, _e8);
         let rise_1 = (_e11.x() - _e13);
         t_19 = _e8;
-        if rt::Scalar::into_branch_condition(params_58.x().elementwise_gt(rt::Scalar(0.5f32))) {
+        if rt::Scalar::into_branch_condition(params_60.x().elementwise_gt(rt::Scalar(0.5f32))) {
             let _e19 = self.v_path_slope(path_46, _e8);
             let closing = (_e19 - ((_e11.y() * path_46.duv.x()) + (_e11.z() * path_46.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
@@ -9837,16 +9923,16 @@ impl<'g> Resources<'g> {
         &self,
         path_47: Path,
         found_6: Found,
-        params_59: impl rt::Into<rt::Vec4<f32>>,
+        params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_47, found_6, rt::into(params_59)))
+        rt::into(self.v_refine_slope_iterative(path_47, found_6, rt::into(params_61)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
         path_47: Path,
         found_6: Found,
-        params_59: rt::Vec4<f32>,
+        params_61: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_20: rt::Scalar<f32>;
         let mut cost_4: rt::Vec3<u32>;
@@ -9862,7 +9948,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_20;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_59.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_61.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -9877,7 +9963,7 @@ impl<'g> Resources<'g> {
                     let _e28 = t_20;
                     let _e29 = self.v_path_height(path_47, _e28);
                     let rise_2 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_59.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_61.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e34 = t_20;
                         let _e35 = self.v_path_slope(path_47, _e34);
                         let closing_1 = (_e35 - ((_e23.y() * path_47.duv.x()) + (_e23.z() * path_47.duv.y())));
@@ -9935,16 +10021,16 @@ impl<'g> Resources<'g> {
         &self,
         path_48: Path,
         found_8: Found,
-        params_60: impl rt::Into<rt::Vec4<f32>>,
+        params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_48, found_8, rt::into(params_60)))
+        rt::into(self.v_refine_binary(path_48, found_8, rt::into(params_62)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
         path_48: Path,
         found_8: Found,
-        params_60: rt::Vec4<f32>,
+        params_62: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
         let mut far_4: rt::Scalar<f32>;
@@ -9955,7 +10041,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_48, found_8, params_60);
+            let _e5 = self.v_refine_none(path_48, found_8, params_62);
             return _e5;
         }
         near_2 = rt::Scalar(found_8.near);
@@ -9973,7 +10059,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = k_21;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_60.x())) {
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_62.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -10013,16 +10099,16 @@ impl<'g> Resources<'g> {
         &self,
         path_49: Path,
         found_9: Found,
-        params_61: impl rt::Into<rt::Vec4<f32>>,
+        params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_49, found_9, rt::into(params_61)))
+        rt::into(self.v_refine_secant(path_49, found_9, rt::into(params_63)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
         path_49: Path,
         found_9: Found,
-        params_61: rt::Vec4<f32>,
+        params_63: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
         let mut far_5: rt::Scalar<f32>;
@@ -10034,7 +10120,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_49, found_9, params_61);
+            let _e5 = self.v_refine_none(path_49, found_9, params_63);
             return _e5;
         }
         near_3 = rt::Scalar(found_9.near);
@@ -10063,7 +10149,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e37 = k_22;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_61.x())) {
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_63.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -10082,7 +10168,7 @@ impl<'g> Resources<'g> {
                     let _e53 = near_gap_1;
                     t_21 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
                     let _e57 = k_22;
-                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_61.x())) {
+                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_63.x())) {
                         let _e60 = t_21;
                         let _e61 = self.v_path_gap(path_49, _e60);
                         let _e62 = cost_6;
@@ -10111,16 +10197,16 @@ impl<'g> Resources<'g> {
         &self,
         path_50: Path,
         found_10: Found,
-        params_62: impl rt::Into<rt::Vec4<f32>>,
+        params_64: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_50, found_10, rt::into(params_62)))
+        rt::into(self.v_refine_true_secant(path_50, found_10, rt::into(params_64)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
         path_50: Path,
         found_10: Found,
-        params_62: rt::Vec4<f32>,
+        params_64: rt::Vec4<f32>,
     ) -> Hit {
         let mut before_1: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
@@ -10131,7 +10217,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_10);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_50, found_10, params_62);
+            let _e5 = self.v_refine_none(path_50, found_10, params_64);
             return _e5;
         }
         before_1 = rt::Scalar(found_10.near);
@@ -10158,7 +10244,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e35 = k_23;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_62.x())) {
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_64.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -10182,7 +10268,7 @@ impl<'g> Resources<'g> {
                     before_gap = _e58;
                     last = t_38;
                     let _e59 = k_23;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_62.x())) {
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_64.x())) {
                         let _e62 = self.v_path_gap(path_50, t_38);
                         last_gap = _e62;
                         let _e63 = cost_7;
@@ -10202,16 +10288,16 @@ impl<'g> Resources<'g> {
         &self,
         path_51: Path,
         found_11: Found,
-        params_63: impl rt::Into<rt::Vec4<f32>>,
+        params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_51, found_11, rt::into(params_63)))
+        rt::into(self.v_refine_patch(path_51, found_11, rt::into(params_65)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
         path_51: Path,
         found_11: Found,
-        params_63: rt::Vec4<f32>,
+        params_65: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_22: rt::Scalar<f32>;
         let mut cell_16: rt::Vec2<f32>;
@@ -10237,7 +10323,7 @@ impl<'g> Resources<'g> {
         cell_16 = _e30;
         cost_8 = found_11.cost;
         let _e35 = cost_8.x();
-        let limit = (_e35 + params_63.x().to_u32());
+        let limit = (_e35 + params_65.x().to_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_8.x();
@@ -10304,27 +10390,27 @@ impl<'g> Resources<'g> {
         &self,
         path_52: Path,
         found_12: Found,
-        params_64: impl rt::Into<rt::Vec4<f32>>,
+        params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_52, found_12, rt::into(params_64)))
+        rt::into(self.v_refine_half_texel(path_52, found_12, rt::into(params_66)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
         path_52: Path,
         found_12: Found,
-        params_64: rt::Vec4<f32>,
+        params_66: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_6: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_12.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_52, found_12, params_64);
+            let _e6 = self.v_refine_none(path_52, found_12, params_66);
             return _e6;
         }
         let _e9 = self.v_height_size(rt::Scalar(path_52.level));
         let speed_1 = (path_52.duv * _e9).length();
         if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_52.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_52, found_12, params_64);
+            let _e17 = self.v_refine_none(path_52, found_12, params_66);
             return _e17;
         }
         let half_1 = (rt::Scalar(0.5f32) / speed_1);
@@ -10404,31 +10490,31 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_none(
         &self,
         path_54: Path,
-        params_65: impl rt::Into<rt::Vec4<f32>>,
+        params_67: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_54, rt::into(params_65)))
+        rt::into(self.v_search_none(path_54, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_search_none(
         &self,
         path_54: Path,
-        params_65: rt::Vec4<f32>,
+        params_67: rt::Vec4<f32>,
     ) -> Found {
         return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_54.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
         path_55: Path,
-        params_66: impl rt::Into<rt::Vec4<f32>>,
+        params_68: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_55, rt::into(params_66)))
+        rt::into(self.v_search_linear(path_55, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
         path_55: Path,
-        params_66: rt::Vec4<f32>,
+        params_68: rt::Vec4<f32>,
     ) -> Found {
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32>;
@@ -10436,7 +10522,7 @@ impl<'g> Resources<'g> {
         let mut k_24: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let cosine_5 = (path_55.h.y().abs() * path_55.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps_2 = rt::Scalar(1f32).max(((params_66.x() * params_66.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_55.share)).ceil());
+        let steps_2 = rt::Scalar(1f32).max(((params_68.x() * params_68.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_55.share)).ceil());
         let _e24 = self.v_path_gap(path_55, rt::Scalar(0f32));
         near_gap_2 = _e24;
         let _e28 = near_gap_2;
@@ -10521,15 +10607,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cells(
         &self,
         path_56: Path,
-        params_67: impl rt::Into<rt::Vec4<f32>>,
+        params_69: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_56, rt::into(params_67)))
+        rt::into(self.v_search_cells(path_56, rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
         path_56: Path,
-        params_67: rt::Vec4<f32>,
+        params_69: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
         let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -10538,7 +10624,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_grid_of(path_56);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_17 = _e4;
-        let limit_1 = params_67.x().to_u32();
+        let limit_1 = params_69.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_11.x();
@@ -10719,15 +10805,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_frustum(
         &self,
         path_59: Path,
-        params_68: impl rt::Into<rt::Vec4<f32>>,
+        params_70: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_59, rt::into(params_68)))
+        rt::into(self.v_search_frustum(path_59, rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
         path_59: Path,
-        params_68: rt::Vec4<f32>,
+        params_70: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_20: rt::Vec2<f32>;
         let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -10740,7 +10826,7 @@ impl<'g> Resources<'g> {
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_20 = _e9;
-        let limit_2 = params_68.x().to_u32();
+        let limit_2 = params_70.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_12.x();
@@ -10752,7 +10838,7 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_12;
                     cost_12 = (_e20 + STEP);
                     let _e24 = cost_12.x();
-                    let first_15 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_16 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_20;
                     let _e28 = self.v_whole_cell(_e27);
                     let _e30 = self.v_height_cell(_e28, rt::Scalar(path_59.level));
@@ -10804,7 +10890,7 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e106) {
                             let _e107 = t_25;
                             let _e108 = cost_12;
-                            let _e109 = self.v_found_in_cell(_e105, _e107, span_9, first_15, _e108);
+                            let _e109 = self.v_found_in_cell(_e105, _e107, span_9, first_16, _e108);
                             return _e109;
                         }
                     }
@@ -10812,8 +10898,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(0f32))) {
                         let _e114 = cell_20;
                         let _e117 = t_25;
-                        let at_145 = ((_e2.origin - _e114) + (_e2.step * _e117));
-                        let left_5 = at_145.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_145), forward_3);
+                        let at_147 = ((_e2.origin - _e114) + (_e2.step * _e117));
+                        let left_5 = at_147.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_147), forward_3);
                         let _e129 = t_25;
                         let far_9 = ((_e2.origin.abs() + (_e2.step.abs() * _e129)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e137 = slope_3;
@@ -10854,13 +10940,13 @@ impl<'g> Resources<'g> {
         let _e184 = cost_12;
         return <Found>::new(FOUND_EXHAUSTED, _e182, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e184);
     }
-    pub(crate) fn nearest_corner(&self, at_75: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_75)))
+    pub(crate) fn nearest_corner(&self, at_77: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_nearest_corner(&self, at_75: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_75.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_77: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_77.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
@@ -10944,15 +11030,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone(
         &self,
         path_61: Path,
-        params_69: impl rt::Into<rt::Vec4<f32>>,
+        params_71: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_61, rt::into(params_69)))
+        rt::into(self.v_search_cone(path_61, rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
         path_61: Path,
-        params_69: rt::Vec4<f32>,
+        params_71: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_21: rt::Vec2<f32>;
         let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -10963,7 +11049,7 @@ impl<'g> Resources<'g> {
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_21 = _e9;
-        let limit_3 = params_69.x().to_u32();
+        let limit_3 = params_71.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_13.x();
@@ -10975,7 +11061,7 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_13;
                     cost_13 = (_e20 + STEP);
                     let _e24 = cost_13.x();
-                    let first_16 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_17 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_21;
                     let _e28 = self.v_whole_cell(_e27);
                     let _e30 = self.v_height_cell(_e28, rt::Scalar(path_61.level));
@@ -10988,8 +11074,8 @@ impl<'g> Resources<'g> {
                     let span_10 = (end_10 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_21;
                     let _e49 = t_27;
-                    let at_146 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_146);
+                    let at_148 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_148);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_27;
                     next_2 = _e54;
@@ -11018,7 +11104,7 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e77) {
                             let _e78 = t_27;
                             let _e79 = cost_13;
-                            let _e80 = self.v_found_in_cell(_e76, _e78, span_10, first_16, _e79);
+                            let _e80 = self.v_found_in_cell(_e76, _e78, span_10, first_17, _e79);
                             return _e80;
                         }
                         let _e81 = t_27;
@@ -11062,15 +11148,15 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec2<i32> {
         let mut local_71: rt::Scalar<bool>;
 
-        let first_17 = ((image_10.x() >> level_33) << level_33);
+        let first_18 = ((image_10.x() >> level_33) << level_33);
         let side_7 = (rt::Scalar(1i32) << level_33);
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_5 = (cell_22 - (image_10.x() - first_17));
-            return <rt::Vec2<i32>>::from_scalars(low_5, (low_5 + side_7.min((n_7 - first_17))));
+            let low_5 = (cell_22 - (image_10.x() - first_18));
+            return <rt::Vec2<i32>>::from_scalars(low_5, (low_5 + side_7.min((n_7 - first_18))));
         }
         if rt::Scalar::into_branch_condition(image_10.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high_1 = ((cell_22 + (image_10.x() - first_17)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high_1 - side_7.min(((n_7 - rt::Scalar(1i32)) - first_17))), high_1);
+            let high_1 = ((cell_22 + (image_10.x() - first_18)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high_1 - side_7.min(((n_7 - rt::Scalar(1i32)) - first_18))), high_1);
         }
         if rt::Scalar::into_branch_condition(level_33.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
@@ -11111,15 +11197,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_pyramid(
         &self,
         path_62: Path,
-        params_70: impl rt::Into<rt::Vec4<f32>>,
+        params_72: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_62, rt::into(params_70)))
+        rt::into(self.v_search_pyramid(path_62, rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
         path_62: Path,
-        params_70: rt::Vec4<f32>,
+        params_72: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_34: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -11154,7 +11240,7 @@ impl<'g> Resources<'g> {
         }
         let _e37 = self.v_cell_of(_e2.origin);
         cell_23 = _e37.to_i32();
-        let limit_4 = params_70.x().to_u32();
+        let limit_4 = params_72.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_14.x();
@@ -11306,8 +11392,8 @@ impl<'g> Resources<'g> {
         let mut local_75: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_8);
-        let first_18 = ((_e3 >> level_35) << level_35);
-        let last_11 = (first_18 + (rt::Scalar(1i32) << level_35)).min(n_8);
+        let first_19 = ((_e3 >> level_35) << level_35);
+        let last_11 = (first_19 + (rt::Scalar(1i32) << level_35)).min(n_8);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
             local_75 = _e16.elementwise_eq(WRAP_REPEAT);
@@ -11316,31 +11402,31 @@ impl<'g> Resources<'g> {
         }
         let _e20 = local_75;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_18), ((texel_2 - _e3) + last_11));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_19), ((texel_2 - _e3) + last_11));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
             let period_3 = (rt::Scalar(2i32) * n_8);
             let folded_3 = (((texel_2 % period_3) + period_3) % period_3);
             if rt::Scalar::into_branch_condition(folded_3.elementwise_lt(n_8)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_18), ((texel_2 - _e3) + last_11));
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_19), ((texel_2 - _e3) + last_11));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_11) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_18) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_11) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_19) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
     pub(crate) fn search_pyramid_texels(
         &self,
         path_63: Path,
-        params_71: impl rt::Into<rt::Vec4<f32>>,
+        params_73: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_63, rt::into(params_71)))
+        rt::into(self.v_search_pyramid_texels(path_63, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
         path_63: Path,
-        params_71: rt::Vec4<f32>,
+        params_73: rt::Vec4<f32>,
     ) -> Found {
         let mut level_36: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
@@ -11370,9 +11456,9 @@ impl<'g> Resources<'g> {
         }
         let _e24 = self.v_cell_of(origin_7);
         texel_3 = _e24.to_i32();
-        let limit_5 = params_71.x().to_u32();
+        let limit_5 = params_73.x().to_u32();
         let _e35 = level_36;
-        finest_1 = params_71.y().to_u32().min(_e35);
+        finest_1 = params_73.y().to_u32().min(_e35);
         if rt::Scalar::into_branch_condition(rt::Scalar(path_63.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
@@ -11499,15 +11585,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_dilation_erosion(
         &self,
         path_64: Path,
-        params_72: impl rt::Into<rt::Vec4<f32>>,
+        params_74: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_64, rt::into(params_72)))
+        rt::into(self.v_search_dilation_erosion(path_64, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
         path_64: Path,
-        params_72: rt::Vec4<f32>,
+        params_74: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_25: rt::Vec2<f32>;
         let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11525,7 +11611,7 @@ impl<'g> Resources<'g> {
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_25 = _e11;
-        let limit_6 = params_72.x().to_u32();
+        let limit_6 = params_74.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_16.x();
@@ -11543,7 +11629,7 @@ impl<'g> Resources<'g> {
                     let span_12 = (end_13 - _e34).max(rt::Scalar(0f32));
                     let _e38 = t_30;
                     next_3 = _e38;
-                    looks = params_72.y().elementwise_gt(rt::Scalar(0.5f32));
+                    looks = params_74.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e44 = cell_25;
                     let _e45 = self.v_whole_cell(_e44);
                     let _e48 = self.v_image_of(_e45.x(), _e4.x());
@@ -11562,7 +11648,7 @@ impl<'g> Resources<'g> {
                         let _e73 = self.v_map_read(path_64, rt::Scalar(1u32));
                         cost_16 = (_e71 + _e73);
                         let _e75 = cell_25;
-                        let _e77 = self.v_leaves_window(_e2, _e75, params_72.z());
+                        let _e77 = self.v_leaves_window(_e2, _e75, params_74.z());
                         let _e80 = t_30;
                         let reach = (_e77.min(rt::Scalar(path_64.exit)) - _e80).max(rt::Scalar(0f32));
                         let _e84 = t_30;
@@ -11659,15 +11745,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_sphere(
         &self,
         path_65: Path,
-        params_73: impl rt::Into<rt::Vec4<f32>>,
+        params_75: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_65, rt::into(params_73)))
+        rt::into(self.v_search_sphere(path_65, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
         path_65: Path,
-        params_73: rt::Vec4<f32>,
+        params_75: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_26: rt::Vec2<f32>;
         let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11687,7 +11773,7 @@ impl<'g> Resources<'g> {
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_11.x() + far_11.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_26 = _e52;
-        let limit_7 = params_73.x().to_u32();
+        let limit_7 = params_75.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_17.x();
@@ -11707,7 +11793,7 @@ impl<'g> Resources<'g> {
                     let _e78 = self.v_path_uv(path_65, _e77);
                     let _e79 = t_31;
                     let _e80 = self.v_path_height(path_65, _e79);
-                    let _e82 = self.v_distance_at(path_65, _e78, _e80, params_73.z());
+                    let _e82 = self.v_distance_at(path_65, _e78, _e80, params_75.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_17;
                     let _e86 = self.v_map_read(path_65, rt::Scalar(4u32));
@@ -11719,7 +11805,7 @@ impl<'g> Resources<'g> {
                         let _e95 = t_31;
                         next_4 = (_e95 + (free_1 / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_73.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_75.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_4;
                         let _e102 = t_31;
                         if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_65.exit))))) {
@@ -11779,15 +11865,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone_moved(
         &self,
         path_66: Path,
-        params_74: impl rt::Into<rt::Vec4<f32>>,
+        params_76: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_66, rt::into(params_74)))
+        rt::into(self.v_search_cone_moved(path_66, rt::into(params_76)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
         path_66: Path,
-        params_74: rt::Vec4<f32>,
+        params_76: rt::Vec4<f32>,
     ) -> Found {
         let mut t_32: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11800,7 +11886,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_25;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_74.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_76.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -11879,15 +11965,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_relaxed_cone(
         &self,
         path_67: Path,
-        params_75: impl rt::Into<rt::Vec4<f32>>,
+        params_77: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_67, rt::into(params_75)))
+        rt::into(self.v_search_relaxed_cone(path_67, rt::into(params_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
         path_67: Path,
-        params_75: rt::Vec4<f32>,
+        params_77: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_27: rt::Vec2<f32>;
         let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11909,7 +11995,7 @@ impl<'g> Resources<'g> {
         let far_13 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_67.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_27 = _e36;
-        let limit_8 = params_75.x().to_u32();
+        let limit_8 = params_77.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_19.x();
@@ -11960,7 +12046,7 @@ impl<'g> Resources<'g> {
                     let _e100 = t_33;
                     start_2 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_75.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_77.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e107 = self.v_falls_in_cell(_e71, span_14);
                         if rt::Scalar::into_branch_condition(_e107) {
                             let _e108 = t_33;
@@ -12005,7 +12091,7 @@ impl<'g> Resources<'g> {
                             next_5 = (_e165 + (room_1.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_75.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_77.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e175 = next_5;
                         let _e176 = t_33;
                         local_83 = (!(_e175 - _e176).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_67.exit))));
@@ -12051,15 +12137,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_relaxed_cone_resting(
         &self,
         path_68: Path,
-        params_76: impl rt::Into<rt::Vec4<f32>>,
+        params_78: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_68, rt::into(params_76)))
+        rt::into(self.v_search_relaxed_cone_resting(path_68, rt::into(params_78)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
         path_68: Path,
-        params_76: rt::Vec4<f32>,
+        params_78: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_28: rt::Vec2<f32>;
         let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -12073,7 +12159,7 @@ impl<'g> Resources<'g> {
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_28 = _e9;
-        let limit_9 = params_76.x().to_u32();
+        let limit_9 = params_78.x().to_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_20.x();
@@ -12265,17 +12351,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_none(
         &self,
         pixel_76: PixelIn,
-        at_76: Entered,
-        params_77: impl rt::Into<rt::Vec4<f32>>,
+        at_78: Entered,
+        params_79: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_none(pixel_76, at_76, rt::into(params_77)))
+        rt::into(self.v_object_none(pixel_76, at_78, rt::into(params_79)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_none(
         &self,
         pixel_76: PixelIn,
-        at_76: Entered,
-        params_77: rt::Vec4<f32>,
+        at_78: Entered,
+        params_79: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut first_3: FirstHit;
@@ -12288,17 +12374,17 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = k_26;
-                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_76.segments))) {
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(rt::Scalar(at_78.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e16 = k_26;
-                    let _e17 = self.v_segment_of(pixel_76, at_76, _e16);
+                    let _e17 = self.v_segment_of(pixel_76, at_78, _e16);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e17.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e21 = self.v_trace(_e17);
                         let _e22 = k_26;
-                        let _e23 = self.v_hit_on_segment(pixel_76, at_76, _e17, _e21, _e22);
+                        let _e23 = self.v_hit_on_segment(pixel_76, at_78, _e17, _e21, _e22);
                         let _e24 = cost_21;
                         cost_21 = (_e24 + _e23.hit.cost);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e23.hit.found).elementwise_eq(rt::Scalar(1u32))) {
@@ -12328,11 +12414,11 @@ impl<'g> Resources<'g> {
         let _e56 = first_3;
         return _e56;
     }
-    pub(crate) fn first_in_all(&self, pixel_77: PixelIn, at_77: Entered) -> FirstHit {
-        rt::into(self.v_first_in_all(pixel_77, at_77))
+    pub(crate) fn first_in_all(&self, pixel_77: PixelIn, at_79: Entered) -> FirstHit {
+        rt::into(self.v_first_in_all(pixel_77, at_79))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_in_all(&self, pixel_77: PixelIn, at_77: Entered) -> FirstHit {
+    fn v_first_in_all(&self, pixel_77: PixelIn, at_79: Entered) -> FirstHit {
         let mut cost_22: rt::Vec3<u32> = NO_COST;
         let mut first_4: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -12346,11 +12432,11 @@ impl<'g> Resources<'g> {
         let _e4 = cost_22;
         let _e5 = self.v_miss(_e4);
         first_4 = <FirstHit>::new(_e5, rt::Scalar(0u32), rt::Scalar(0f32));
-        let most_14 = (rt::Scalar(at_77.segments) * MOST_ROUNDS);
+        let most_14 = (rt::Scalar(at_79.segments) * MOST_ROUNDS);
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = agreed;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_77.segments))) {
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(rt::Scalar(at_79.segments))) {
                     let _e26 = turns;
                     local_86 = _e26.elementwise_lt(most_14);
                 } else {
@@ -12363,7 +12449,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e30 = k_27;
-                    let _e31 = self.v_segment_of(pixel_77, at_77, _e30);
+                    let _e31 = self.v_segment_of(pixel_77, at_79, _e30);
                     let _e32 = reached_1;
                     let passed_m = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
                     let ahead_2 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
@@ -12409,7 +12495,7 @@ impl<'g> Resources<'g> {
                         agreed = rt::Scalar(0u32);
                         let _e93 = cost_22;
                         let _e95 = k_27;
-                        let _e96 = self.v_hit_on_segment(pixel_77, at_77, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_40, _e93), _e95);
+                        let _e96 = self.v_hit_on_segment(pixel_77, at_79, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_40, _e93), _e95);
                         first_4 = _e96;
                         let _e99 = first_4.hit.cost;
                         cost_22 = _e99;
@@ -12418,14 +12504,14 @@ impl<'g> Resources<'g> {
                     agreed = (_e100 + rt::Scalar(1u32));
                     let _e103 = k_27;
                     let _e107 = k_27;
-                    k_27 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_77.segments)));
+                    k_27 = (_e103 + rt::Scalar(1u32)).select(rt::Scalar(0u32), (_e107 + rt::Scalar(1u32)).elementwise_eq(rt::Scalar(at_79.segments)));
                     let _e113 = turns;
                     turns = (_e113 + rt::Scalar(1u32));
                 }
             }
         }
         let _e120 = agreed;
-        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_77.segments)));
+        rt::Scalar(first_4.hit.exhausted) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e120.elementwise_lt(rt::Scalar(at_79.segments)));
         let _e126 = cost_22;
         first_4.hit.cost = _e126;
         let _e127 = first_4;
@@ -12434,39 +12520,39 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_depth(
         &self,
         pixel_78: PixelIn,
-        at_78: Entered,
-        params_78: impl rt::Into<rt::Vec4<f32>>,
+        at_80: Entered,
+        params_80: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_depth(pixel_78, at_78, rt::into(params_78)))
+        rt::into(self.v_object_depth(pixel_78, at_80, rt::into(params_80)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_depth(
         &self,
         pixel_78: PixelIn,
-        at_78: Entered,
-        params_78: rt::Vec4<f32>,
+        at_80: Entered,
+        params_80: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_78, at_78);
+        let _e3 = self.v_first_in_all(pixel_78, at_80);
         return _e3;
     }
     pub(crate) fn object_hull(
         &self,
         pixel_79: PixelIn,
-        at_79: Entered,
-        params_79: impl rt::Into<rt::Vec4<f32>>,
+        at_81: Entered,
+        params_81: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_hull(pixel_79, at_79, rt::into(params_79)))
+        rt::into(self.v_object_hull(pixel_79, at_81, rt::into(params_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_hull(
         &self,
         pixel_79: PixelIn,
-        at_79: Entered,
-        params_79: rt::Vec4<f32>,
+        at_81: Entered,
+        params_81: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_79, at_79);
+        let _e3 = self.v_first_in_all(pixel_79, at_81);
         return _e3;
     }
     pub(crate) fn look_into_frame(&self, uv_20: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
@@ -12476,13 +12562,13 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     fn v_look_into_frame(&self, uv_20: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_147 = ((uv_20 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_147);
-        let part_19 = (at_147 - _e8);
+        let at_149 = ((uv_20 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_149);
+        let part_20 = (at_149 - _e8);
         let _e12 = self.v_height_cell(_e8.to_i32(), rt::Scalar(0u32));
-        let x_9 = (rt::Scalar(1f32) - part_19.x());
-        let y_7 = (rt::Scalar(1f32) - part_19.y());
-        let weights_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_9 * y_7), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_19.x() * y_7), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_9 * part_19.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_19.x() * part_19.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
+        let x_9 = (rt::Scalar(1f32) - part_20.x());
+        let y_7 = (rt::Scalar(1f32) - part_20.y());
+        let weights_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32).select((x_9 * y_7), _e12.x().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_20.x() * y_7), _e12.y().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((x_9 * part_20.y()), _e12.z().elementwise_gt(rt::Scalar(0.00001f32))), rt::Scalar(0f32).select((part_20.x() * part_20.y()), _e12.w().elementwise_gt(rt::Scalar(0.00001f32))));
         let cover_2 = ((weights_6.x() + weights_6.y()) + (weights_6.z() + weights_6.w()));
         if rt::Scalar::into_branch_condition(cover_2.elementwise_gt(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(cover_2, (weights_6.dot(_e12) / cover_2));
@@ -12539,17 +12625,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn object_blend(
         &self,
         pixel_80: PixelIn,
-        at_80: Entered,
-        params_80: impl rt::Into<rt::Vec4<f32>>,
+        at_82: Entered,
+        params_82: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_blend(pixel_80, at_80, rt::into(params_80)))
+        rt::into(self.v_object_blend(pixel_80, at_82, rt::into(params_82)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_blend(
         &self,
         pixel_80: PixelIn,
-        at_80: Entered,
-        params_80: rt::Vec4<f32>,
+        at_82: Entered,
+        params_82: rt::Vec4<f32>,
     ) -> FirstHit {
         let mut cost_23: rt::Vec3<u32> = NO_COST;
         let mut cover_1: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -12560,8 +12646,8 @@ impl<'g> Resources<'g> {
         let mut first_5: FirstHit;
         let mut local_89: rt::Scalar<bool>;
 
-        let toward_6 = (-pixel_80.direction.normalize());
-        let _e6 = self.v_frames_around(toward_6);
+        let toward_7 = (-pixel_80.direction.normalize());
+        let _e6 = self.v_frames_around(toward_7);
         'naga_break: loop {
             'naga_continue: {
                 let _e19 = k_28;
@@ -12575,20 +12661,20 @@ impl<'g> Resources<'g> {
                     let _e24 = self.v_image_of_object(_e23);
                     let _e25 = k_28;
                     let _e26 = self.v_frame_weight(_e6, _e25);
-                    if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_6).elementwise_ge(rt::Scalar(0.05f32))) {
+                    if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_7).elementwise_ge(rt::Scalar(0.05f32))) {
                         let _e31 = k_28;
-                        let _e32 = self.v_segment_of(pixel_80, at_80, _e31);
-                        let _e35 = self.v_look_along(_e32, _e24, params_80.w().to_u32());
-                        let seen_6 = (_e26 * _e35.x());
+                        let _e32 = self.v_segment_of(pixel_80, at_82, _e31);
+                        let _e35 = self.v_look_along(_e32, _e24, params_82.w().to_u32());
+                        let seen_7 = (_e26 * _e35.x());
                         let _e38 = cost_23;
-                        cost_23 = (_e38 + (LOOK * (params_80.w().to_u32() + rt::Scalar(1u32))));
+                        cost_23 = (_e38 + (LOOK * (params_82.w().to_u32() + rt::Scalar(1u32))));
                         let _e46 = cover_1;
-                        cover_1 = (_e46 + seen_6);
+                        cover_1 = (_e46 + seen_7);
                         let _e48 = along_18;
-                        along_18 = (_e48 + (seen_6 * (rt::Scalar(_e32.start) + ((_e35.y() - _e32.h.x()) / _e32.h.y()))));
+                        along_18 = (_e48 + (seen_7 * (rt::Scalar(_e32.start) + ((_e35.y() - _e32.h.x()) / _e32.h.y()))));
                         let _e60 = most_1;
-                        if rt::Scalar::into_branch_condition(seen_6.elementwise_gt(_e60)) {
-                            most_1 = seen_6;
+                        if rt::Scalar::into_branch_condition(seen_7.elementwise_gt(_e60)) {
+                            most_1 = seen_7;
                             let _e62 = k_28;
                             heaviest = _e62;
                         }
@@ -12614,54 +12700,54 @@ impl<'g> Resources<'g> {
             return _e83;
         }
         let _e84 = heaviest;
-        let _e85 = self.v_segment_of(pixel_80, at_80, _e84);
+        let _e85 = self.v_segment_of(pixel_80, at_82, _e84);
         let _e86 = along_18;
         let _e87 = cover_1;
         let t_41 = ((_e86 / _e87) - rt::Scalar(_e85.start));
         let _e93 = self.v_path_uv(_e85, t_41);
         let _e94 = self.v_path_height(_e85, t_41);
         let _e95 = cost_23;
-        let hit_62 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_41, _e95);
+        let hit_64 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_41, _e95);
         let _e97 = heaviest;
-        let _e98 = self.v_hit_on_segment(pixel_80, at_80, _e85, hit_62, _e97);
+        let _e98 = self.v_hit_on_segment(pixel_80, at_82, _e85, hit_64, _e97);
         return _e98;
     }
-    pub(crate) fn object_stage(&self, pixel_81: PixelIn, at_81: Entered) -> FirstHit {
-        rt::into(self.v_object_stage(pixel_81, at_81))
+    pub(crate) fn object_stage(&self, pixel_81: PixelIn, at_83: Entered) -> FirstHit {
+        rt::into(self.v_object_stage(pixel_81, at_83))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_stage(&self, pixel_81: PixelIn, at_81: Entered) -> FirstHit {
+    fn v_object_stage(&self, pixel_81: PixelIn, at_83: Entered) -> FirstHit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_object_none(pixel_81, at_81, _e11);
+                let _e12 = self.v_object_none(pixel_81, at_83, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_object_depth(pixel_81, at_81, _e17);
+                let _e18 = self.v_object_depth(pixel_81, at_83, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_object_hull(pixel_81, at_81, _e23);
+                let _e24 = self.v_object_hull(pixel_81, at_83, _e23);
                 return _e24;
             }
             _ => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_object_blend(pixel_81, at_81, _e29);
+                let _e30 = self.v_object_blend(pixel_81, at_83, _e29);
                 return _e30;
             }
         }
     }
-    pub(crate) fn first_hit(&self, pixel_82: PixelIn, at_82: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_82, at_82))
+    pub(crate) fn first_hit(&self, pixel_82: PixelIn, at_84: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_82, at_84))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_first_hit(&self, pixel_82: PixelIn, at_82: Entered) -> FirstHit {
-        let _e2 = self.v_object_stage(pixel_82, at_82);
+    fn v_first_hit(&self, pixel_82: PixelIn, at_84: Entered) -> FirstHit {
+        let _e2 = self.v_object_stage(pixel_82, at_84);
         return _e2;
     }
     pub(crate) fn quotient_up(
@@ -12709,14 +12795,14 @@ impl<'g> Resources<'g> {
         let _e43 = self.v_quotient_up((m_6 * (doubled - (rt::Scalar(2i32) * sweep_5.apex.x()))), (rt::Scalar(2i32) * (sweep_5.end.x() - sweep_5.apex.x())));
         return (n_13 + _e43);
     }
-    pub(crate) fn footprint_m(&self, at_83: Entered) -> f32 {
-        rt::into(self.v_footprint_m(at_83))
+    pub(crate) fn footprint_m(&self, at_85: Entered) -> f32 {
+        rt::into(self.v_footprint_m(at_85))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_footprint_m(&self, at_83: Entered) -> rt::Scalar<f32> {
+    fn v_footprint_m(&self, at_85: Entered) -> rt::Scalar<f32> {
         let _e7 = self.v_height_size(rt::Scalar(0u32));
-        return ((rt::Scalar(at_83.footprint) * at_83.metric.x().sqrt()) / _e7.x());
+        return ((rt::Scalar(at_85.footprint) * at_85.metric.x().sqrt()) / _e7.x());
     }
     pub(crate) fn near_uv(&self, uv_21: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_near_uv(rt::into(uv_21)))
@@ -12734,17 +12820,17 @@ impl<'g> Resources<'g> {
         }
         return uv_21;
     }
-    pub(crate) fn from_hit(&self, at_84: Entered, hit_21: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_84, hit_21, light_1))
+    pub(crate) fn from_hit(&self, at_86: Entered, hit_23: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_86, hit_23, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_from_hit(&self, at_84: Entered, hit_21: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_84, light_1.direction);
-        let _e6 = self.v_near_uv(hit_21.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_84.level));
+    fn v_from_hit(&self, at_86: Entered, hit_23: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_86, light_1.direction);
+        let _e6 = self.v_near_uv(hit_23.uv);
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_86.level));
         let h_9 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_9, rt::Scalar(0f32), rt::Scalar(0f32), at_84.metric, RAY_SHADOW, rt::Scalar(at_84.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
+        return <Path>::new(_e6, _e4.xy(), h_9, rt::Scalar(0f32), rt::Scalar(0f32), at_86.metric, RAY_SHADOW, rt::Scalar(at_86.level), rt::Scalar(0f32), rt::Scalar(1f32), rt::Scalar(0f32));
     }
     pub(crate) fn way_out(&self, path_72: Path, light_2: Toward) -> f32 {
         rt::into(self.v_way_out(path_72, light_2))
@@ -12769,14 +12855,14 @@ impl<'g> Resources<'g> {
         let _e34 = way_6;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_85: Entered, hit_22: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_85, hit_22, light_3))
+    pub(crate) fn light_ray(&self, at_87: Entered, hit_24: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_87, hit_24, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_85: Entered, hit_22: Hit, light_3: Toward) -> LightRay {
+    fn v_light_ray(&self, at_87: Entered, hit_24: Hit, light_3: Toward) -> LightRay {
         let mut local_90: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_85, hit_22, light_3);
+        let _e3 = self.v_from_hit(at_87, hit_24, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -12878,13 +12964,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn free_way(&self, at_86: Entered, hit_23: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_86, hit_23, light_4))
+    pub(crate) fn free_way(&self, at_88: Entered, hit_25: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_88, hit_25, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_free_way(&self, at_86: Entered, hit_23: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_86, hit_23, light_4);
+    fn v_free_way(&self, at_88: Entered, hit_25: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_88, hit_25, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -12911,9 +12997,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_sine_of(&self, turn_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_20 = (turn_2 - turn_2.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_20 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_20.elementwise_gt(rt::Scalar(0.5f32)));
+        let part_21 = (turn_2 - turn_2.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_21 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_21.elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn turned_1(&self, turn_3: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_turned_1(rt::into(turn_3)))
@@ -12960,31 +13046,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn gradient_noise(
         &self,
-        at_87: impl rt::Into<rt::Vec2<f32>>,
+        at_89: impl rt::Into<rt::Vec2<f32>>,
         count_6: impl rt::Into<rt::Scalar<f32>>,
         turns_2: impl rt::Into<rt::Scalar<f32>>,
         seed_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_gradient_noise(rt::into(at_87), rt::into(count_6), rt::into(turns_2), rt::into(seed_3)))
+        rt::into(self.v_gradient_noise(rt::into(at_89), rt::into(count_6), rt::into(turns_2), rt::into(seed_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_gradient_noise(
         &self,
-        at_87: rt::Vec2<f32>,
+        at_89: rt::Vec2<f32>,
         count_6: rt::Scalar<f32>,
         turns_2: rt::Scalar<f32>,
         seed_3: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let cell_32 = at_87.floor();
-        let part_21 = (at_87 - cell_32);
-        let fade = (((part_21 * part_21) * part_21) * ((part_21 * ((part_21 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
+        let cell_32 = at_89.floor();
+        let part_22 = (at_89 - cell_32);
+        let fade = (((part_22 * part_22) * part_22) * ((part_22 * ((part_22 * rt::Scalar(6f32)) - rt::Vec2::splat_from_scalar(rt::Scalar(15f32)))) + rt::Vec2::splat_from_scalar(rt::Scalar(10f32))));
         let right_5 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
         let down_1 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(1f32));
-        let _e24 = self.v_gradient_at(cell_32, part_21, count_6, turns_2, seed_3);
-        let _e27 = self.v_gradient_at((cell_32 + right_5), (part_21 - right_5), count_6, turns_2, seed_3);
-        let _e30 = self.v_gradient_at((cell_32 + down_1), (part_21 - down_1), count_6, turns_2, seed_3);
-        let _e35 = self.v_gradient_at(((cell_32 + right_5) + down_1), ((part_21 - right_5) - down_1), count_6, turns_2, seed_3);
+        let _e24 = self.v_gradient_at(cell_32, part_22, count_6, turns_2, seed_3);
+        let _e27 = self.v_gradient_at((cell_32 + right_5), (part_22 - right_5), count_6, turns_2, seed_3);
+        let _e30 = self.v_gradient_at((cell_32 + down_1), (part_22 - down_1), count_6, turns_2, seed_3);
+        let _e35 = self.v_gradient_at(((cell_32 + right_5) + down_1), ((part_22 - right_5) - down_1), count_6, turns_2, seed_3);
         let above_9 = (_e24 + ((_e27 - _e24) * fade.x()));
         let below_7 = (_e30 + ((_e35 - _e30) * fade.x()));
         return (above_9 + ((below_7 - above_9) * fade.y()));
@@ -12995,20 +13081,21 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_has_table(&self, levels: Levels) -> rt::Scalar<bool> {
-        return rt::Scalar(levels.fine).elementwise_ge(SEEN_FIRST_LEVEL);
+        let _e6 = rt::Scalar(self.surface_settings.maps[0usize].first_level);
+        return rt::Scalar(levels.fine).elementwise_ge(_e6);
     }
     pub(crate) fn holds_filter(
         &self,
-        view_10: LightView,
+        view_12: LightView,
         place_17: impl rt::Into<rt::Vec3<f32>>,
         half: impl rt::Into<rt::Scalar<f32>>,
     ) -> bool {
-        rt::into(self.v_holds_filter(view_10, rt::into(place_17), rt::into(half)))
+        rt::into(self.v_holds_filter(view_12, rt::into(place_17), rt::into(half)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_holds_filter(
         &self,
-        view_10: LightView,
+        view_12: LightView,
         place_17: rt::Vec3<f32>,
         half: rt::Scalar<f32>,
     ) -> rt::Scalar<bool> {
@@ -13024,7 +13111,7 @@ impl<'g> Resources<'g> {
         }
         let _e19 = local_91;
         if rt::Scalar::into_branch_condition(_e19) {
-            local_92 = most_15.elementwise_le(rt::Scalar(view_10.size).to_f32());
+            local_92 = most_15.elementwise_le(rt::Scalar(view_12.size).to_f32());
         } else {
             local_92 = rt::Scalar(false);
         }
@@ -13206,111 +13293,111 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_place(
         &self,
-        view_11: LightView,
+        view_13: LightView,
         point_17: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_light_place(view_11, rt::into(point_17)))
+        rt::into(self.v_light_place(view_13, rt::into(point_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_place(
         &self,
-        view_11: LightView,
+        view_13: LightView,
         point_17: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_148 = <rt::Vec4<f32>>::new_31(point_17, rt::Scalar(1f32));
-        let depth_9 = view_11.depth.dot(at_148);
-        let over_3 = rt::Scalar(1f32).select(depth_9, rt::Scalar(view_11.from_point).elementwise_eq(rt::Scalar(1u32)));
-        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_11.column.dot(at_148), view_11.row.dot(at_148)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
+        let at_150 = <rt::Vec4<f32>>::new_31(point_17, rt::Scalar(1f32));
+        let depth_9 = view_13.depth.dot(at_150);
+        let over_3 = rt::Scalar(1f32).select(depth_9, rt::Scalar(view_13.from_point).elementwise_eq(rt::Scalar(1u32)));
+        return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_13.column.dot(at_150), view_13.row.dot(at_150)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
     }
     pub(crate) fn patch_normal(
         &self,
-        at_88: Entered,
+        at_90: Entered,
         uv_22: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_patch_normal(at_88, rt::into(uv_22)))
+        rt::into(self.v_patch_normal(at_90, rt::into(uv_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_patch_normal(
         &self,
-        at_88: Entered,
+        at_90: Entered,
         uv_22: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let facet = at_88.facing.normalize();
-            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_88.normal).elementwise_ge(rt::Scalar(0f32))));
+            let facet = at_90.facing.normalize();
+            return (facet * rt::Scalar(-1f32).select(rt::Scalar(1f32), facet.dot(at_90.normal).elementwise_ge(rt::Scalar(0f32))));
         }
-        let _e18 = self.v_height_and_slope(uv_22, rt::Scalar(at_88.level));
+        let _e18 = self.v_height_and_slope(uv_22, rt::Scalar(at_90.level));
         let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let along_u_2 = (at_88.tangent + (at_88.normal * (_e18.y() * _e24)));
+        let along_u_2 = (at_90.tangent + (at_90.normal * (_e18.y() * _e24)));
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let along_v_2 = (at_88.bitangent + (at_88.normal * (_e18.z() * _e33)));
+        let along_v_2 = (at_90.bitangent + (at_90.normal * (_e18.z() * _e33)));
         let across_8 = along_v_2.cross(along_u_2).normalize();
-        return (across_8 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_8.dot(at_88.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_8 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_8.dot(at_90.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn plane_depth(
         &self,
-        view_12: LightView,
+        view_14: LightView,
         point_18: impl rt::Into<rt::Vec3<f32>>,
-        normal_15: impl rt::Into<rt::Vec3<f32>>,
+        normal_18: impl rt::Into<rt::Vec3<f32>>,
         texel_4: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_plane_depth(view_12, rt::into(point_18), rt::into(normal_15), rt::into(texel_4)))
+        rt::into(self.v_plane_depth(view_14, rt::into(point_18), rt::into(normal_18), rt::into(texel_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_depth(
         &self,
-        view_12: LightView,
+        view_14: LightView,
         point_18: rt::Vec3<f32>,
-        normal_15: rt::Vec3<f32>,
+        normal_18: rt::Vec3<f32>,
         texel_4: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let corner_6 = ((view_12.corner.xyz() + (view_12.across.xyz() * texel_4.x())) + (view_12.along.xyz() * texel_4.y()));
-        if rt::Scalar::into_branch_condition(rt::Scalar(view_12.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_15.dot((point_18 - view_12.eye.xyz())) / normal_15.dot(corner_6));
+        let corner_6 = ((view_14.corner.xyz() + (view_14.across.xyz() * texel_4.x())) + (view_14.along.xyz() * texel_4.y()));
+        if rt::Scalar::into_branch_condition(rt::Scalar(view_14.from_point).elementwise_eq(rt::Scalar(1u32))) {
+            return (normal_18.dot((point_18 - view_14.eye.xyz())) / normal_18.dot(corner_6));
         }
-        return (normal_15.dot((point_18 - corner_6)) / normal_15.dot(view_12.depth.xyz()));
+        return (normal_18.dot((point_18 - corner_6)) / normal_18.dot(view_14.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
         place_18: impl rt::Into<rt::Vec2<i32>>,
-        view_13: impl rt::Into<rt::Scalar<i32>>,
+        view_15: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_light_texel(rt::into(place_18), rt::into(view_13)))
+        rt::into(self.v_light_texel(rt::into(place_18), rt::into(view_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_texel(
         &self,
         place_18: rt::Vec2<i32>,
-        view_13: rt::Scalar<i32>,
+        view_15: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_18, rt::Scalar::into_inner(view_13), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e4 = rt::texture::Read::read_texel((&self.light_map), place_18, rt::Scalar::into_inner(view_15), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return _e4.x();
     }
     pub(crate) fn row_sees(
         &self,
-        at_89: InView,
+        at_91: InView,
         row_6: impl rt::Into<rt::Scalar<f32>>,
         last_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_row_sees(at_89, rt::into(row_6), rt::into(last_1)))
+        rt::into(self.v_row_sees(at_91, rt::into(row_6), rt::into(last_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_row_sees(
         &self,
-        at_89: InView,
+        at_91: InView,
         row_6: rt::Scalar<f32>,
         last_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut sees: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut column_2: rt::Scalar<f32>;
 
-        let view_25 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_89.number))];
-        column_2 = at_89.low.x().floor();
+        let view_27 = self.frame.light_views[rt::Scalar::into_array_index(rt::Scalar(at_91.number))];
+        column_2 = at_91.low.x().floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = column_2;
@@ -13321,13 +13408,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e18 = column_2;
                     let _e24 = column_2;
-                    let wide_2 = (at_89.high.x().min((_e18 + rt::Scalar(1f32))) - at_89.low.x().max(_e24));
+                    let wide_2 = (at_91.high.x().min((_e18 + rt::Scalar(1f32))) - at_91.low.x().max(_e24));
                     let _e27 = column_2;
                     let place_31 = <rt::Vec2<f32>>::from_scalars(_e27, row_6);
-                    let _e35 = self.v_plane_depth(view_25, at_89.point, at_89.normal, (place_31 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let depth_10 = _e35.clamp(rt::Scalar(at_89.least_depth), rt::Scalar(at_89.most_depth));
-                    let key = (rt::Scalar(view_25.near) / (rt::Scalar(view_25.near) + depth_10.max(rt::Scalar(0f32))));
-                    let _e48 = self.v_light_texel(place_31.to_i32(), rt::Scalar(at_89.number).to_i32());
+                    let _e35 = self.v_plane_depth(view_27, at_91.point, at_91.normal, (place_31 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let depth_10 = _e35.clamp(rt::Scalar(at_91.least_depth), rt::Scalar(at_91.most_depth));
+                    let key = (rt::Scalar(view_27.near) / (rt::Scalar(view_27.near) + depth_10.max(rt::Scalar(0f32))));
+                    let _e48 = self.v_light_texel(place_31.to_i32(), rt::Scalar(at_91.number).to_i32());
                     if rt::Scalar::into_branch_condition((!_e48.elementwise_gt(key))) {
                         let _e51 = sees;
                         sees = (_e51 + wide_2);
@@ -13343,20 +13430,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn seen_part(
         &self,
         number_15: impl rt::Into<rt::Scalar<u32>>,
-        at_90: Entered,
-        normal_16: impl rt::Into<rt::Vec3<f32>>,
+        at_92: Entered,
+        normal_19: impl rt::Into<rt::Vec3<f32>>,
         place_19: impl rt::Into<rt::Vec3<f32>>,
         filter_width: impl rt::Into<rt::Scalar<f32>>,
         bias: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_part(rt::into(number_15), at_90, rt::into(normal_16), rt::into(place_19), rt::into(filter_width), rt::into(bias)))
+        rt::into(self.v_seen_part(rt::into(number_15), at_92, rt::into(normal_19), rt::into(place_19), rt::into(filter_width), rt::into(bias)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_part(
         &self,
         number_15: rt::Scalar<u32>,
-        at_90: Entered,
-        normal_16: rt::Vec3<f32>,
+        at_92: Entered,
+        normal_19: rt::Vec3<f32>,
         place_19: rt::Vec3<f32>,
         filter_width: rt::Scalar<f32>,
         bias: rt::Scalar<f32>,
@@ -13364,15 +13451,15 @@ impl<'g> Resources<'g> {
         let mut seen: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut row_7: rt::Scalar<f32>;
 
-        let view_26 = self.frame.light_views[rt::Scalar::into_array_index(number_15)];
-        let texel_m = (rt::Scalar(view_26.texel_m) * rt::Scalar(1f32).select(place_19.z(), rt::Scalar(view_26.from_point).elementwise_eq(rt::Scalar(1u32))));
-        let _e19 = self.v_footprint_m(at_90);
-        let point_31 = (at_90.point + (normal_16 * (bias * texel_m.max(_e19))));
+        let view_28 = self.frame.light_views[rt::Scalar::into_array_index(number_15)];
+        let texel_m = (rt::Scalar(view_28.texel_m) * rt::Scalar(1f32).select(place_19.z(), rt::Scalar(view_28.from_point).elementwise_eq(rt::Scalar(1u32))));
+        let _e19 = self.v_footprint_m(at_92);
+        let point_31 = (at_92.point + (normal_19 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
         let low_10 = (place_19.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_4 = (low_10 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
-        let last_14 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_26.size).to_f32(), rt::Scalar(view_26.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_15, point_31, normal_16, low_10, high_4, (place_19.z() - reach_1), (place_19.z() + reach_1));
+        let last_14 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_28.size).to_f32(), rt::Scalar(view_28.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
+        let in_view = <InView>::new(number_15, point_31, normal_19, low_10, high_4, (place_19.z() - reach_1), (place_19.z() + reach_1));
         row_7 = low_10.y().floor();
         'naga_break: loop {
             'naga_continue: {
@@ -13399,19 +13486,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn light_seen(
         &self,
-        at_91: Entered,
+        at_93: Entered,
         uv_23: impl rt::Into<rt::Vec2<f32>>,
         number_16: impl rt::Into<rt::Scalar<u32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
         filter_texels: impl rt::Into<rt::Scalar<f32>>,
         bias_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_light_seen(at_91, rt::into(uv_23), rt::into(number_16), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
+        rt::into(self.v_light_seen(at_93, rt::into(uv_23), rt::into(number_16), rt::into(toward_1), rt::into(filter_texels), rt::into(bias_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_seen(
         &self,
-        at_91: Entered,
+        at_93: Entered,
         uv_23: rt::Vec2<f32>,
         number_16: rt::Scalar<u32>,
         toward_1: rt::Vec3<f32>,
@@ -13424,7 +13511,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(light_17.views).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e14 = self.v_patch_normal(at_91, uv_23);
+        let _e14 = self.v_patch_normal(at_93, uv_23);
         if rt::Scalar::into_branch_condition((!_e14.dot(toward_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -13440,13 +13527,13 @@ impl<'g> Resources<'g> {
                 {
                     let _e31 = k_30;
                     let _e33 = self.frame.light_views[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_light_place(_e33, at_91.point);
+                    let _e35 = self.v_light_place(_e33, at_93.point);
                     let _e38 = k_30;
                     let _e40 = self.frame.light_views[rt::Scalar::into_array_index(_e38)];
                     let _e43 = self.v_holds_filter(_e40, _e35, (rt::Scalar(0.5f32) * width_6));
                     if rt::Scalar::into_branch_condition(_e43) {
                         let _e44 = k_30;
-                        let _e45 = self.v_seen_part(_e44, at_91, _e14, _e35, width_6, bias_1);
+                        let _e45 = self.v_seen_part(_e44, at_93, _e14, _e35, width_6, bias_1);
                         return _e45;
                     }
                     let _e46 = k_30;
@@ -13518,54 +13605,54 @@ impl<'g> Resources<'g> {
         let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         return <SeenTable>::new(none, none, none);
     }
-    pub(crate) fn one_seen(&self, normal_17: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
-        rt::into(self.v_one_seen(rt::into(normal_17)))
+    pub(crate) fn one_seen(&self, normal_20: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
+        rt::into(self.v_one_seen(rt::into(normal_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_one_seen(&self, normal_17: rt::Vec3<f32>) -> SeenNormals {
+    fn v_one_seen(&self, normal_20: rt::Vec3<f32>) -> SeenNormals {
         let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let none_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let parts_6 = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let _e13 = self.v_no_table();
-        return <SeenNormals>::new(normal_17, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts_6, rt::Scalar(0f32), _e13);
+        return <SeenNormals>::new(normal_20, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts_6, rt::Scalar(0f32), _e13);
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_92: Entered,
+        at_94: Entered,
         v_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_92, rt::into(v_1)))
+        rt::into(self.v_to_tangent_space(at_94, rt::into(v_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_to_tangent_space(
         &self,
-        at_92: Entered,
+        at_94: Entered,
         v_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_3 = at_92.tangent.normalize();
-        let along_v_3 = at_92.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_92.normal.dot(v_1));
+        let along_u_3 = at_94.tangent.normalize();
+        let along_v_3 = at_94.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_3.dot(v_1), (-along_v_3.dot(v_1)), at_94.normal.dot(v_1));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_93: Entered,
+        at_95: Entered,
         uv_24: impl rt::Into<rt::Vec2<f32>>,
         level_38: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_93, rt::into(uv_24), rt::into(level_38)))
+        rt::into(self.v_normals_of_level(at_95, rt::into(uv_24), rt::into(level_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_93: Entered,
+        at_95: Entered,
         uv_24: rt::Vec2<f32>,
         level_38: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_38.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_93, uv_24);
-            let _e6 = self.v_to_tangent_space(at_93, _e5);
+            let _e5 = self.v_finest_normal(at_95, uv_24);
+            let _e6 = self.v_to_tangent_space(at_95, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
@@ -13576,8 +13663,8 @@ impl<'g> Resources<'g> {
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_11 = ((tile.x() * at_93.tangent.normalize().dot(at_93.tangent)) / at_93.tangent.dot(at_93.tangent));
-        let y_8 = ((tile.y() * at_93.bitangent.normalize().dot(at_93.bitangent)) / at_93.bitangent.dot(at_93.bitangent));
+        let x_11 = ((tile.x() * at_95.tangent.normalize().dot(at_95.tangent)) / at_95.tangent.dot(at_95.tangent));
+        let y_8 = ((tile.y() * at_95.bitangent.normalize().dot(at_95.bitangent)) / at_95.bitangent.dot(at_95.bitangent));
         let _e44 = self.v_normal_at(uv_24, rt::Scalar(0i32), (level_38 - rt::Scalar(1u32)));
         let _e48 = self.v_normal_at(uv_24, rt::Scalar(1i32), (level_38 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_11), (_e44.y() * y_8), _e44.z());
@@ -13595,36 +13682,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_94: Entered,
+        at_96: Entered,
         normals: Normals,
-        view_14: impl rt::Into<rt::Vec3<f32>>,
+        view_16: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_94, normals, rt::into(view_14)))
+        rt::into(self.v_seen_normals(at_96, normals, rt::into(view_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_94: Entered,
+        at_96: Entered,
         normals: Normals,
-        view_14: rt::Vec3<f32>,
+        view_16: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let first_19 = normals.first;
+        let first_20 = normals.first;
         let second_6 = normals.second;
-        let slope_12 = <rt::Vec2<f32>>::from_scalars(first_19.w(), second_6.w());
-        let upright_1 = first_19.z().max(rt::Scalar(0.05f32));
-        let x_12 = (first_19.x() / upright_1);
-        let y_9 = (first_19.y() / upright_1);
+        let slope_12 = <rt::Vec2<f32>>::from_scalars(first_20.w(), second_6.w());
+        let upright_1 = first_20.z().max(rt::Scalar(0.05f32));
+        let x_12 = (first_20.x() / upright_1);
+        let y_9 = (first_20.y() / upright_1);
         let a_40 = ((second_6.x() / upright_1) - (x_12 * x_12)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
         let b_40 = (((second_6.y() / upright_1) - (x_12 * y_9)) / a_40);
         let spread = ((second_6.z() / upright_1) - (y_9 * y_9)).max(rt::Scalar(0f32));
         let d_4 = (spread - (b_40 * b_40)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_6.x(), second_6.y(), first_19.x())) - (first_19.xyz() * slope_12.x()));
-        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_6.y(), second_6.z(), first_19.y())) - (first_19.xyz() * slope_12.y()));
+        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_6.x(), second_6.y(), first_20.x())) - (first_20.xyz() * slope_12.x()));
+        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_6.y(), second_6.z(), first_20.y())) - (first_20.xyz() * slope_12.y()));
         let most_16 = ((a_40 * a_40) + spread).sqrt().min(rt::Scalar(1f32));
         let along_42 = (with_x / rt::Vec3::splat_from_scalar(a_40.max((with_x.length() / most_16))));
         let rest_9 = (with_y - (along_42 * b_40));
         let across_9 = (rest_9 / rt::Vec3::splat_from_scalar(d_4.max((rest_9.length() / most_16))));
-        let _e77 = self.v_to_tangent_space(at_94, view_14);
+        let _e77 = self.v_to_tangent_space(at_96, view_16);
         let middle_15 = (_e77.z() - _e77.xy().dot(slope_12));
         let _e91 = self.v_facing_four(middle_15, (-((_e77.x() * a_40) + (_e77.y() * b_40))), (-(_e77.y() * d_4)));
         let one_1 = middle_15.max(rt::Scalar(0f32));
@@ -13632,36 +13719,36 @@ impl<'g> Resources<'g> {
         let _e95 = self.v_mean_of_five(one_1, _e94);
         let all_1 = _e95.max(rt::Scalar(0.001f32));
         let aside_8 = ((along_42 * ((_e91.x() - _e91.y()) / all_1)) + (across_9 * ((_e91.z() - _e91.w()) / all_1)));
-        let _e113 = self.v_from_tangent_space(at_94, (first_19.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
+        let _e113 = self.v_from_tangent_space(at_96, (first_20.xyz() + (aside_8 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_19.xyz(), along_42, across_9, slope_12, <rt::Vec2<f32>>::from_scalars(a_40, b_40), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_4), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one_1 / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_20.xyz(), along_42, across_9, slope_12, <rt::Vec2<f32>>::from_scalars(a_40, b_40), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_4), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one_1 / all_1), (_e91 / rt::Vec4::splat_from_scalar(all_1)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_95: Entered) -> f32 {
-        rt::into(self.v_table_part(at_95))
+    pub(crate) fn table_part(&self, at_97: Entered) -> f32 {
+        rt::into(self.v_table_part(at_97))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_table_part(&self, at_95: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_97: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_95.fade) * ((rt::Scalar(at_95.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_97.fade) * ((rt::Scalar(at_97.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_96: Entered,
+        at_98: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_96, seen_1, table, rt::into(part_7)))
+        rt::into(self.v_with_table(at_98, seen_1, table, rt::into(part_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_with_table(
         &self,
-        at_96: Entered,
+        at_98: Entered,
         seen_1: SeenNormals,
         table: SeenTable,
         part_7: rt::Scalar<f32>,
@@ -13670,7 +13757,7 @@ impl<'g> Resources<'g> {
 
         told = seen_1;
         let before_5 = (seen_1.normal * rt::Scalar(seen_1.length));
-        let _e9 = self.v_from_tangent_space(at_96, table.mean);
+        let _e9 = self.v_from_tangent_space(at_98, table.mean);
         let mean_4 = (before_5 + ((_e9 - before_5) * part_7));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
@@ -13748,28 +13835,28 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_97: Entered,
+        at_99: Entered,
         uv_27: impl rt::Into<rt::Vec2<f32>>,
-        view_15: impl rt::Into<rt::Vec3<f32>>,
+        view_17: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_97, rt::into(uv_27), rt::into(view_15), levels_2))
+        rt::into(self.v_table_of(at_99, rt::into(uv_27), rt::into(view_17), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_97: Entered,
+        at_99: Entered,
         uv_27: rt::Vec2<f32>,
-        view_15: rt::Vec3<f32>,
+        view_17: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_97, view_15);
+        let _e4 = self.v_climb(at_99, view_17);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
-        let toward_7 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
-        let up_4 = (toward_7.z() / toward_7.length());
+        let toward_8 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
+        let up_4 = (toward_8.z() / toward_8.length());
         let elevation_3 = ((up_4 * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
-        let _e29 = self.v_turn_of(toward_7.xy());
+        let _e29 = self.v_turn_of(toward_8.xy());
         let azimuth_3 = (_e29 * rt::Scalar(8f32));
         let a0_ = (azimuth_3.floor().to_i32() % rt::Scalar(8i32));
         let a1_ = ((a0_ + rt::Scalar(1i32)) % rt::Scalar(8i32));
@@ -13783,8 +13870,8 @@ impl<'g> Resources<'g> {
         let _e52 = self.v_seen_in_levels(uv_27, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_10);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_13 = ((tile_1.x() * at_97.tangent.normalize().dot(at_97.tangent)) / at_97.tangent.dot(at_97.tangent));
-        let y_10 = ((tile_1.y() * at_97.bitangent.normalize().dot(at_97.bitangent)) / at_97.bitangent.dot(at_97.bitangent));
+        let x_13 = ((tile_1.x() * at_99.tangent.normalize().dot(at_99.tangent)) / at_99.tangent.dot(at_99.tangent));
+        let y_10 = ((tile_1.y() * at_99.bitangent.normalize().dot(at_99.bitangent)) / at_99.bitangent.dot(at_99.bitangent));
         let mean_5 = _e56.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_13), (mean_5.y() * y_10), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
@@ -13793,18 +13880,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_98: Entered,
+        at_100: Entered,
         uv_28: impl rt::Into<rt::Vec2<f32>>,
-        view_16: impl rt::Into<rt::Vec3<f32>>,
+        view_18: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_98, rt::into(uv_28), rt::into(view_16)))
+        rt::into(self.v_mesostructure_normals(at_100, rt::into(uv_28), rt::into(view_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_98: Entered,
+        at_100: Entered,
         uv_28: rt::Vec2<f32>,
-        view_16: rt::Vec3<f32>,
+        view_18: rt::Vec3<f32>,
     ) -> SeenNormals {
         let mut local_99: rt::Scalar<bool>;
         let mut first_6: rt::Vec4<f32>;
@@ -13812,14 +13899,14 @@ impl<'g> Resources<'g> {
 
         let _e5 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e5.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_one_seen(at_98.normal);
+            let _e9 = self.v_one_seen(at_100.normal);
             return _e9;
         }
-        let upright_3 = at_98.normal.dot(view_16);
+        let upright_3 = at_100.normal.dot(view_18);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_98.fade)));
+        let width_7 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_100.fade)));
         let _e22 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_6 = ((rt::Scalar(at_98.footprint) * _e22) * width_7);
+        let texels_6 = ((rt::Scalar(at_100.footprint) * _e22) * width_7);
         let _e27 = rt::Scalar(self.surface_settings.normal_levels);
         let _e28 = self.v_levels_of(texels_6, _e27);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.fine).elementwise_eq(rt::Scalar(0u32))) {
@@ -13829,15 +13916,15 @@ impl<'g> Resources<'g> {
         }
         let _e39 = local_99;
         if rt::Scalar::into_branch_condition(_e39) {
-            let _e40 = self.v_finest_normal(at_98, uv_28);
+            let _e40 = self.v_finest_normal(at_100, uv_28);
             let _e41 = self.v_one_seen(_e40);
             return _e41;
         }
-        let _e43 = self.v_normals_of_level(at_98, uv_28, rt::Scalar(_e28.fine));
+        let _e43 = self.v_normals_of_level(at_100, uv_28, rt::Scalar(_e28.fine));
         first_6 = _e43.first;
         second = _e43.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e28.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e54 = self.v_normals_of_level(at_98, uv_28, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
+            let _e54 = self.v_normals_of_level(at_100, uv_28, (rt::Scalar(_e28.fine) + rt::Scalar(1u32)));
             let _e55 = first_6;
             let _e57 = first_6;
             first_6 = (_e55 + ((_e54.first - _e57) * rt::Scalar(_e28.part)));
@@ -13847,15 +13934,15 @@ impl<'g> Resources<'g> {
         }
         let _e69 = first_6;
         let _e70 = second;
-        let _e72 = self.v_seen_normals(at_98, <Normals>::new(_e69, _e70), view_16);
-        let _e73 = self.v_table_part(at_98);
+        let _e72 = self.v_seen_normals(at_100, <Normals>::new(_e69, _e70), view_18);
+        let _e73 = self.v_table_part(at_100);
         if rt::Scalar::into_branch_condition(_e73.elementwise_gt(rt::Scalar(0f32))) {
             let _e79 = rt::Scalar(self.surface_settings.height_levels);
-            let _e80 = self.v_levels_of(rt::Scalar(at_98.footprint), _e79);
+            let _e80 = self.v_levels_of(rt::Scalar(at_100.footprint), _e79);
             let _e81 = self.v_has_table(_e80);
             if rt::Scalar::into_branch_condition(_e81) {
-                let _e82 = self.v_table_of(at_98, uv_28, view_16, _e80);
-                let _e83 = self.v_with_table(at_98, _e72, _e82, _e73);
+                let _e82 = self.v_table_of(at_100, uv_28, view_18, _e80);
+                let _e83 = self.v_with_table(at_100, _e72, _e82, _e73);
                 return _e83;
             }
         }
@@ -13863,63 +13950,63 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_99: Entered,
-        hit_24: Hit,
+        at_101: Entered,
+        hit_26: Hit,
         light_5: Toward,
-        params_81: impl rt::Into<rt::Vec4<f32>>,
+        params_83: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_99, hit_24, light_5, rt::into(params_81)))
+        rt::into(self.v_shadow_ray(at_101, hit_26, light_5, rt::into(params_83)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_ray(
         &self,
-        at_99: Entered,
-        hit_24: Hit,
+        at_101: Entered,
+        hit_26: Hit,
         light_5: Toward,
-        params_81: rt::Vec4<f32>,
+        params_83: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_99, hit_24, light_5);
+        let _e4 = self.v_free_way(at_101, hit_26, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_100: Entered,
-        hit_25: Hit,
+        at_102: Entered,
+        hit_27: Hit,
         light_6: Toward,
-        params_82: impl rt::Into<rt::Vec4<f32>>,
+        params_84: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_100, hit_25, light_6, rt::into(params_82)))
+        rt::into(self.v_shadow_none(at_102, hit_27, light_6, rt::into(params_84)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_none(
         &self,
-        at_100: Entered,
-        hit_25: Hit,
+        at_102: Entered,
+        hit_27: Hit,
         light_6: Toward,
-        params_82: rt::Vec4<f32>,
+        params_84: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_101: Entered,
-        hit_26: Hit,
+        at_103: Entered,
+        hit_28: Hit,
         light_7: Toward,
-        params_83: impl rt::Into<rt::Vec4<f32>>,
+        params_85: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_101, hit_26, light_7, rt::into(params_83)))
+        rt::into(self.v_shadow_entry(at_103, hit_28, light_7, rt::into(params_85)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_101: Entered,
-        hit_26: Hit,
+        at_103: Entered,
+        hit_28: Hit,
         light_7: Toward,
-        params_83: rt::Vec4<f32>,
+        params_85: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_101, hit_26, light_7);
+        let _e4 = self.v_from_hit(at_103, hit_28, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -13938,15 +14025,15 @@ impl<'g> Resources<'g> {
         }
         let _e52 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_4 = ((_e42.uv - _e4.uv).abs() * _e52);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_83.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_4.x().max(apart_4.y()).elementwise_le(params_85.x()));
     }
-    pub(crate) fn seed_of(&self, hit_27: Hit) -> u32 {
-        rt::into(self.v_seed_of(hit_27))
+    pub(crate) fn seed_of(&self, hit_29: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_29))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_seed_of(&self, hit_27: Hit) -> rt::Scalar<u32> {
-        let place_32 = ((hit_27.uv - hit_27.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
+    fn v_seed_of(&self, hit_29: Hit) -> rt::Scalar<u32> {
+        let place_32 = ((hit_29.uv - hit_29.uv.floor()) * rt::Scalar(16777216f32)).to_u32();
         let _e10 = self.v_mixed(place_32.y());
         let _e12 = self.v_mixed((place_32.x() ^ _e10));
         return _e12;
@@ -13978,32 +14065,32 @@ impl<'g> Resources<'g> {
         let other_1 = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_6 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other_1), other_1, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_5 = light_8.direction.cross(right_6);
-        let toward_8 = ((light_8.direction + (right_6 * place_33.x())) + (up_5 * place_33.y()));
-        let along_43 = toward_8.length();
-        return <Toward>::new((toward_8 / rt::Vec3::splat_from_scalar(along_43)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_43), rt::Scalar(0f32), rt::Scalar(light_8.number));
+        let toward_9 = ((light_8.direction + (right_6 * place_33.x())) + (up_5 * place_33.y()));
+        let along_43 = toward_9.length();
+        return <Toward>::new((toward_9 / rt::Vec3::splat_from_scalar(along_43)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_43), rt::Scalar(0f32), rt::Scalar(light_8.number));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_102: Entered,
-        hit_28: Hit,
+        at_104: Entered,
+        hit_30: Hit,
         light_9: Toward,
-        params_84: impl rt::Into<rt::Vec4<f32>>,
+        params_86: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_102, hit_28, light_9, rt::into(params_84)))
+        rt::into(self.v_shadow_soft(at_104, hit_30, light_9, rt::into(params_86)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_102: Entered,
-        hit_28: Hit,
+        at_104: Entered,
+        hit_30: Hit,
         light_9: Toward,
-        params_84: rt::Vec4<f32>,
+        params_86: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_32: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_11 = params_84.x().to_u32();
-        let _e6 = self.v_seed_of(hit_28);
+        let count_11 = params_86.x().to_u32();
+        let _e6 = self.v_seed_of(hit_30);
         'naga_break: loop {
             'naga_continue: {
                 let _e11 = k_32;
@@ -14015,7 +14102,7 @@ impl<'g> Resources<'g> {
                     let _e13 = free;
                     let _e14 = k_32;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_11);
-                    let _e16 = self.v_free_way(at_102, hit_28, _e15);
+                    let _e16 = self.v_free_way(at_104, hit_30, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_32;
                     k_32 = (_e18 + rt::Scalar(1u32));
@@ -14027,25 +14114,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_103: Entered,
-        hit_29: Hit,
+        at_105: Entered,
+        hit_31: Hit,
         light_10: Toward,
-        params_85: impl rt::Into<rt::Vec4<f32>>,
+        params_87: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_103, hit_29, light_10, rt::into(params_85)))
+        rt::into(self.v_shadow_heuristic(at_105, hit_31, light_10, rt::into(params_87)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_103: Entered,
-        hit_29: Hit,
+        at_105: Entered,
+        hit_31: Hit,
         light_10: Toward,
-        params_85: rt::Vec4<f32>,
+        params_87: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_33: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_103, hit_29, light_10);
+        let _e4 = self.v_from_hit(at_105, hit_31, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -14053,23 +14140,23 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e16 = k_33;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_85.x())) {
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_87.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e19 = k_33;
-                    let part_22 = (_e19 / params_85.x());
+                    let part_23 = (_e19 / params_87.x());
                     let _e22 = most_2;
-                    let _e24 = self.v_path_gap(_e4, (part_22 * _e11));
-                    most_2 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_22)));
+                    let _e24 = self.v_path_gap(_e4, (part_23 * _e11));
+                    most_2 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_23)));
                     let _e31 = k_33;
                     k_33 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_2;
-        return (rt::Scalar(1f32) - (params_85.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_87.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
@@ -14150,42 +14237,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_104: Entered,
-        hit_30: Hit,
+        at_106: Entered,
+        hit_32: Hit,
         light_11: Toward,
-        params_86: impl rt::Into<rt::Vec4<f32>>,
+        params_88: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_104, hit_30, light_11, rt::into(params_86)))
+        rt::into(self.v_shadow_horizon(at_106, hit_32, light_11, rt::into(params_88)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_104: Entered,
-        hit_30: Hit,
+        at_106: Entered,
+        hit_32: Hit,
         light_11: Toward,
-        params_86: rt::Vec4<f32>,
+        params_88: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_104, light_11.direction);
+        let _e5 = self.v_climb(at_106, light_11.direction);
         let map_6 = self.surface_settings.maps[3usize];
         let along_44 = (_e5.xy() * map_6.tile_m);
         let _e13 = self.v_turn_of(along_44);
-        let azimuth_4 = (_e13 * params_86.x());
-        let first_20 = azimuth_4.floor();
-        let count_12 = params_86.x().to_i32();
-        let before_6 = (first_20.to_i32() % count_12);
-        let part_23 = (azimuth_4 - first_20);
-        let _e24 = self.v_shadow_texel_between(hit_30.uv, before_6, rt::Scalar(at_104.level));
+        let azimuth_4 = (_e13 * params_88.x());
+        let first_21 = azimuth_4.floor();
+        let count_12 = params_88.x().to_i32();
+        let before_6 = (first_21.to_i32() % count_12);
+        let part_24 = (azimuth_4 - first_21);
+        let _e24 = self.v_shadow_texel_between(hit_32.uv, before_6, rt::Scalar(at_106.level));
         let low_11 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_30.uv, ((before_6 + rt::Scalar(1i32)) % count_12), rt::Scalar(at_104.level));
-        let sine_1 = (low_11 + ((_e31.x() - low_11) * part_23));
+        let _e31 = self.v_shadow_texel_between(hit_32.uv, ((before_6 + rt::Scalar(1i32)) % count_12), rt::Scalar(at_106.level));
+        let sine_1 = (low_11 + ((_e31.x() - low_11) * part_24));
         let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
         let far_14 = (squared_4 * along_44.dot(along_44)).sqrt();
-        let _e48 = self.v_from_hit(at_104, hit_30, light_11);
+        let _e48 = self.v_from_hit(at_106, hit_32, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_9 = (_e49 * _e52);
         let horizon = far_14.max(near_9);
-        let up_6 = at_104.normal.dot(light_11.direction);
+        let up_6 = at_106.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_6.elementwise_gt(horizon));
         }
@@ -14199,45 +14286,45 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn open_part(
         &self,
-        at_105: Entered,
-        hit_31: Hit,
+        at_107: Entered,
+        hit_33: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_105, hit_31, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_107, hit_33, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_open_part(
         &self,
-        at_105: Entered,
-        hit_31: Hit,
+        at_107: Entered,
+        hit_33: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_31.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_105.level));
+        let _e9 = self.v_shadow_texel_between(hit_33.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_107.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_106: Entered,
-        hit_32: Hit,
+        at_108: Entered,
+        hit_34: Hit,
         light_12: Toward,
-        params_87: impl rt::Into<rt::Vec4<f32>>,
+        params_89: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_106, hit_32, light_12, rt::into(params_87)))
+        rt::into(self.v_shadow_visibility(at_108, hit_34, light_12, rt::into(params_89)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_106: Entered,
-        hit_32: Hit,
+        at_108: Entered,
+        hit_34: Hit,
         light_12: Toward,
-        params_87: rt::Vec4<f32>,
+        params_89: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_106, light_12.direction);
+        let _e5 = self.v_climb(at_108, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -14246,14 +14333,14 @@ impl<'g> Resources<'g> {
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_22 = (_e5.z() * _e21);
         let squared_5 = ((height_22 * height_22) / (along_45.dot(along_45) + (height_22 * height_22)));
-        let azimuths = params_87.x().to_i32();
-        let elevations_1 = params_87.y().to_i32();
+        let azimuths = params_89.x().to_i32();
+        let elevations_1 = params_89.y().to_i32();
         let _e32 = self.v_turn_of(along_45);
-        let azimuth_5 = (_e32 * params_87.x());
-        let elevation_4 = ((squared_5 * params_87.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_87.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_87.z().elementwise_lt(rt::Scalar(2f32))) {
+        let azimuth_5 = (_e32 * params_89.x());
+        let elevation_4 = ((squared_5 * params_89.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_89.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_89.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_41 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().to_i32() % azimuths);
-            let _e56 = self.v_open_part(at_106, hit_32, a_41, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_108, hit_34, a_41, (elevation_4 + rt::Scalar(0.5f32)).floor().to_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().to_i32() % azimuths);
@@ -14262,129 +14349,129 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_106, hit_32, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_106, hit_32, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_108, hit_34, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_108, hit_34, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_106, hit_32, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_108, hit_34, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_106, hit_32, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_108, hit_34, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
     pub(crate) fn shadow_map(
         &self,
-        at_107: Entered,
-        hit_33: Hit,
+        at_109: Entered,
+        hit_35: Hit,
         light_13: Toward,
-        params_88: impl rt::Into<rt::Vec4<f32>>,
+        params_90: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_map(at_107, hit_33, light_13, rt::into(params_88)))
+        rt::into(self.v_shadow_map(at_109, hit_35, light_13, rt::into(params_90)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_map(
         &self,
-        at_107: Entered,
-        hit_33: Hit,
+        at_109: Entered,
+        hit_35: Hit,
         light_13: Toward,
-        params_88: rt::Vec4<f32>,
+        params_90: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_light_seen(at_107, hit_33.uv, rt::Scalar(light_13.number), light_13.direction, params_88.z(), params_88.w());
+        let _e9 = self.v_light_seen(at_109, hit_35.uv, rt::Scalar(light_13.number), light_13.direction, params_90.z(), params_90.w());
         return _e9;
     }
     pub(crate) fn shadow_scene(
         &self,
-        at_108: Entered,
-        hit_34: Hit,
+        at_110: Entered,
+        hit_36: Hit,
         light_14: Toward,
-        params_89: impl rt::Into<rt::Vec4<f32>>,
+        params_91: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_scene(at_108, hit_34, light_14, rt::into(params_89)))
+        rt::into(self.v_shadow_scene(at_110, hit_36, light_14, rt::into(params_91)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shadow_scene(
         &self,
-        at_108: Entered,
-        hit_34: Hit,
+        at_110: Entered,
+        hit_36: Hit,
         light_14: Toward,
-        params_89: rt::Vec4<f32>,
+        params_91: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(&self, at_109: Entered, hit_35: Hit, light_15: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_109, hit_35, light_15))
+    pub(crate) fn shadow_stage(&self, at_111: Entered, hit_37: Hit, light_15: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_111, hit_37, light_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_109: Entered, hit_35: Hit, light_15: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_111: Entered, hit_37: Hit, light_15: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[8usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[8usize].params;
-                let _e13 = self.v_shadow_ray(at_109, hit_35, light_15, _e12);
+                let _e13 = self.v_shadow_ray(at_111, hit_37, light_15, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[8usize].params;
-                let _e19 = self.v_shadow_none(at_109, hit_35, light_15, _e18);
+                let _e19 = self.v_shadow_none(at_111, hit_37, light_15, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[8usize].params;
-                let _e25 = self.v_shadow_entry(at_109, hit_35, light_15, _e24);
+                let _e25 = self.v_shadow_entry(at_111, hit_37, light_15, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[8usize].params;
-                let _e31 = self.v_shadow_soft(at_109, hit_35, light_15, _e30);
+                let _e31 = self.v_shadow_soft(at_111, hit_37, light_15, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[8usize].params;
-                let _e37 = self.v_shadow_heuristic(at_109, hit_35, light_15, _e36);
+                let _e37 = self.v_shadow_heuristic(at_111, hit_37, light_15, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[8usize].params;
-                let _e43 = self.v_shadow_horizon(at_109, hit_35, light_15, _e42);
+                let _e43 = self.v_shadow_horizon(at_111, hit_37, light_15, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[8usize].params;
-                let _e49 = self.v_shadow_visibility(at_109, hit_35, light_15, _e48);
+                let _e49 = self.v_shadow_visibility(at_111, hit_37, light_15, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[8usize].params;
-                let _e55 = self.v_shadow_map(at_109, hit_35, light_15, _e54);
+                let _e55 = self.v_shadow_map(at_111, hit_37, light_15, _e54);
                 return _e55;
             }
             _ => {
                 let _e60 = self.surface_settings.choices[8usize].params;
-                let _e61 = self.v_shadow_scene(at_109, hit_35, light_15, _e60);
+                let _e61 = self.v_shadow_scene(at_111, hit_37, light_15, _e60);
                 return _e61;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_83: PixelIn, at_110: Entered, hit_36: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_83, at_110, hit_36))
+    pub(crate) fn mirrored_light(&self, pixel_83: PixelIn, at_112: Entered, hit_38: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_83, at_112, hit_38))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_83: PixelIn, at_110: Entered, hit_36: Hit) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_36.found).elementwise_eq(rt::Scalar(0u32))) {
+    fn v_mirrored_light(&self, pixel_83: PixelIn, at_112: Entered, hit_38: Hit) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_38.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
         let down_3 = pixel_83.direction.normalize();
-        let up_7 = (down_3 - (at_110.normal * (rt::Scalar(2f32) * down_3.dot(at_110.normal))));
-        let _e24 = self.v_shadow_stage(at_110, hit_36, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_3.x().abs()), rt::Scalar(0u32)));
+        let up_7 = (down_3 - (at_112.normal * (rt::Scalar(2f32) * down_3.dot(at_112.normal))));
+        let _e24 = self.v_shadow_stage(at_112, hit_38, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_3.x().abs()), rt::Scalar(0u32)));
         return _e24;
     }
-    pub(crate) fn normal_of_frames(&self, at_111: Entered, frames_2: Frames) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_of_frames(at_111, frames_2))
+    pub(crate) fn normal_of_frames(&self, at_113: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_of_frames(at_113, frames_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_of_frames(&self, at_111: Entered, frames_2: Frames) -> rt::Vec3<f32> {
+    fn v_normal_of_frames(&self, at_113: Entered, frames_2: Frames) -> rt::Vec3<f32> {
         let mut sum_3: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let mut k_34: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut seen_2: Entered;
@@ -14400,13 +14487,13 @@ impl<'g> Resources<'g> {
                     let _e12 = k_34;
                     let _e13 = self.v_frame_number(frames_2, _e12);
                     let _e14 = self.v_image_of_object(_e13);
-                    seen_2 = at_111;
+                    seen_2 = at_113;
                     let _e17 = self.v_tangent_of_image(_e14);
                     seen_2.tangent = _e17;
                     let _e19 = self.v_bitangent_of_image(_e14);
                     seen_2.bitangent = _e19;
                     seen_2.normal = _e14.toward;
-                    let _e23 = self.v_place_in_image(_e14, at_111.point);
+                    let _e23 = self.v_place_in_image(_e14, at_113.point);
                     let uv_41 = _e23.xy();
                     let _e25 = sum_3;
                     let _e26 = seen_2;
@@ -14426,7 +14513,7 @@ impl<'g> Resources<'g> {
             let _e40 = sum_3;
             return (_e40 / rt::Vec3::splat_from_scalar(square_4.sqrt()));
         }
-        return at_111.normal;
+        return at_113.normal;
     }
     pub(crate) fn rise_of_mask(&self, uv_30: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_rise_of_mask(rt::into(uv_30)))
@@ -14435,11 +14522,11 @@ impl<'g> Resources<'g> {
     #[inline(always)]
     fn v_rise_of_mask(&self, uv_30: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e2 = self.v_height_size(rt::Scalar(0u32));
-        let at_149 = ((uv_30 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(at_149);
+        let at_151 = ((uv_30 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(at_151);
         let _e11 = self.v_object_cell_stage(_e8.to_i32(), rt::Scalar(0u32));
-        let part_24 = (at_149 - _e8);
-        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_24.y())) + ((_e11.w() - _e11.z()) * part_24.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_24.x())) + ((_e11.w() - _e11.y()) * part_24.x())));
+        let part_25 = (at_151 - _e8);
+        return <rt::Vec2<f32>>::from_scalars((((_e11.y() - _e11.x()) * (rt::Scalar(1f32) - part_25.y())) + ((_e11.w() - _e11.z()) * part_25.y())), (((_e11.z() - _e11.x()) * (rt::Scalar(1f32) - part_25.x())) + ((_e11.w() - _e11.y()) * part_25.x())));
     }
     pub(crate) fn normal_of_mask(
         &self,
@@ -14470,58 +14557,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_blend_color(
         &self,
-        at_112: Entered,
-        hit_37: Hit,
-        view_17: impl rt::Into<rt::Vec3<f32>>,
-        params_90: impl rt::Into<rt::Vec4<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_blend_color(at_112, hit_37, rt::into(view_17), rt::into(params_90)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_object_blend_color(
-        &self,
-        at_112: Entered,
-        hit_37: Hit,
-        view_17: rt::Vec3<f32>,
-        params_90: rt::Vec4<f32>,
-    ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_112, view_17, params_90.z());
-        return _e5;
-    }
-    pub(crate) fn object_none_color(
-        &self,
-        at_113: Entered,
-        hit_38: Hit,
-        view_18: impl rt::Into<rt::Vec3<f32>>,
-        params_91: impl rt::Into<rt::Vec4<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_none_color(at_113, hit_38, rt::into(view_18), rt::into(params_91)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_object_none_color(
-        &self,
-        at_113: Entered,
-        hit_38: Hit,
-        view_18: rt::Vec3<f32>,
-        params_91: rt::Vec4<f32>,
-    ) -> rt::Vec3<f32> {
-        let _e6 = self.v_color_or_white(hit_38.uv, rt::Scalar(at_113.footprint));
-        return _e6;
-    }
-    pub(crate) fn object_depth_color(
-        &self,
         at_114: Entered,
         hit_39: Hit,
         view_19: impl rt::Into<rt::Vec3<f32>>,
         params_92: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_depth_color(at_114, hit_39, rt::into(view_19), rt::into(params_92)))
+        rt::into(self.v_object_blend_color(at_114, hit_39, rt::into(view_19), rt::into(params_92)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_depth_color(
+    fn v_object_blend_color(
         &self,
         at_114: Entered,
         hit_39: Hit,
@@ -14531,62 +14576,104 @@ impl<'g> Resources<'g> {
         let _e5 = self.v_color_of_object(at_114, view_19, params_92.z());
         return _e5;
     }
-    pub(crate) fn object_hull_color(
+    pub(crate) fn object_none_color(
         &self,
         at_115: Entered,
         hit_40: Hit,
         view_20: impl rt::Into<rt::Vec3<f32>>,
         params_93: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_hull_color(at_115, hit_40, rt::into(view_20), rt::into(params_93)))
+        rt::into(self.v_object_none_color(at_115, hit_40, rt::into(view_20), rt::into(params_93)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_object_hull_color(
+    fn v_object_none_color(
         &self,
         at_115: Entered,
         hit_40: Hit,
         view_20: rt::Vec3<f32>,
         params_93: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_color_of_object(at_115, view_20, params_93.z());
-        return _e5;
+        let _e6 = self.v_color_or_white(hit_40.uv, rt::Scalar(at_115.footprint));
+        return _e6;
     }
-    pub(crate) fn object_color_stage(
+    pub(crate) fn object_depth_color(
         &self,
         at_116: Entered,
         hit_41: Hit,
         view_21: impl rt::Into<rt::Vec3<f32>>,
+        params_94: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_object_color_stage(at_116, hit_41, rt::into(view_21)))
+        rt::into(self.v_object_depth_color(at_116, hit_41, rt::into(view_21), rt::into(params_94)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_color_stage(
+    #[inline(always)]
+    fn v_object_depth_color(
         &self,
         at_116: Entered,
         hit_41: Hit,
         view_21: rt::Vec3<f32>,
+        params_94: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e5 = self.v_color_of_object(at_116, view_21, params_94.z());
+        return _e5;
+    }
+    pub(crate) fn object_hull_color(
+        &self,
+        at_117: Entered,
+        hit_42: Hit,
+        view_22: impl rt::Into<rt::Vec3<f32>>,
+        params_95: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_object_hull_color(at_117, hit_42, rt::into(view_22), rt::into(params_95)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_object_hull_color(
+        &self,
+        at_117: Entered,
+        hit_42: Hit,
+        view_22: rt::Vec3<f32>,
+        params_95: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e5 = self.v_color_of_object(at_117, view_22, params_95.z());
+        return _e5;
+    }
+    pub(crate) fn object_color_stage(
+        &self,
+        at_118: Entered,
+        hit_43: Hit,
+        view_23: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_object_color_stage(at_118, hit_43, rt::into(view_23)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_object_color_stage(
+        &self,
+        at_118: Entered,
+        hit_43: Hit,
+        view_23: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[3usize].params;
-                let _e13 = self.v_object_none_color(at_116, hit_41, view_21, _e12);
+                let _e13 = self.v_object_none_color(at_118, hit_43, view_23, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[3usize].params;
-                let _e19 = self.v_object_depth_color(at_116, hit_41, view_21, _e18);
+                let _e19 = self.v_object_depth_color(at_118, hit_43, view_23, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[3usize].params;
-                let _e25 = self.v_object_hull_color(at_116, hit_41, view_21, _e24);
+                let _e25 = self.v_object_hull_color(at_118, hit_43, view_23, _e24);
                 return _e25;
             }
             _ => {
                 let _e30 = self.surface_settings.choices[3usize].params;
-                let _e31 = self.v_object_blend_color(at_116, hit_41, view_21, _e30);
+                let _e31 = self.v_object_blend_color(at_118, hit_43, view_23, _e30);
                 return _e31;
             }
         }
@@ -14709,27 +14796,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn placed_over(
         &self,
-        at_117: Entered,
+        at_119: Entered,
         uv_32: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_over(at_117, rt::into(uv_32)))
+        rt::into(self.v_placed_over(at_119, rt::into(uv_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_over(
         &self,
-        at_117: Entered,
+        at_119: Entered,
         uv_32: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_9 = (uv_32 - at_117.uv);
+        let aside_9 = (uv_32 - at_119.uv);
         let _e6 = rt::Scalar(self.surface_settings.bias_m);
         let _e9 = rt::Scalar(self.surface_settings.scale_m);
-        let _e11 = self.v_height_at(uv_32, rt::Scalar(at_117.level));
+        let _e11 = self.v_height_at(uv_32, rt::Scalar(at_119.level));
         let height_23 = (_e6 + (_e9 * _e11));
-        placed = at_117;
-        placed.point = (((at_117.point + (at_117.tangent * aside_9.x())) + (at_117.bitangent * aside_9.y())) + (at_117.normal * height_23));
+        placed = at_119;
+        placed.point = (((at_119.point + (at_119.tangent * aside_9.x())) + (at_119.bitangent * aside_9.y())) + (at_119.normal * height_23));
         placed.uv = uv_32;
         let _e29 = placed;
         return _e29;
@@ -14737,103 +14824,103 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane_place(
         &self,
         pixel_86: PixelIn,
-        at_118: Entered,
+        at_120: Entered,
         path_74: Path,
-        hit_42: Hit,
-        params_94: impl rt::Into<rt::Vec4<f32>>,
+        hit_44: Hit,
+        params_96: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_86, at_118, path_74, hit_42, rt::into(params_94)))
+        rt::into(self.v_surface_plane_place(pixel_86, at_120, path_74, hit_44, rt::into(params_96)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_place(
         &self,
         pixel_86: PixelIn,
-        at_118: Entered,
+        at_120: Entered,
         path_74: Path,
-        hit_42: Hit,
-        params_94: rt::Vec4<f32>,
+        hit_44: Hit,
+        params_96: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_118, hit_42.uv);
+        let _e6 = self.v_placed_over(at_120, hit_44.uv);
         return _e6;
     }
     pub(crate) fn placed_at(
         &self,
         pixel_87: PixelIn,
-        at_119: Entered,
+        at_121: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
         point_20: impl rt::Into<rt::Vec3<f32>>,
         uv_33: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_87, at_119, rt::into(weights_4), rt::into(point_20), rt::into(uv_33)))
+        rt::into(self.v_placed_at(pixel_87, at_121, rt::into(weights_4), rt::into(point_20), rt::into(uv_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_placed_at(
         &self,
         pixel_87: PixelIn,
-        at_119: Entered,
+        at_121: Entered,
         weights_4: rt::Vec3<f32>,
         point_20: rt::Vec3<f32>,
         uv_33: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_87, weights_4, point_20, uv_33, at_119.facing);
+        let _e6 = self.v_frame_at(pixel_87, weights_4, point_20, uv_33, at_121.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_119.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_119.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_119.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_121.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_121.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_121.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_prism_place(
         &self,
         pixel_88: PixelIn,
-        at_120: Entered,
+        at_122: Entered,
         path_75: Path,
-        hit_43: Hit,
-        params_95: impl rt::Into<rt::Vec4<f32>>,
+        hit_45: Hit,
+        params_97: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_88, at_120, path_75, hit_43, rt::into(params_95)))
+        rt::into(self.v_surface_prism_place(pixel_88, at_122, path_75, hit_45, rt::into(params_97)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_prism_place(
         &self,
         pixel_88: PixelIn,
-        at_120: Entered,
+        at_122: Entered,
         path_75: Path,
-        hit_43: Hit,
-        params_95: rt::Vec4<f32>,
+        hit_45: Hit,
+        params_97: rt::Vec4<f32>,
     ) -> Entered {
         let along_46 = pixel_88.direction.normalize();
         let _e7 = self.v_middle_of(pixel_88, along_46);
-        let _e8 = self.v_prism_of(pixel_88, along_46, _e7, params_95);
-        let s_4 = ((rt::Scalar(path_75.start) + rt::Scalar(hit_43.t)) - _e7);
-        let _e15 = self.v_point_of_way(pixel_88, _e8, (along_46 * s_4), rt::Scalar(hit_43.height));
+        let _e8 = self.v_prism_of(pixel_88, along_46, _e7, params_97);
+        let s_4 = ((rt::Scalar(path_75.start) + rt::Scalar(hit_45.t)) - _e7);
+        let _e15 = self.v_point_of_way(pixel_88, _e8, (along_46 * s_4), rt::Scalar(hit_45.height));
         let weights_7 = _e15.weights;
-        let _e24 = self.v_placed_at(pixel_88, at_120, weights_7, (pixel_88.origin + (along_46 * (rt::Scalar(path_75.start) + rt::Scalar(hit_43.t)))), hit_43.uv);
+        let _e24 = self.v_placed_at(pixel_88, at_122, weights_7, (pixel_88.origin + (along_46 * (rt::Scalar(path_75.start) + rt::Scalar(hit_45.t)))), hit_45.uv);
         return _e24;
     }
     pub(crate) fn quadric_frame(
         &self,
-        at_121: Entered,
+        at_123: Entered,
         aside: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_quadric_frame(at_121, rt::into(aside)))
+        rt::into(self.v_quadric_frame(at_123, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_frame(
         &self,
-        at_121: Entered,
+        at_123: Entered,
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
         let mut local_100: rt::Scalar<bool>;
 
-        placed_2 = at_121;
-        let _e5 = self.v_quadric_slope(at_121.of_surface.xyz(), aside);
+        placed_2 = at_123;
+        let _e5 = self.v_quadric_slope(at_123.of_surface.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
             local_100 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
@@ -14844,13 +14931,13 @@ impl<'g> Resources<'g> {
             let _e16 = placed_2;
             return _e16;
         }
-        let m_7 = at_121.metric;
+        let m_7 = at_123.metric;
         let area_6 = ((m_7.x() * m_7.z()) - (m_7.y() * m_7.y()));
         let along_t = (((_e5.x() * m_7.z()) - (_e5.y() * m_7.y())) / area_6);
         let along_b = (((_e5.y() * m_7.x()) - (_e5.x() * m_7.y())) / area_6);
-        placed_2.tangent = (at_121.tangent + (at_121.normal * _e5.x()));
-        placed_2.bitangent = (at_121.bitangent + (at_121.normal * _e5.y()));
-        placed_2.normal = ((at_121.normal - (at_121.tangent * along_t)) - (at_121.bitangent * along_b)).normalize();
+        placed_2.tangent = (at_123.tangent + (at_123.normal * _e5.x()));
+        placed_2.bitangent = (at_123.bitangent + (at_123.normal * _e5.y()));
+        placed_2.normal = ((at_123.normal - (at_123.tangent * along_t)) - (at_123.bitangent * along_b)).normalize();
         let _e63 = placed_2.tangent;
         let _e65 = placed_2.tangent;
         let tt_3 = _e63.dot(_e65);
@@ -14867,87 +14954,87 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_quadric_perpendicular_place(
         &self,
         pixel_89: PixelIn,
-        at_122: Entered,
+        at_124: Entered,
         path_76: Path,
-        hit_44: Hit,
-        params_96: impl rt::Into<rt::Vec4<f32>>,
+        hit_46: Hit,
+        params_98: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_122, path_76, hit_44, rt::into(params_96)))
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_89, at_124, path_76, hit_46, rt::into(params_98)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_place(
         &self,
         pixel_89: PixelIn,
-        at_122: Entered,
+        at_124: Entered,
         path_76: Path,
-        hit_44: Hit,
-        params_96: rt::Vec4<f32>,
+        hit_46: Hit,
+        params_98: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_3: Entered;
 
-        let _e8 = self.v_quadric_frame(at_122, (hit_44.uv - at_122.uv));
+        let _e8 = self.v_quadric_frame(at_124, (hit_46.uv - at_124.uv));
         placed_3 = _e8;
-        placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_76.start) + rt::Scalar(hit_44.t))));
-        placed_3.uv = hit_44.uv;
+        placed_3.point = (pixel_89.origin + (pixel_89.direction.normalize() * (rt::Scalar(path_76.start) + rt::Scalar(hit_46.t))));
+        placed_3.uv = hit_46.uv;
         let _e21 = placed_3;
         return _e21;
     }
     pub(crate) fn surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
-        at_123: Entered,
+        at_125: Entered,
         path_77: Path,
-        hit_45: Hit,
-        params_97: impl rt::Into<rt::Vec4<f32>>,
+        hit_47: Hit,
+        params_99: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_123, path_77, hit_45, rt::into(params_97)))
+        rt::into(self.v_surface_quadric_vertical_place(pixel_90, at_125, path_77, hit_47, rt::into(params_99)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_place(
         &self,
         pixel_90: PixelIn,
-        at_123: Entered,
+        at_125: Entered,
         path_77: Path,
-        hit_45: Hit,
-        params_97: rt::Vec4<f32>,
+        hit_47: Hit,
+        params_99: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_4: Entered;
 
-        let aside_10 = (hit_45.uv - at_123.uv);
+        let aside_10 = (hit_47.uv - at_125.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_45.uv, rt::Scalar(at_123.level));
+        let _e16 = self.v_height_at(hit_47.uv, rt::Scalar(at_125.level));
         let height_24 = (_e10 + (_e13 * _e16));
         let _e19 = self.v_base_height();
         let _e23 = self.v_traced_scale_m();
-        let _e27 = self.v_quadric_at(at_123.of_surface.xyz(), aside_10);
-        let lifted_2 = (((_e19 - at_123.of_surface.w()) * _e23) + _e27);
-        let _e29 = self.v_quadric_frame(at_123, aside_10);
+        let _e27 = self.v_quadric_at(at_125.of_surface.xyz(), aside_10);
+        let lifted_2 = (((_e19 - at_125.of_surface.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_125, aside_10);
         placed_4 = _e29;
-        placed_4.point = (((at_123.point + (at_123.tangent * aside_10.x())) + (at_123.bitangent * aside_10.y())) + (at_123.normal * (height_24 + lifted_2)));
-        placed_4.uv = hit_45.uv;
+        placed_4.point = (((at_125.point + (at_125.tangent * aside_10.x())) + (at_125.bitangent * aside_10.y())) + (at_125.normal * (height_24 + lifted_2)));
+        placed_4.uv = hit_47.uv;
         let _e47 = placed_4;
         return _e47;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
-        at_124: Entered,
+        at_126: Entered,
         path_78: Path,
-        hit_46: Hit,
-        params_98: impl rt::Into<rt::Vec4<f32>>,
+        hit_48: Hit,
+        params_100: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_124, path_78, hit_46, rt::into(params_98)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_91, at_126, path_78, hit_48, rt::into(params_100)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
         pixel_91: PixelIn,
-        at_124: Entered,
+        at_126: Entered,
         path_78: Path,
-        hit_46: Hit,
-        params_98: rt::Vec4<f32>,
+        hit_48: Hit,
+        params_100: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside_1: rt::Scalar<f32>;
@@ -14955,7 +15042,7 @@ impl<'g> Resources<'g> {
 
         let along_47 = pixel_91.direction.normalize();
         let _e7 = self.v_middle_of(pixel_91, along_47);
-        let t_42 = ((rt::Scalar(path_78.start) + rt::Scalar(hit_46.t)) - _e7);
+        let t_42 = ((rt::Scalar(path_78.start) + rt::Scalar(hit_48.t)) - _e7);
         let _e13 = self.v_tetrahedron(pixel_91, along_47, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
@@ -14985,70 +15072,70 @@ impl<'g> Resources<'g> {
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_8 = (_e45 + (_e47 * t_42));
-        let point_32 = (pixel_91.origin + (along_47 * (rt::Scalar(path_78.start) + rt::Scalar(hit_46.t))));
-        let _e58 = self.v_placed_at(pixel_91, at_124, weights_8.xyz(), point_32, hit_46.uv);
+        let point_32 = (pixel_91.origin + (along_47 * (rt::Scalar(path_78.start) + rt::Scalar(hit_48.t))));
+        let _e58 = self.v_placed_at(pixel_91, at_126, weights_8.xyz(), point_32, hit_48.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
         &self,
         pixel_92: PixelIn,
-        at_125: Entered,
+        at_127: Entered,
         path_79: Path,
-        hit_47: Hit,
-        params_99: impl rt::Into<rt::Vec4<f32>>,
+        hit_49: Hit,
+        params_101: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_place(pixel_92, at_125, path_79, hit_47, rt::into(params_99)))
+        rt::into(self.v_surface_facets_place(pixel_92, at_127, path_79, hit_49, rt::into(params_101)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_place(
         &self,
         pixel_92: PixelIn,
-        at_125: Entered,
+        at_127: Entered,
         path_79: Path,
-        hit_47: Hit,
-        params_99: rt::Vec4<f32>,
+        hit_49: Hit,
+        params_101: rt::Vec4<f32>,
     ) -> Entered {
-        return at_125;
+        return at_127;
     }
     pub(crate) fn surface_slices_place(
         &self,
         pixel_93: PixelIn,
-        at_126: Entered,
+        at_128: Entered,
         path_80: Path,
-        hit_48: Hit,
-        params_100: impl rt::Into<rt::Vec4<f32>>,
+        hit_50: Hit,
+        params_102: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_place(pixel_93, at_126, path_80, hit_48, rt::into(params_100)))
+        rt::into(self.v_surface_slices_place(pixel_93, at_128, path_80, hit_50, rt::into(params_102)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_place(
         &self,
         pixel_93: PixelIn,
-        at_126: Entered,
+        at_128: Entered,
         path_80: Path,
-        hit_48: Hit,
-        params_100: rt::Vec4<f32>,
+        hit_50: Hit,
+        params_102: rt::Vec4<f32>,
     ) -> Entered {
-        let _e6 = self.v_placed_over(at_126, hit_48.uv);
+        let _e6 = self.v_placed_over(at_128, hit_50.uv);
         return _e6;
     }
-    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_127: Entered, path_81: Path, hit_49: Hit) -> Entered {
-        rt::into(self.v_placed_in_image(pixel_94, at_127, path_81, hit_49))
+    pub(crate) fn placed_in_image(&self, pixel_94: PixelIn, at_129: Entered, path_81: Path, hit_51: Hit) -> Entered {
+        rt::into(self.v_placed_in_image(pixel_94, at_129, path_81, hit_51))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_placed_in_image(&self, pixel_94: PixelIn, at_127: Entered, path_81: Path, hit_49: Hit) -> Entered {
+    fn v_placed_in_image(&self, pixel_94: PixelIn, at_129: Entered, path_81: Path, hit_51: Hit) -> Entered {
         let mut placed_5: Entered;
 
         let _e6 = self.v_image_of_object(rt::Scalar(path_81.base).to_u32());
-        placed_5 = at_127;
-        placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_81.start) + rt::Scalar(hit_49.t))));
-        placed_5.uv = hit_49.uv;
+        placed_5 = at_129;
+        placed_5.point = (pixel_94.origin + (pixel_94.direction.normalize() * (rt::Scalar(path_81.start) + rt::Scalar(hit_51.t))));
+        placed_5.uv = hit_51.uv;
         let _e20 = placed_5.point;
         let _e21 = self.v_depth_in_image(_e6, _e20);
         let _e23 = placed_5.point;
-        let _e25 = self.v_stretch_in_image(_e6, _e23, rt::Scalar(hit_49.height));
+        let _e25 = self.v_stretch_in_image(_e6, _e23, rt::Scalar(hit_51.height));
         let _e27 = self.v_tangent_of_image(_e6);
         placed_5.tangent = ((_e27 * _e21) / rt::Vec3::splat_from_scalar(_e25));
         let _e32 = self.v_bitangent_of_image(_e6);
@@ -15064,7 +15151,7 @@ impl<'g> Resources<'g> {
         placed_5.facing = _e6.toward;
         let _e53 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e53.elementwise_eq(CELLS_MASK)) {
-            let _e59 = self.v_normal_of_mask(_e6, hit_49.uv, _e6.toward);
+            let _e59 = self.v_normal_of_mask(_e6, hit_51.uv, _e6.toward);
             placed_5.normal = _e59;
             let _e62 = placed_5.normal;
             placed_5.facing = _e62;
@@ -15075,49 +15162,49 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_place(
         &self,
         pixel_95: PixelIn,
-        at_128: Entered,
+        at_130: Entered,
         path_82: Path,
-        hit_50: Hit,
-        params_101: impl rt::Into<rt::Vec4<f32>>,
+        hit_52: Hit,
+        params_103: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_place(pixel_95, at_128, path_82, hit_50, rt::into(params_101)))
+        rt::into(self.v_surface_object_place(pixel_95, at_130, path_82, hit_52, rt::into(params_103)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_place(
         &self,
         pixel_95: PixelIn,
-        at_128: Entered,
+        at_130: Entered,
         path_82: Path,
-        hit_50: Hit,
-        params_101: rt::Vec4<f32>,
+        hit_52: Hit,
+        params_103: rt::Vec4<f32>,
     ) -> Entered {
-        let _e5 = self.v_placed_in_image(pixel_95, at_128, path_82, hit_50);
+        let _e5 = self.v_placed_in_image(pixel_95, at_130, path_82, hit_52);
         return _e5;
     }
     pub(crate) fn surface_frames_place(
         &self,
         pixel_96: PixelIn,
-        at_129: Entered,
+        at_131: Entered,
         path_83: Path,
-        hit_51: Hit,
-        params_102: impl rt::Into<rt::Vec4<f32>>,
+        hit_53: Hit,
+        params_104: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_place(pixel_96, at_129, path_83, hit_51, rt::into(params_102)))
+        rt::into(self.v_surface_frames_place(pixel_96, at_131, path_83, hit_53, rt::into(params_104)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_frames_place(
         &self,
         pixel_96: PixelIn,
-        at_129: Entered,
+        at_131: Entered,
         path_83: Path,
-        hit_51: Hit,
-        params_102: rt::Vec4<f32>,
+        hit_53: Hit,
+        params_104: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed_6: Entered;
         let mut local_101: rt::Scalar<bool>;
 
-        let _e5 = self.v_placed_in_image(pixel_96, at_129, path_83, hit_51);
+        let _e5 = self.v_placed_in_image(pixel_96, at_131, path_83, hit_53);
         placed_6 = _e5;
         let _e9 = rt::Scalar(self.surface_settings.has_vertex_normals);
         if rt::Scalar::into_branch_condition(_e9.elementwise_eq(rt::Scalar(1u32))) {
@@ -15139,36 +15226,36 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
-        at_130: Entered,
+        at_132: Entered,
         path_84: Path,
-        hit_52: Hit,
-        params_103: impl rt::Into<rt::Vec4<f32>>,
+        hit_54: Hit,
+        params_105: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_place(pixel_97, at_130, path_84, hit_52, rt::into(params_103)))
+        rt::into(self.v_surface_object_slices_place(pixel_97, at_132, path_84, hit_54, rt::into(params_105)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_object_slices_place(
         &self,
         pixel_97: PixelIn,
-        at_130: Entered,
+        at_132: Entered,
         path_84: Path,
-        hit_52: Hit,
-        params_103: rt::Vec4<f32>,
+        hit_54: Hit,
+        params_105: rt::Vec4<f32>,
     ) -> Entered {
         let mut of_image: Path;
         let mut placed_7: Entered;
 
-        let _e6 = self.v_slice_at(at_130.point);
+        let _e6 = self.v_slice_at(at_132.point);
         let number_26 = rt::Scalar(_e6.number);
         of_image = path_84;
         rt::Scalar(of_image.base) = number_26.to_f32();
         let _e11 = of_image;
-        let _e12 = self.v_placed_in_image(pixel_97, at_130, _e11, hit_52);
+        let _e12 = self.v_placed_in_image(pixel_97, at_132, _e11, hit_54);
         placed_7 = _e12;
         let _e16 = rt::Scalar(self.surface_settings.cells);
         if rt::Scalar::into_branch_condition(_e16.elementwise_eq(CELLS_MASK)) {
             let _e20 = self.v_image_of_object(number_26);
-            let _e23 = self.v_normal_of_mask(_e20, hit_52.uv, at_130.normal);
+            let _e23 = self.v_normal_of_mask(_e20, hit_54.uv, at_132.normal);
             placed_7.normal = _e23;
             let _e26 = placed_7.normal;
             placed_7.facing = _e26;
@@ -15176,76 +15263,76 @@ impl<'g> Resources<'g> {
         let _e27 = placed_7;
         return _e27;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_131: Entered, path_85: Path, hit_53: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_98, at_131, path_85, hit_53))
+    pub(crate) fn surface_place_stage(&self, pixel_98: PixelIn, at_133: Entered, path_85: Path, hit_55: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_98, at_133, path_85, hit_55))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_98: PixelIn, at_131: Entered, path_85: Path, hit_53: Hit) -> Entered {
+    fn v_surface_place_stage(&self, pixel_98: PixelIn, at_133: Entered, path_85: Path, hit_55: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_98, at_131, path_85, hit_53, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_98, at_133, path_85, hit_55, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_98, at_131, path_85, hit_53, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_98, at_133, path_85, hit_55, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_131, path_85, hit_53, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_98, at_133, path_85, hit_55, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_131, path_85, hit_53, _e31);
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_98, at_133, path_85, hit_55, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_131, path_85, hit_53, _e37);
+                let _e38 = self.v_surface_tetrahedra_place(pixel_98, at_133, path_85, hit_55, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_place(pixel_98, at_131, path_85, hit_53, _e43);
+                let _e44 = self.v_surface_facets_place(pixel_98, at_133, path_85, hit_55, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_place(pixel_98, at_131, path_85, hit_53, _e49);
+                let _e50 = self.v_surface_slices_place(pixel_98, at_133, path_85, hit_55, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_place(pixel_98, at_131, path_85, hit_53, _e55);
+                let _e56 = self.v_surface_object_place(pixel_98, at_133, path_85, hit_55, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_place(pixel_98, at_131, path_85, hit_53, _e61);
+                let _e62 = self.v_surface_frames_place(pixel_98, at_133, path_85, hit_55, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_place(pixel_98, at_131, path_85, hit_53, _e67);
+                let _e68 = self.v_surface_object_slices_place(pixel_98, at_133, path_85, hit_55, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_132: Entered, path_86: Path, hit_54: Hit) -> Entered {
-        rt::into(self.v_place_on_segment(pixel_99, at_132, path_86, hit_54))
+    pub(crate) fn place_on_segment(&self, pixel_99: PixelIn, at_134: Entered, path_86: Path, hit_56: Hit) -> Entered {
+        rt::into(self.v_place_on_segment(pixel_99, at_134, path_86, hit_56))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_place_on_segment(&self, pixel_99: PixelIn, at_132: Entered, path_86: Path, hit_54: Hit) -> Entered {
+    fn v_place_on_segment(&self, pixel_99: PixelIn, at_134: Entered, path_86: Path, hit_56: Hit) -> Entered {
         let mut placed_8: Entered;
 
-        let _e4 = self.v_surface_place_stage(pixel_99, at_132, path_86, hit_54);
+        let _e4 = self.v_surface_place_stage(pixel_99, at_134, path_86, hit_56);
         placed_8 = _e4;
-        let _e7 = self.v_depth_on_ray(pixel_99, path_86, hit_54);
+        let _e7 = self.v_depth_on_ray(pixel_99, path_86, hit_56);
         rt::Scalar(placed_8.depth) = _e7;
         let _e8 = placed_8;
         return _e8;
@@ -15253,23 +15340,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn place_hit(
         &self,
         pixel_100: PixelIn,
-        at_133: Entered,
+        at_135: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
-        hit_55: Hit,
+        hit_57: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_100, at_133, rt::into(segment), hit_55))
+        rt::into(self.v_place_hit(pixel_100, at_135, rt::into(segment), hit_57))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_place_hit(
         &self,
         pixel_100: PixelIn,
-        at_133: Entered,
+        at_135: Entered,
         segment: rt::Scalar<u32>,
-        hit_55: Hit,
+        hit_57: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_100, at_133, segment);
-        let _e5 = self.v_place_on_segment(pixel_100, at_133, _e4, hit_55);
+        let _e4 = self.v_segment_of(pixel_100, at_135, segment);
+        let _e5 = self.v_place_on_segment(pixel_100, at_135, _e4, hit_57);
         return _e5;
     }
     pub(crate) fn toward_light(
@@ -15288,37 +15375,37 @@ impl<'g> Resources<'g> {
     ) -> Toward {
         let light_18 = self.frame.lights[rt::Scalar::into_array_index(number_18)];
         if rt::Scalar::into_branch_condition(light_18.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_9 = (light_18.place.xyz() - position_1);
-            let squared_6 = toward_9.dot(toward_9);
+            let toward_10 = (light_18.place.xyz() - position_1);
+            let squared_6 = toward_10.dot(toward_10);
             let distance_3 = squared_6.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_6.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_9.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_18);
+            return <Toward>::new(toward_10.normalize(), falloff, distance_3, (light_18.color.w() / distance_3), number_18);
         }
         return <Toward>::new(light_18.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_18.color.w(), number_18);
     }
     pub(crate) fn point_of_light(
         &self,
-        at_134: Entered,
-        hit_56: Hit,
+        at_136: Entered,
+        hit_58: Hit,
         number_19: impl rt::Into<rt::Scalar<u32>>,
         k_35: impl rt::Into<rt::Scalar<u32>>,
         count_8: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_light(at_134, hit_56, rt::into(number_19), rt::into(k_35), rt::into(count_8)))
+        rt::into(self.v_point_of_light(at_136, hit_58, rt::into(number_19), rt::into(k_35), rt::into(count_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_light(
         &self,
-        at_134: Entered,
-        hit_56: Hit,
+        at_136: Entered,
+        hit_58: Hit,
         number_19: rt::Scalar<u32>,
         k_35: rt::Scalar<u32>,
         count_8: rt::Scalar<u32>,
     ) -> Toward {
-        let _e6 = self.v_toward_light(number_19, at_134.point);
+        let _e6 = self.v_toward_light(number_19, at_136.point);
         if rt::Scalar::into_branch_condition(count_8.elementwise_gt(rt::Scalar(0u32))) {
-            let _e9 = self.v_seed_of(hit_56);
+            let _e9 = self.v_seed_of(hit_58);
             let _e10 = self.v_point_of_disc(_e6, _e9, k_35, count_8);
             return _e10;
         }
@@ -15359,9 +15446,9 @@ impl<'g> Resources<'g> {
         place_21: impl rt::Into<rt::Vec2<f32>>,
         time: impl rt::Into<rt::Scalar<f32>>,
         seed_5: impl rt::Into<rt::Scalar<u32>>,
-        params_104: impl rt::Into<rt::Vec4<f32>>,
+        params_106: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_bumps(rt::into(place_21), rt::into(time), rt::into(seed_5), rt::into(params_104)))
+        rt::into(self.v_procedure_bumps(rt::into(place_21), rt::into(time), rt::into(seed_5), rt::into(params_106)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_procedure_bumps(
@@ -15369,13 +15456,13 @@ impl<'g> Resources<'g> {
         place_21: rt::Vec2<f32>,
         time: rt::Scalar<f32>,
         seed_5: rt::Scalar<u32>,
-        params_104: rt::Vec4<f32>,
+        params_106: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_10: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_36: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let at_150 = (place_21 * params_104.x());
-        let own_1 = at_150.floor();
+        let at_152 = (place_21 * params_106.x());
+        let own_1 = at_152.floor();
         'naga_break: loop {
             'naga_continue: {
                 let _e11 = k_36;
@@ -15387,13 +15474,13 @@ impl<'g> Resources<'g> {
                     let _e14 = k_36;
                     let _e18 = k_36;
                     let cell_33 = ((own_1 + <rt::Vec2<f32>>::from_scalars((_e14 % rt::Scalar(3u32)).to_f32(), (_e18 / rt::Scalar(3u32)).to_f32())) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                    let _e29 = self.v_bits_of_point(cell_33, params_104.x(), seed_5);
+                    let _e29 = self.v_bits_of_point(cell_33, params_106.x(), seed_5);
                     let _e30 = self.v_unit_of(_e29);
                     let _e33 = self.v_mixed((_e29 + rt::Scalar(1u32)));
                     let _e34 = self.v_unit_of(_e33);
                     let beside_7 = (<rt::Vec2<f32>>::from_scalars(_e30, _e34) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-                    let middle_16 = ((cell_33 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_7 * (rt::Scalar(0.5f32) * params_104.z())));
-                    let away_2 = ((at_150 - middle_16) / rt::Vec2::splat_from_scalar(params_104.y()));
+                    let middle_16 = ((cell_33 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))) + (beside_7 * (rt::Scalar(0.5f32) * params_106.z())));
+                    let away_2 = ((at_152 - middle_16) / rt::Vec2::splat_from_scalar(params_106.y()));
                     let _e55 = self.v_mixed((_e29 + rt::Scalar(2u32)));
                     let _e56 = self.v_unit_of(_e55);
                     let _e58 = self.v_sine_of((time + _e56));
@@ -15414,9 +15501,9 @@ impl<'g> Resources<'g> {
         place_22: impl rt::Into<rt::Vec2<f32>>,
         time_1: impl rt::Into<rt::Scalar<f32>>,
         seed_6: impl rt::Into<rt::Scalar<u32>>,
-        params_105: impl rt::Into<rt::Vec4<f32>>,
+        params_107: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_fbm(rt::into(place_22), rt::into(time_1), rt::into(seed_6), rt::into(params_105)))
+        rt::into(self.v_procedure_fbm(rt::into(place_22), rt::into(time_1), rt::into(seed_6), rt::into(params_107)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_procedure_fbm(
@@ -15424,7 +15511,7 @@ impl<'g> Resources<'g> {
         place_22: rt::Vec2<f32>,
         time_1: rt::Scalar<f32>,
         seed_6: rt::Scalar<u32>,
-        params_105: rt::Vec4<f32>,
+        params_107: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_11: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut sum_4: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -15432,11 +15519,11 @@ impl<'g> Resources<'g> {
         let mut count_9: rt::Scalar<f32>;
         let mut octave: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        count_9 = params_105.x();
+        count_9 = params_107.x();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = octave;
-                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_105.y())) {
+                if rt::Scalar::into_branch_condition(_e14.to_f32().elementwise_lt(params_107.y())) {
                 } else {
                     break 'naga_break;
                 }
@@ -15454,7 +15541,7 @@ impl<'g> Resources<'g> {
                     let _e34 = strength;
                     sum_4 = (_e33 + _e34);
                     let _e36 = strength;
-                    strength = (_e36 * params_105.z());
+                    strength = (_e36 * params_107.z());
                     let _e39 = count_9;
                     count_9 = (_e39 * rt::Scalar(2f32));
                     let _e42 = octave;
@@ -15471,9 +15558,9 @@ impl<'g> Resources<'g> {
         place_23: impl rt::Into<rt::Vec2<f32>>,
         time_2: impl rt::Into<rt::Scalar<f32>>,
         seed_7: impl rt::Into<rt::Scalar<u32>>,
-        params_106: impl rt::Into<rt::Vec4<f32>>,
+        params_108: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_waves(rt::into(place_23), rt::into(time_2), rt::into(seed_7), rt::into(params_106)))
+        rt::into(self.v_procedure_waves(rt::into(place_23), rt::into(time_2), rt::into(seed_7), rt::into(params_108)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_procedure_waves(
@@ -15481,7 +15568,7 @@ impl<'g> Resources<'g> {
         place_23: rt::Vec2<f32>,
         time_2: rt::Scalar<f32>,
         seed_7: rt::Scalar<u32>,
-        params_106: rt::Vec4<f32>,
+        params_108: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut height_12: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut sum_5: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -15490,7 +15577,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e10 = k_37;
-                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_106.y())) {
+                if rt::Scalar::into_branch_condition(_e10.to_f32().elementwise_lt(params_108.y())) {
                 } else {
                     break 'naga_break;
                 }
@@ -15498,19 +15585,19 @@ impl<'g> Resources<'g> {
                     let _e15 = k_37;
                     let _e18 = self.v_mixed((seed_7 + (rt::Scalar(4u32) * _e15)));
                     let _e19 = k_37;
-                    let part_25 = (_e19.to_f32() / params_106.y());
-                    let size_1 = (params_106.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_25) * part_25)));
+                    let part_26 = (_e19.to_f32() / params_108.y());
+                    let size_1 = (params_108.x() * (rt::Scalar(1f32) + ((rt::Scalar(6f32) * part_26) * part_26)));
                     let along_48 = (size_1 + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e39 = self.v_unit_of(_e18);
-                    let across_11 = ((((rt::Scalar(2f32) * size_1) * params_106.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
+                    let across_11 = ((((rt::Scalar(2f32) * size_1) * params_108.z()) * (_e39 - rt::Scalar(0.5f32))) + rt::Scalar(0.5f32)).floor();
                     let length = ((along_48 * along_48) + (across_11 * across_11)).sqrt();
-                    let pace_1 = ((rt::Scalar(2f32) * (length / params_106.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
+                    let pace_1 = ((rt::Scalar(2f32) * (length / params_108.x()).sqrt()) + rt::Scalar(0.5f32)).floor().max(rt::Scalar(1f32));
                     let _e62 = self.v_mixed((_e18 + rt::Scalar(1u32)));
                     let _e63 = self.v_unit_of(_e62);
                     let _e72 = self.v_sine_of(((((along_48 * place_23.x()) + (across_11 * place_23.y())) - (pace_1 * time_2)) + _e63));
                     let crest = (rt::Scalar(0.5f32) + (rt::Scalar(0.5f32) * _e72));
                     let _e77 = height_12;
-                    height_12 = (_e77 + ((crest + (params_106.w() * ((crest * crest) - crest))) / length));
+                    height_12 = (_e77 + ((crest + (params_108.w() * ((crest * crest) - crest))) / length));
                     let _e85 = sum_5;
                     sum_5 = (_e85 + (rt::Scalar(1f32) / length));
                     let _e89 = k_37;
@@ -15528,9 +15615,9 @@ impl<'g> Resources<'g> {
         place_24: impl rt::Into<rt::Vec2<f32>>,
         time_3: impl rt::Into<rt::Scalar<f32>>,
         seed_8: impl rt::Into<rt::Scalar<u32>>,
-        params_107: impl rt::Into<rt::Vec4<f32>>,
+        params_109: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_24), rt::into(time_3), rt::into(seed_8), rt::into(params_107)))
+        rt::into(self.v_procedure_height(rt::into(number_20), rt::into(place_24), rt::into(time_3), rt::into(seed_8), rt::into(params_109)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -15540,19 +15627,19 @@ impl<'g> Resources<'g> {
         place_24: rt::Vec2<f32>,
         time_3: rt::Scalar<f32>,
         seed_8: rt::Scalar<u32>,
-        params_107: rt::Vec4<f32>,
+        params_109: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         match rt::Scalar::into_inner(number_20) {
             0u32 => {
-                let _e5 = self.v_procedure_waves(place_24, time_3, seed_8, params_107);
+                let _e5 = self.v_procedure_waves(place_24, time_3, seed_8, params_109);
                 return _e5;
             }
             1u32 => {
-                let _e6 = self.v_procedure_fbm(place_24, time_3, seed_8, params_107);
+                let _e6 = self.v_procedure_fbm(place_24, time_3, seed_8, params_109);
                 return _e6;
             }
             _ => {
-                let _e7 = self.v_procedure_bumps(place_24, time_3, seed_8, params_107);
+                let _e7 = self.v_procedure_bumps(place_24, time_3, seed_8, params_109);
                 return _e7;
             }
         }
@@ -15577,26 +15664,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_135: Entered,
-        hit_57: Hit,
+        at_137: Entered,
+        hit_59: Hit,
         number_21: impl rt::Into<rt::Scalar<u32>>,
         k_38: impl rt::Into<rt::Scalar<u32>>,
         count_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_135, hit_57, rt::into(number_21), rt::into(k_38), rt::into(count_10)))
+        rt::into(self.v_ray_to_light(at_137, hit_59, rt::into(number_21), rt::into(k_38), rt::into(count_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ray_to_light(
         &self,
-        at_135: Entered,
-        hit_57: Hit,
+        at_137: Entered,
+        hit_59: Hit,
         number_21: rt::Scalar<u32>,
         k_38: rt::Scalar<u32>,
         count_10: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e5 = self.v_point_of_light(at_135, hit_57, number_21, k_38, count_10);
-        let _e6 = self.v_light_ray(at_135, hit_57, _e5);
+        let _e5 = self.v_point_of_light(at_137, hit_59, number_21, k_38, count_10);
+        let _e6 = self.v_light_ray(at_137, hit_59, _e5);
         return _e6;
     }
     pub(crate) fn table_cosine(
@@ -15625,16 +15712,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_136: Entered,
+        at_138: Entered,
         seen_3: SeenNormals,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_136, seen_3, rt::into(toward_3)))
+        rt::into(self.v_seen_cosine(at_138, seen_3, rt::into(toward_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_136: Entered,
+        at_138: Entered,
         seen_3: SeenNormals,
         toward_3: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -15643,7 +15730,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_3.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_3.normal.dot(toward_3).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_136, toward_3);
+        let _e10 = self.v_to_tangent_space(at_138, toward_3);
         let middle_17 = seen_3.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_17, seen_3.along.dot(_e10), seen_3.across.dot(_e10));
         let one_2 = (rt::Scalar(seen_3.middle_seen) * middle_17.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -15715,26 +15802,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_blinn_phong(
         &self,
-        normal_18: impl rt::Into<rt::Vec3<f32>>,
+        normal_21: impl rt::Into<rt::Vec3<f32>>,
         mean: impl rt::Into<rt::Scalar<f32>>,
         cosine_1: impl rt::Into<rt::Scalar<f32>>,
-        view_22: impl rt::Into<rt::Vec3<f32>>,
+        view_24: impl rt::Into<rt::Vec3<f32>>,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
-        color_7: impl rt::Into<rt::Vec3<f32>>,
-        params_108: impl rt::Into<rt::Vec4<f32>>,
+        color_9: impl rt::Into<rt::Vec3<f32>>,
+        params_110: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_18), rt::into(mean), rt::into(cosine_1), rt::into(view_22), rt::into(toward_4), rt::into(color_7), rt::into(params_108)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_21), rt::into(mean), rt::into(cosine_1), rt::into(view_24), rt::into(toward_4), rt::into(color_9), rt::into(params_110)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
         &self,
-        normal_18: rt::Vec3<f32>,
+        normal_21: rt::Vec3<f32>,
         mean: rt::Scalar<f32>,
         cosine_1: rt::Scalar<f32>,
-        view_22: rt::Vec3<f32>,
+        view_24: rt::Vec3<f32>,
         toward_4: rt::Vec3<f32>,
-        color_7: rt::Vec3<f32>,
-        params_108: rt::Vec4<f32>,
+        color_9: rt::Vec3<f32>,
+        params_110: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_2: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -15749,66 +15836,66 @@ impl<'g> Resources<'g> {
                 exponent_2 = wide_3.to_u32();
                 dimmed = ((wide_3 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_18.dot((toward_4 + view_22).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_21.dot((toward_4 + view_24).normalize()).max(rt::Scalar(0f32));
             let _e43 = self.surface_settings.specular;
             let _e45 = exponent_2;
             let _e46 = self.v_whole_power(lobe, _e45);
             let _e47 = dimmed;
             let specular = (_e43.xyz() * (_e46 * _e47));
-            return ((color_7 * cosine_1) + specular);
+            return ((color_9 * cosine_1) + specular);
         }
         return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shade_stage(
         &self,
-        normal_19: impl rt::Into<rt::Vec3<f32>>,
+        normal_22: impl rt::Into<rt::Vec3<f32>>,
         mean_1: impl rt::Into<rt::Scalar<f32>>,
         cosine_2: impl rt::Into<rt::Scalar<f32>>,
-        view_23: impl rt::Into<rt::Vec3<f32>>,
+        view_25: impl rt::Into<rt::Vec3<f32>>,
         toward_5: impl rt::Into<rt::Vec3<f32>>,
-        color_8: impl rt::Into<rt::Vec3<f32>>,
+        color_10: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_19), rt::into(mean_1), rt::into(cosine_2), rt::into(view_23), rt::into(toward_5), rt::into(color_8)))
+        rt::into(self.v_shade_stage(rt::into(normal_22), rt::into(mean_1), rt::into(cosine_2), rt::into(view_25), rt::into(toward_5), rt::into(color_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shade_stage(
         &self,
-        normal_19: rt::Vec3<f32>,
+        normal_22: rt::Vec3<f32>,
         mean_1: rt::Scalar<f32>,
         cosine_2: rt::Scalar<f32>,
-        view_23: rt::Vec3<f32>,
+        view_25: rt::Vec3<f32>,
         toward_5: rt::Vec3<f32>,
-        color_8: rt::Vec3<f32>,
+        color_10: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e10 = rt::Scalar(self.surface_settings.choices[7usize].number);
         match rt::Scalar::into_inner(_e10) {
             _ => {
                 let _e15 = self.surface_settings.choices[7usize].params;
-                let _e16 = self.v_shade_blinn_phong(normal_19, mean_1, cosine_2, view_23, toward_5, color_8, _e15);
+                let _e16 = self.v_shade_blinn_phong(normal_22, mean_1, cosine_2, view_25, toward_5, color_10, _e15);
                 return _e16;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
-        at_137: Entered,
-        hit_58: Hit,
+        at_139: Entered,
+        hit_60: Hit,
         seen_4: SeenNormals,
-        view_24: impl rt::Into<rt::Vec3<f32>>,
-        color_9: impl rt::Into<rt::Vec3<f32>>,
+        view_26: impl rt::Into<rt::Vec3<f32>>,
+        color_11: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_137, hit_58, seen_4, rt::into(view_24), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_139, hit_60, seen_4, rt::into(view_26), rt::into(color_11), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_137: Entered,
-        hit_58: Hit,
+        at_139: Entered,
+        hit_60: Hit,
         seen_4: SeenNormals,
-        view_24: rt::Vec3<f32>,
-        color_9: rt::Vec3<f32>,
+        view_26: rt::Vec3<f32>,
+        color_11: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_16: rt::Vec3<f32>;
@@ -15816,8 +15903,8 @@ impl<'g> Resources<'g> {
 
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
-        let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_137, hit_58, (seen_4.normal * rt::Scalar(seen_4.length)), view_24, diffuse);
+        let diffuse = ((_e8.xyz() * color_11) * (rt::Scalar(1f32) - _e13));
+        let _e20 = self.v_ambient_stage(at_139, hit_60, (seen_4.normal * rt::Scalar(seen_4.length)), view_26, diffuse);
         light_16 = _e20;
         'naga_break: loop {
             'naga_continue: {
@@ -15829,9 +15916,9 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e29 = k_39;
-                    let _e31 = self.v_toward_light(_e29, at_137.point);
-                    let _e33 = self.v_seen_cosine(at_137, seen_4, _e31.direction);
-                    let _e37 = self.v_shade_stage(seen_4.normal, rt::Scalar(seen_4.length), _e33, view_24, _e31.direction, diffuse);
+                    let _e31 = self.v_toward_light(_e29, at_139.point);
+                    let _e33 = self.v_seen_cosine(at_139, seen_4, _e31.direction);
+                    let _e37 = self.v_shade_stage(seen_4.normal, rt::Scalar(seen_4.length), _e33, view_26, _e31.direction, diffuse);
                     let _e38 = light_16;
                     let _e41 = k_39;
                     let _e44 = self.frame.lights[rt::Scalar::into_array_index(_e41)].color;
@@ -15855,25 +15942,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_along(
         &self,
-        at_138: impl rt::Into<rt::Vec3<i32>>,
+        at_140: impl rt::Into<rt::Vec3<i32>>,
         axis_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<i32> {
-        rt::into(self.v_seen_along(rt::into(at_138), rt::into(axis_3)))
+        rt::into(self.v_seen_along(rt::into(at_140), rt::into(axis_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_seen_along(
         &self,
-        at_138: rt::Vec3<i32>,
+        at_140: rt::Vec3<i32>,
         axis_3: rt::Scalar<u32>,
     ) -> rt::Vec3<i32> {
         if rt::Scalar::into_branch_condition(axis_3.elementwise_eq(rt::Scalar(0u32))) {
-            return at_138;
+            return at_140;
         }
         if rt::Scalar::into_branch_condition(axis_3.elementwise_eq(rt::Scalar(1u32))) {
-            return <rt::Vec3<i32>>::from_scalars(at_138.y(), at_138.z(), at_138.x());
+            return <rt::Vec3<i32>>::from_scalars(at_140.y(), at_140.z(), at_140.x());
         }
-        return <rt::Vec3<i32>>::from_scalars(at_138.z(), at_138.x(), at_138.y());
+        return <rt::Vec3<i32>>::from_scalars(at_140.z(), at_140.x(), at_140.y());
     }
     pub(crate) fn z_of(&self, depth_8: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_z_of(rt::into(depth_8)))
@@ -15894,65 +15981,65 @@ impl<'g> Resources<'g> {
     pub(crate) fn shade_hit(
         &self,
         origin_2: impl rt::Into<rt::Vec3<f32>>,
-        at_139: Entered,
-        hit_59: Hit,
+        at_141: Entered,
+        hit_61: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        rt::into(self.v_shade_hit(rt::into(origin_2), at_139, hit_59, visible_1))
+        rt::into(self.v_shade_hit(rt::into(origin_2), at_141, hit_61, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(
         &self,
         origin_2: rt::Vec3<f32>,
-        at_139: Entered,
-        hit_59: Hit,
+        at_141: Entered,
+        hit_61: Hit,
         visible_1: [rt::Vec4<f32>; 8],
     ) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_59.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_59.cost.x(), hit_59.cost.y(), hit_59.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_61.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_61.cost.x(), hit_61.cost.y(), hit_61.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e44 = self.v_height_at(hit_59.uv, rt::Scalar(at_139.level));
-        let view_27 = (origin_2 - at_139.point).normalize();
-        let _e49 = self.v_mesostructure_normals(at_139, hit_59.uv, view_27);
-        let _e50 = self.v_object_color_stage(at_139, hit_59, view_27);
-        let _e51 = self.v_reflected_light(at_139, hit_59, _e49, view_27, _e50, visible_1);
+        let _e44 = self.v_height_at(hit_61.uv, rt::Scalar(at_141.level));
+        let view_29 = (origin_2 - at_141.point).normalize();
+        let _e49 = self.v_mesostructure_normals(at_141, hit_61.uv, view_29);
+        let _e50 = self.v_object_color_stage(at_141, hit_61, view_29);
+        let _e51 = self.v_reflected_light(at_141, hit_61, _e49, view_29, _e50, visible_1);
         let _e56 = self.frame.forward;
-        let depth_11 = (at_139.point - origin_2).dot(_e56.xyz());
+        let depth_11 = (at_141.point - origin_2).dot(_e56.xyz());
         let _e61 = self.v_height_size(rt::Scalar(0u32));
-        let _e67 = self.v_cell_of(((hit_59.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        let _e87 = self.v_z_of(rt::Scalar(at_139.depth));
+        let _e67 = self.v_cell_of(((hit_61.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e87 = self.v_z_of(rt::Scalar(at_141.depth));
         let _e90 = rt::Scalar(self.surface_settings.number);
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_59.exhausted), hit_59.uv, _e44, at_139.point, _e49.normal, depth_11, rt::Scalar(hit_59.t), _e67.to_i32(), hit_59.cost.x(), hit_59.cost.y(), hit_59.cost.z(), visible_1[0usize].x(), rt::Scalar(at_139.level), _e87, _e90);
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_61.exhausted), hit_61.uv, _e44, at_141.point, _e49.normal, depth_11, rt::Scalar(hit_61.t), _e67.to_i32(), hit_61.cost.x(), hit_61.cost.y(), hit_61.cost.z(), visible_1[0usize].x(), rt::Scalar(at_141.level), _e87, _e90);
     }
     pub(crate) fn visible_light(
         &self,
-        at_140: Entered,
-        hit_60: Hit,
+        at_142: Entered,
+        hit_62: Hit,
         number_22: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_visible_light(at_140, hit_60, rt::into(number_22)))
+        rt::into(self.v_visible_light(at_142, hit_62, rt::into(number_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_visible_light(
         &self,
-        at_140: Entered,
-        hit_60: Hit,
+        at_142: Entered,
+        hit_62: Hit,
         number_22: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_toward_light(number_22, at_140.point);
-        let _e5 = self.v_shadow_stage(at_140, hit_60, _e4);
+        let _e4 = self.v_toward_light(number_22, at_142.point);
+        let _e5 = self.v_shadow_stage(at_142, hit_62, _e4);
         return _e5;
     }
-    pub(crate) fn visible_lights(&self, at_141: Entered, hit_61: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_141, hit_61))
+    pub(crate) fn visible_lights(&self, at_143: Entered, hit_63: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_143, hit_63))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_141: Entered, hit_61: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_143: Entered, hit_63: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut k_40: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_61.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_63.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
@@ -15967,7 +16054,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = k_40;
                     let _e17 = k_40;
-                    let _e18 = self.v_visible_light(at_141, hit_61, _e17);
+                    let _e18 = self.v_visible_light(at_143, hit_63, _e17);
                     visible_2[rt::Scalar::into_array_index(_e15)] = <rt::Vec4<f32>>::from_scalars(_e18, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e23 = k_40;
                     k_40 = (_e23 + rt::Scalar(1u32));
@@ -16023,10 +16110,10 @@ impl<'g> Resources<'g> {
         a_23: BaseSite,
         b_23: BaseSite,
         shares: impl rt::Into<rt::Vec2<f32>>,
-        at_142: impl rt::Into<rt::Scalar<u32>>,
+        at_144: impl rt::Into<rt::Scalar<u32>>,
         parts_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> BaseSite {
-        rt::into(self.v_site_between(a_23, b_23, rt::into(shares), rt::into(at_142), rt::into(parts_3)))
+        rt::into(self.v_site_between(a_23, b_23, rt::into(shares), rt::into(at_144), rt::into(parts_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -16035,11 +16122,11 @@ impl<'g> Resources<'g> {
         a_23: BaseSite,
         b_23: BaseSite,
         shares: rt::Vec2<f32>,
-        at_142: rt::Scalar<u32>,
+        at_144: rt::Scalar<u32>,
         parts_3: rt::Scalar<u32>,
     ) -> BaseSite {
-        let of_a = ((parts_3 - at_142).to_f32() * shares.x());
-        let of_b = (at_142.to_f32() * shares.y());
+        let of_a = ((parts_3 - at_144).to_f32() * shares.x());
+        let of_b = (at_144.to_f32() * shares.y());
         let sum_12 = (of_a + of_b);
         let _e17 = self.v_weighted_site(a_23, b_23, b_23, <rt::Vec3<f32>>::from_scalars((of_a / sum_12), (of_b / sum_12), rt::Scalar(0f32)));
         return _e17;
@@ -16358,11 +16445,11 @@ impl<'g> Resources<'g> {
 
         let from_eye = (position_2 - grid_14.eye.xyz());
         let depth_12 = grid_14.forward.xyz().dot(from_eye);
-        let seen_7 = depth_12.max(rt::Scalar(grid_14.near_m));
+        let seen_8 = depth_12.max(rt::Scalar(grid_14.near_m));
         away = (depth_12 * rt::Scalar(grid_14.per_m));
         if rt::Scalar::into_branch_condition(rt::Scalar(grid_14.is_parallel).elementwise_eq(rt::Scalar(0u32))) {
-            share = (rt::Scalar(1f32) / seen_7);
-            let _e22 = self.v_log2_of((seen_7 / rt::Scalar(grid_14.near_m)));
+            share = (rt::Scalar(1f32) / seen_8);
+            let _e22 = self.v_log2_of((seen_8 / rt::Scalar(grid_14.near_m)));
             away = (_e22 * rt::Scalar(grid_14.per_doubling));
         }
         let _e30 = share;
@@ -16371,9 +16458,9 @@ impl<'g> Resources<'g> {
         let down_4 = (grid_14.middle.y() - ((grid_14.up.xyz().dot(from_eye) * rt::Scalar(grid_14.per_m)) * _e42));
         let far_15 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(262144f32), rt::Scalar(262144f32), rt::Scalar(262144f32));
         let _e49 = away;
-        let at_151 = <rt::Vec3<f32>>::from_scalars(right_7, down_4, _e49).clamp((-far_15), far_15);
+        let at_153 = <rt::Vec3<f32>>::from_scalars(right_7, down_4, _e49).clamp((-far_15), far_15);
         let _e60 = share;
-        return <Voxel>::new((at_151 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
+        return <Voxel>::new((at_153 + <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor().to_i32(), _e60.select(rt::Scalar(1f32), grid_14.parts_of_uv.x().elementwise_gt(rt::Scalar(0f32))));
     }
     pub(crate) fn zip_goes_left(&self, zip: Zip) -> bool {
         rt::into(self.v_zip_goes_left(zip))

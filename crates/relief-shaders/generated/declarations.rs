@@ -69,6 +69,8 @@ pub const MODULES: &[Module] = &[
 // Texel (i, j) has its centre at ((i + ½) / W, (j + ½) / H); dual cell (i, j) lies between the centres of the
 // texels (i, j) and (i + 1, j + 1).
 "# },
+    Module { path: "shared/hemisphere", head: r#"// The light of a sky above and ground below.
+"# },
     Module { path: "shared/image", head: r#"// Dual cells beside the map, and the cells of the map over which the surface is the same.
 "# },
     Module { path: "shared/image_cell", head: r#"// What images of an object are between their texels.
@@ -517,10 +519,20 @@ pub const MODULES: &[Module] = &[
 // transparent object as in Oh, Ki and Lee 2006, Figure 22. How much is reflected is after Fresnel, for light
 // that is not polarised.
 "# },
+    Module { path: "ambient/hemisphere", head: r#"// Hemisphere lighting: a sky above and ground below, whose parts are those that a normal sees of each.
+//
+// A plane with normal n sees the part (1 + n.y) / 2 of an even sky above the horizon, weighted by the cosine.
+"# },
     Module { path: "ambient/occlusion", head: r#"// Ambient occlusion: of the light from all around arrives what the horizons leave of the sky, about the
 // base's normal.
 //
 // Zhukov, Iones and Kronin 1998; horizons as in Szirmay-Kalos and Umenhoffer 2008, section 6.1.
+"# },
+    Module { path: "ambient/sky", head: r#"// An occluded sky above and ground below: what the relief leaves open, as bright as it is about the mean open
+// direction.
+//
+// The part that arrives is that of bent normals (Landis 2002). Its radiance is that of hemisphere lighting
+// along the bent normal.
 "# },
     Module { path: "procedure/bumps", head: r#"// Round bumps on level ground, each in a cell of a lattice. In time each grows and shrinks by itself, and all
 // come round together.
@@ -1197,13 +1209,6 @@ pub const DECLARATIONS: &[Declaration] = &[
         sampling: None,
         uses: &[],
         text: r#"const SEEN_ELEVATIONS = 4u;"#,
-    },
-    Declaration {
-        module: "constants",
-        name: "SEEN_FIRST_LEVEL",
-        sampling: None,
-        uses: &[],
-        text: r#"const SEEN_FIRST_LEVEL = 2u;"#,
     },
     Declaration {
         module: "constants",
@@ -3405,6 +3410,17 @@ fn normal_at(uv: vec2f, layer: i32, level: u32) -> vec4f {
 }"#,
     },
     Declaration {
+        module: "shared/hemisphere",
+        name: "hemisphere_grade",
+        sampling: None,
+        uses: &[],
+        text: r#"// What arrives at a plane of that normal, where the sky's radiance is 1 and the ground's is `ground`. The light
+// is linear in the normal, so a mean of normals, shorter than 1, has the mean of their light.
+fn hemisphere_grade(normal: vec3f, ground: f32) -> f32 {
+    return ground + (1.0 - ground) * (0.5 + 0.5 * normal.y);
+}"#,
+    },
+    Declaration {
         module: "shared/image",
         name: "UPRIGHT",
         sampling: None,
@@ -3972,11 +3988,14 @@ fn ambient_texel(place: vec2i, layer: i32, level: i32) -> vec4f {
         module: "shared/maps",
         name: "ambient_texel_between",
         sampling: None,
-        uses: &["ambient_texel", "bilinear", "height_texels", "texels_around"],
-        text: r#"// A level of that map, between the four texels around a place. One read.
+        uses: &["SLOT_AMBIENT", "ambient_texel", "bilinear", "height_texels", "surface_settings", "texels_around"],
+        text: r#"// That map, between the four texels around a place, for a level of detail: for those finer than the map's
+// first, that one. One read.
 fn ambient_texel_between(uv: vec2f, level: u32) -> vec4f {
-    let at = texels_around(uv, height_texels(level));
-    let k = i32(level);
+    let first = surface_settings.maps[SLOT_AMBIENT].first_level;
+    let seen = select(first, level, level > first);
+    let at = texels_around(uv, height_texels(seen));
+    let k = i32(seen - first);
     return bilinear(
         ambient_texel(vec2i(at.columns.x, at.rows.x), 0, k),
         ambient_texel(vec2i(at.columns.y, at.rows.x), 0, k),
@@ -4030,11 +4049,11 @@ fn detail_texel(place: vec2i, layer: i32, level: i32) -> vec4f {
         module: "shared/maps",
         name: "detail_texel_between",
         sampling: None,
-        uses: &["SEEN_FIRST_LEVEL", "bilinear", "detail_texel", "height_texels", "texels_around"],
+        uses: &["SLOT_DETAIL", "bilinear", "detail_texel", "height_texels", "surface_settings", "texels_around"],
         text: r#"// That map between the four texels around a place, for a level of detail from its first one on. One read.
 fn detail_texel_between(uv: vec2f, layer: i32, level: u32) -> vec4f {
     let at = texels_around(uv, height_texels(level));
-    let k = i32(level - SEEN_FIRST_LEVEL);
+    let k = i32(level - surface_settings.maps[SLOT_DETAIL].first_level);
     return bilinear(
         detail_texel(vec2i(at.columns.x, at.rows.x), layer, k),
         detail_texel(vec2i(at.columns.y, at.rows.x), layer, k),
@@ -6205,10 +6224,10 @@ fn seen_in_levels(uv: vec2f, azimuth: i32, elevation: i32, levels: Levels) -> Se
         module: "shared/seen_table",
         name: "has_table",
         sampling: None,
-        uses: &["Levels", "SEEN_FIRST_LEVEL"],
+        uses: &["Levels", "SLOT_DETAIL", "surface_settings"],
         text: r#"// Whether levels of detail have a table.
 fn has_table(levels: Levels) -> bool {
-    return levels.fine >= SEEN_FIRST_LEVEL;
+    return levels.fine >= surface_settings.maps[SLOT_DETAIL].first_level;
 }"#,
     },
     Declaration {
@@ -6372,6 +6391,8 @@ struct MapSettings {
     layers: u32,
     // Bytes of a texel.
     texel_bytes: u32,
+    // The level of the height map whose place and size the map's finest level has.
+    first_level: u32,
     low: vec4f,
     step: vec4f,
     // Metres of a tile along u and v in the metric that it was baked in.
@@ -12183,6 +12204,22 @@ const LEAST = 0.000001;"#,
 }"#,
     },
     Declaration {
+        module: "ambient/hemisphere",
+        name: "ambient_hemisphere",
+        sampling: None,
+        uses: &["Entered", "Hit", "frame", "hemisphere_grade"],
+        text: r#"fn ambient_hemisphere(
+    at: Entered,
+    hit: Hit,
+    normal: vec3f,
+    view: vec3f,
+    color: vec3f,
+    params: vec4f,
+) -> vec3f {
+    return frame.ambient.xyz * color * hemisphere_grade(normal, params.x);
+}"#,
+    },
+    Declaration {
         module: "ambient/occlusion",
         name: "ambient_occlusion",
         sampling: None,
@@ -12196,6 +12233,33 @@ const LEAST = 0.000001;"#,
     params: vec4f,
 ) -> vec3f {
     return frame.ambient.xyz * color * ambient_texel_between(hit.uv, at.level).x;
+}"#,
+    },
+    Declaration {
+        module: "ambient/sky",
+        name: "LEAST_OPEN",
+        sampling: None,
+        uses: &[],
+        text: r#"// The least length of a vector that has a direction.
+const LEAST_OPEN = 0.000001;"#,
+    },
+    Declaration {
+        module: "ambient/sky",
+        name: "ambient_sky",
+        sampling: None,
+        uses: &["Entered", "Hit", "LEAST_OPEN", "ambient_texel_between", "frame", "from_tangent_space", "hemisphere_grade"],
+        text: r#"fn ambient_sky(
+    at: Entered,
+    hit: Hit,
+    normal: vec3f,
+    view: vec3f,
+    color: vec3f,
+    params: vec4f,
+) -> vec3f {
+    let open = from_tangent_space(at, ambient_texel_between(hit.uv, at.level).xyz);
+    let toward = open / max(length(open), LEAST_OPEN);
+    let part = max(dot(normal, open), 0.0);
+    return frame.ambient.xyz * color * (part * hemisphere_grade(toward, params.x));
 }"#,
     },
     Declaration {

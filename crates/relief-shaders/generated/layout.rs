@@ -235,6 +235,7 @@ impl Shared for MapSettings {
         self.coded.write(&mut bytes[0..]);
         self.layers.write(&mut bytes[4..]);
         self.texel_bytes.write(&mut bytes[8..]);
+        self.first_level.write(&mut bytes[12..]);
         self.low.write(&mut bytes[16..]);
         self.step.write(&mut bytes[32..]);
         self.tile_m.write(&mut bytes[48..]);
@@ -245,6 +246,7 @@ impl Shared for MapSettings {
             coded: Shared::read(&bytes[0..]),
             layers: Shared::read(&bytes[4..]),
             texel_bytes: Shared::read(&bytes[8..]),
+            first_level: Shared::read(&bytes[12..]),
             low: Shared::read(&bytes[16..]),
             step: Shared::read(&bytes[32..]),
             tile_m: Shared::read(&bytes[48..]),

@@ -1408,15 +1408,16 @@ lanes! { fn ambient_texel(r: &Resources<'_>, within: M, place_a0: Vec2<I>, layer
 lanes! { fn ambient_texel_between(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, level_a1: U) -> Vec4<F> {
     let mut ex = within;
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
-    let e_2 = height_texels(r, level_a1);
-    let at_3 = texels_around(r, ex, uv_a0, e_2);
-    let k_4 = i_of_u(level_a1);
-    let e_11 = ambient_texel(r, ex, Vec2 { x: at_3.columns.x, y: at_3.rows.x }, 0i32, k_4);
-    let e_18 = ambient_texel(r, ex, Vec2 { x: at_3.columns.y, y: at_3.rows.x }, 0i32, k_4);
-    let e_25 = ambient_texel(r, ex, Vec2 { x: at_3.columns.x, y: at_3.rows.y }, 0i32, k_4);
-    let e_32 = ambient_texel(r, ex, Vec2 { x: at_3.columns.y, y: at_3.rows.y }, 0i32, k_4);
-    let e_34 = bilinear(r, e_11, e_18, e_25, e_32, Vec2 { x: at_3.part.x, y: at_3.part.y });
-    return e_34;
+    let seen_8 = sel_u(gt_u(level_a1, splat_u(r.surface_settings.maps[4].first_level)), level_a1, splat_u(r.surface_settings.maps[4].first_level));
+    let e_9 = height_texels(r, seen_8);
+    let at_10 = texels_around(r, ex, uv_a0, e_9);
+    let k_12 = i_of_u(sub_u(seen_8, splat_u(r.surface_settings.maps[4].first_level)));
+    let e_19 = ambient_texel(r, ex, Vec2 { x: at_10.columns.x, y: at_10.rows.x }, 0i32, k_12);
+    let e_26 = ambient_texel(r, ex, Vec2 { x: at_10.columns.y, y: at_10.rows.x }, 0i32, k_12);
+    let e_33 = ambient_texel(r, ex, Vec2 { x: at_10.columns.x, y: at_10.rows.y }, 0i32, k_12);
+    let e_40 = ambient_texel(r, ex, Vec2 { x: at_10.columns.y, y: at_10.rows.y }, 0i32, k_12);
+    let e_42 = bilinear(r, e_19, e_26, e_33, e_40, Vec2 { x: at_10.part.x, y: at_10.part.y });
+    return e_42;
 } }
 lanes! { fn ambient_bent_normal(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>, params_a5: Vec4<f32>) -> Vec3<F> {
     let mut ex = within;
@@ -1627,11 +1628,30 @@ lanes! { fn ambient_environment(r: &Resources<'_>, within: M, at_a0: &Entered, h
     let e_97 = light_v0;
     return Vec3 { x: mul(e_97.x, splat(params_a5.x)), y: mul(e_97.y, splat(params_a5.x)), z: mul(e_97.z, splat(params_a5.x)) };
 } }
+lanes! { fn hemisphere_grade(r: &Resources<'_>, normal_a0: Vec3<F>, ground_a1: f32) -> F {
+    return add(splat(ground_a1), mul(splat((1.0f32 - ground_a1)), add(splat(0.5f32), mul(splat(0.5f32), normal_a0.y))));
+} }
+lanes! { fn ambient_hemisphere(r: &Resources<'_>, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>, params_a5: Vec4<f32>) -> Vec3<F> {
+    let e_12 = hemisphere_grade(r, normal_a2, params_a5.x);
+    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), color_a4.x), e_12), y: mul(mul(splat(r.frame.ambient.y), color_a4.y), e_12), z: mul(mul(splat(r.frame.ambient.z), color_a4.z), e_12) };
+} }
 lanes! { fn ambient_occlusion(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>, params_a5: Vec4<f32>) -> Vec3<F> {
     let mut ex = within;
     let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
     let e_13 = ambient_texel_between(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.level);
     return Vec3 { x: mul(mul(splat(r.frame.ambient.x), color_a4.x), e_13.x), y: mul(mul(splat(r.frame.ambient.y), color_a4.y), e_13.x), z: mul(mul(splat(r.frame.ambient.z), color_a4.z), e_13.x) };
+} }
+lanes! { fn ambient_sky(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>, params_a5: Vec4<f32>) -> Vec3<F> {
+    let mut ex = within;
+    let mut ret: Vec3<F> = Vec3 { x: splat(0f32), y: splat(0f32), z: splat(0f32) };
+    let e_8 = ambient_texel_between(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.level);
+    let open_10 = from_tangent_space(r, at_a0, Vec3 { x: e_8.x, y: e_8.y, z: e_8.z });
+    let e_13 = max_with(sqrt(add(add(mul(open_10.x, open_10.x), mul(open_10.y, open_10.y)), mul(open_10.z, open_10.z))), splat(1e-6f32));
+    let toward_15 = Vec3 { x: div(open_10.x, e_13), y: div(open_10.y, e_13), z: div(open_10.z, e_13) };
+    let part_18 = max_with(add(add(add(mul(normal_a2.x, open_10.x), mul(normal_a2.y, open_10.y)), mul(normal_a2.z, open_10.z)), splat(0.0f32)), splat(0.0f32));
+    let e_25 = hemisphere_grade(r, toward_15, params_a5.x);
+    let e_26 = mul(part_18, e_25);
+    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), color_a4.x), e_26), y: mul(mul(splat(r.frame.ambient.y), color_a4.y), e_26), z: mul(mul(splat(r.frame.ambient.z), color_a4.z), e_26) };
 } }
 lanes! { fn ambient_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>) -> Vec3<F> {
     let mut ex = within;
@@ -1653,9 +1673,17 @@ lanes! { fn ambient_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1:
             let e_33 = ambient_bounce(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[10].params);
             return e_33;
         }
-        _ => {
+        4u32 => {
             let e_39 = ambient_environment(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[10].params);
             return e_39;
+        }
+        5u32 => {
+            let e_45 = ambient_hemisphere(r, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[10].params);
+            return e_45;
+        }
+        _ => {
+            let e_51 = ambient_sky(r, ex, at_a0, hit_a1, normal_a2, view_a3, color_a4, r.surface_settings.choices[10].params);
+            return e_51;
         }
     }
 } }
@@ -2914,13 +2942,13 @@ lanes! { fn detail_texel_between(r: &Resources<'_>, within: M, uv_a0: Vec2<F>, l
     let mut ret: Vec4<F> = Vec4 { x: splat(0f32), y: splat(0f32), z: splat(0f32), w: splat(0f32) };
     let e_3 = height_texels(r, level_a2);
     let at_4 = texels_around(r, ex, uv_a0, e_3);
-    let k_7 = i_of_u(sub_u(level_a2, splat_u(2u32)));
-    let e_13 = detail_texel(r, ex, Vec2 { x: at_4.columns.x, y: at_4.rows.x }, layer_a1, k_7);
-    let e_19 = detail_texel(r, ex, Vec2 { x: at_4.columns.y, y: at_4.rows.x }, layer_a1, k_7);
-    let e_25 = detail_texel(r, ex, Vec2 { x: at_4.columns.x, y: at_4.rows.y }, layer_a1, k_7);
-    let e_31 = detail_texel(r, ex, Vec2 { x: at_4.columns.y, y: at_4.rows.y }, layer_a1, k_7);
-    let e_33 = bilinear(r, e_13, e_19, e_25, e_31, Vec2 { x: at_4.part.x, y: at_4.part.y });
-    return e_33;
+    let k_11 = i_of_u(sub_u(level_a2, splat_u(r.surface_settings.maps[0].first_level)));
+    let e_17 = detail_texel(r, ex, Vec2 { x: at_4.columns.x, y: at_4.rows.x }, layer_a1, k_11);
+    let e_23 = detail_texel(r, ex, Vec2 { x: at_4.columns.y, y: at_4.rows.x }, layer_a1, k_11);
+    let e_29 = detail_texel(r, ex, Vec2 { x: at_4.columns.x, y: at_4.rows.y }, layer_a1, k_11);
+    let e_35 = detail_texel(r, ex, Vec2 { x: at_4.columns.y, y: at_4.rows.y }, layer_a1, k_11);
+    let e_37 = bilinear(r, e_17, e_23, e_29, e_35, Vec2 { x: at_4.part.x, y: at_4.part.y });
+    return e_37;
 } }
 lanes! { fn plane_normal(r: &Resources<'_>, pixel_a0: &PixelIn) -> Vec3<F> {
     let e_5 = Vec3 { x: (pixel_a0.b.position.x - pixel_a0.a.position.x), y: (pixel_a0.b.position.y - pixel_a0.a.position.y), z: (pixel_a0.b.position.z - pixel_a0.a.position.z) };
@@ -4950,7 +4978,7 @@ lanes! { fn unit_of(r: &Resources<'_>, bits_a0: U) -> F {
     return div(f_of_u(shr_u(bits_a0, i_of_u(splat_u(8u32)))), splat(16777216.0f32));
 } }
 lanes! { fn has_table(r: &Resources<'_>, levels_a0: &Levels) -> M {
-    return ge_u(levels_a0.fine, splat_u(2u32));
+    return ge_u(levels_a0.fine, splat_u(r.surface_settings.maps[0].first_level));
 } }
 lanes! { fn mean_of_five(r: &Resources<'_>, middle_a0: F, four_a1: F) -> F {
     return add(mul(middle_a0, splat(0.33333334f32)), mul(four_a1, splat(0.16666667f32)));

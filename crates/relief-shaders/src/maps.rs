@@ -18,6 +18,9 @@ pub struct MapNeed {
     pub input: MapInput,
     /// The kind's settings that it needs, with their values. Of the others it takes the defaults.
     pub settings: Vec<(&'static str, f32)>,
+    /// The most texels of the longer side of the height map's level that it is baked from; none: it is baked
+    /// from the height map itself.
+    pub side: Option<u32>,
 }
 
 /// Why a selection has no map to read.
@@ -67,6 +70,14 @@ pub enum MapProblem {
         /// The one that is read.
         wanted: f32,
     },
+    /// It was baked from another level of the height map.
+    #[error("the one given lies on level {given} of the height map; it must be level {wanted}")]
+    HeightLevel {
+        /// The map's.
+        given: u32,
+        /// The one that is read.
+        wanted: u32,
+    },
     /// It has other levels.
     #[error("the one given begins with level {given} of its texture and has {levels}; it must be {wanted:?}")]
     Levels {
@@ -82,7 +93,7 @@ pub enum MapProblem {
 impl MapNeed {
     /// Whether another slot or reader needs the same map.
     pub fn is_same_map(&self, other: &MapNeed) -> bool {
-        self.input == other.input && self.settings == other.settings
+        self.input == other.input && self.settings == other.settings && self.side == other.side
     }
 
     /// The metric that the map is to be baked in, on a surface of that metric.
@@ -96,9 +107,17 @@ impl MapNeed {
     /// The level of the kind's texture that is the map's finest.
     pub fn first_level(&self) -> u32 {
         match self.input.levels {
-            MapLevels::One | MapLevels::EachDetail | MapLevels::Means => 0,
+            MapLevels::One | MapLevels::EachDetail | MapLevels::MeansFrom(_) => 0,
             MapLevels::ChainFrom(first) => first,
         }
+    }
+
+    /// The level that it is baked from, of a height map of so many columns and rows: the finest whose longer
+    /// side is short enough, or the last.
+    pub fn height_level(&self, [width, height]: [u32; 2]) -> u32 {
+        let (longer, side) = (width.max(height).max(1), self.side.unwrap_or(u32::MAX).max(1));
+        // Sides are halved and rounded down.
+        (0..longer.ilog2()).find(|level| longer >> level <= side).unwrap_or(longer.ilog2())
     }
 
     /// Whether that map is the one that is read, over that height map on a surface of that metric.
@@ -131,12 +150,20 @@ impl MapNeed {
                 return Some(MapProblem::Setting { name, given, wanted });
             }
         }
+        let from = self.height_level([heights.width(), heights.height()]);
+        let height_level = match self.input.levels {
+            MapLevels::MeansFrom(first) => from + first,
+            MapLevels::One | MapLevels::EachDetail | MapLevels::ChainFrom(_) => from,
+        };
+        if about.height_level != height_level {
+            return Some(MapProblem::HeightLevel { given: about.height_level, wanted: height_level });
+        }
         let levels = map.layout().levels;
         let right = match self.input.levels {
             MapLevels::One => levels == 1 && about.first_level == 0,
-            MapLevels::EachDetail => levels == heights.levels() && about.first_level == 0,
+            MapLevels::EachDetail => levels == heights.levels() - from && about.first_level == 0,
             MapLevels::ChainFrom(first) => about.first_level == first,
-            MapLevels::Means => about.first_level == 0,
+            MapLevels::MeansFrom(_) => about.first_level == 0,
         };
         let wanted = self.input.levels;
         (!right).then_some(MapProblem::Levels { given: about.first_level, levels, wanted })
@@ -186,6 +213,7 @@ impl Selection {
                             .iter()
                             .map(|(name, value)| (*name, choice.value(value, self.has_levels())))
                             .collect(),
+                        side: input.side.map(|side| choice.value(&side, self.has_levels()) as u32),
                     }
                 }));
             }
@@ -270,6 +298,7 @@ mod tests {
             wrap: Wrap::Repeat,
             metric: Metric::UNIT,
             first_level: 0,
+            height_level: 0,
         }
     }
 

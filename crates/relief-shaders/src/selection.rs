@@ -310,6 +310,19 @@ impl Selection {
         if self.uses(SHADOW_SEARCH) { self.check_taken(SHADOW_SEARCH, SHADOW) } else { Ok(()) }
     }
 
+    /// Whether a variant of a stage, with default parameters, goes with all that is chosen for the other
+    /// stages. Displaced triangles and objects, for example, read no bent normals: `sky` does not go with
+    /// them, `hemisphere` does.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such stage or no such variant.
+    pub fn goes_with(&self, key: &str, name: &str) -> Result<bool, SelectionError> {
+        let mut other = *self;
+        other.choose(key, name)?;
+        Ok(other.check().is_ok())
+    }
+
     /// Whether the relief lies on a smooth base in place of flat triangles.
     pub fn has_smooth_base(&self) -> bool {
         let Choice { entry, params, .. } = &self.choices[SURFACE];
@@ -391,7 +404,7 @@ impl Selection {
         }
         for (place, (stage, choice)) in STAGES.iter().zip(&self.choices).enumerate() {
             let of_stage = refused.iter().filter(|refused| refused.stage == stage.key);
-            if let Some(refused) = of_stage.into_iter().find(|it| it.names.contain(choice.entry.name)) {
+            if let Some(refused) = of_stage.into_iter().find(|it| it.names.contain(choice.entry)) {
                 return error(place, refused.reason.to_owned());
             }
         }

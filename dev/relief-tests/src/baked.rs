@@ -30,7 +30,9 @@ pub fn maps_in(format: MapFormat, map: &HeightMap, selection: &Selection) -> Vec
             settings.set(name, f64::from(*value)).unwrap_or_else(|error| panic!("{error}"));
         }
         let (texture, levels) = (need.input.texture, need.input.levels);
-        let wanted = WantedMap { kind, texture, settings, metric: need.metric(Metric::UNIT), levels, format };
+        let (metric, size) = (need.metric(Metric::UNIT), [map.width(), map.height()]);
+        let height_level = need.height_level(size);
+        let wanted = WantedMap { kind, texture, settings, metric, levels, height_level, format };
         baked_map(map, &wanted, &Progress::none()).unwrap_or_else(|error| panic!("{error}"))
     });
     baked.collect()

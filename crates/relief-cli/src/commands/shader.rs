@@ -238,14 +238,19 @@ fn bake_line(need: &MapNeed) -> String {
     let params = KINDS.iter().find(|known| known.name == kind).map_or(&[][..], |known| known.params);
     let is_default =
         |name: &str, value: f32| params.iter().any(|param| param.name == name && param.default == value);
-    let mut line = format!("relief bake HEIGHT --kind {kind}");
+    let heights = if need.side.is_some() { "LEVEL" } else { "HEIGHT" };
+    let mut line = format!("relief bake {heights} --kind {kind}");
     for (name, value) in need.settings.iter().filter(|(name, value)| !is_default(name, *value)) {
         line += &format!(" --set {kind}.{name}={value}");
     }
     if need.input.metric == MapMetric::Scene {
         line += " --scale M --tile-size U,V";
     }
-    line + " -o DIR"
+    line += " -o DIR";
+    match need.side {
+        Some(side) => line + &format!(" (LEVEL: the finest level of HEIGHT of at most {side} texels a side)"),
+        None => line,
+    }
 }
 
 /// What there can be no shader of, with the flag that mends it.

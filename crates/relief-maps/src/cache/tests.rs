@@ -16,6 +16,7 @@ fn map(number: u32, side: u32, format: MapFormat) -> BakedMap {
         wrap: Wrap::Clamp,
         metric: Metric::UNIT,
         first_level: 0,
+        height_level: 0,
     };
     let layout = MapLayout { size: [side, side], levels: 1, layers: 2, channels: 2, format };
     let values = 0..4 * side * side;

@@ -124,3 +124,83 @@ fn what_the_caller_builds_is_provided_only_where_it_is_in_memory_or_of_fewer_bit
     let mut fewer = Maps::in_memory().with_format(MapFormat::F16);
     assert_eq!(provided_except(&mut fewer, "pyramid", &heights(5)), [Origin::Bake]);
 }
+
+/// Selections whose ambient light is baked from a level of at most so many texels a side.
+fn sky(side: f64, detail: &str) -> Selection {
+    let mut selection = Selection::exact();
+    selection.choose("ambient", "sky").expect("an ambient light");
+    selection.choose("detail", detail).expect("a detail");
+    selection.set("ambient.side", side).expect("a setting");
+    selection
+}
+
+#[test]
+fn a_map_is_baked_from_the_finest_level_that_is_small_enough() {
+    let metric = Metric { tile_m: [2.0, 1.0], scale_m: 0.2 };
+    let sizes = [
+        ([1, 1], 512.0, 0, [1, 1]),
+        ([1, 5], 512.0, 0, [1, 5]),
+        ([1, 33], 16.0, 1, [1, 16]),
+        ([512, 100], 512.0, 0, [512, 100]),
+        ([513, 100], 512.0, 1, [256, 50]),
+        ([300, 700], 512.0, 1, [150, 350]),
+        ([300, 700], 16.0, 6, [4, 10]),
+        ([1024, 512], 128.0, 3, [128, 64]),
+    ];
+    for (number, (size, side, level, baked_size)) in sizes.into_iter().enumerate() {
+        let wrap = Wrap::ALL[number % Wrap::ALL.len()];
+        let texel = |i: u32, j: u32| ((i * 7 + j * j * 3) % 17) as f32 / 16.0;
+        let heights = HeightMap::from_fn(size[0], size[1], wrap, texel).expect("a valid map");
+        for detail in ["none", "footprint"] {
+            let selection = sky(side, detail);
+            let mut maps = Maps::in_memory();
+            let provided = maps.provide(&selection, &heights, metric, &Watch::none()).expect("a bake");
+            let map = provided.slots().get(MapSlot::Ambient).expect("a map");
+            let levels = if detail == "none" { 1 } else { heights.levels() - level };
+            let layout = map.layout();
+            assert_eq!((layout.size, layout.levels), (baked_size, levels), "{size:?} {side}");
+            assert_eq!(map.identity().height_level, level, "{size:?} {side}");
+            assert_eq!(maps.bytes(&selection, size).expect("a shape"), layout.bytes());
+            selection.slot_maps([map], &heights, metric).expect("the right map");
+            // It is the map of the level's heights, in the same metres.
+            let coarse = heights.level(level);
+            let of_level = maps.provide(&sky(16384.0, detail), &coarse, metric, &Watch::none());
+            let of_level = of_level.expect("a bake");
+            let same = of_level.slots().get(MapSlot::Ambient).expect("a map");
+            assert!(same.texels() == map.texels() && same.identity().height_level == 0, "{size:?} {side}");
+        }
+    }
+}
+
+#[test]
+fn maps_of_different_levels_are_not_taken_for_each_other() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let texel = |i: u32, j: u32| ((i * 5 + j * 3) % 17) as f32 / 16.0;
+    // A constant map is the same in all its levels but for their sizes.
+    let constant = HeightMap::from_fn(64, 64, Wrap::Repeat, |_, _| 0.5).expect("a valid map");
+    for heights in [HeightMap::from_fn(64, 64, Wrap::Repeat, texel).expect("a valid map"), constant] {
+        for again in [false, true] {
+            let mut maps = Maps::with_cache(Cache::new(folder.path(), ByteSize(1 << 22)));
+            for (side, first) in [(16.0, true), (32.0, true), (64.0, true), (512.0, false), (40.0, false)] {
+                let selection = sky(side, "none");
+                let provided = maps.provide(&selection, &heights, Metric::UNIT, &Watch::none());
+                let provided = provided.expect("a bake");
+                let origin = match (first, again) {
+                    (true, false) => Origin::Bake,
+                    (true, true) => Origin::Cache,
+                    (false, _) => Origin::Memory,
+                };
+                assert_eq!(origins(&provided), [origin], "{side}");
+                let map = provided.slots().get(MapSlot::Ambient).expect("a map");
+                // The map of another level is refused.
+                let other = sky(if side == 16.0 { 32.0 } else { 16.0 }, "none");
+                assert!(other.slot_maps([map], &heights, Metric::UNIT).is_err(), "{side}");
+            }
+        }
+    }
+    // A bake from a coarser level needs less memory than one from the map, and that of the levels.
+    let maps = Maps::in_memory();
+    let working = |side| maps.working_bytes(&sky(side, "none"), [4096, 4096]).expect("a kind");
+    let levels = 4 * (4096 * 4096 - 1) / 3;
+    assert!(working(512.0) > levels && working(512.0) < working(4096.0) / 2, "{}", working(512.0));
+}

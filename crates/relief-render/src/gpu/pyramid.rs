@@ -68,7 +68,8 @@ impl Source {
 
 /// What a needed map is taken over where it is a pyramid that can be built; none for every other map.
 pub fn over(need: &MapNeed) -> Option<Over> {
-    if need.input.kind != KIND.name || !need.input.texture.is_empty() || need.input.levels != LEVELS {
+    let is_whole = need.input.texture.is_empty() && need.side.is_none();
+    if need.input.kind != KIND.name || !is_whole || need.input.levels != LEVELS {
         return None;
     }
     match need.settings.as_slice() {
@@ -157,6 +158,7 @@ fn layout(size: [u32; 2]) -> Result<MapLayout, GpuError> {
         settings: KIND.defaults(),
         metric: Metric::UNIT,
         levels: LEVELS,
+        height_level: 0,
         format: MapFormat::F32,
     };
     wanted.layout(size).map_err(|error| GpuError::Refused(error.to_string()))

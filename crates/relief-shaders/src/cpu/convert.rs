@@ -120,15 +120,16 @@ impl From<Option<&BakedMap>> for MapSettings {
     /// Of no map where none is given.
     fn from(map: Option<&BakedMap>) -> Self {
         let Some(map) = map else {
-            return Self::new(0u32, 0u32, 0u32, [0.0; 4], [0.0; 4], [1.0; 2]);
+            return Self::new(0u32, 0u32, 0u32, 0u32, [0.0; 4], [0.0; 4], [1.0; 2]);
         };
         let layout = map.layout();
         let coded = u32::from(layout.format == MapFormat::Unorm8);
         let texel_bytes = layout.channels * layout.format.bytes() as u32;
         let codes = map.codes();
-        let tile_m = map.identity().metric.tile_m.map(|length| length as f32);
+        let identity = map.identity();
+        let tile_m = identity.metric.tile_m.map(|length| length as f32);
         let [low, step] = [codes.map(|codes| codes.low), codes.map(|codes| codes.step)];
-        Self::new(coded, layout.layers, texel_bytes, low, step, tile_m)
+        Self::new(coded, layout.layers, texel_bytes, identity.height_level, low, step, tile_m)
     }
 }
 

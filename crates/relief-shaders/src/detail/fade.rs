@@ -18,7 +18,7 @@ pub const ENTRY: Entry = Entry {
         section: "4.1.1",
     },
     maps: &[MapInput {
-        levels: MapLevels::Means,
+        levels: MapLevels::MeansFrom(seen_normal::FIRST_LEVEL),
         ..scene_map(
             "seen-normal",
             &[

@@ -73,6 +73,7 @@ fn displaced_triangles_are_shown_by_one_surface_and_searched_by_nothing() {
         ("shadow", "ray", "shadow"),
         ("shadow", "horizon", "shadow"),
         ("ambient", "bent-normal", "ambient"),
+        ("ambient", "sky", "ambient"),
     ];
     for (stage, name, expected) in refused {
         let mut selection = vertex;
@@ -248,4 +249,28 @@ fn objects_have_a_search_that_serves_what_is_made_of_their_images() {
     assert_eq!(asks("depth-object"), (true, false));
     assert_eq!(asks("impostor-blend"), (false, true));
     assert_eq!(asks("exact"), (false, false));
+}
+
+#[test]
+fn a_sky_goes_with_reliefs_and_a_hemisphere_with_everything() {
+    for method in METHODS {
+        let selection = Selection::of(method).expect("listed names");
+        let goes = |name| selection.goes_with("ambient", name).expect("an ambient light");
+        let is_of_relief = matches!(selection.shown_by_geometry(), Shown::Relief | Shown::Slices);
+        let names = ["constant", "hemisphere", "sky", "bent-normal"].map(goes);
+        assert_eq!(names, [true, true, is_of_relief, is_of_relief], "{}", method.name);
+        // What is shown without being asked for does not change.
+        assert_eq!(selection.choices[AMBIENT].entry.name, "constant");
+    }
+    let mut facets = Selection::pair("none", "none").expect("listed names");
+    facets.choose("surface", "facets").expect("a surface");
+    facets.choose("shadow", "map").expect("a shadow");
+    assert_eq!(facets.goes_with("ambient", "sky"), Ok(false));
+    assert_eq!(facets.goes_with("ambient", "hemisphere"), Ok(true));
+    for surface in ["plane", "prism", "tetrahedra", "quadric-vertical", "quadric-perpendicular"] {
+        let mut relief = Selection::method("relief").expect("a method");
+        relief.choose("surface", surface).expect("a surface");
+        assert_eq!(relief.goes_with("ambient", "sky"), Ok(true), "{surface}");
+    }
+    assert!(facets.goes_with("ambient", "skye").is_err() && facets.goes_with("ambience", "sky").is_err());
 }

@@ -39,7 +39,7 @@ pub const PATHS: Paths = Paths {
         },
         Refused {
             stage: "ambient",
-            names: Names::These(&["bent-normal"]),
+            names: Names::Reading("bent-normal"),
             reason: "its vectors are told beside the base, and vertices know the normals of the relief alone",
         },
     ],

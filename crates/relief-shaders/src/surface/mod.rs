@@ -182,7 +182,7 @@ const IMAGES_HAVE_NO_LEVELS: Refused = Refused {
 /// What all surfaces of images refuse.
 const IMAGES_KNOW_NO_SURROUNDINGS: Refused = Refused {
     stage: "ambient",
-    names: Names::AllBut(&["constant", "environment"]),
+    names: Names::ReadingMaps,
     reason: "one image alone does not know what is around a point of the object",
 };
 
@@ -232,21 +232,27 @@ pub struct Refused {
     pub reason: &'static str,
 }
 
-/// Some variants of a stage, by their names.
+/// Some variants of a stage, by their names or by what they read.
 #[derive(Clone, Copy, Debug)]
 pub enum Names {
     /// These.
     These(&'static [&'static str]),
     /// All others.
     AllBut(&'static [&'static str]),
+    /// Those that read a baked map.
+    ReadingMaps,
+    /// Those that read a baked map of this kind.
+    Reading(&'static str),
 }
 
 impl Names {
     /// Whether a variant is one of them.
-    pub fn contain(&self, name: &str) -> bool {
+    pub fn contain(&self, entry: &Entry) -> bool {
         match self {
-            Names::These(names) => names.contains(&name),
-            Names::AllBut(names) => !names.contains(&name),
+            Names::These(names) => names.contains(&entry.name),
+            Names::AllBut(names) => !names.contains(&entry.name),
+            Names::ReadingMaps => !entry.maps.is_empty(),
+            Names::Reading(kind) => entry.maps.iter().any(|map| map.kind == *kind),
         }
     }
 }

@@ -80,7 +80,7 @@ macro_rules! structs {
 
 structs! {
     Choice { number, params }
-    MapSettings { coded, layers, texel_bytes, low, step, tile_m }
+    MapSettings { coded, layers, texel_bytes, first_level, low, step, tile_m }
     SurfaceSettings {
         choices, maps, diffuse, specular, height_size, color_size, normal_size, height_levels, color_levels,
         normal_levels, color_texels, normal_texels, normal_tile_m, wrap, shininess, has_color, has_normal,

@@ -51,7 +51,6 @@ pub fn module() -> String {
     constant("SHELL_TRIANGLE", wgsl::SHELL_TRIANGLE);
     constant("SEEN_AZIMUTHS", seen_normal::AZIMUTHS);
     constant("SEEN_ELEVATIONS", seen_normal::ELEVATIONS);
-    constant("SEEN_FIRST_LEVEL", seen_normal::FIRST_LEVEL);
     for cells in JumpCells::ALL {
         constant(&format!("CELLS_{}", cells.name().to_uppercase()), cells as u32);
     }

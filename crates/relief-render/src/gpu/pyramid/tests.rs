@@ -47,7 +47,7 @@ fn baked(map: &HeightMap, selection: &Selection) -> Arc<BakedMap> {
     }
     let levels = needs[0].input.levels;
     let (metric, format) = (Metric::UNIT, MapFormat::F32);
-    let wanted = WantedMap { kind: &KIND, texture: "", settings, metric, levels, format };
+    let wanted = WantedMap { kind: &KIND, texture: "", settings, metric, levels, height_level: 0, format };
     Arc::new(baked_map(map, &wanted, &Progress::none()).expect("a bake"))
 }
 

@@ -1,0 +1,40 @@
+//! Registry entry of the ambient light `sky`.
+
+use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, MapSetting, Param, Publication};
+
+use super::GROUND;
+use crate::scene_maps::{AZIMUTHS, scene_map};
+
+/// An occluded sky above and ground below.
+pub const ENTRY: Entry = Entry {
+    name: "sky",
+    summary: "as hemisphere, as much of it as the relief leaves open: baked from a coarser level",
+    publication: Publication { paper: "Landis 2002; Hargreaves 2003", section: "" },
+    maps: &[MapInput {
+        side: Some(MapSetting::Param("side")),
+        ..scene_map(
+            "bent-normal",
+            &[("azimuths", MapSetting::Param("azimuths")), ("scaled", MapSetting::Fixed(1.0))],
+        )
+    }],
+    params: &[
+        GROUND,
+        Param { default: 8.0, ..AZIMUTHS },
+        Param {
+            name: "side",
+            summary: "the most texels along the longer side of the height map's level that is baked",
+            unit: "texels",
+            min: 16.0,
+            max: 16384.0,
+            default: 512.0,
+            integer: true,
+            names: &[],
+        },
+    ],
+    states: &[],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
+    argument: "The part of the sky that arrives is that of bent-normal, of heights as fine as the baked \
+        level. All of it has the radiance that a plane across the mean open direction sees: right where \
+        nothing is hidden. What the relief hides throws no light.",
+};
