@@ -1,5 +1,5 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
-//! `embree`, `frame`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `mesh`, `object-slices`, `probe`,
+//! `embree`, `frame`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `looks`, `mesh`, `object-slices`, `probe`,
 //! `pyramid`, `quadrics`, `remesh`, `shadow`, `sheet`, `slices`, `solids`, `surfaces`, `tessellate`, `trace` and
 //! `units`. Results are kept in `docs/`.
 
@@ -23,6 +23,7 @@ mod impostors;
 mod judge;
 mod lanes;
 mod levels;
+mod looks;
 mod memory;
 mod mesh;
 mod object_slices;
@@ -82,6 +83,8 @@ enum Command {
     Lanes(lanes::Arguments),
     /// What is between filter levels and their map: volume, skylines, and seconds to make them
     Levels(levels::Arguments),
+    /// First pictures by what makes them good to look at, and their times: fails where a bound is missed
+    Looks(looks::Arguments),
     /// Triangles a second that height maps become, in memory and in files
     Mesh(mesh::Arguments),
     /// Attacks on the promises of baked maps: fails if one is broken
@@ -130,6 +133,7 @@ fn main() -> ExitCode {
         Command::Judge(arguments) => judge::run(&arguments),
         Command::Lanes(arguments) => lanes::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Levels(arguments) => levels::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Looks(arguments) => looks::run(&arguments),
         Command::Mesh(arguments) => mesh::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Pyramid(arguments) => pyramid::run(&arguments).map(|()| ExitCode::SUCCESS),
