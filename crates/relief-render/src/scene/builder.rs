@@ -1,5 +1,6 @@
 //! Scenes made by programs.
 
+use super::framing::{Framing, fitted_to_seen};
 use super::limits::{DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, MAX_EXPOSURE, MAX_IMAGE_SIDE, MAX_SAMPLES};
 use super::view::{Fit, View, fitted};
 use super::{BackendChoice, Sampling, Scene, Surface, ValueError, error::ValueProblem};
@@ -37,6 +38,7 @@ pub(super) const DEFAULT_SIZE: [u32; 2] = [800, 600];
 pub struct SceneBuilder {
     surfaces: Vec<Surface>,
     camera: CameraChoice,
+    framing: Framing,
     depth_buffer: DepthBuffer,
     lights: Option<Vec<Light>>,
     ambient: Vec3,
@@ -79,6 +81,7 @@ impl SceneBuilder {
         Self {
             surfaces,
             camera: CameraChoice::Fitted(View::default(), Fit::Perspective(DEFAULT_FOV)),
+            framing: Framing::default(),
             depth_buffer: DepthBuffer::default(),
             lights: None,
             ambient: DEFAULT_AMBIENT,
@@ -99,6 +102,7 @@ impl SceneBuilder {
         Self {
             surfaces: scene.surfaces.clone(),
             camera: CameraChoice::Given(scene.camera),
+            framing: Framing::default(),
             depth_buffer: scene.depth_buffer,
             lights: Some(scene.lights.clone()),
             ambient: scene.ambient,
@@ -144,6 +148,13 @@ impl SceneBuilder {
     /// The same with parallel rays, as on a map.
     pub fn fitted_orthographic_camera(mut self, view: View) -> Self {
         self.camera = CameraChoice::Fitted(view, Fit::Orthographic);
+        self
+    }
+
+    /// What a fitted camera goes by.
+    #[cfg_attr(not(test), allow(dead_code))]
+    pub(super) fn framing(mut self, framing: Framing) -> Self {
+        self.framing = framing;
         self
     }
 
@@ -285,6 +296,10 @@ impl SceneBuilder {
         let camera = match self.camera {
             CameraChoice::Given(camera) => camera,
             CameraChoice::Fitted(view, fit) => {
+                let fitted = match self.framing {
+                    Framing::Volume => fitted,
+                    Framing::Seen => fitted_to_seen,
+                };
                 fitted(&self.surfaces, view, fit, self.size).map_err(|error| {
                     let key = if matches!(error, CameraError::BadFov(_)) { "fov" } else { "view" };
                     ValueProblem::from(error).of(key)

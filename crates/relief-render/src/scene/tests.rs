@@ -1,3 +1,4 @@
+mod framing;
 mod listed_keys;
 mod loading;
 mod overriding;

@@ -18,6 +18,9 @@ pub enum View {
     /// From above one corner.
     #[default]
     Corner,
+    /// From above the front and a little from the right: steeper than from the corner, so that a map covers
+    /// more of the picture, and three faces of a cube are seen.
+    ThreeQuarter,
     /// From above: `u` of the built-in plane points right, `v` down, as in the height map's own picture.
     Top,
     /// From the front, at eye level: along `-z`.
@@ -28,12 +31,13 @@ pub enum View {
 
 impl View {
     /// Every view, in the order in which help lists them.
-    pub const ALL: [View; 4] = [View::Corner, View::Top, View::Front, View::Right];
+    pub const ALL: [View; 5] = [View::Corner, View::ThreeQuarter, View::Top, View::Front, View::Right];
 
     /// The name used on the command line and in scenes.
     pub const fn name(self) -> &'static str {
         match self {
             View::Corner => "corner",
+            View::ThreeQuarter => "three-quarter",
             View::Top => "top",
             View::Front => "front",
             View::Right => "right",
@@ -41,9 +45,10 @@ impl View {
     }
 
     /// Toward the eye.
-    const fn toward_eye(self) -> DVec3 {
+    pub(super) const fn toward_eye(self) -> DVec3 {
         match self {
             View::Corner => DVec3::new(0.6, 0.9, 1.1),
+            View::ThreeQuarter => DVec3::new(0.32, 0.73, 0.6),
             View::Top => DVec3::Y,
             View::Front => DVec3::Z,
             View::Right => DVec3::X,
@@ -75,6 +80,30 @@ pub(super) enum Fit {
     Orthographic,
 }
 
+/// The projection that a fit is for, of any height where rays are parallel.
+pub(super) fn projection_of(fit: Fit) -> Projection {
+    match fit {
+        Fit::Perspective(fov_degrees) => Projection::Perspective { fov_degrees },
+        Fit::Orthographic => Projection::Orthographic { height_m: 1.0 },
+    }
+}
+
+/// The axes of a picture from there: to the right, up, and toward the eye.
+pub(super) fn axes_of(view: View, fit: Fit) -> Result<[DVec3; 3], CameraError> {
+    let camera = Camera::with(view.toward_eye(), DVec3::ZERO, projection_of(fit))?;
+    Ok([camera.right(), camera.up(), -camera.forward()])
+}
+
+/// Width over height of a picture.
+pub(super) fn aspect_of([width, height]: [u32; 2]) -> f64 {
+    f64::from(width) / f64::from(height)
+}
+
+/// The height of an orthographic picture: a mesh has an area, but not from every side.
+pub(super) fn from_a_side(tall: f64, deep: [f64; 2]) -> f64 {
+    if tall > 0.0 { tall } else { (deep[1] - deep[0]).max(1e-9) }
+}
+
 /// The camera that looks from there and sees all of the relief as large as the picture allows.
 ///
 /// # Errors
@@ -84,28 +113,23 @@ pub(super) fn fitted(
     surfaces: &[Surface],
     view: View,
     fit: Fit,
-    [width, height]: [u32; 2],
+    size: [u32; 2],
 ) -> Result<Camera, CameraError> {
-    let projection = match fit {
-        Fit::Perspective(fov_degrees) => Projection::Perspective { fov_degrees },
-        Fit::Orthographic => Projection::Orthographic { height_m: 1.0 },
-    };
-    // For its axes.
-    let camera = Camera::with(view.toward_eye(), DVec3::ZERO, projection)?;
-    let axes = [camera.right(), camera.up(), -camera.forward()];
-    let aspect = f64::from(width) / f64::from(height);
+    let axes = axes_of(view, fit)?;
+    let aspect = aspect_of(size);
     match fit {
         Fit::Orthographic => {
             let [across, up, deep] = axes.map(|axis| extent(surfaces, |point| point.dot(axis)));
             let tall = (up[1] - up[0]).max((across[1] - across[0]) / aspect) / FILLED;
-            // A mesh has an area, but not from every side.
-            let tall = if tall > 0.0 { tall } else { (deep[1] - deep[0]).max(1e-9) };
+            let tall = from_a_side(tall, deep);
             let middle = [across, up, deep].map(|[low, high]| 0.5 * (low + high));
             let at = |depth: f64| axes[0] * middle[0] + axes[1] * middle[1] + axes[2] * depth;
             let eye = deep[1] + 0.5 * tall;
             Camera::with(at(eye), at(middle[2]), Projection::Orthographic { height_m: tall })
         }
         Fit::Perspective(_) => {
+            let projection = projection_of(fit);
+            let camera = Camera::with(view.toward_eye(), DVec3::ZERO, projection)?;
             // Through each edge of the picture goes a plane that all points are behind. The two planes of
             // opposite edges meet in a line; the eye lies on the one that is farther away.
             let half_height = camera.half_height() * FILLED;
