@@ -80,7 +80,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         for (backend, choice) in [("cpu", BackendChoice::Cpu), ("gpu", BackendChoice::Gpu)] {
             let spec = SceneSpec {
                 backend: Some(choice),
-                size: Some(arguments.size),
+                size: Some(arguments.size.into()),
                 samples: Some(1),
                 ..SceneSpec::default()
             };

@@ -97,8 +97,11 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> std::io::Result<()> {
 
 fn show(file: &Path) -> Result<Shown, String> {
     let surface = SurfaceSpec { height: Some(file.to_owned()), ..SurfaceSpec::default() };
-    let spec =
-        SceneSpec { size: Some(SIZE), backend: Some(BackendChoice::Cpu), ..SceneSpec::of_surface(surface) };
+    let spec = SceneSpec {
+        size: Some(SIZE.into()),
+        backend: Some(BackendChoice::Cpu),
+        ..SceneSpec::of_surface(surface)
+    };
     let scene = spec.load().map_err(|error| error.to_string())?;
     let rendered = render(&scene, &mut Maps::in_memory(), &|_, _| {}).map_err(|error| error.to_string())?;
     let (look, pixels) = (scene.look(), &rendered.rendering.pixels);

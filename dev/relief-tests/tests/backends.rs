@@ -54,7 +54,7 @@ fn scene(file: &str, method: &str, stages: &[(&str, &str)], backend: BackendChoi
     let surface = SurfaceSpec { method, stages, set, transmission, ..SurfaceSpec::default() };
     let over = SceneSpec {
         backend: Some(backend),
-        size: Some(SIZE),
+        size: Some(SIZE.into()),
         samples: Some(1),
         ..SceneSpec::of_surface(surface)
     };

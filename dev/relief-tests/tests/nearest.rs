@@ -15,7 +15,7 @@ fn pixels(meshes: &[Builtin], backend: BackendChoice) -> Vec<PixelOut> {
     let scene = read_scene(&path).expect("a shipped scene");
     let mut spec = scene.overridden_by(SceneSpec {
         backend: Some(backend),
-        size: Some([160, 120]),
+        size: Some([160, 120].into()),
         samples: Some(1),
         ..SceneSpec::default()
     });

@@ -44,7 +44,7 @@ fn silhouette_error(found: &Rendering, reference: &Rendering) -> f64 {
 #[test]
 fn silhouettes_converge_faster_than_by_chance() {
     let of = |samples| {
-        let size = Some([72, 54]);
+        let size = Some([72, 54].into());
         let backend = Some(BackendChoice::Cpu);
         let over = SceneSpec { samples: Some(samples), size, backend, ..SceneSpec::default() };
         picture(&scene("cobbles.toml", over))
@@ -62,7 +62,7 @@ fn silhouettes_converge_faster_than_by_chance() {
 fn samples_change_colours_alone() {
     for backend in backends() {
         let of = |samples| {
-            let size = Some([80, 60]);
+            let size = Some([80, 60].into());
             // In one detail, whatever the number of samples.
             let stages = [("detail".to_owned(), "none".to_owned())].into();
             let surface = SurfaceSpec { stages, ..SurfaceSpec::default() };
@@ -91,7 +91,7 @@ fn both_backends_resolve_the_same_colours() {
         let surface = SurfaceSpec { method: Some("cone".to_owned()), ..SurfaceSpec::default() };
         let over = SceneSpec {
             samples: Some(4),
-            size: Some([120, 90]),
+            size: Some([120, 90].into()),
             backend: Some(backend),
             ..SceneSpec::of_surface(surface)
         };
@@ -142,7 +142,7 @@ fn an_even_slope_has_one_normal_up_to_the_edge_of_a_clamped_map() {
 fn any_number_of_threads_gives_the_same_bits() {
     let over = SceneSpec {
         samples: Some(5),
-        size: Some([90, 70]),
+        size: Some([90, 70].into()),
         backend: Some(BackendChoice::Cpu),
         ..SceneSpec::default()
     };
@@ -161,7 +161,7 @@ fn bands_are_the_rows_of_the_whole_picture() {
         // More than a band of 2^18 pixels, the last one of few rows.
         let over = SceneSpec {
             samples: Some(2),
-            size: Some([701, 400]),
+            size: Some([701, 400].into()),
             backend: Some(backend),
             ..SceneSpec::of_surface(SurfaceSpec { method: Some("bump".to_owned()), ..SurfaceSpec::default() })
         };
@@ -222,7 +222,7 @@ fn a_fitted_camera_sees_all_as_large_as_it_can() {
                     let over = SceneSpec {
                         view: Some(view),
                         projection: projection.parse().ok(),
-                        size: Some(size),
+                        size: Some(size.into()),
                         samples: Some(1),
                         backend: Some(BackendChoice::Cpu),
                         ..SceneSpec::of_surface(surface)
@@ -283,7 +283,7 @@ fn an_orthographic_picture_is_a_perspective_from_far_away() {
                 projection: projection.parse().ok(),
                 fov,
                 view_height,
-                size: Some([90, 90]),
+                size: Some([90, 90].into()),
                 samples: Some(1),
                 backend: Some(backend),
                 ..SceneSpec::of_surface(surface)

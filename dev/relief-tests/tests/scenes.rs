@@ -23,7 +23,7 @@ fn shipped_scenes_show_all_of_their_surfaces() {
     for path in scenes {
         let small = SceneSpec {
             backend: Some(BackendChoice::Cpu),
-            size: Some([80, 60]),
+            size: Some([80, 60].into()),
             samples: Some(1),
             ..SceneSpec::default()
         };

@@ -200,7 +200,7 @@ impl Arguments {
     /// What is compared.
     fn comparison(&self, contest: &mut Contest) -> Result<Comparison, Failure> {
         let spec = &mut contest.spec;
-        spec.size = spec.size.or(Some(if self.quick { QUICK_SIZE } else { SIZE }));
+        spec.size = spec.size.or(Some(if self.quick { QUICK_SIZE } else { SIZE }.into()));
         let has_scale = spec.each_surface().iter().any(|surface| surface.scale.is_some());
         let is_scene = self.contest.scene.file().is_some();
         let mut comparison = contest.comparison(self.json)?;

@@ -464,7 +464,7 @@ impl Arguments {
         let surface = SurfaceSpec { height: Some(self.height.clone()), depth, holes, ..surface };
         let seen = match &self.view {
             Some(file) => read_scene(file).map_err(Failure::work)?,
-            None => SceneSpec { size: Some([1, 1]), ..SceneSpec::default() },
+            None => SceneSpec { size: Some([1, 1].into()), ..SceneSpec::default() },
         };
         let SceneSpec { view, eye, target, projection, fov, view_height, near, far, size, .. } = seen;
         Ok(SceneSpec {

@@ -116,6 +116,7 @@ fn of_key(key: &Key) -> Value {
         Form::Lengths(count) => list(length(), *count),
         Form::Direction => direction(),
         Form::Wholes(count) => numbers("integer", *count),
+        Form::Size => json!({ "oneOf": [numbers("integer", 2), { "const": "map" }] }),
         Form::Range => json!({ "oneOf": [numbers("number", 2), { "const": "auto" }] }),
         Form::Memory => json!({ "type": ["integer", "string"] }),
         Form::Settings => json!({

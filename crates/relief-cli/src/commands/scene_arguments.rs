@@ -8,8 +8,8 @@ use relief_core::ByteSize;
 use relief_io::{GreenSign, decode_text};
 use relief_render::depth_buffer::Clip;
 use relief_render::scene::{
-    BackendChoice, LightDirection, LightSpec, MaterialSpec, MeshChoice, ProjectionChoice, Sampling,
-    SceneError, SceneSpec, SurfaceSpec, ValueError, ValueProblem, View, parse_scene, read_scene,
+    BackendChoice, LightDirection, LightSpec, MaterialSpec, MeshChoice, PictureSize, ProjectionChoice,
+    Sampling, SceneError, SceneSpec, SurfaceSpec, ValueError, ValueProblem, View, parse_scene, read_scene,
 };
 use relief_render::tone::Tone;
 use relief_shaders::METHODS;
@@ -59,9 +59,10 @@ pub struct SceneArguments {
     /// standard input, to the current folder
     #[arg(value_name = "FILE")]
     scene: Option<PathBuf>,
-    /// Width and height of the picture in pixels [default: 800x600]
-    #[arg(long, value_name = "WxH", value_parser = values::size, allow_hyphen_values = true)]
-    size: Option<[u32; 2]>,
+    /// Width and height of the picture in pixels; map: one pixel a texel, with --view top --projection
+    /// orthographic [default: 800x600]
+    #[arg(long, value_name = "WxH|map", allow_hyphen_values = true)]
+    size: Option<PictureSize>,
     /// Samples of a pixel, 1 to 1024: more make edges and far texels smoother [default: 4]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     samples: Option<u32>,

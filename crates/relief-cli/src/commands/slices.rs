@@ -131,7 +131,7 @@ impl Arguments {
         // Nothing is rendered.
         let spec = SceneSpec {
             max_memory: Some(ByteSize(self.max_bytes())),
-            size: Some([1, 1]),
+            size: Some([1, 1].into()),
             samples: Some(1),
             ..spec
         };

@@ -1,7 +1,8 @@
 //! Scenes made by programs.
 
-use super::framing::{Framing, fitted_to_seen};
-use super::limits::{DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, MAX_EXPOSURE, MAX_IMAGE_SIDE, MAX_SAMPLES};
+use super::framing::{Framing, fitted_to_seen, proportional_size};
+use super::limits::{DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, MAX_EXPOSURE, MAX_SAMPLES};
+use super::picture_size::check_size;
 use super::view::{Fit, View, fitted};
 use super::{BackendChoice, Sampling, Scene, Surface, ValueError, error::ValueProblem};
 use crate::camera::{Camera, CameraError};
@@ -44,7 +45,8 @@ pub struct SceneBuilder {
     ambient: Vec3,
     environment: Option<Arc<Environment>>,
     background: Vec3,
-    size: [u32; 2],
+    /// Unless the proportions of what is seen, or the default, are to say it.
+    size: Option<[u32; 2]>,
     samples: u32,
     exposure: f32,
     tone: Tone,
@@ -87,7 +89,7 @@ impl SceneBuilder {
             ambient: DEFAULT_AMBIENT,
             environment: None,
             background: DEFAULT_BACKGROUND,
-            size: DEFAULT_SIZE,
+            size: None,
             samples: DEFAULT_SAMPLES,
             exposure: 0.0,
             tone: Tone::default(),
@@ -108,7 +110,7 @@ impl SceneBuilder {
             ambient: scene.ambient,
             environment: scene.environment.clone(),
             background: scene.background,
-            size: scene.size,
+            size: Some(scene.size),
             samples: scene.samples,
             exposure: scene.exposure,
             tone: scene.tone,
@@ -152,7 +154,6 @@ impl SceneBuilder {
     }
 
     /// What a fitted camera goes by.
-    #[cfg_attr(not(test), allow(dead_code))]
     pub(super) fn framing(mut self, framing: Framing) -> Self {
         self.framing = framing;
         self
@@ -191,9 +192,10 @@ impl SceneBuilder {
         self
     }
 
-    /// Width and height of the picture in pixels, each from 1 to [`MAX_IMAGE_SIDE`]. By default 800 and 600.
+    /// Width and height of the picture in pixels, each from 1 to
+    /// [`MAX_IMAGE_SIDE`](super::MAX_IMAGE_SIDE). By default 800 and 600.
     pub fn size(mut self, width: u32, height: u32) -> Self {
-        self.size = [width, height];
+        self.size = Some([width, height]);
         self
     }
 
@@ -246,10 +248,14 @@ impl SceneBuilder {
     /// surroundings are given that no surface sees, or a surface refracts light and sees none; when normals
     /// are chosen for a surface that has those of its vertices.
     pub fn build(self) -> Result<Scene, ValueError> {
-        let [width, height] = self.size;
-        if !(self.size.iter().all(|side| (1..=MAX_IMAGE_SIDE).contains(side))) {
-            return Err(ValueProblem::Size { width, height }.of("size"));
-        }
+        let size = match (self.size, self.camera) {
+            (Some(size), _) => check_size(size)?,
+            (None, CameraChoice::Fitted(view, fit)) if self.framing.fills_to_border(view, fit) => {
+                let [width, height] = DEFAULT_SIZE;
+                proportional_size(&self.surfaces, view, width.max(height)).unwrap_or(DEFAULT_SIZE)
+            }
+            (None, _) => DEFAULT_SIZE,
+        };
         if !(1..=MAX_SAMPLES).contains(&self.samples) {
             let value = f64::from(self.samples);
             return Err(ValueProblem::Number { value, must: "from 1 to 1024" }.of("samples"));
@@ -300,7 +306,7 @@ impl SceneBuilder {
                     Framing::Volume => fitted,
                     Framing::Seen => fitted_to_seen,
                 };
-                fitted(&self.surfaces, view, fit, self.size).map_err(|error| {
+                fitted(&self.surfaces, view, fit, size).map_err(|error| {
                     let key = if matches!(error, CameraError::BadFov(_)) { "fov" } else { "view" };
                     ValueProblem::from(error).of(key)
                 })?
@@ -328,7 +334,7 @@ impl SceneBuilder {
             ambient,
             environment: self.environment,
             background,
-            size: self.size,
+            size,
             samples: self.samples,
             exposure: self.exposure,
             tone: self.tone,

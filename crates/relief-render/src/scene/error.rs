@@ -1,6 +1,6 @@
 //! What can be wrong with a scene.
 
-use super::ObjectProblem;
+use super::{MapSizeProblem, ObjectProblem};
 use crate::camera::CameraError;
 use crate::environment::EnvironmentError;
 use crate::light::LightError;
@@ -196,6 +196,9 @@ pub enum ValueProblem {
         /// Height in pixels.
         height: u32,
     },
+    /// The picture cannot have one pixel for each texel.
+    #[error(transparent)]
+    MapSize(#[from] MapSizeProblem),
     /// The scene shows nothing.
     #[error("a scene needs at least one surface")]
     NoSurface,

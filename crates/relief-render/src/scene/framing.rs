@@ -91,6 +91,17 @@ pub(super) fn fitted_to_seen(
     }
 }
 
+/// The size of a picture in the proportions of what is seen from a side by parallel rays, its longer side
+/// `longer` pixels; none where nothing has a width or a height.
+pub(super) fn proportional_size(surfaces: &[Surface], view: View, longer: u32) -> Option<[u32; 2]> {
+    let points = seen_along(surfaces, axes_of(view, Fit::Orthographic).ok()?);
+    let sides_m = [0, 1].map(|axis| extent(&points, |point| point[axis])).map(|[low, high]| high - low);
+    let longer_m = sides_m[0].max(sides_m[1]);
+    let is_proportion = longer_m > 0.0 && longer_m.is_finite();
+    let side = |side_m: f64| (side_m / longer_m * f64::from(longer)).round().max(1.0) as u32;
+    is_proportion.then(|| sides_m.map(side))
+}
+
 /// The place of an eye at `depth` along an axis of the picture from which points reach as far to one side as
 /// to the other.
 ///
@@ -118,7 +129,8 @@ fn middle_in_perspective(points: &[DVec3], axis: usize, depth: f64) -> f64 {
         let apart = (high - tan * high_z) - (low + tan * low_z);
         let next = apart / (2.0 * depth - low_z - high_z);
         // Not a number is no step either.
-        if !(next > tan) {
+        let is_step = next > tan;
+        if !is_step {
             break;
         }
         tan = next;

@@ -1,6 +1,6 @@
 //! Values of a scene file's keys, and which keys there are.
 
-use super::LightDirection;
+use super::{LightDirection, PictureSize};
 use relief_core::ByteSize;
 use relief_io::HeightRange;
 use serde::de::value::SeqAccessDeserializer;
@@ -132,6 +132,30 @@ pub fn light_direction<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Opt
     }
 
     deserializer.deserialize_any(Direction).map(Some)
+}
+
+/// Reads the size of a picture: two whole numbers, or `map`.
+pub fn picture_size<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<PictureSize>, D::Error> {
+    struct Size;
+
+    impl<'de> Visitor<'de> for Size {
+        type Value = PictureSize;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("two whole numbers, or \"map\"")
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, numbers: A) -> Result<PictureSize, A::Error> {
+            numbers_of(SeqAccessDeserializer::new(numbers)).map(PictureSize::Pixels)
+        }
+
+        fn visit_str<E: de::Error>(self, text: &str) -> Result<PictureSize, E> {
+            let size = text.parse().ok().filter(|size| *size == PictureSize::Map);
+            size.ok_or_else(|| E::invalid_value(de::Unexpected::Str(text), &self))
+        }
+    }
+
+    deserializer.deserialize_any(Size).map(Some)
 }
 
 /// Reads an amount of memory: a number of bytes, or a text such as `4GiB`.

@@ -6,7 +6,9 @@ use std::fmt::Write;
 use relief_core::Wrap;
 use relief_io::{HeightRange, Up};
 
-use super::{BackendChoice, ProjectionChoice, Sampling, SceneSpec, SurfaceSpec, UvProjection, View};
+use super::{
+    BackendChoice, PictureSize, ProjectionChoice, Sampling, SceneSpec, SurfaceSpec, UvProjection, View,
+};
 use crate::depth_buffer::Clip;
 use crate::mesh::Builtin;
 use crate::tone::Tone;
@@ -35,6 +37,8 @@ pub enum Form {
     Lengths(usize),
     /// So many whole numbers.
     Wholes(usize),
+    /// Two whole numbers, or `"map"`.
+    Size,
     /// Two numbers, or `"auto"`.
     Range,
     /// Three numbers, or a text such as `"az=315,alt=45"`.
@@ -175,7 +179,7 @@ pub fn keys() -> Vec<Key> {
         ),
         scene("near", Form::Length, "", "metres to that buffer's near plane; else before the scene"),
         scene("far", Form::Length, "", "metres to its far plane, or inf; else behind the scene"),
-        scene("size", Form::Wholes(2), "[800, 600]", "pixels of the picture"),
+        scene("size", Form::Size, "[800, 600]", "pixels of the picture, or \"map\": one a texel, from above"),
         scene("samples", Form::Whole, "4", "samples of a pixel, 1 to 1024"),
         scene("exposure", Form::Number, "0", "stops by which light is brightened"),
         scene("tone", Form::Name(tones), "\"none\"", "tone curve"),
@@ -310,7 +314,10 @@ fn scene_value(spec: &SceneSpec, key: &str) -> Option<String> {
         "clip" => spec.clip.map(|clip| quoted(clip.name())),
         "near" => spec.near.map(|metres| format!("{metres:?}")),
         "far" => spec.far.map(|metres| format!("{metres:?}")),
-        "size" => spec.size.map(|size| list(&size)),
+        "size" => spec.size.map(|size| match size {
+            PictureSize::Pixels(size) => list(&size),
+            map @ PictureSize::Map => quoted(&map.to_string()),
+        }),
         "samples" => spec.samples.map(|samples| samples.to_string()),
         "exposure" => spec.exposure.map(|exposure| format!("{exposure:?}")),
         "tone" => spec.tone.map(|tone| quoted(tone.name())),

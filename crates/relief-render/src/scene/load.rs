@@ -1,13 +1,15 @@
 //! From the description of a scene to the scene: defaults, checks, files.
 
-use super::builder::{DEFAULT_EYE, DEFAULT_FOV, DEFAULT_LIGHT};
+use super::builder::{DEFAULT_EYE, DEFAULT_FOV, DEFAULT_LIGHT, DEFAULT_SIZE};
 use super::error::{SceneError, ValueError, ValueProblem};
+use super::framing::Framing;
 use super::load_surface::Parts;
 use super::maps::{BYTES_PER_TRIANGLE, Maps};
 use super::metres::check_metres;
+use super::picture_size::check_size;
 use super::{
-    DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, LightSpec, MAX_IMAGE_SIDE, MeshChoice, ProjectionChoice, Scene,
-    SceneBuilder, SceneSpec, SurfaceSpec,
+    DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, LightSpec, MeshChoice, ProjectionChoice, Scene, SceneBuilder,
+    SceneSpec, SurfaceSpec,
 };
 use crate::camera::{Camera, CameraError, Projection};
 use crate::depth_buffer::DepthBuffer;
@@ -75,13 +77,15 @@ impl SceneSpec {
         // Before anything is read all else is known to be possible.
         self.check()?;
         let limit = self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY);
-        let beside_picture = self.memory_beside_the_picture(limit)?;
-        let lights = self.lights_see_bytes(&each)?;
-        let left = beside_picture.checked_sub(lights).ok_or(SceneError::TooMuchForLights {
-            needed: lights,
-            left: beside_picture,
-            limit,
-        })?;
+        let asked = each.iter().filter_map(|(.., parts)| parts.selection().light_views());
+        let asked = asked.reduce(|[a, b], [c, d]| [a.max(c), b.max(d)]);
+        let beside_surfaces = limit.0.saturating_sub(self.surface_bytes());
+        let left = if self.is_of_map_size() {
+            beside_surfaces
+        } else {
+            let size = self.pixels().unwrap_or(DEFAULT_SIZE);
+            self.memory_beside_the_picture(beside_surfaces, size, asked, limit)?
+        };
         let mut maps = Maps::new(limit, left);
         let environment = match &self.environment {
             Some(path) => Some(maps.environment(path)?),
@@ -91,11 +95,23 @@ impl SceneSpec {
         for (number, surface, parts) in each {
             surfaces.push(surface.load(parts, number, &mut maps)?);
         }
+        // A picture that has the size of its map takes memory when this is known.
+        let of_map = match &surfaces[..] {
+            [surface] if self.is_of_map_size() => Some(self.map_size(surface)?),
+            _ => None,
+        };
+        let left = match of_map {
+            Some(size) => self.memory_beside_the_picture(maps.left(), size, asked, limit)?,
+            None => maps.left(),
+        };
         let mut builder = self.builder(surfaces)?;
+        if let Some([width, height]) = of_map {
+            builder = builder.size(width, height);
+        }
         if let Some(environment) = environment {
             builder = builder.environment(environment);
         }
-        let scene = builder.geometry_memory(ByteSize(maps.left())).build()?;
+        let scene = builder.geometry_memory(ByteSize(left)).build()?;
         Ok(Scene { notes: maps.into_notes(), ..scene })
     }
 
@@ -138,23 +154,29 @@ impl SceneSpec {
         Ok(())
     }
 
-    /// What `max_memory` leaves for maps.
-    fn memory_beside_the_picture(&self, limit: ByteSize) -> Result<u64, SceneError> {
-        let [width, height] = self.size.unwrap_or(super::builder::DEFAULT_SIZE);
+    /// What is left for maps of so many bytes by a picture of that size, and by what lights see where surfaces
+    /// look up shadows there: in maps of so many texels a side at most, and in so many cascades.
+    fn memory_beside_the_picture(
+        &self,
+        left: u64,
+        size: [u32; 2],
+        asked: Option<[u32; 2]>,
+        limit: ByteSize,
+    ) -> Result<u64, SceneError> {
+        let [width, height] = size;
         let whole = u64::from(width) * u64::from(height);
         let pixels = whole.min(BAND_PIXELS.max(u64::from(width)));
         let needed = pixels.saturating_mul(BYTES_PER_PIXEL);
-        let left = limit.0.saturating_sub(self.surface_bytes());
-        left.checked_sub(needed).ok_or(SceneError::TooMuchMemory { width, height, needed, limit })
+        let left =
+            left.checked_sub(needed).ok_or(SceneError::TooMuchMemory { width, height, needed, limit })?;
+        let needed = self.lights_see_bytes(asked, size)?;
+        left.checked_sub(needed).ok_or(SceneError::TooMuchForLights { needed, left, limit })
     }
 
-    /// Bytes of what lights see at most, where surfaces look up shadows there.
-    fn lights_see_bytes(&self, each: &[SurfaceParts]) -> Result<u64, ValueError> {
-        let asked = each.iter().filter_map(|(.., parts)| parts.selection().light_views());
-        let Some([most, cascades]) = asked.reduce(|[a, b], [c, d]| [a.max(c), b.max(d)]) else {
-            return Ok(0);
-        };
-        let side = shadow_map_side(most, self.size.unwrap_or(super::builder::DEFAULT_SIZE));
+    /// Bytes of what lights see at most.
+    fn lights_see_bytes(&self, asked: Option<[u32; 2]>, size: [u32; 2]) -> Result<u64, ValueError> {
+        let Some([most, cascades]) = asked else { return Ok(0) };
+        let side = shadow_map_side(most, size);
         let views = self.lights()?.into_iter().map(|light| match light {
             Light::Directional { .. } => u64::from(cascades),
             Light::Point { .. } => LIGHT_FACES as u64,
@@ -173,11 +195,10 @@ impl SceneSpec {
             check_metres("lights", light.position.as_ref().map_or(&[], |position| position))?;
             check_metres("lights", light.radius.as_slice())?;
         }
-        if let Some([width, height]) = self.size
-            && ![width, height].iter().all(|side| (1..=MAX_IMAGE_SIDE).contains(side))
-        {
-            return Err(ValueProblem::Size { width, height }.of("size"));
+        if self.is_of_map_size() {
+            self.check_map_size()?;
         }
+        self.pixels().map(check_size).transpose()?;
         let mut builder = self
             .camera(SceneBuilder::showing(surfaces))?
             .look(self.exposure.unwrap_or_default(), self.tone.unwrap_or_default())
@@ -196,8 +217,12 @@ impl SceneSpec {
         if let Some(background) = self.background {
             builder = builder.background(background.into());
         }
-        if let Some([width, height]) = self.size {
+        if let Some([width, height]) = self.pixels() {
             builder = builder.size(width, height);
+        }
+        if self.is_of_map_size() {
+            // To the border, whatever the look.
+            builder = builder.framing(Framing::Seen);
         }
         Ok(builder)
     }

@@ -327,7 +327,7 @@ impl SurfaceSpec {
     }
 
     /// Whether the mesh of a file is shown as it is, without a height map.
-    fn is_mesh_alone(&self) -> bool {
+    pub(super) fn is_mesh_alone(&self) -> bool {
         self.height.is_none() && self.object.is_none() && matches!(self.mesh, Some(MeshChoice::File(_)))
     }
 

@@ -48,7 +48,8 @@ impl<'a> HeightBlocks<'a> {
         let blocks = [0, 1].map(|axis| {
             let at = |place: f64| (place * f64::from(size[axis]) - 0.5).floor();
             let (first, last) = (at(low[axis]), at(high[axis]) + 1.0);
-            if !(last - first < f64::from(size[axis])) {
+            let is_part = last - first < f64::from(size[axis]);
+            if !is_part {
                 return (0..self.count[axis]).collect::<Vec<u32>>();
             }
             let (first, last) = (first as i64, last as i64);

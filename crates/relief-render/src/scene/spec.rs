@@ -1,7 +1,7 @@
 //! Descriptions of scenes, with gaps.
 
-use super::keys::{amount, length, lengths, light_direction, numbers, parsed};
-use super::{BackendChoice, ProjectionChoice, Sampling, SurfaceSpec, View};
+use super::keys::{amount, length, lengths, light_direction, numbers, parsed, picture_size};
+use super::{BackendChoice, PictureSize, ProjectionChoice, Sampling, SurfaceSpec, View};
 use crate::depth_buffer::Clip;
 use crate::tone::Tone;
 use relief_core::ByteSize;
@@ -52,9 +52,10 @@ pub struct SceneSpec {
     /// Metres to its far plane, in perspective also `inf`. By default it is behind the scene.
     #[serde(deserialize_with = "length")]
     pub far: Option<f64>,
-    /// Width and height of the picture in pixels. By default 800 and 600.
-    #[serde(deserialize_with = "numbers")]
-    pub size: Option<[u32; 2]>,
+    /// Width and height of the picture in pixels, or `map`: one pixel for each texel, seen from above by
+    /// parallel rays. By default 800 and 600.
+    #[serde(deserialize_with = "picture_size")]
+    pub size: Option<PictureSize>,
     /// Samples of a pixel, 1 to 1024: more make edges smoother. By default 4.
     pub samples: Option<u32>,
     /// Stops by which light is brightened, from -32 to 32: each doubles it. By default 0.
@@ -126,7 +127,7 @@ impl SceneSpec {
     /// surfaces holds for each of them; surfaces of its own take the place of all.
     ///
     /// What belongs to something replaced goes with it: of the scene's keys `light` and `lights` each other,
-    /// a `view` with an eye or a target and these with a view, `fov`, an infinite `far` or `view-height` with
+    /// a `view` with an eye or a target and these with a view, a `size` of the map with another view, `fov`, an infinite `far` or `view-height` with
     /// another projection, `environment` with another ambient light and the surfaces' with an environment; of a
     /// surface's see [`SurfaceSpec::overridden_by`].
     #[must_use]
@@ -139,6 +140,13 @@ impl SceneSpec {
         }
         if over.view.is_some() {
             (self.eye, self.target, self.view_height) = (None, None, None);
+        }
+        let is_from_elsewhere = over.eye.is_some()
+            || over.target.is_some()
+            || over.view.is_some_and(|view| view != View::Top)
+            || over.projection == Some(ProjectionChoice::Perspective);
+        if is_from_elsewhere {
+            self.size = self.size.filter(|size| *size != PictureSize::Map);
         }
         match over.projection {
             Some(ProjectionChoice::Perspective) => self.view_height = None,

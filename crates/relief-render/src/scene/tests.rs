@@ -1,6 +1,7 @@
 mod framing;
 mod listed_keys;
 mod loading;
+mod map_size;
 mod overriding;
 mod proportions;
 
@@ -177,7 +178,7 @@ fn every_key_is_read() {
         clip: Some(Clip::Reversed),
         near: Some(0.25),
         far: Some(f64::INFINITY),
-        size: Some([640, 480]),
+        size: Some([640, 480].into()),
         samples: Some(9),
         exposure: Some(-0.5),
         tone: Some(Tone::Agx),
@@ -372,7 +373,7 @@ set.search.limit = 500
 #[test]
 fn surfaces_of_a_file_say_what_they_differ_in() {
     let spec = read(TWO).expect("a proper scene");
-    assert_eq!((spec.surfaces.len(), spec.size), (2, Some([64, 48])));
+    assert_eq!((spec.surfaces.len(), spec.size), (2, Some([64, 48].into())));
     let [first, second] = &spec.each_surface()[..] else { panic!("two surfaces") };
     assert_eq!((first.height.as_ref(), first.scale), (second.height.as_ref(), Some(0.1)));
     assert_eq!((first.mesh.clone(), first.position), (Some(Builtin::Cube.into()), Some([1.0, 0.0, 0.0])));
@@ -381,7 +382,7 @@ fn surfaces_of_a_file_say_what_they_differ_in() {
     let newer = read(&TWO.replace("size = 0.5", "mesh-scale = 0.5")).expect("a proper scene");
     assert_eq!(newer.surfaces, spec.surfaces);
     let alone = read("height = 'a.png'\nmesh-scale = 3\nsize = [8, 8]\n").expect("a proper scene");
-    assert_eq!((alone.surface.mesh_scale, alone.size), (Some(3.0), Some([8, 8])));
+    assert_eq!((alone.surface.mesh_scale, alone.size), (Some(3.0), Some([8, 8].into())));
     assert!(read(&TWO.replace("size = 0.5", "mesh-scale = 0.5\nsize = 2")).is_err());
     assert_eq!(first.stages, stages([("search", "linear"), ("refine", "binary")]));
     assert_eq!((second.method.as_deref(), second.scale), (Some("cone"), Some(0.2)));

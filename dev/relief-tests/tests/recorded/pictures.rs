@@ -47,7 +47,7 @@ fn hashes(scene: &str, method: &str, detail: &str, size: [u32; 2]) -> String {
     let surface = SurfaceSpec { method: Some(method.to_owned()), stages, set, ..SurfaceSpec::default() };
     let over = SceneSpec {
         backend: Some(BackendChoice::Cpu),
-        size: Some(size),
+        size: Some(size.into()),
         samples: Some(1),
         ..SceneSpec::of_surface(surface)
     };

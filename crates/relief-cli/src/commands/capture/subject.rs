@@ -111,7 +111,7 @@ fn displaced(
 ) -> Result<Subject, Failure> {
     let max_memory = Some(ByteSize(arguments.max_bytes()));
     // Nothing is rendered.
-    let spec = SceneSpec { max_memory, size: Some([1, 1]), samples: Some(1), ..spec };
+    let spec = SceneSpec { max_memory, size: Some([1, 1].into()), samples: Some(1), ..spec };
     let scene = spec.load().map_err(of_scene_file)?;
     let [shown] = scene.surfaces() else { return Err(Failure::work("it has several surfaces")) };
     let settings = MeshSettings { max_bytes: arguments.max_bytes(), ..MeshSettings::default() };

@@ -54,7 +54,7 @@ fn missing_maps_and_too_large_ones_are_refused() {
     let absent = with_map("no/such/file.png".into());
     assert!(matches!(absent.load(), Err(SceneError::Read(_))));
 
-    let tight = SceneSpec { size: Some([10, 10]), ..with_map(shipped("data/noise.png")) };
+    let tight = SceneSpec { size: Some([10, 10].into()), ..with_map(shipped("data/noise.png")) };
     let with = |bytes| SceneSpec { max_memory: Some(ByteSize(bytes)), ..tight.clone() }.load();
     assert!(matches!(with(1000), Err(SceneError::TooMuchMemory { width: 10, height: 10, .. })));
     let Err(SceneError::Read(error)) = with(30_000) else { panic!("the picture fits, the map does not") };
@@ -65,13 +65,13 @@ fn missing_maps_and_too_large_ones_are_refused() {
     let large = folder.path().join("large.pgm");
     fs::write(&large, [&b"P5 300 300 255\n"[..], &[7; 300 * 300]].concat()).expect("a temporary file");
     let limit = Some(ByteSize(10 * 300 * 300));
-    let map = SceneSpec { max_memory: limit, size: Some([10, 10]), ..with_map(large) };
+    let map = SceneSpec { max_memory: limit, size: Some([10, 10].into()), ..with_map(large) };
     let Err(SceneError::TooMuchToTrace { width, needed, left, .. }) = map.load() else {
         panic!("there is room to read the map, but not to render it")
     };
     assert!(width == 300 && needed > left);
     // Of a vast picture a band of rows is held.
-    let vast = SceneSpec { size: Some([MAX_IMAGE_SIDE; 2]), ..tight };
+    let vast = SceneSpec { size: Some([MAX_IMAGE_SIDE; 2].into()), ..tight };
     assert!(vast.load().is_ok());
     let vast = SceneSpec { max_memory: Some(ByteSize(32 << 20)), ..vast };
     assert!(matches!(vast.load(), Err(SceneError::TooMuchMemory { .. })));
