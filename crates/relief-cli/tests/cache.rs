@@ -24,7 +24,9 @@ fn room() -> Folder {
 
 /// Renders a map with the method whose search reads a baked one.
 fn line(map: &str, flags: &str) -> String {
-    format!("render --height {map} --method frustum --backend cpu --size 64x48 --output out.png {flags}")
+    format!(
+        "render --height {map} --look plain --method frustum --backend cpu --size 64x48 --output out.png {flags}"
+    )
 }
 
 /// What a run says of the baked map.
@@ -169,8 +171,9 @@ fn without_a_cache_nothing_is_read_and_nothing_kept() {
 #[test]
 fn methods_without_a_baked_map_do_not_touch_the_cache() {
     let folder = room();
-    let ran =
-        folder.relief("render --height one.png --method relief --backend cpu --cache kept --json -o out.png");
+    let ran = folder.relief(
+        "render --height one.png --look plain --method relief --backend cpu --cache kept --json -o out.png",
+    );
     assert!(map_of(ran.fine()).is_null());
     assert!(!folder.path("kept").exists());
 }
@@ -258,7 +261,9 @@ fn a_map_that_needs_more_memory_than_allowed_is_refused_before_it_is_baked() {
     let folder = Folder::new();
     folder.write("map.png", Map::new(1024, 1024, |x, y| (x * 60 + y) as u16).png());
     let render = |method: &str| {
-        let line = format!("render --height map.png --method {method} --backend cpu --size 16x16 -o out.png");
+        let line = format!(
+            "render --height map.png --look plain --method {method} --backend cpu --size 16x16 -o out.png"
+        );
         folder.relief(&format!("{line} --max-memory 32MiB --cache kept"))
     };
     render("relief").fine();

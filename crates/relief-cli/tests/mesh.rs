@@ -218,7 +218,7 @@ fn a_gltf_has_its_own_colour_unless_another_is_given() {
     );
     let middle = |flags: &str| {
         let line = format!(
-            "render --height hills.png --mesh red.gltf --scale 0.001 --view top --size 32x32 --samples 1 \
+            "render --height hills.png --mesh red.gltf --scale 0.001 --look plain --view top --size 32x32 --samples 1 \
              --material specular=0,0,0 --backend cpu {flags} -o a.png"
         );
         folder.relief(&line).fine();

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use relief_core::{ByteSize, HeightMap, Lanes, MapFormat};
-use relief_render::scene::{BackendChoice, DEFAULT_MAX_MEMORY, Sampling, Scene};
+use relief_render::scene::{BackendChoice, DEFAULT_MAX_MEMORY, Look, Sampling, Scene};
 use relief_shaders::Choice;
 
 use crate::contender::Contender;
@@ -83,6 +83,9 @@ pub struct Comparison {
     pub flicker_samples: Option<u32>,
     /// How frames are timed; none: they are not.
     pub timing: Option<Timing>,
+    /// The look whose light and background the pictures to be shown have. They are rendered once more for it:
+    /// errors are those of the scene's own light. None: pictures are shown as they are compared.
+    pub shown_look: Option<Look>,
     /// How many rays the CPU traces at once.
     pub lanes: Lanes,
     /// The most memory that rays and pictures may take besides the maps.
@@ -166,6 +169,7 @@ impl Comparison {
             map_sides: Vec::new(),
             rays: RAYS,
             machines: vec![Machine::CPU],
+            shown_look: None,
             flicker_samples: Some(FLICKER_SAMPLES),
             timing: Some(Timing { frames: TIMED_FRAMES, warm: 1, pixels: TIMED_PIXELS }),
             lanes: Lanes::widest(),

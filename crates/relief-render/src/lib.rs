@@ -3,6 +3,7 @@
 //! A [`Scene`](scene::Scene) is built or loaded, and [`render()`] makes a picture of it. Both backends run
 //! the same shaders and give the same picture; [`picture`] turns it into bytes and channels.
 
+pub mod background;
 pub mod cpu;
 pub mod depth_buffer;
 mod displaced;

@@ -1,9 +1,14 @@
 //! What a rendering is written as: a picture for the eye, and channels of numbers for everything else.
 
-use relief_io::linear_to_srgb;
-use relief_shaders::cpu::PixelOut;
+use std::sync::Arc;
 
+use relief_io::linear_to_srgb;
+use relief_shaders::cpu::{Frame, PixelOut, background_row};
+
+use crate::environment::Environment;
 use crate::job::Rendering;
+use crate::prepare::view_of;
+use crate::scene::Scene;
 use crate::tone::Tone;
 
 /// The names of the channels of [`aov`], in order.
@@ -12,36 +17,63 @@ pub const AOV_CHANNELS: [&str; 18] = [
     "bytes", "lit", "level", "z", "surface",
 ];
 
-/// How linear light becomes the colours of a picture.
+/// How linear light becomes the colours of a scene's picture, row by row.
 ///
 /// Light is brightened, goes through the tone curve, and is laid over the background, as much of it as covers
-/// the pixel. The background is as it is given: neither brightened nor toned.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Look {
-    /// Linear red, green and blue of what shows no surface.
-    pub background: [f32; 3],
-    /// Stops by which light is brightened: each doubles it.
-    pub exposure: f32,
-    /// The tone curve.
-    pub tone: Tone,
+/// the pixel. A background of colours is as it is given: neither brightened nor toned. Surroundings that are
+/// seen behind the scene are light, too.
+#[derive(Clone, Debug)]
+pub struct Display {
+    size: [u32; 2],
+    exposure: f32,
+    tone: Tone,
+    /// What the shaders know of the camera and the background.
+    frame: Frame,
+    /// The surroundings, where they are seen behind the scene.
+    environment: Option<Arc<Environment>>,
 }
 
-impl Look {
-    /// The linear colour of a pixel.
-    pub fn linear(&self, pixel: &PixelOut) -> [f32; 3] {
-        let (color, covered) = (pixel.color, pixel.color.w);
-        if covered == 0.0 {
-            return self.background;
+impl Display {
+    /// The display of a scene's picture.
+    pub fn of(scene: &Scene) -> Self {
+        Self {
+            size: scene.size(),
+            exposure: scene.exposure(),
+            tone: scene.tone(),
+            frame: view_of(scene),
+            environment: scene.environment_behind(),
         }
-        let gain = self.exposure.exp2() / covered;
-        let light = self.tone.apply([color.x, color.y, color.z].map(|light| light * gain));
-        let over = |light: f32, background: f32| light * covered + background * (1.0 - covered);
-        [0, 1, 2].map(|place| over(light[place], self.background[place]))
     }
 
-    /// The sRGB colour of a pixel, each part from 0 to 1 (IEC 61966-2-1); brighter ones are cut off.
-    pub fn srgb(&self, pixel: &PixelOut) -> [f32; 3] {
-        srgb(self.linear(pixel))
+    /// The same without a tone curve, for files of light.
+    #[must_use]
+    pub fn without_tone(self) -> Self {
+        Self { tone: Tone::None, ..self }
+    }
+
+    /// The linear colours of a row of the picture, counted from the top.
+    pub fn linear_row(&self, row: u32, pixels: &[PixelOut]) -> Vec<[f32; 3]> {
+        let size = [pixels.len() as u32, self.size[1]];
+        let environment = self.environment.as_ref().map(|environment| &**environment.map());
+        let mut behind = background_row(self.frame, environment, row, size);
+        for (behind, pixel) in behind.iter_mut().zip(pixels) {
+            if environment.is_some() {
+                *behind = self.shown(*behind, 1.0);
+            }
+            let (color, covered) = (pixel.color, pixel.color.w);
+            if covered > 0.0 {
+                let light = self.shown([color.x, color.y, color.z], covered);
+                let over = |light: f32, background: f32| light * covered + background * (1.0 - covered);
+                *behind = [0, 1, 2].map(|place| over(light[place], behind[place]));
+            }
+        }
+        behind
+    }
+
+    /// What is shown of the light of a pixel, of which a part is covered.
+    fn shown(&self, light: [f32; 3], covered: f32) -> [f32; 3] {
+        let gain = self.exposure.exp2() / covered;
+        self.tone.apply(light.map(|light| light * gain))
     }
 }
 
@@ -50,10 +82,32 @@ pub fn srgb(linear: [f32; 3]) -> [f32; 3] {
     linear.map(|linear| linear_to_srgb(f64::from(linear.clamp(0.0, 1.0))) as f32)
 }
 
-/// The sRGB picture, RGB, 8 bits.
-pub fn srgb8(rendering: &Rendering, look: &Look) -> Vec<u8> {
+/// The linear colours of a scene's picture, row by row from the top.
+pub fn linear(rendering: &Rendering, scene: &Scene) -> Vec<[f32; 3]> {
+    let (display, width) = (Display::of(scene), rendering.width.max(1) as usize);
+    let rows = rendering.pixels.chunks(width).enumerate();
+    rows.flat_map(|(row, pixels)| display.linear_row(row as u32, pixels)).collect()
+}
+
+/// A scene's sRGB picture, RGB, 8 bits.
+///
+/// # Examples
+///
+/// ```
+/// use relief_render::mesh::square;
+/// use relief_render::scene::{Look, Scene, Surface};
+/// use relief_render::{picture, render};
+///
+/// let heights = relief_core::HeightMap::new(1, 1, vec![1.0], relief_core::Wrap::Repeat)?;
+/// let surface = Surface::new(square(2)?, heights.with_displacement(0.1, -0.1)?);
+/// let scene = Scene::builder(surface).look(Look::Studio).size(64, 48).build()?;
+/// let rendered = render(&scene, &mut relief_maps::Maps::in_memory(), &|_, _| {})?;
+/// assert_eq!(picture::srgb8(&rendered.rendering, &scene).len(), 64 * 48 * 3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn srgb8(rendering: &Rendering, scene: &Scene) -> Vec<u8> {
     let byte = |part: f32| (part * 255.0 + 0.5) as u8;
-    rendering.pixels.iter().flat_map(|pixel| look.srgb(pixel).map(byte)).collect()
+    linear(rendering, scene).into_iter().flat_map(|colour| srgb(colour).map(byte)).collect()
 }
 
 /// The numbers of a pixel, one for each of [`AOV_CHANNELS`]; zeros where its centre shows no surface.
@@ -99,37 +153,90 @@ pub fn aov(rendering: &Rendering) -> Vec<(&'static str, Vec<f32>)> {
 
 #[cfg(test)]
 mod tests {
+    use glam::{DVec3, Vec3};
+    use relief_core::{HeightMap, Wrap};
+    use relief_io::Picture;
+
     use super::*;
+    use crate::background::Background;
+    use crate::camera::{Camera, Projection};
     use crate::job::uncovered;
+    use crate::mesh::square;
+    use crate::scene::{SceneBuilder, Surface};
+
+    /// A scene that shows a level square before that background.
+    fn scene(background: Background) -> SceneBuilder {
+        let heights = HeightMap::new(1, 1, vec![1.0], Wrap::Repeat).expect("a map");
+        let surface = Surface::new(square(1).expect("a mesh"), heights);
+        Scene::builder(surface).background(background)
+    }
+
+    fn colour(parts: [f32; 3]) -> Background {
+        Background::Color(parts.into())
+    }
 
     #[test]
     fn the_srgb_curve_goes_through_its_fixed_points() {
         let pixels = [0.0, 1.0, 2.0, -1.0, 0.5, 10.0 / 255.0 / 12.92];
         let pixels = pixels.map(|part| PixelOut { color: [part, part, part, 1.0].into(), ..uncovered() });
         let picture = Rendering { width: 6, height: 1, pixels: pixels.to_vec() };
-        let look = Look { background: [0.0; 3], exposure: 0.0, tone: Tone::None };
+        let scene = scene(colour([0.0; 3])).size(6, 1).build().expect("a scene");
         // Half the light is byte 188; a byte of 10 is on the linear part.
         let expected = [0, 255, 255, 0, 188, 10].map(|byte| [byte; 3]);
-        assert_eq!(srgb8(&picture, &look), expected.as_flattened());
+        assert_eq!(srgb8(&picture, &scene), expected.as_flattened());
     }
 
     #[test]
     fn light_is_brightened_and_toned_before_it_is_laid_over_the_background() {
-        let look = |exposure, tone| Look { background: [0.5, 0.25, 1.0], exposure, tone };
-        let pixel = |light: f32, covered: f32| {
+        let background = [0.5, 0.25, 1.0];
+        let shown = |exposure, tone, light: f32, covered: f32| {
+            let scene = scene(colour(background)).exposure(exposure).tone(tone).size(1, 1);
             let part = light * covered;
-            PixelOut { color: [part, part, part, covered].into(), ..uncovered() }
+            let pixel = PixelOut { color: [part, part, part, covered].into(), ..uncovered() };
+            Display::of(&scene.build().expect("a scene")).linear_row(0, &[pixel])[0]
         };
         let none = Tone::None;
         for exposure in [-2.0, 0.0, 5.0] {
-            assert_eq!(look(exposure, Tone::Agx).linear(&pixel(0.0, 0.0)), [0.5, 0.25, 1.0]);
+            assert_eq!(shown(exposure, Tone::Agx, 0.0, 0.0), background);
         }
-        assert_eq!(look(0.0, none).linear(&pixel(0.25, 1.0)), [0.25; 3]);
-        assert_eq!(look(2.0, none).linear(&pixel(0.25, 1.0)), [1.0; 3]);
-        assert_eq!(look(1.0, none).linear(&pixel(0.25, 0.5)), [0.5, 0.375, 0.75]);
+        assert_eq!(shown(0.0, none, 0.25, 1.0), [0.25; 3]);
+        assert_eq!(shown(2.0, none, 0.25, 1.0), [1.0; 3]);
+        assert_eq!(shown(1.0, none, 0.25, 0.5), [0.5, 0.375, 0.75]);
         // Toned after the mean of samples, and before the background.
         let toned = Tone::Agx.apply([4.0; 3]);
-        let expected = [0, 1, 2].map(|at| 0.5 * toned[at] + 0.5 * [0.5, 0.25, 1.0][at]);
-        assert_eq!(look(2.0, Tone::Agx).linear(&pixel(1.0, 0.5)), expected);
+        let expected = [0, 1, 2].map(|at| 0.5 * toned[at] + 0.5 * background[at]);
+        assert_eq!(shown(2.0, Tone::Agx, 1.0, 0.5), expected);
+    }
+
+    #[test]
+    fn a_gradient_goes_from_the_upper_edge_to_the_lower() {
+        let [above, below] = [Vec3::new(0.2, 0.4, 0.8), Vec3::new(0.6, 0.4, 0.0)];
+        let scene = scene(Background::Gradient([above, below])).size(2, 4).tone(Tone::Agx).exposure(3.0);
+        let display = Display::of(&scene.build().expect("a scene"));
+        for row in 0..4 {
+            let expected = above.lerp(below, (row as f32 + 0.5) / 4.0);
+            for shown in display.linear_row(row, &[uncovered(); 2]) {
+                assert!((Vec3::from(shown) - expected).abs().max_element() < 1e-6, "{row}: {shown:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn surroundings_are_seen_where_the_camera_looks() {
+        // White above the horizon, and black below: the camera stands upright and looks along it.
+        let texel = |at: u32| if at < 128 * 32 { [1.0; 4] } else { [0.0, 0.0, 0.0, 1.0] };
+        let sky = Picture { width: 128, height: 64, texels: (0..128 * 64).map(texel).collect() };
+        let projection = Projection::Perspective { fov_degrees: 60.0 };
+        let camera = Camera::with(DVec3::new(0.0, 0.0, 5.0), DVec3::ZERO, projection).expect("a camera");
+        let scene = scene(Background::Environment)
+            .environment(Environment::from_equirectangular(&sky).expect("surroundings"))
+            .camera(camera)
+            .size(8, 8)
+            .build()
+            .expect("surroundings that are seen behind the scene");
+        let display = Display::of(&scene);
+        let rows: Vec<f32> = (0..8).map(|row| display.linear_row(row, &[uncovered(); 8])[3][0]).collect();
+        assert!(rows[..3].iter().all(|light| *light > 0.95), "{rows:?}");
+        assert!(rows[5..].iter().all(|light| *light < 0.05), "{rows:?}");
     }
 }

@@ -12,6 +12,7 @@ use relief_shaders::cpu::{Frame, Light as ShaderLight, SurfaceSettings};
 use relief_shaders::object::{MASK_CELLS, ObjectCells, Solid};
 use relief_shaders::{MapNeed, MapSlot, SlotMaps};
 
+use crate::background::Background;
 use crate::displaced::Displaced;
 use crate::environment::Environment;
 use crate::job::{HOLES_OF_COLORS, HOLES_OF_HEIGHTS, Job, JobSurface};
@@ -71,7 +72,8 @@ impl Making<'_> {
             None => None,
         };
         let mut maps = maps.to_vec();
-        if surface.selection().sees_environment() {
+        let behind = self.scene.environment_behind();
+        if surface.selection().sees_environment() || behind.is_some() {
             let environment = self.scene.environment().map_or_else(Environment::sky, Arc::clone);
             maps.push((MapSlot::Environment, Arc::clone(environment.map())));
         }
@@ -193,19 +195,6 @@ fn place(v: DVec3, w: f32) -> [f32; 4] {
 
 /// What changes with the frame: camera and lights.
 fn frame(scene: &Scene, owners: &[&Surface], surfaces: &[JobSurface]) -> Frame {
-    let camera = scene.camera();
-    let [columns, rows] = scene.size();
-    let across = 2.0 * camera.half_height() / f64::from(rows);
-    let (right, down) = (camera.right() * across, camera.up() * -across);
-    let to_corner = |from: DVec3| from - right * (f64::from(columns) / 2.0) - down * (f64::from(rows) / 2.0);
-    // What changes from pixel to pixel is where parallel rays begin, and where others go.
-    let [eye, forward] = [camera.eye(), camera.forward()];
-    let none = DVec3::ZERO;
-    let (eye, eye_right, eye_down, corner, right, down) = if camera.is_orthographic() {
-        (to_corner(eye), right, down, forward, none, none)
-    } else {
-        (eye, none, none, to_corner(forward), right, down)
-    };
     let mut lights = Frame::none().lights;
     for (slot, light) in lights.iter_mut().zip(scene.lights()) {
         *slot = match *light {
@@ -223,6 +212,34 @@ fn frame(scene: &Scene, owners: &[&Surface], surfaces: &[JobSurface]) -> Frame {
     let (view_projection, near) = view_projection(scene, owners, surfaces);
     Frame {
         view_projection: view_projection.as_mat4().to_cols_array_2d().map(Into::into),
+        ambient: four(scene.ambient()).into(),
+        sample_width: (1.0 / f64::from(scene.samples()).sqrt()) as f32,
+        near: near as f32,
+        clip: clip(scene, surfaces).into(),
+        lights,
+        light_count: scene.lights().len() as u32,
+        ..view_of(scene)
+    }
+}
+
+/// A frame with a scene's camera and background alone.
+pub(crate) fn view_of(scene: &Scene) -> Frame {
+    let camera = scene.camera();
+    let [columns, rows] = scene.size();
+    let across = 2.0 * camera.half_height() / f64::from(rows);
+    let (right, down) = (camera.right() * across, camera.up() * -across);
+    let to_corner = |from: DVec3| from - right * (f64::from(columns) / 2.0) - down * (f64::from(rows) / 2.0);
+    // What changes from pixel to pixel is where parallel rays begin, and where others go.
+    let [eye, forward] = [camera.eye(), camera.forward()];
+    let none = DVec3::ZERO;
+    let (eye, eye_right, eye_down, corner, right, down) = if camera.is_orthographic() {
+        (to_corner(eye), right, down, forward, none, none)
+    } else {
+        (eye, none, none, to_corner(forward), right, down)
+    };
+    let [above, below] = scene.background().colours();
+    let sees_environment = scene.background() == Background::Environment;
+    Frame {
         eye: place(eye, 1.0).into(),
         eye_right: place(eye_right, 0.0).into(),
         eye_down: place(eye_down, 0.0).into(),
@@ -230,13 +247,8 @@ fn frame(scene: &Scene, owners: &[&Surface], surfaces: &[JobSurface]) -> Frame {
         corner: place(corner, 0.0).into(),
         right: place(right, 0.0).into(),
         down: place(down, 0.0).into(),
-        ambient: four(scene.ambient()).into(),
-        sample_width: (1.0 / f64::from(scene.samples()).sqrt()) as f32,
-        near: near as f32,
-        clip: clip(scene, surfaces).into(),
-        background: four(scene.background()).into(),
-        lights,
-        light_count: scene.lights().len() as u32,
+        background: above.extend(f32::from(u8::from(sees_environment))).to_array().into(),
+        background_below: four(below).into(),
         ..Frame::none()
     }
 }

@@ -34,6 +34,7 @@ const BESIDE: f64 = 2.0;
 ///
 /// ```
 /// use relief_render::mesh::square;
+/// use relief_render::picture::Display;
 /// use relief_render::scene::{Scene, Surface};
 /// use relief_render::{Wire, render};
 ///
@@ -42,8 +43,9 @@ const BESIDE: f64 = 2.0;
 /// let scene = Scene::builder(Surface::new(square(2)?, heights)).size(64, 48).build()?;
 /// let picture = render(&scene, &mut relief_maps::Maps::in_memory(), &|_, _| {})?.rendering;
 /// let mut wire = Wire::new(&scene);
-/// for pixels in picture.pixels.chunks(64) {
-///     let mut colors: Vec<_> = pixels.iter().map(|pixel| scene.look().linear(pixel)).collect();
+/// let display = Display::of(&scene);
+/// for (row, pixels) in (0..).zip(picture.pixels.chunks(64)) {
+///     let mut colors = display.linear_row(row, pixels);
 ///     wire.next_row(pixels, &mut colors);
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -473,8 +473,10 @@ pub struct Frame {
     pub near: f32,
     /// What a depth buffer holds for a depth d is x + y / d + z d.
     pub clip: rt::Vec4<f32>,
-    /// Linear RGB of pixels that show no surface.
+    /// Linear RGB of what is beside the surfaces, at the picture's upper and at its lower edge. Where the
+    /// fourth part is above 0 the surroundings are seen there instead, times that part.
     pub background: rt::Vec4<f32>,
+    pub background_below: rt::Vec4<f32>,
     pub lights: [Light; 8],
     pub light_count: u32,
     /// What lights see, as far as shadows are looked up there.
@@ -495,11 +497,12 @@ impl Frame {
         near: impl rt::Into<f32>,
         clip: impl rt::Into<rt::Vec4<f32>>,
         background: impl rt::Into<rt::Vec4<f32>>,
+        background_below: impl rt::Into<rt::Vec4<f32>>,
         lights: impl rt::Into<[Light; 8]>,
         light_count: impl rt::Into<u32>,
         light_views: impl rt::Into<[LightView; 48]>,
     ) -> Self {
-        Self { view_projection: rt::into(view_projection), eye: rt::into(eye), eye_right: rt::into(eye_right), eye_down: rt::into(eye_down), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), sample_width: rt::into(sample_width), near: rt::into(near), clip: rt::into(clip), background: rt::into(background), lights: rt::into(lights), light_count: rt::into(light_count), light_views: rt::into(light_views) }
+        Self { view_projection: rt::into(view_projection), eye: rt::into(eye), eye_right: rt::into(eye_right), eye_down: rt::into(eye_down), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), sample_width: rt::into(sample_width), near: rt::into(near), clip: rt::into(clip), background: rt::into(background), background_below: rt::into(background_below), lights: rt::into(lights), light_count: rt::into(light_count), light_views: rt::into(light_views) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -2058,14 +2061,14 @@ impl<'g> Resources<'g> {
         uv: rt::Vec2<f32>,
         n_2: rt::Vec2<i32>,
     ) -> Around {
-        let point_21 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_21);
+        let point_22 = ((uv * n_2.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_22);
         let i_3 = _e8.to_i32();
         let _e12 = self.v_wrap_index(i_3.x(), n_2.x());
         let _e17 = self.v_wrap_index((i_3.x() + rt::Scalar(1i32)), n_2.x());
         let _e21 = self.v_wrap_index(i_3.y(), n_2.y());
         let _e26 = self.v_wrap_index((i_3.y() + rt::Scalar(1i32)), n_2.y());
-        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_21 - _e8));
+        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_22 - _e8));
     }
     pub(crate) fn level_texels(
         &self,
@@ -2387,16 +2390,16 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_face_place(direction_2);
         let _e5 = rt::Scalar(self.surface_settings.environment_side);
         let last_2 = ((_e5 >> level_6).to_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
-        let point_22 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
+        let point_23 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_2.to_f32()));
         let most_3 = (last_2 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).to_f32();
-        let corner_3 = point_22.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_3, most_3));
+        let corner_3 = point_23.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_3, most_3));
         let texel_5 = corner_3.to_i32();
         let k_42 = level_6.to_i32();
         let _e35 = self.v_environment_texel(texel_5, rt::Scalar(_e2.face), k_42);
         let _e41 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_42);
         let _e47 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_42);
         let _e53 = self.v_environment_texel((texel_5 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_42);
-        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_22 - corner_3));
+        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_23 - corner_3));
         return _e55.xyz();
     }
     pub(crate) fn environment_in_lobe(
@@ -2837,9 +2840,9 @@ impl<'g> Resources<'g> {
         level_10: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
         let _e2 = self.v_height_size(level_10);
-        let point_23 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_23);
-        let f = (point_23 - _e8);
+        let point_24 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_24);
+        let f = (point_24 - _e8);
         let _e11 = self.v_height_cell(_e8.to_i32(), level_10);
         let top_2 = (_e11.x() + ((_e11.y() - _e11.x()) * f.x()));
         let bottom_1 = (_e11.z() + ((_e11.w() - _e11.z()) * f.x()));
@@ -2912,6 +2915,43 @@ impl<'g> Resources<'g> {
         axis: rt::Scalar<u32>,
     ) -> rt::Scalar<i32> {
         return at_12.z().select(at_12.y(), axis.elementwise_eq(rt::Scalar(1u32))).select(at_12.x(), axis.elementwise_eq(rt::Scalar(0u32)));
+    }
+    pub(crate) fn pixel_direction(&self, pixel: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_pixel_direction(&self, pixel: rt::Vec2<f32>) -> rt::Vec3<f32> {
+        let _e3 = self.frame.corner;
+        let _e7 = self.frame.right;
+        let _e14 = self.frame.down;
+        return ((_e3.xyz() + (_e7.xyz() * pixel.x())) + (_e14.xyz() * pixel.y()));
+    }
+    pub(crate) fn background_at(
+        &self,
+        point_6: impl rt::Into<rt::Vec2<f32>>,
+        rows: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_background_at(rt::into(point_6), rt::into(rows)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    #[inline(always)]
+    fn v_background_at(
+        &self,
+        point_6: rt::Vec2<f32>,
+        rows: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e5 = self.frame.background.w();
+        if rt::Scalar::into_branch_condition(_e5.elementwise_gt(rt::Scalar(0f32))) {
+            let _e8 = self.v_pixel_direction(point_6);
+            let _e10 = self.v_environment_of_level(_e8, rt::Scalar(0u32));
+            let _e14 = self.frame.background.w();
+            return (_e10 * _e14);
+        }
+        let _e18 = self.frame.background;
+        let top_3 = _e18.xyz();
+        let _e22 = self.frame.background_below;
+        return (top_3 + ((_e22.xyz() - top_3) * (point_6.y() / rows)));
     }
     pub(crate) fn base_height(&self) -> f32 {
         rt::into(self.v_base_height())
@@ -3160,22 +3200,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ordered(
         &self,
-        pixel: PixelIn,
+        pixel_1: PixelIn,
         place_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> Corner {
-        rt::into(self.v_ordered(pixel, rt::into(place_3)))
+        rt::into(self.v_ordered(pixel_1, rt::into(place_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_ordered(
         &self,
-        pixel: PixelIn,
+        pixel_1: PixelIn,
         place_3: rt::Scalar<u32>,
     ) -> Corner {
-        let number_24 = ((rt::Scalar(pixel.shell.order) >> (rt::Scalar(2u32) * place_3)) & rt::Scalar(3u32));
-        let a_29 = pixel.a;
-        let b_30 = pixel.b;
-        let c_22 = pixel.c;
+        let number_24 = ((rt::Scalar(pixel_1.shell.order) >> (rt::Scalar(2u32) * place_3)) & rt::Scalar(3u32));
+        let a_29 = pixel_1.a;
+        let b_30 = pixel_1.b;
+        let c_22 = pixel_1.c;
         let _e15 = self.v_corner_value(number_24, a_29.position, b_30.position, c_22.position);
         let _e19 = self.v_corner_value(number_24, a_29.normal, b_30.normal, c_22.normal);
         let _e23 = self.v_corner_value(number_24, a_29.tangent, b_30.tangent, c_22.tangent);
@@ -3186,39 +3226,39 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn uv_of(
         &self,
-        pixel_1: PixelIn,
+        pixel_2: PixelIn,
         weights: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_uv_of(pixel_1, rt::into(weights)))
+        rt::into(self.v_uv_of(pixel_2, rt::into(weights)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_uv_of(
         &self,
-        pixel_1: PixelIn,
+        pixel_2: PixelIn,
         weights: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
-        let _e3 = self.v_ordered(pixel_1, rt::Scalar(0u32));
-        let _e8 = self.v_ordered(pixel_1, rt::Scalar(1u32));
-        let _e14 = self.v_ordered(pixel_1, rt::Scalar(2u32));
+        let _e3 = self.v_ordered(pixel_2, rt::Scalar(0u32));
+        let _e8 = self.v_ordered(pixel_2, rt::Scalar(1u32));
+        let _e14 = self.v_ordered(pixel_2, rt::Scalar(2u32));
         return (((_e3.uv * weights.x()) + (_e8.uv * weights.y())) + (_e14.uv * weights.z()));
     }
     pub(crate) fn beside_chord(
         &self,
-        pixel_2: PixelIn,
+        pixel_3: PixelIn,
         a_2: ShellPoint,
         m: ShellPoint,
         b_2: ShellPoint,
         at_13: ShellPoint,
         part_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_beside_chord(pixel_2, a_2, m, b_2, at_13, rt::into(part_1)))
+        rt::into(self.v_beside_chord(pixel_3, a_2, m, b_2, at_13, rt::into(part_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_beside_chord(
         &self,
-        pixel_2: PixelIn,
+        pixel_3: PixelIn,
         a_2: ShellPoint,
         m: ShellPoint,
         b_2: ShellPoint,
@@ -3226,7 +3266,7 @@ impl<'g> Resources<'g> {
         part_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let line = (a_2.weights + ((b_2.weights - a_2.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_1));
-        let _e19 = self.v_uv_of(pixel_2, (at_13.weights - line));
+        let _e19 = self.v_uv_of(pixel_3, (at_13.weights - line));
         let _e21 = self.v_height_size(rt::Scalar(0u32));
         let apart = (_e19 * _e21).abs();
         let bend_3 = (rt::Scalar(2f32) * ((rt::Scalar(a_2.height) + rt::Scalar(b_2.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
@@ -3236,19 +3276,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn beside_way(
         &self,
-        pixel_3: PixelIn,
+        pixel_4: PixelIn,
         a_3: WayPoint,
         b_3: WayPoint,
         bend_1: impl rt::Into<rt::Scalar<f32>>,
         at_14: WayPoint,
     ) -> f32 {
-        rt::into(self.v_beside_way(pixel_3, a_3, b_3, rt::into(bend_1), at_14))
+        rt::into(self.v_beside_way(pixel_4, a_3, b_3, rt::into(bend_1), at_14))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_beside_way(
         &self,
-        pixel_3: PixelIn,
+        pixel_4: PixelIn,
         a_3: WayPoint,
         b_3: WayPoint,
         bend_1: rt::Scalar<f32>,
@@ -3256,7 +3296,7 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let part_10 = ((rt::Scalar(at_14.t) - rt::Scalar(a_3.t)) / (rt::Scalar(b_3.t) - rt::Scalar(a_3.t)));
         let line_1 = (a_3.point.weights + ((b_3.point.weights - a_3.point.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_10));
-        let _e29 = self.v_uv_of(pixel_3, (at_14.point.weights - line_1));
+        let _e29 = self.v_uv_of(pixel_4, (at_14.point.weights - line_1));
         let _e31 = self.v_height_size(rt::Scalar(0u32));
         let apart_1 = (_e29 * _e31).abs();
         let slope_6 = ((rt::Scalar(b_3.point.height) - rt::Scalar(a_3.point.height)) - bend_1);
@@ -3311,21 +3351,21 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn bits_of_point(
         &self,
-        point_6: impl rt::Into<rt::Vec2<f32>>,
+        point_7: impl rt::Into<rt::Vec2<f32>>,
         count_1: impl rt::Into<rt::Scalar<f32>>,
         seed_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_bits_of_point(rt::into(point_6), rt::into(count_1), rt::into(seed_1)))
+        rt::into(self.v_bits_of_point(rt::into(point_7), rt::into(count_1), rt::into(seed_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_bits_of_point(
         &self,
-        point_6: rt::Vec2<f32>,
+        point_7: rt::Vec2<f32>,
         count_1: rt::Scalar<f32>,
         seed_1: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let within_1 = (point_6 - ((point_6 / rt::Vec2::splat_from_scalar(count_1)).floor() * count_1));
+        let within_1 = (point_7 - ((point_7 / rt::Vec2::splat_from_scalar(count_1)).floor() * count_1));
         let _e12 = self.v_mixed(seed_1);
         let _e14 = self.v_mixed((within_1.y().to_u32() + _e12));
         let _e16 = self.v_mixed((within_1.x().to_u32() + _e14));
@@ -3525,12 +3565,12 @@ impl<'g> Resources<'g> {
             let nearest_1 = _e41.x().select(_e41.y(), right_1).select(_e41.z().select(_e41.w(), right_1), lower);
             return <rt::Vec4<f32>>::from_scalars(nearest_1, nearest_1, nearest_1, nearest_1);
         }
-        let top_3 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.y()));
+        let top_4 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.y()));
         let bottom_2 = (rt::Scalar(0.5f32) * (_e41.z() + _e41.w()));
         let left_2 = (rt::Scalar(0.5f32) * (_e41.x() + _e41.z()));
         let side_5 = (rt::Scalar(0.5f32) * (_e41.y() + _e41.w()));
-        let middle_10 = (rt::Scalar(0.5f32) * (top_3 + bottom_2));
-        return <rt::Vec4<f32>>::from_scalars(_e41.x().select(top_3, right_1).select(left_2.select(middle_10, right_1), lower), top_3.select(_e41.y(), right_1).select(middle_10.select(side_5, right_1), lower), left_2.select(middle_10, right_1).select(_e41.z().select(bottom_2, right_1), lower), middle_10.select(side_5, right_1).select(bottom_2.select(_e41.w(), right_1), lower));
+        let middle_10 = (rt::Scalar(0.5f32) * (top_4 + bottom_2));
+        return <rt::Vec4<f32>>::from_scalars(_e41.x().select(top_4, right_1).select(left_2.select(middle_10, right_1), lower), top_4.select(_e41.y(), right_1).select(middle_10.select(side_5, right_1), lower), left_2.select(middle_10, right_1).select(_e41.z().select(bottom_2, right_1), lower), middle_10.select(side_5, right_1).select(bottom_2.select(_e41.w(), right_1), lower));
     }
     pub(crate) fn object_depth_cell(
         &self,
@@ -3734,10 +3774,10 @@ impl<'g> Resources<'g> {
         h_2: rt::Vec4<f32>,
         part_2: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let top_4 = (h_2.y() - h_2.x());
+        let top_5 = (h_2.y() - h_2.x());
         let left_3 = (h_2.z() - h_2.x());
-        let twist_1 = ((h_2.w() - h_2.z()) - top_4);
-        return <rt::Vec2<f32>>::from_scalars((top_4 + (twist_1 * part_2.y())), (left_3 + (twist_1 * part_2.x())));
+        let twist_1 = ((h_2.w() - h_2.z()) - top_5);
+        return <rt::Vec2<f32>>::from_scalars((top_5 + (twist_1 * part_2.y())), (left_3 + (twist_1 * part_2.x())));
     }
     pub(crate) fn swept_border(
         &self,
@@ -3881,19 +3921,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shell_slack(
         &self,
-        pixel_4: PixelIn,
+        pixel_5: PixelIn,
         middle: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_shell_slack(pixel_4, rt::into(middle)))
+        rt::into(self.v_shell_slack(pixel_5, rt::into(middle)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shell_slack(
         &self,
-        pixel_4: PixelIn,
+        pixel_5: PixelIn,
         middle: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let origin_3 = pixel_4.origin.abs();
+        let origin_3 = pixel_5.origin.abs();
         return (rt::Scalar(0.0000009536743f32) * (origin_3.x().max(origin_3.y()).max(origin_3.z()) + middle.abs()));
     }
     pub(crate) fn where_positive(
@@ -4220,7 +4260,7 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn chord_path(
         &self,
-        pixel_5: PixelIn,
+        pixel_6: PixelIn,
         at_18: Entered,
         middle_1: impl rt::Into<rt::Scalar<f32>>,
         params_15: impl rt::Into<rt::Vec4<f32>>,
@@ -4230,12 +4270,12 @@ impl<'g> Resources<'g> {
         ends: impl rt::Into<rt::Vec2<f32>>,
         beyond: impl rt::Into<rt::Vec3<f32>>,
     ) -> Path {
-        rt::into(self.v_chord_path(pixel_5, at_18, rt::into(middle_1), rt::into(params_15), a_5, b_5, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
+        rt::into(self.v_chord_path(pixel_6, at_18, rt::into(middle_1), rt::into(params_15), a_5, b_5, rt::into(bend_2), rt::into(ends), rt::into(beyond)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_chord_path(
         &self,
-        pixel_5: PixelIn,
+        pixel_6: PixelIn,
         at_18: Entered,
         middle_1: rt::Scalar<f32>,
         params_15: rt::Vec4<f32>,
@@ -4248,14 +4288,14 @@ impl<'g> Resources<'g> {
         let mut inside: rt::Vec2<f32>;
         let mut path_12: Path;
 
-        let heights_1 = pixel_5.shell.heights;
+        let heights_1 = pixel_6.shell.heights;
         let first_11 = ends.x();
         let long = (ends.y() - ends.x());
-        let _e16 = self.v_uv_of(pixel_5, a_5.weights);
-        let _e18 = self.v_uv_of(pixel_5, b_5.weights);
+        let _e16 = self.v_uv_of(pixel_6, a_5.weights);
+        let _e18 = self.v_uv_of(pixel_6, b_5.weights);
         let duv_4 = ((_e18 - _e16) / rt::Vec2::splat_from_scalar(long));
         let slope_7 = ((rt::Scalar(b_5.height) - rt::Scalar(a_5.height)) - bend_2);
-        let _e26 = self.v_shell_slack(pixel_5, middle_1);
+        let _e26 = self.v_shell_slack(pixel_6, middle_1);
         let change_3 = ((b_5.weights - a_5.weights) / rt::Vec3::splat_from_scalar(long));
         inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32).max(((rt::Scalar(0f32) - middle_1) - first_11)), long);
         let _e39 = inside;
@@ -4314,18 +4354,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn chord_reach(
         &self,
-        pixel_6: PixelIn,
+        pixel_7: PixelIn,
         at_19: Entered,
         middle_2: impl rt::Into<rt::Scalar<f32>>,
         params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_chord_reach(pixel_6, at_19, rt::into(middle_2), rt::into(params_16)))
+        rt::into(self.v_chord_reach(pixel_7, at_19, rt::into(middle_2), rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_chord_reach(
         &self,
-        pixel_6: PixelIn,
+        pixel_7: PixelIn,
         at_19: Entered,
         middle_2: rt::Scalar<f32>,
         params_16: rt::Vec4<f32>,
@@ -4333,7 +4373,7 @@ impl<'g> Resources<'g> {
         let _e11 = self.v_height_size(rt::Scalar(0u32));
         let _e14 = self.v_height_size(rt::Scalar(0u32));
         let texel_6 = (at_19.metric.x().max(at_19.metric.z()).sqrt() / _e11.x().max(_e14.y()));
-        let _e18 = self.v_shell_slack(pixel_6, middle_2);
+        let _e18 = self.v_shell_slack(pixel_7, middle_2);
         return (_e18 + ((rt::Scalar(2f32) * params_16.x()) * texel_6));
     }
     pub(crate) fn way_bend(
@@ -4369,19 +4409,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn chords_of_piece(
         &self,
-        pixel_7: PixelIn,
+        pixel_8: PixelIn,
         prism_2: Prism,
         along_2: impl rt::Into<rt::Vec3<f32>>,
         way_2: Way,
         piece: impl rt::Into<rt::Vec2<f32>>,
         tolerance: impl rt::Into<rt::Scalar<f32>>,
     ) -> u32 {
-        rt::into(self.v_chords_of_piece(pixel_7, prism_2, rt::into(along_2), way_2, rt::into(piece), rt::into(tolerance)))
+        rt::into(self.v_chords_of_piece(pixel_8, prism_2, rt::into(along_2), way_2, rt::into(piece), rt::into(tolerance)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_chords_of_piece(
         &self,
-        pixel_7: PixelIn,
+        pixel_8: PixelIn,
         prism_2: Prism,
         along_2: rt::Vec3<f32>,
         way_2: Way,
@@ -4448,10 +4488,10 @@ impl<'g> Resources<'g> {
             return rt::Scalar(16u32);
         }
         let _e98 = self.v_way_bend(rt::Scalar(_e12.point.height), rt::Scalar(_e22.point.height), rt::Scalar(_e29.point.height), ((rt::Scalar(_e22.t) - rt::Scalar(_e12.t)) / (rt::Scalar(_e29.t) - rt::Scalar(_e12.t))));
-        let _e99 = self.v_beside_way(pixel_7, _e12, _e29, _e98, _e17);
-        let _e100 = self.v_beside_way(pixel_7, _e12, _e29, _e98, _e27);
+        let _e99 = self.v_beside_way(pixel_8, _e12, _e29, _e98, _e17);
+        let _e100 = self.v_beside_way(pixel_8, _e12, _e29, _e98, _e27);
         let quarters = _e99.max(_e100);
-        let _e102 = self.v_beside_way(pixel_7, _e12, _e29, _e98, _e22);
+        let _e102 = self.v_beside_way(pixel_8, _e12, _e29, _e98, _e22);
         let most_6 = _e102.max(quarters);
         return (most_6 / tolerance).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(16f32)).to_u32();
     }
@@ -4512,8 +4552,8 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_24);
-        let point_24 = ((place_4 * _e5.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e12 = self.v_cell_of(point_24);
+        let point_25 = ((place_4 * _e5.to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e12 = self.v_cell_of(point_25);
         let i_4 = _e12.to_i32();
         let _e18 = rt::Scalar(self.surface_settings.color_wrap_u);
         let _e19 = self.v_color_index(i_4.x(), _e5.x(), _e18);
@@ -4528,7 +4568,7 @@ impl<'g> Resources<'g> {
         let _e48 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e27, _e33), 0i32, 0i32, rt::Scalar::into_inner(k_45));
         let _e51 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e19, _e41), 0i32, 0i32, rt::Scalar::into_inner(k_45));
         let _e54 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e27, _e41), 0i32, 0i32, rt::Scalar::into_inner(k_45));
-        let _e56 = self.v_bilinear(_e45, _e48, _e51, _e54, (point_24 - _e12));
+        let _e56 = self.v_bilinear(_e45, _e48, _e51, _e54, (point_25 - _e12));
         return _e56;
     }
     pub(crate) fn color_place(&self, uv_3: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
@@ -5067,27 +5107,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn plane_distance(
         &self,
-        pixel_8: PixelIn,
+        pixel_9: PixelIn,
         normal_10: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_plane_distance(pixel_8, rt::into(normal_10)))
+        rt::into(self.v_plane_distance(pixel_9, rt::into(normal_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_distance(
         &self,
-        pixel_8: PixelIn,
+        pixel_9: PixelIn,
         normal_10: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        return (normal_10.dot((pixel_8.a.position - pixel_8.origin)) / normal_10.dot(pixel_8.direction));
+        return (normal_10.dot((pixel_9.a.position - pixel_9.origin)) / normal_10.dot(pixel_9.direction));
     }
-    pub(crate) fn depth_in_samples(&self, pixel_9: PixelIn, at_24: Entered) -> f32 {
-        rt::into(self.v_depth_in_samples(pixel_9, at_24))
+    pub(crate) fn depth_in_samples(&self, pixel_10: PixelIn, at_24: Entered) -> f32 {
+        rt::into(self.v_depth_in_samples(pixel_10, at_24))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_depth_in_samples(&self, pixel_9: PixelIn, at_24: Entered) -> rt::Scalar<f32> {
-        let _e3 = self.v_plane_distance(pixel_9, at_24.facing);
+    fn v_depth_in_samples(&self, pixel_10: PixelIn, at_24: Entered) -> rt::Scalar<f32> {
+        let _e3 = self.v_plane_distance(pixel_10, at_24.facing);
         let _e6 = self.frame.eye_right;
         let _e10 = self.frame.right;
         let _e17 = rt::Scalar(self.frame.sample_width);
@@ -5095,30 +5135,30 @@ impl<'g> Resources<'g> {
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         return (_e21 / width_3);
     }
-    pub(crate) fn depth_on_ray(&self, pixel_10: PixelIn, path_15: Path, hit_8: Hit) -> f32 {
-        rt::into(self.v_depth_on_ray(pixel_10, path_15, hit_8))
+    pub(crate) fn depth_on_ray(&self, pixel_11: PixelIn, path_15: Path, hit_8: Hit) -> f32 {
+        rt::into(self.v_depth_on_ray(pixel_11, path_15, hit_8))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_depth_on_ray(&self, pixel_10: PixelIn, path_15: Path, hit_8: Hit) -> rt::Scalar<f32> {
-        return ((rt::Scalar(path_15.start) + rt::Scalar(hit_8.t)) / pixel_10.direction.length());
+    fn v_depth_on_ray(&self, pixel_11: PixelIn, path_15: Path, hit_8: Hit) -> rt::Scalar<f32> {
+        return ((rt::Scalar(path_15.start) + rt::Scalar(hit_8.t)) / pixel_11.direction.length());
     }
     pub(crate) fn footprint_axis(
         &self,
-        pixel_11: PixelIn,
+        pixel_12: PixelIn,
         at_25: Entered,
         normal_11: impl rt::Into<rt::Vec3<f32>>,
         t_14: impl rt::Into<rt::Scalar<f32>>,
         origin: impl rt::Into<rt::Vec3<f32>>,
         direction_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_footprint_axis(pixel_11, at_25, rt::into(normal_11), rt::into(t_14), rt::into(origin), rt::into(direction_4)))
+        rt::into(self.v_footprint_axis(pixel_12, at_25, rt::into(normal_11), rt::into(t_14), rt::into(origin), rt::into(direction_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_footprint_axis(
         &self,
-        pixel_11: PixelIn,
+        pixel_12: PixelIn,
         at_25: Entered,
         normal_11: rt::Vec3<f32>,
         t_14: rt::Scalar<f32>,
@@ -5126,34 +5166,34 @@ impl<'g> Resources<'g> {
         direction_4: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
         let aside_3 = (origin + (direction_4 * t_14));
-        let along_24 = (normal_11.dot(aside_3) / normal_11.dot(pixel_11.direction));
-        let _e15 = self.v_climb(at_25, (aside_3 - (pixel_11.direction * along_24)));
+        let along_24 = (normal_11.dot(aside_3) / normal_11.dot(pixel_12.direction));
+        let _e15 = self.v_climb(at_25, (aside_3 - (pixel_12.direction * along_24)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.to_f32());
     }
     pub(crate) fn footprint_of(
         &self,
-        pixel_12: PixelIn,
+        pixel_13: PixelIn,
         at_26: Entered,
         anisotropy: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_footprint_of(pixel_12, at_26, rt::into(anisotropy)))
+        rt::into(self.v_footprint_of(pixel_13, at_26, rt::into(anisotropy)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_of(
         &self,
-        pixel_12: PixelIn,
+        pixel_13: PixelIn,
         at_26: Entered,
         anisotropy: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let normal_24 = at_26.facing;
-        let _e4 = self.v_plane_distance(pixel_12, normal_24);
+        let _e4 = self.v_plane_distance(pixel_13, normal_24);
         let _e7 = self.frame.eye_right;
         let _e11 = self.frame.right;
-        let _e13 = self.v_footprint_axis(pixel_12, at_26, normal_24, _e4, _e7.xyz(), _e11.xyz());
+        let _e13 = self.v_footprint_axis(pixel_13, at_26, normal_24, _e4, _e7.xyz(), _e11.xyz());
         let _e16 = self.frame.eye_down;
         let _e20 = self.frame.down;
-        let _e22 = self.v_footprint_axis(pixel_12, at_26, normal_24, _e4, _e16.xyz(), _e20.xyz());
+        let _e22 = self.v_footprint_axis(pixel_13, at_26, normal_24, _e4, _e16.xyz(), _e20.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
         let sum_8 = both.dot(both);
         let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
@@ -5166,23 +5206,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn detail_fade(
         &self,
-        pixel_13: PixelIn,
+        pixel_14: PixelIn,
         at_27: Entered,
         params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_fade(pixel_13, at_27, rt::into(params_17)))
+        rt::into(self.v_detail_fade(pixel_14, at_27, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_fade(
         &self,
-        pixel_13: PixelIn,
+        pixel_14: PixelIn,
         at_27: Entered,
         params_17: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_13, at_27, params_17.x());
+        let _e4 = self.v_footprint_of(pixel_14, at_27, params_17.x());
         let begin_4 = (params_17.z() * params_17.w());
-        let _e8 = self.v_depth_in_samples(pixel_13, at_27);
+        let _e8 = self.v_depth_in_samples(pixel_14, at_27);
         let part_12 = ((begin_4 - _e8) / (begin_4 - params_17.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_17.y()), _e19);
@@ -5191,63 +5231,63 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn detail_footprint(
         &self,
-        pixel_14: PixelIn,
+        pixel_15: PixelIn,
         at_28: Entered,
         params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_14, at_28, rt::into(params_18)))
+        rt::into(self.v_detail_footprint(pixel_15, at_28, rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_footprint(
         &self,
-        pixel_14: PixelIn,
+        pixel_15: PixelIn,
         at_28: Entered,
         params_18: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_14, at_28, params_18.x());
+        let _e4 = self.v_footprint_of(pixel_15, at_28, params_18.x());
         let _e9 = rt::Scalar(self.surface_settings.height_levels);
         let _e10 = self.v_levels_of((_e4 / params_18.y()), _e9);
         return <Detail>::new(rt::Scalar(_e10.fine), _e4, rt::Scalar(0f32));
     }
     pub(crate) fn detail_none(
         &self,
-        pixel_15: PixelIn,
+        pixel_16: PixelIn,
         at_29: Entered,
         params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_15, at_29, rt::into(params_19)))
+        rt::into(self.v_detail_none(pixel_16, at_29, rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_detail_none(
         &self,
-        pixel_15: PixelIn,
+        pixel_16: PixelIn,
         at_29: Entered,
         params_19: rt::Vec4<f32>,
     ) -> Detail {
         return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn detail_stage(&self, pixel_16: PixelIn, at_30: Entered) -> Detail {
-        rt::into(self.v_detail_stage(pixel_16, at_30))
+    pub(crate) fn detail_stage(&self, pixel_17: PixelIn, at_30: Entered) -> Detail {
+        rt::into(self.v_detail_stage(pixel_17, at_30))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_detail_stage(&self, pixel_16: PixelIn, at_30: Entered) -> Detail {
+    fn v_detail_stage(&self, pixel_17: PixelIn, at_30: Entered) -> Detail {
         let _e6 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[4usize].params;
-                let _e12 = self.v_detail_none(pixel_16, at_30, _e11);
+                let _e12 = self.v_detail_none(pixel_17, at_30, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[4usize].params;
-                let _e18 = self.v_detail_footprint(pixel_16, at_30, _e17);
+                let _e18 = self.v_detail_footprint(pixel_17, at_30, _e17);
                 return _e18;
             }
             _ => {
                 let _e23 = self.surface_settings.choices[4usize].params;
-                let _e24 = self.v_detail_fade(pixel_16, at_30, _e23);
+                let _e24 = self.v_detail_fade(pixel_17, at_30, _e23);
                 return _e24;
             }
         }
@@ -5318,22 +5358,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn dice_border(
         &self,
-        rows: DiceRows,
+        rows_1: DiceRows,
         side: impl rt::Into<rt::Scalar<u32>>,
         at_31: impl rt::Into<rt::Scalar<u32>>,
     ) -> DicePoint {
-        rt::into(self.v_dice_border(rows, rt::into(side), rt::into(at_31)))
+        rt::into(self.v_dice_border(rows_1, rt::into(side), rt::into(at_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_border(
         &self,
-        rows: DiceRows,
+        rows_1: DiceRows,
         side: rt::Scalar<u32>,
         at_31: rt::Scalar<u32>,
     ) -> DicePoint {
-        let _e4 = self.v_one_of(rows.sides, side);
-        let _e6 = self.v_one_of(rows.parts, side);
+        let _e4 = self.v_one_of(rows_1.sides, side);
+        let _e6 = self.v_one_of(rows_1.parts, side);
         let on_side = at_31.select((_e6 - at_31), side.elementwise_eq(rt::Scalar(2u32)));
         let no_weights = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(on_side.elementwise_eq(_e6)) {
@@ -5344,22 +5384,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn dice_guess(
         &self,
-        rows_1: DiceRows,
+        rows_2: DiceRows,
         before: impl rt::Into<rt::Scalar<u32>>,
         all: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_guess(rows_1, rt::into(before), rt::into(all)))
+        rt::into(self.v_dice_guess(rows_2, rt::into(before), rt::into(all)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_guess(
         &self,
-        rows_1: DiceRows,
+        rows_2: DiceRows,
         before: rt::Scalar<u32>,
         all: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let part_13 = ((before.to_f32() + rt::Scalar(0.5f32)) / all.max(rt::Scalar(1u32)).to_f32()).sqrt();
-        return (part_13 * rt::Scalar(rows_1.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_1.count) - rt::Scalar(1u32)));
+        return (part_13 * rt::Scalar(rows_2.count).to_f32()).to_u32().clamp(rt::Scalar(0u32), (rt::Scalar(rows_2.count) - rt::Scalar(1u32)));
     }
     pub(crate) fn sum_of_quotients(
         &self,
@@ -5431,69 +5471,69 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn dice_parts_before(
         &self,
-        rows_2: DiceRows,
+        rows_3: DiceRows,
         count_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_parts_before(rows_2, rt::into(count_3)))
+        rt::into(self.v_dice_parts_before(rows_3, rt::into(count_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_parts_before(
         &self,
-        rows_2: DiceRows,
+        rows_3: DiceRows,
         count_3: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e9 = self.v_sum_of_quotients(count_3, rt::Scalar(rows_2.count), rows_2.parts.y(), (rows_2.parts.y() - rt::Scalar(1u32)));
+        let _e9 = self.v_sum_of_quotients(count_3, rt::Scalar(rows_3.count), rows_3.parts.y(), (rows_3.parts.y() - rt::Scalar(1u32)));
         return _e9;
     }
     pub(crate) fn dice_points_before(
         &self,
-        rows_3: DiceRows,
+        rows_4: DiceRows,
         row: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_points_before(rows_3, rt::into(row)))
+        rt::into(self.v_dice_points_before(rows_4, rt::into(row)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_points_before(
         &self,
-        rows_3: DiceRows,
+        rows_4: DiceRows,
         row: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_dice_parts_before(rows_3, (row - rt::Scalar(1u32)));
+        let _e4 = self.v_dice_parts_before(rows_4, (row - rt::Scalar(1u32)));
         return _e4;
     }
-    pub(crate) fn dice_points(&self, rows_4: DiceRows) -> u32 {
-        rt::into(self.v_dice_points(rows_4))
+    pub(crate) fn dice_points(&self, rows_5: DiceRows) -> u32 {
+        rt::into(self.v_dice_points(rows_5))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_dice_points(&self, rows_4: DiceRows) -> rt::Scalar<u32> {
-        let _e2 = self.v_dice_points_before(rows_4, rt::Scalar(rows_4.count));
+    fn v_dice_points(&self, rows_5: DiceRows) -> rt::Scalar<u32> {
+        let _e2 = self.v_dice_points_before(rows_5, rt::Scalar(rows_5.count));
         return _e2;
     }
     pub(crate) fn dice_row_of_point(
         &self,
-        rows_5: DiceRows,
+        rows_6: DiceRows,
         number_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_row_of_point(rows_5, rt::into(number_4)))
+        rt::into(self.v_dice_row_of_point(rows_6, rt::into(number_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_dice_row_of_point(
         &self,
-        rows_5: DiceRows,
+        rows_6: DiceRows,
         number_4: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let mut row_1: rt::Scalar<u32>;
 
-        let _e2 = self.v_dice_points(rows_5);
-        let _e3 = self.v_dice_guess(rows_5, number_4, _e2);
+        let _e2 = self.v_dice_points(rows_6);
+        let _e3 = self.v_dice_guess(rows_6, number_4, _e2);
         row_1 = _e3.max(rt::Scalar(1u32));
         'naga_break: loop {
             'naga_continue: {
                 let _e7 = row_1;
-                let _e8 = self.v_dice_points_before(rows_5, _e7);
+                let _e8 = self.v_dice_points_before(rows_6, _e7);
                 if rt::Scalar::into_branch_condition(_e8.elementwise_gt(number_4)) {
                 } else {
                     break 'naga_break;
@@ -5507,7 +5547,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = row_1;
-                let _e16 = self.v_dice_points_before(rows_5, (_e13 + rt::Scalar(1u32)));
+                let _e16 = self.v_dice_points_before(rows_6, (_e13 + rt::Scalar(1u32)));
                 if rt::Scalar::into_branch_condition(_e16.elementwise_le(number_4)) {
                 } else {
                     break 'naga_break;
@@ -5523,143 +5563,143 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn dice_place(
         &self,
-        rows_6: DiceRows,
+        rows_7: DiceRows,
         number_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> DicePlace {
-        rt::into(self.v_dice_place(rows_6, rt::into(number_5)))
+        rt::into(self.v_dice_place(rows_7, rt::into(number_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_place(
         &self,
-        rows_6: DiceRows,
+        rows_7: DiceRows,
         number_5: rt::Scalar<u32>,
     ) -> DicePlace {
-        let _e2 = self.v_dice_row_of_point(rows_6, number_5);
-        let _e3 = self.v_dice_points_before(rows_6, _e2);
+        let _e2 = self.v_dice_row_of_point(rows_7, number_5);
+        let _e3 = self.v_dice_points_before(rows_7, _e2);
         return <DicePlace>::new(_e2, ((number_5 - _e3) + rt::Scalar(1u32)));
     }
     pub(crate) fn dice_share(
         &self,
-        rows_7: DiceRows,
+        rows_8: DiceRows,
         row_2: impl rt::Into<rt::Scalar<u32>>,
         parts_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_share(rows_7, rt::into(row_2), rt::into(parts_1)))
+        rt::into(self.v_dice_share(rows_8, rt::into(row_2), rt::into(parts_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_share(
         &self,
-        rows_7: DiceRows,
+        rows_8: DiceRows,
         row_2: rt::Scalar<u32>,
         parts_1: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        return ((((row_2 * parts_1) + rt::Scalar(rows_7.count)) - rt::Scalar(1u32)) / rt::Scalar(rows_7.count));
+        return ((((row_2 * parts_1) + rt::Scalar(rows_8.count)) - rt::Scalar(1u32)) / rt::Scalar(rows_8.count));
     }
     pub(crate) fn dice_row_parts(
         &self,
-        rows_8: DiceRows,
+        rows_9: DiceRows,
         row_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_row_parts(rows_8, rt::into(row_3)))
+        rt::into(self.v_dice_row_parts(rows_9, rt::into(row_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_row_parts(
         &self,
-        rows_8: DiceRows,
+        rows_9: DiceRows,
         row_3: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_dice_share(rows_8, row_3, rows_8.parts.y());
+        let _e4 = self.v_dice_share(rows_9, row_3, rows_9.parts.y());
         return _e4;
     }
-    pub(crate) fn dice_point(&self, rows_9: DiceRows, place_9: DicePlace) -> DicePoint {
-        rt::into(self.v_dice_point(rows_9, place_9))
+    pub(crate) fn dice_point(&self, rows_10: DiceRows, place_9: DicePlace) -> DicePoint {
+        rt::into(self.v_dice_point(rows_10, place_9))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_dice_point(&self, rows_9: DiceRows, place_9: DicePlace) -> DicePoint {
+    fn v_dice_point(&self, rows_10: DiceRows, place_9: DicePlace) -> DicePoint {
         if rt::Scalar::into_branch_condition(rt::Scalar(place_9.row).elementwise_eq(rt::Scalar(0u32))) {
-            let _e7 = self.v_dice_border(rows_9, rt::Scalar(0u32), rt::Scalar(0u32));
+            let _e7 = self.v_dice_border(rows_10, rt::Scalar(0u32), rt::Scalar(0u32));
             return _e7;
         }
-        if rt::Scalar::into_branch_condition(rt::Scalar(place_9.row).elementwise_eq(rt::Scalar(rows_9.count))) {
-            let _e13 = self.v_dice_border(rows_9, rt::Scalar(1u32), rt::Scalar(place_9.at));
+        if rt::Scalar::into_branch_condition(rt::Scalar(place_9.row).elementwise_eq(rt::Scalar(rows_10.count))) {
+            let _e13 = self.v_dice_border(rows_10, rt::Scalar(1u32), rt::Scalar(place_9.at));
             return _e13;
         }
-        let _e15 = self.v_dice_row_parts(rows_9, rt::Scalar(place_9.row));
-        let _e19 = self.v_dice_share(rows_9, rt::Scalar(place_9.row), rows_9.parts.x());
-        let _e23 = self.v_dice_share(rows_9, rt::Scalar(place_9.row), rows_9.parts.z());
+        let _e15 = self.v_dice_row_parts(rows_10, rt::Scalar(place_9.row));
+        let _e19 = self.v_dice_share(rows_10, rt::Scalar(place_9.row), rows_10.parts.x());
+        let _e23 = self.v_dice_share(rows_10, rt::Scalar(place_9.row), rows_10.parts.z());
         if rt::Scalar::into_branch_condition(rt::Scalar(place_9.at).elementwise_eq(rt::Scalar(0u32))) {
-            let _e28 = self.v_dice_border(rows_9, rt::Scalar(0u32), _e19);
+            let _e28 = self.v_dice_border(rows_10, rt::Scalar(0u32), _e19);
             return _e28;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(place_9.at).elementwise_eq(_e15)) {
-            let _e32 = self.v_dice_border(rows_9, rt::Scalar(2u32), _e23);
+            let _e32 = self.v_dice_border(rows_10, rt::Scalar(2u32), _e23);
             return _e32;
         }
-        let on_short = (((_e15 - rt::Scalar(place_9.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_9.parts.x().to_f32()));
-        let on_other = ((rt::Scalar(place_9.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_9.parts.z().to_f32()));
+        let on_short = (((_e15 - rt::Scalar(place_9.at)).to_f32() / _e15.to_f32()) * (_e19.to_f32() / rows_10.parts.x().to_f32()));
+        let on_other = ((rt::Scalar(place_9.at).to_f32() / _e15.to_f32()) * (_e23.to_f32() / rows_10.parts.z().to_f32()));
         let on_corner = ((rt::Scalar(1f32) - on_short) - on_other);
-        let x_7 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(0u32)));
-        let y_5 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(1u32)));
-        let z_2 = on_other.select(on_short, rows_9.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_9.sides.x().elementwise_eq(rt::Scalar(2u32)));
-        let _e88 = self.v_dice_points_before(rows_9, rt::Scalar(place_9.row));
+        let x_7 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(0u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(0u32)));
+        let y_5 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(1u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(1u32)));
+        let z_2 = on_other.select(on_short, rows_10.sides.y().elementwise_eq(rt::Scalar(2u32))).select(on_corner, rows_10.sides.x().elementwise_eq(rt::Scalar(2u32)));
+        let _e88 = self.v_dice_points_before(rows_10, rt::Scalar(place_9.row));
         let number_25 = ((_e88 + rt::Scalar(place_9.at)) - rt::Scalar(1u32));
         return <DicePoint>::new(INSIDE, number_25, <rt::Vec3<f32>>::from_scalars(x_7, y_5, z_2));
     }
     pub(crate) fn dice_triangles_before(
         &self,
-        rows_10: DiceRows,
+        rows_11: DiceRows,
         row_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_triangles_before(rows_10, rt::into(row_4)))
+        rt::into(self.v_dice_triangles_before(rows_11, rt::into(row_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_dice_triangles_before(
         &self,
-        rows_10: DiceRows,
+        rows_11: DiceRows,
         row_4: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
-        let _e4 = self.v_dice_share(rows_10, row_4, rows_10.parts.x());
-        let _e7 = self.v_dice_share(rows_10, row_4, rows_10.parts.z());
+        let _e4 = self.v_dice_share(rows_11, row_4, rows_11.parts.x());
+        let _e7 = self.v_dice_share(rows_11, row_4, rows_11.parts.z());
         let ends_1 = (_e4 + _e7);
-        let _e10 = self.v_dice_parts_before(rows_10, row_4);
-        let _e13 = self.v_dice_row_parts(rows_10, row_4);
+        let _e10 = self.v_dice_parts_before(rows_11, row_4);
+        let _e13 = self.v_dice_row_parts(rows_11, row_4);
         return (((rt::Scalar(2u32) * _e10) + ends_1) - _e13);
     }
-    pub(crate) fn dice_triangles(&self, rows_11: DiceRows) -> u32 {
-        rt::into(self.v_dice_triangles(rows_11))
+    pub(crate) fn dice_triangles(&self, rows_12: DiceRows) -> u32 {
+        rt::into(self.v_dice_triangles(rows_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_dice_triangles(&self, rows_11: DiceRows) -> rt::Scalar<u32> {
-        let _e2 = self.v_dice_triangles_before(rows_11, rt::Scalar(rows_11.count));
+    fn v_dice_triangles(&self, rows_12: DiceRows) -> rt::Scalar<u32> {
+        let _e2 = self.v_dice_triangles_before(rows_12, rt::Scalar(rows_12.count));
         return _e2;
     }
     pub(crate) fn dice_row_of_triangle(
         &self,
-        rows_12: DiceRows,
+        rows_13: DiceRows,
         number_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> u32 {
-        rt::into(self.v_dice_row_of_triangle(rows_12, rt::into(number_6)))
+        rt::into(self.v_dice_row_of_triangle(rows_13, rt::into(number_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_dice_row_of_triangle(
         &self,
-        rows_12: DiceRows,
+        rows_13: DiceRows,
         number_6: rt::Scalar<u32>,
     ) -> rt::Scalar<u32> {
         let mut row_5: rt::Scalar<u32>;
 
-        let _e2 = self.v_dice_triangles(rows_12);
-        let _e3 = self.v_dice_guess(rows_12, number_6, _e2);
+        let _e2 = self.v_dice_triangles(rows_13);
+        let _e3 = self.v_dice_guess(rows_13, number_6, _e2);
         row_5 = _e3;
         'naga_break: loop {
             'naga_continue: {
                 let _e5 = row_5;
-                let _e6 = self.v_dice_triangles_before(rows_12, _e5);
+                let _e6 = self.v_dice_triangles_before(rows_13, _e5);
                 if rt::Scalar::into_branch_condition(_e6.elementwise_gt(number_6)) {
                 } else {
                     break 'naga_break;
@@ -5673,7 +5713,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e11 = row_5;
-                let _e14 = self.v_dice_triangles_before(rows_12, (_e11 + rt::Scalar(1u32)));
+                let _e14 = self.v_dice_triangles_before(rows_13, (_e11 + rt::Scalar(1u32)));
                 if rt::Scalar::into_branch_condition(_e14.elementwise_le(number_6)) {
                 } else {
                     break 'naga_break;
@@ -5780,31 +5820,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn dice_triangle(
         &self,
-        rows_13: DiceRows,
+        rows_14: DiceRows,
         number_7: impl rt::Into<rt::Scalar<u32>>,
     ) -> DiceTriangle {
-        rt::into(self.v_dice_triangle(rows_13, rt::into(number_7)))
+        rt::into(self.v_dice_triangle(rows_14, rt::into(number_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_dice_triangle(
         &self,
-        rows_13: DiceRows,
+        rows_14: DiceRows,
         number_7: rt::Scalar<u32>,
     ) -> DiceTriangle {
         let mut local_27: rt::Scalar<bool>;
 
-        let _e2 = self.v_dice_row_of_triangle(rows_13, number_7);
-        let _e5 = self.v_dice_row_parts(rows_13, (_e2 - rt::Scalar(1u32)));
-        let _e6 = self.v_dice_row_parts(rows_13, _e2);
+        let _e2 = self.v_dice_row_of_triangle(rows_14, number_7);
+        let _e5 = self.v_dice_row_parts(rows_14, (_e2 - rt::Scalar(1u32)));
+        let _e6 = self.v_dice_row_parts(rows_14, _e2);
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(1u32))) {
-            let _e15 = self.v_dice_share(rows_13, (_e2 - rt::Scalar(1u32)), rows_13.parts.x());
-            let _e18 = self.v_dice_share(rows_13, _e2, rows_13.parts.x());
+            let _e15 = self.v_dice_share(rows_14, (_e2 - rt::Scalar(1u32)), rows_14.parts.x());
+            let _e18 = self.v_dice_share(rows_14, _e2, rows_14.parts.x());
             local_27 = _e15.elementwise_eq(_e18);
         } else {
             local_27 = rt::Scalar(false);
         }
         let is_shared = local_27;
-        let _e24 = self.v_dice_triangles_before(rows_13, (_e2 - rt::Scalar(1u32)));
+        let _e24 = self.v_dice_triangles_before(rows_14, (_e2 - rt::Scalar(1u32)));
         let step_5 = ((number_7 - _e24) + rt::Scalar(0u32).select(rt::Scalar(1u32), is_shared));
         let _e30 = self.v_dice_steps_below(_e5, _e6, step_5);
         let i_5 = (step_5 - _e30);
@@ -5908,15 +5948,15 @@ impl<'g> Resources<'g> {
         level_29: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size(level_29);
-        let point_25 = ((uv_7 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_25);
-        let f_1 = (point_25 - _e8);
+        let point_26 = ((uv_7 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_26);
+        let f_1 = (point_26 - _e8);
         let _e11 = self.v_height_cell(_e8.to_i32(), level_29);
-        let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
+        let top_6 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_3 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
         let left_4 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
         let right_3 = (_e11.y() + ((_e11.w() - _e11.y()) * f_1.y()));
-        return <rt::Vec3<f32>>::from_scalars((top_5 + ((bottom_3 - top_5) * f_1.y())), ((right_3 - left_4) * _e2.x()), ((bottom_3 - top_5) * _e2.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_6 + ((bottom_3 - top_6) * f_1.y())), ((right_3 - left_4) * _e2.x()), ((bottom_3 - top_6) * _e2.y()));
     }
     pub(crate) fn relief_between_levels(
         &self,
@@ -6091,14 +6131,14 @@ impl<'g> Resources<'g> {
         let before_2 = rt::Scalar(_e20.sides);
         return ((end_4 & last_7) & before_2).elementwise_ne(rt::Scalar(0u32));
     }
-    pub(crate) fn plane_normal(&self, pixel_17: PixelIn) -> rt::Vec3<f32> {
-        rt::into(self.v_plane_normal(pixel_17))
+    pub(crate) fn plane_normal(&self, pixel_18: PixelIn) -> rt::Vec3<f32> {
+        rt::into(self.v_plane_normal(pixel_18))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_plane_normal(&self, pixel_17: PixelIn) -> rt::Vec3<f32> {
-        let a_31 = pixel_17.a.position;
-        return (pixel_17.b.position - a_31).cross((pixel_17.c.position - a_31));
+    fn v_plane_normal(&self, pixel_18: PixelIn) -> rt::Vec3<f32> {
+        let a_31 = pixel_18.a.position;
+        return (pixel_18.b.position - a_31).cross((pixel_18.c.position - a_31));
     }
     pub(crate) fn weights_of(
         &self,
@@ -6106,9 +6146,9 @@ impl<'g> Resources<'g> {
         b_11: impl rt::Into<rt::Vec3<f32>>,
         c_5: impl rt::Into<rt::Vec3<f32>>,
         normal_13: impl rt::Into<rt::Vec3<f32>>,
-        point_7: impl rt::Into<rt::Vec3<f32>>,
+        point_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_weights_of(rt::into(a_11), rt::into(b_11), rt::into(c_5), rt::into(normal_13), rt::into(point_7)))
+        rt::into(self.v_weights_of(rt::into(a_11), rt::into(b_11), rt::into(c_5), rt::into(normal_13), rt::into(point_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -6118,66 +6158,66 @@ impl<'g> Resources<'g> {
         b_11: rt::Vec3<f32>,
         c_5: rt::Vec3<f32>,
         normal_13: rt::Vec3<f32>,
-        point_7: rt::Vec3<f32>,
+        point_8: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let nn = normal_13.dot(normal_13);
-        let from_a = (point_7 - a_11);
+        let from_a = (point_8 - a_11);
         let wb = (from_a.cross((c_5 - a_11)).dot(normal_13) / nn);
         let wc = ((b_11 - a_11).cross(from_a).dot(normal_13) / nn);
         return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - wb) - wc), wb, wc);
     }
     pub(crate) fn plane_weights(
         &self,
-        pixel_18: PixelIn,
+        pixel_19: PixelIn,
         normal_14: impl rt::Into<rt::Vec3<f32>>,
-        point_8: impl rt::Into<rt::Vec3<f32>>,
+        point_9: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_plane_weights(pixel_18, rt::into(normal_14), rt::into(point_8)))
+        rt::into(self.v_plane_weights(pixel_19, rt::into(normal_14), rt::into(point_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_weights(
         &self,
-        pixel_18: PixelIn,
+        pixel_19: PixelIn,
         normal_14: rt::Vec3<f32>,
-        point_8: rt::Vec3<f32>,
+        point_9: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e9 = self.v_weights_of(pixel_18.a.position, pixel_18.b.position, pixel_18.c.position, normal_14, point_8);
+        let _e9 = self.v_weights_of(pixel_19.a.position, pixel_19.b.position, pixel_19.c.position, normal_14, point_9);
         return _e9;
     }
     pub(crate) fn surface_plane_enter(
         &self,
-        pixel_19: PixelIn,
+        pixel_20: PixelIn,
         params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_enter(pixel_19, rt::into(params_20)))
+        rt::into(self.v_surface_plane_enter(pixel_20, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_enter(
         &self,
-        pixel_19: PixelIn,
+        pixel_20: PixelIn,
         params_20: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_30: rt::Scalar<bool>;
 
-        let _e2 = self.v_plane_normal(pixel_19);
-        let _e5 = self.v_plane_distance(pixel_19, _e2);
-        let point_26 = (pixel_19.origin + (pixel_19.direction * _e5));
-        let _e8 = self.v_plane_weights(pixel_19, _e2, point_26);
+        let _e2 = self.v_plane_normal(pixel_20);
+        let _e5 = self.v_plane_distance(pixel_20, _e2);
+        let point_27 = (pixel_20.origin + (pixel_20.direction * _e5));
+        let _e8 = self.v_plane_weights(pixel_20, _e2, point_27);
         let wa = _e8.x();
         let wb_1 = _e8.y();
         let wc_1 = _e8.z();
-        let uv_34 = (((pixel_19.a.uv * wa) + (pixel_19.b.uv * wb_1)) + (pixel_19.c.uv * wc_1));
-        let tangent_1 = (((pixel_19.a.tangent * wa) + (pixel_19.b.tangent * wb_1)) + (pixel_19.c.tangent * wc_1));
-        let bitangent = (((pixel_19.a.bitangent * wa) + (pixel_19.b.bitangent * wb_1)) + (pixel_19.c.bitangent * wc_1));
-        let normal_25 = ((((pixel_19.a.normal * wa) + (pixel_19.b.normal * wb_1)) + (pixel_19.c.normal * wc_1)).normalize() * rt::Scalar(pixel_19.side));
+        let uv_34 = (((pixel_20.a.uv * wa) + (pixel_20.b.uv * wb_1)) + (pixel_20.c.uv * wc_1));
+        let tangent_1 = (((pixel_20.a.tangent * wa) + (pixel_20.b.tangent * wb_1)) + (pixel_20.c.tangent * wc_1));
+        let bitangent = (((pixel_20.a.bitangent * wa) + (pixel_20.b.bitangent * wb_1)) + (pixel_20.c.bitangent * wc_1));
+        let normal_25 = ((((pixel_20.a.normal * wa) + (pixel_20.b.normal * wb_1)) + (pixel_20.c.normal * wc_1)).normalize() * rt::Scalar(pixel_20.side));
         let tt = tangent_1.dot(tangent_1);
         let tb = tangent_1.dot(bitangent);
         let bb = bitangent.dot(bitangent);
         let area_2 = ((tt * bb) - (tb * tb));
         let _e67 = rt::Scalar(self.surface_settings.scale_m);
         let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
-        let descent_2 = (rt::Scalar(0f32) - normal_25.dot((pixel_19.direction / rt::Vec3::splat_from_scalar(pixel_19.direction.length()))));
+        let descent_2 = (rt::Scalar(0f32) - normal_25.dot((pixel_20.direction / rt::Vec3::splat_from_scalar(pixel_20.direction.length()))));
         if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
             local_30 = descent_2.elementwise_gt(rt::Scalar(0f32));
         } else {
@@ -6185,121 +6225,121 @@ impl<'g> Resources<'g> {
         }
         let _e86 = local_30;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
-        return <Entered>::new(segments, point_26, uv_34, tangent_1, bitangent, normal_25, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_27, uv_34, tangent_1, bitangent, normal_25, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
-        pixel_20: PixelIn,
+        pixel_21: PixelIn,
         along_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_middle_of(pixel_20, rt::into(along_4)))
+        rt::into(self.v_middle_of(pixel_21, rt::into(along_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_middle_of(
         &self,
-        pixel_20: PixelIn,
+        pixel_21: PixelIn,
         along_4: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let centre = (((pixel_20.a.position + pixel_20.b.position) + pixel_20.c.position) * rt::Scalar(0.33333334f32));
-        return (centre - pixel_20.origin).dot(along_4);
+        let centre = (((pixel_21.a.position + pixel_21.b.position) + pixel_21.c.position) * rt::Scalar(0.33333334f32));
+        return (centre - pixel_21.origin).dot(along_4);
     }
     pub(crate) fn prism_of(
         &self,
-        pixel_21: PixelIn,
+        pixel_22: PixelIn,
         along_5: impl rt::Into<rt::Vec3<f32>>,
         middle_3: impl rt::Into<rt::Scalar<f32>>,
         params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Prism {
-        rt::into(self.v_prism_of(pixel_21, rt::into(along_5), rt::into(middle_3), rt::into(params_21)))
+        rt::into(self.v_prism_of(pixel_22, rt::into(along_5), rt::into(middle_3), rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_prism_of(
         &self,
-        pixel_21: PixelIn,
+        pixel_22: PixelIn,
         along_5: rt::Vec3<f32>,
         middle_3: rt::Scalar<f32>,
         params_21: rt::Vec4<f32>,
     ) -> Prism {
-        let origin_4 = (pixel_21.origin + (along_5 * middle_3));
-        let _e8 = self.v_ordered(pixel_21, rt::Scalar(0u32));
-        let _e10 = self.v_ordered(pixel_21, rt::Scalar(1u32));
-        let _e12 = self.v_ordered(pixel_21, rt::Scalar(2u32));
-        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_21.side)), (_e10.normal * rt::Scalar(pixel_21.side)), (_e12.normal * rt::Scalar(pixel_21.side)), (pixel_21.shell.lift * (params_21.y() * rt::Scalar(pixel_21.side))));
+        let origin_4 = (pixel_22.origin + (along_5 * middle_3));
+        let _e8 = self.v_ordered(pixel_22, rt::Scalar(0u32));
+        let _e10 = self.v_ordered(pixel_22, rt::Scalar(1u32));
+        let _e12 = self.v_ordered(pixel_22, rt::Scalar(2u32));
+        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_22.side)), (_e10.normal * rt::Scalar(pixel_22.side)), (_e12.normal * rt::Scalar(pixel_22.side)), (pixel_22.shell.lift * (params_21.y() * rt::Scalar(pixel_22.side))));
     }
     pub(crate) fn frame_at(
         &self,
-        pixel_22: PixelIn,
+        pixel_23: PixelIn,
         weights_1: impl rt::Into<rt::Vec3<f32>>,
-        point_9: impl rt::Into<rt::Vec3<f32>>,
+        point_10: impl rt::Into<rt::Vec3<f32>>,
         uv_12: impl rt::Into<rt::Vec2<f32>>,
         facing: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_frame_at(pixel_22, rt::into(weights_1), rt::into(point_9), rt::into(uv_12), rt::into(facing)))
+        rt::into(self.v_frame_at(pixel_23, rt::into(weights_1), rt::into(point_10), rt::into(uv_12), rt::into(facing)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_frame_at(
         &self,
-        pixel_22: PixelIn,
+        pixel_23: PixelIn,
         weights_1: rt::Vec3<f32>,
-        point_9: rt::Vec3<f32>,
+        point_10: rt::Vec3<f32>,
         uv_12: rt::Vec2<f32>,
         facing: rt::Vec3<f32>,
     ) -> Entered {
-        let _e6 = self.v_ordered(pixel_22, rt::Scalar(0u32));
-        let _e8 = self.v_ordered(pixel_22, rt::Scalar(1u32));
-        let _e10 = self.v_ordered(pixel_22, rt::Scalar(2u32));
+        let _e6 = self.v_ordered(pixel_23, rt::Scalar(0u32));
+        let _e8 = self.v_ordered(pixel_23, rt::Scalar(1u32));
+        let _e10 = self.v_ordered(pixel_23, rt::Scalar(2u32));
         let tangent_2 = (((_e6.tangent * weights_1.x()) + (_e8.tangent * weights_1.y())) + (_e10.tangent * weights_1.z()));
         let bitangent_1 = (((_e6.bitangent * weights_1.x()) + (_e8.bitangent * weights_1.y())) + (_e10.bitangent * weights_1.z()));
         let normal_26 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
         let _e49 = rt::Scalar(self.surface_settings.scale_m);
         let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
-        let unit = (normal_26.normalize() * rt::Scalar(pixel_22.side));
-        return <Entered>::new(rt::Scalar(1u32), point_9, uv_12, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let unit = (normal_26.normalize() * rt::Scalar(pixel_23.side));
+        return <Entered>::new(rt::Scalar(1u32), point_10, uv_12, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facing_of(
         &self,
-        pixel_23: PixelIn,
+        pixel_24: PixelIn,
         along_6: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_facing_of(pixel_23, rt::into(along_6)))
+        rt::into(self.v_facing_of(pixel_24, rt::into(along_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_facing_of(
         &self,
-        pixel_23: PixelIn,
+        pixel_24: PixelIn,
         along_6: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_plane_normal(pixel_23);
-        let unit_1 = (_e2 * (rt::Scalar(pixel_23.side) / _e2.dot(_e2).sqrt()));
+        let _e2 = self.v_plane_normal(pixel_24);
+        let unit_1 = (_e2 * (rt::Scalar(pixel_24.side) / _e2.dot(_e2).sqrt()));
         let cosine_4 = (rt::Scalar(0f32) - unit_1.dot(along_6));
         return (unit_1 - (along_6 * (rt::Scalar(0.0625f32) - cosine_4).max(rt::Scalar(0f32))));
     }
     pub(crate) fn shell_middle(
         &self,
-        pixel_24: PixelIn,
+        pixel_25: PixelIn,
         along_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_shell_middle(pixel_24, rt::into(along_7)))
+        rt::into(self.v_shell_middle(pixel_25, rt::into(along_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_shell_middle(
         &self,
-        pixel_24: PixelIn,
+        pixel_25: PixelIn,
         along_7: rt::Vec3<f32>,
     ) -> Entered {
         let mut at_32: Entered;
 
         let third_2 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_35 = (((pixel_24.a.uv + pixel_24.b.uv) + pixel_24.c.uv) * rt::Scalar(0.33333334f32));
-        let _e17 = self.v_middle_of(pixel_24, along_7);
-        let point_27 = (pixel_24.origin + (along_7 * _e17));
-        let _e20 = self.v_facing_of(pixel_24, along_7);
-        let _e21 = self.v_frame_at(pixel_24, third_2, point_27, uv_35, _e20);
+        let uv_35 = (((pixel_25.a.uv + pixel_25.b.uv) + pixel_25.c.uv) * rt::Scalar(0.33333334f32));
+        let _e17 = self.v_middle_of(pixel_25, along_7);
+        let point_28 = (pixel_25.origin + (along_7 * _e17));
+        let _e20 = self.v_facing_of(pixel_25, along_7);
+        let _e21 = self.v_frame_at(pixel_25, third_2, point_28, uv_35, _e20);
         at_32 = _e21;
         rt::Scalar(at_32.segments) = rt::Scalar(0u32);
         let _e25 = at_32;
@@ -6331,27 +6371,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn way_of(
         &self,
-        pixel_25: PixelIn,
+        pixel_26: PixelIn,
         prism_3: Prism,
         along_9: impl rt::Into<rt::Vec3<f32>>,
     ) -> Way {
-        rt::into(self.v_way_of(pixel_25, prism_3, rt::into(along_9)))
+        rt::into(self.v_way_of(pixel_26, prism_3, rt::into(along_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_way_of(
         &self,
-        pixel_25: PixelIn,
+        pixel_26: PixelIn,
         prism_3: Prism,
         along_9: rt::Vec3<f32>,
     ) -> Way {
-        let first_14 = (rt::Scalar(pixel_25.shell.order) & rt::Scalar(3u32));
-        let second_3 = ((rt::Scalar(pixel_25.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
+        let first_14 = (rt::Scalar(pixel_26.shell.order) & rt::Scalar(3u32));
+        let second_3 = ((rt::Scalar(pixel_26.shell.order) >> rt::Scalar(2u32)) & rt::Scalar(3u32));
         let is_turned = (((second_3 + rt::Scalar(3u32)) - first_14) % rt::Scalar(3u32)).elementwise_ne(rt::Scalar(1u32));
         let _e24 = self.v_way_weight(along_9, prism_3.p1_, prism_3.n1_, prism_3.p2_, prism_3.n2_);
         let _e29 = self.v_way_weight(along_9, prism_3.p2_, prism_3.n2_, prism_3.p0_, prism_3.n0_);
         let _e34 = self.v_way_weight(along_9, prism_3.p0_, prism_3.n0_, prism_3.p1_, prism_3.n1_);
-        return <Way>::new(_e24, _e29, _e34, rt::Scalar(pixel_25.side).select((rt::Scalar(0f32) - rt::Scalar(pixel_25.side)), is_turned));
+        return <Way>::new(_e24, _e29, _e34, rt::Scalar(pixel_26.side).select((rt::Scalar(0f32) - rt::Scalar(pixel_26.side)), is_turned));
     }
     pub(crate) fn offsets_of(&self, shell: Shell) -> rt::Vec2<f32> {
         rt::into(self.v_offsets_of(shell))
@@ -6371,23 +6411,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn way_offsets(
         &self,
-        pixel_26: PixelIn,
+        pixel_27: PixelIn,
         prism_4: Prism,
         slack_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_way_offsets(pixel_26, prism_4, rt::into(slack_3)))
+        rt::into(self.v_way_offsets(pixel_27, prism_4, rt::into(slack_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_way_offsets(
         &self,
-        pixel_26: PixelIn,
+        pixel_27: PixelIn,
         prism_4: Prism,
         slack_3: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
         let mut shell_1: Shell;
 
-        shell_1 = pixel_26.shell;
+        shell_1 = pixel_27.shell;
         shell_1.lift = prism_4.lift;
         let _e10 = self.surface_settings.shell_m.y();
         let _e14 = self.surface_settings.shell_m.x();
@@ -6512,7 +6552,7 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn way_chord(
         &self,
-        pixel_27: PixelIn,
+        pixel_28: PixelIn,
         prism_7: Prism,
         along_10: impl rt::Into<rt::Vec3<f32>>,
         way_5: Way,
@@ -6521,12 +6561,12 @@ impl<'g> Resources<'g> {
         tolerance_1: impl rt::Into<rt::Scalar<f32>>,
         number_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> WayChord {
-        rt::into(self.v_way_chord(pixel_27, prism_7, rt::into(along_10), way_5, rt::into(offsets_1), rt::into(beyond_2), rt::into(tolerance_1), rt::into(number_9)))
+        rt::into(self.v_way_chord(pixel_28, prism_7, rt::into(along_10), way_5, rt::into(offsets_1), rt::into(beyond_2), rt::into(tolerance_1), rt::into(number_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_way_chord(
         &self,
-        pixel_27: PixelIn,
+        pixel_28: PixelIn,
         prism_7: Prism,
         along_10: rt::Vec3<f32>,
         way_5: Way,
@@ -6572,7 +6612,7 @@ impl<'g> Resources<'g> {
                     let _e50 = self.v_is_inside(_e8, (rt::Scalar(0.5f32) * (_e46 + end_5)));
                     if rt::Scalar::into_branch_condition(_e50) {
                         let _e51 = begin;
-                        let _e53 = self.v_chords_of_piece(pixel_27, prism_7, along_10, way_5, <rt::Vec2<f32>>::from_scalars(_e51, end_5), tolerance_1);
+                        let _e53 = self.v_chords_of_piece(pixel_28, prism_7, along_10, way_5, <rt::Vec2<f32>>::from_scalars(_e51, end_5), tolerance_1);
                         let _e54 = count_4;
                         if rt::Scalar::into_branch_condition(number_9.elementwise_ge(_e54)) {
                             let _e58 = count_4;
@@ -6605,31 +6645,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn folded_enter(
         &self,
-        pixel_28: PixelIn,
+        pixel_29: PixelIn,
         params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_folded_enter(pixel_28, rt::into(params_22)))
+        rt::into(self.v_folded_enter(pixel_29, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_folded_enter(
         &self,
-        pixel_28: PixelIn,
+        pixel_29: PixelIn,
         params_22: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_33: Entered;
 
-        let along_25 = pixel_28.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_28, along_25);
-        let _e5 = self.v_prism_of(pixel_28, along_25, _e4, params_22);
-        let _e6 = self.v_shell_middle(pixel_28, along_25);
+        let along_25 = pixel_29.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_29, along_25);
+        let _e5 = self.v_prism_of(pixel_29, along_25, _e4, params_22);
+        let _e6 = self.v_shell_middle(pixel_29, along_25);
         at_33 = _e6;
-        let _e8 = self.v_way_of(pixel_28, _e5, along_25);
-        let _e9 = self.v_shell_slack(pixel_28, _e4);
-        let _e10 = self.v_way_offsets(pixel_28, _e5, _e9);
+        let _e8 = self.v_way_of(pixel_29, _e5, along_25);
+        let _e9 = self.v_shell_slack(pixel_29, _e4);
+        let _e10 = self.v_way_offsets(pixel_29, _e5, _e9);
         let _e11 = at_33;
-        let _e12 = self.v_chord_reach(pixel_28, _e11, _e4, params_22);
+        let _e12 = self.v_chord_reach(pixel_29, _e11, _e4, params_22);
         let _e13 = self.v_way_beyond(_e5, _e10, _e12);
-        let _e17 = self.v_way_chord(pixel_28, _e5, along_25, _e8, _e10, _e13, params_22.x(), rt::Scalar(0u32));
+        let _e17 = self.v_way_chord(pixel_29, _e5, along_25, _e8, _e10, _e13, params_22.x(), rt::Scalar(0u32));
         rt::Scalar(at_33.segments) = rt::Scalar(_e17.count);
         let _e19 = at_33;
         return _e19;
@@ -6671,18 +6711,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn span_of(
         &self,
-        pixel_29: PixelIn,
+        pixel_30: PixelIn,
         prism_8: Prism,
         along_12: impl rt::Into<rt::Vec3<f32>>,
         middle_4: impl rt::Into<rt::Scalar<f32>>,
         params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_span_of(pixel_29, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_23)))
+        rt::into(self.v_span_of(pixel_30, prism_8, rt::into(along_12), rt::into(middle_4), rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_span_of(
         &self,
-        pixel_29: PixelIn,
+        pixel_30: PixelIn,
         prism_8: Prism,
         along_12: rt::Vec3<f32>,
         middle_4: rt::Scalar<f32>,
@@ -6691,12 +6731,12 @@ impl<'g> Resources<'g> {
         let mut shell_2: Shell;
         let mut span_1: rt::Vec2<f32>;
 
-        shell_2 = pixel_29.shell;
+        shell_2 = pixel_30.shell;
         let _e9 = shell_2.lift;
         shell_2.lift = (_e9 * params_23.y());
         let _e12 = shell_2;
         let _e13 = self.v_offsets_of(_e12);
-        let _e14 = self.v_shell_slack(pixel_29, middle_4);
+        let _e14 = self.v_shell_slack(pixel_30, middle_4);
         let low0_ = (prism_8.p0_ + (prism_8.n0_ * _e13.x()));
         let low1_ = (prism_8.p1_ + (prism_8.n1_ * _e13.x()));
         let low2_ = (prism_8.p2_ + (prism_8.n2_ * _e13.x()));
@@ -6846,28 +6886,28 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_prism_enter(
         &self,
-        pixel_30: PixelIn,
+        pixel_31: PixelIn,
         params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_enter(pixel_30, rt::into(params_24)))
+        rt::into(self.v_surface_prism_enter(pixel_31, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_enter(
         &self,
-        pixel_30: PixelIn,
+        pixel_31: PixelIn,
         params_24: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_34: rt::Scalar<bool>;
         let mut at_34: Entered;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_30.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e6 = self.v_folded_enter(pixel_30, params_24);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_31.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e6 = self.v_folded_enter(pixel_31, params_24);
             return _e6;
         }
-        let along_26 = pixel_30.direction.normalize();
-        let _e9 = self.v_middle_of(pixel_30, along_26);
-        let _e10 = self.v_prism_of(pixel_30, along_26, _e9, params_24);
-        let _e11 = self.v_span_of(pixel_30, _e10, along_26, _e9, params_24);
+        let along_26 = pixel_31.direction.normalize();
+        let _e9 = self.v_middle_of(pixel_31, along_26);
+        let _e10 = self.v_prism_of(pixel_31, along_26, _e9, params_24);
+        let _e11 = self.v_span_of(pixel_31, _e10, along_26, _e9, params_24);
         let long_3 = (_e11.y() - _e11.x()).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long_3.elementwise_gt(rt::Scalar(0f32))))) {
             local_34 = (!long_3.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
@@ -6879,10 +6919,10 @@ impl<'g> Resources<'g> {
             let _e28 = self.v_passed_by();
             return _e28;
         }
-        let _e29 = self.v_shell_middle(pixel_30, along_26);
+        let _e29 = self.v_shell_middle(pixel_31, along_26);
         at_34 = _e29;
         at_34.span = _e11;
-        let height_17 = (rt::Scalar(0.5f32) * (pixel_30.shell.heights.x() + pixel_30.shell.heights.y()));
+        let height_17 = (rt::Scalar(0.5f32) * (pixel_31.shell.heights.x() + pixel_31.shell.heights.y()));
         let _e43 = at_34.span.x();
         let _e45 = self.v_shell_point(_e10, (along_26 * _e43), height_17);
         let _e48 = at_34.span.y();
@@ -6896,10 +6936,10 @@ impl<'g> Resources<'g> {
         let _e71 = at_34.span.x();
         let _e76 = self.v_between(_e59, _e50);
         let _e77 = self.v_shell_point_from(_e10, (along_26 * (_e71 + (rt::Scalar(0.75f32) * long_3))), _e76);
-        let _e79 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e68, rt::Scalar(0.25f32));
-        let _e81 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e77, rt::Scalar(0.75f32));
+        let _e79 = self.v_beside_chord(pixel_31, _e45, _e59, _e50, _e68, rt::Scalar(0.25f32));
+        let _e81 = self.v_beside_chord(pixel_31, _e45, _e59, _e50, _e77, rt::Scalar(0.75f32));
         let quarters_1 = _e79.max(_e81);
-        let _e84 = self.v_beside_chord(pixel_30, _e45, _e59, _e50, _e59, rt::Scalar(0.5f32));
+        let _e84 = self.v_beside_chord(pixel_31, _e45, _e59, _e50, _e59, rt::Scalar(0.5f32));
         let most_11 = _e84.max(quarters_1);
         rt::Scalar(at_34.segments) = (most_11 / params_24.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).to_u32();
         let _e95 = at_34;
@@ -6943,58 +6983,58 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn quadric_of(
         &self,
-        pixel_31: PixelIn,
-        point_10: impl rt::Into<rt::Vec3<f32>>,
+        pixel_32: PixelIn,
+        point_11: impl rt::Into<rt::Vec3<f32>>,
         lift_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_quadric_of(pixel_31, rt::into(point_10), rt::into(lift_1)))
+        rt::into(self.v_quadric_of(pixel_32, rt::into(point_11), rt::into(lift_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quadric_of(
         &self,
-        pixel_31: PixelIn,
-        point_10: rt::Vec3<f32>,
+        pixel_32: PixelIn,
+        point_11: rt::Vec3<f32>,
         lift_1: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut height_3: rt::Scalar<f32>;
 
-        let _e3 = self.v_plane_normal(pixel_31);
-        let _e4 = self.v_plane_weights(pixel_31, _e3, point_10);
-        let quadric_2 = (((pixel_31.a.of_surface * _e4.x()) + (pixel_31.b.of_surface * _e4.y())) + (pixel_31.c.of_surface * _e4.z()));
+        let _e3 = self.v_plane_normal(pixel_32);
+        let _e4 = self.v_plane_weights(pixel_32, _e3, point_11);
+        let quadric_2 = (((pixel_32.a.of_surface * _e4.x()) + (pixel_32.b.of_surface * _e4.y())) + (pixel_32.c.of_surface * _e4.z()));
         let _e19 = self.v_base_height();
         height_3 = _e19;
         let _e23 = rt::Scalar(self.surface_settings.bias_m);
         let _e26 = rt::Scalar(self.surface_settings.scale_m);
         if rt::Scalar::into_branch_condition((_e23 + _e26).elementwise_gt(rt::Scalar(0f32))) {
             let _e30 = height_3;
-            height_3 = ((rt::Scalar(2f32) * _e30) - rt::Scalar(1f32)).select(rt::Scalar(1f32), rt::Scalar(pixel_31.side).elementwise_gt(rt::Scalar(0f32)));
+            height_3 = ((rt::Scalar(2f32) * _e30) - rt::Scalar(1f32)).select(rt::Scalar(1f32), rt::Scalar(pixel_32.side).elementwise_gt(rt::Scalar(0f32)));
         }
-        let _e43 = self.v_ordered_weights(pixel_31.shell, _e4);
-        let _e44 = self.v_lift_of(pixel_31.shell.lift, _e43);
-        let lifted_1 = (_e44 * (lift_1 * rt::Scalar(pixel_31.side)));
+        let _e43 = self.v_ordered_weights(pixel_32.shell, _e4);
+        let _e44 = self.v_lift_of(pixel_32.shell.lift, _e43);
+        let lifted_1 = (_e44 * (lift_1 * rt::Scalar(pixel_32.side)));
         let _e50 = height_3;
         let _e51 = self.v_traced_scale_m();
-        return <rt::Vec4<f32>>::new_31((quadric_2 * rt::Scalar(pixel_31.side)), (_e50 - (lifted_1 / _e51)));
+        return <rt::Vec4<f32>>::new_31((quadric_2 * rt::Scalar(pixel_32.side)), (_e50 - (lifted_1 / _e51)));
     }
     pub(crate) fn surface_quadric_vertical_enter(
         &self,
-        pixel_32: PixelIn,
+        pixel_33: PixelIn,
         params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_vertical_enter(pixel_32, rt::into(params_25)))
+        rt::into(self.v_surface_quadric_vertical_enter(pixel_33, rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_enter(
         &self,
-        pixel_32: PixelIn,
+        pixel_33: PixelIn,
         params_25: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_35: Entered;
 
-        let _e2 = self.v_surface_plane_enter(pixel_32, params_25);
+        let _e2 = self.v_surface_plane_enter(pixel_33, params_25);
         at_35 = _e2;
         let _e6 = at_35.point;
-        let _e8 = self.v_quadric_of(pixel_32, _e6, params_25.y());
+        let _e8 = self.v_quadric_of(pixel_33, _e6, params_25.y());
         at_35.of_surface = _e8;
         let _e11 = at_35.metric.x();
         let _e14 = at_35.metric.z();
@@ -7007,26 +7047,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_quadric_perpendicular_enter(
         &self,
-        pixel_33: PixelIn,
+        pixel_34: PixelIn,
         params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_33, rt::into(params_26)))
+        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_34, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_enter(
         &self,
-        pixel_33: PixelIn,
+        pixel_34: PixelIn,
         params_26: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_36: Entered;
 
-        let _e2 = self.v_surface_quadric_vertical_enter(pixel_33, params_26);
+        let _e2 = self.v_surface_quadric_vertical_enter(pixel_34, params_26);
         at_36 = _e2;
-        let along_27 = pixel_33.direction.length();
+        let along_27 = pixel_34.direction.length();
         let _e6 = at_36;
-        let _e10 = self.v_across_of(_e6, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_27)));
-        let _e11 = self.v_plane_normal(pixel_33);
-        let _e12 = self.v_plane_distance(pixel_33, _e11);
+        let _e10 = self.v_across_of(_e6, (pixel_34.direction / rt::Vec3::splat_from_scalar(along_27)));
+        let _e11 = self.v_plane_normal(pixel_34);
+        let _e12 = self.v_plane_distance(pixel_34, _e11);
         let eye_2 = (rt::Scalar(0f32) - (_e12 * along_27));
         let _e17 = at_36;
         let _e18 = self.v_across_span(_e17, _e10, eye_2);
@@ -7078,17 +7118,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn tetrahedron(
         &self,
-        pixel_34: PixelIn,
+        pixel_35: PixelIn,
         along_13: impl rt::Into<rt::Vec3<f32>>,
         middle_5: impl rt::Into<rt::Scalar<f32>>,
         number_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> Tetrahedron {
-        rt::into(self.v_tetrahedron(pixel_34, rt::into(along_13), rt::into(middle_5), rt::into(number_10)))
+        rt::into(self.v_tetrahedron(pixel_35, rt::into(along_13), rt::into(middle_5), rt::into(number_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_tetrahedron(
         &self,
-        pixel_34: PixelIn,
+        pixel_35: PixelIn,
         along_13: rt::Vec3<f32>,
         middle_5: rt::Scalar<f32>,
         number_10: rt::Scalar<u32>,
@@ -7096,20 +7136,20 @@ impl<'g> Resources<'g> {
         let mut inside_1: rt::Vec2<f32>;
         let mut local_35: rt::Scalar<bool>;
 
-        let origin_5 = (pixel_34.origin + (along_13 * middle_5));
+        let origin_5 = (pixel_35.origin + (along_13 * middle_5));
         let is_first_2 = number_10.elementwise_eq(rt::Scalar(0u32));
         let is_last_1 = number_10.elementwise_eq(rt::Scalar(2u32));
-        let _e12 = self.v_ordered(pixel_34, rt::Scalar(0u32));
-        let _e15 = self.v_raised(_e12, rt::Scalar(pixel_34.side), rt::Scalar(0f32));
+        let _e12 = self.v_ordered(pixel_35, rt::Scalar(0u32));
+        let _e15 = self.v_raised(_e12, rt::Scalar(pixel_35.side), rt::Scalar(0f32));
         let q0_ = (_e15 - origin_5);
-        let _e20 = self.v_ordered(pixel_34, rt::Scalar(1u32).select(rt::Scalar(0u32), is_last_1));
-        let _e25 = self.v_raised(_e20, rt::Scalar(pixel_34.side), rt::Scalar(0f32).select(rt::Scalar(1f32), is_last_1));
+        let _e20 = self.v_ordered(pixel_35, rt::Scalar(1u32).select(rt::Scalar(0u32), is_last_1));
+        let _e25 = self.v_raised(_e20, rt::Scalar(pixel_35.side), rt::Scalar(0f32).select(rt::Scalar(1f32), is_last_1));
         let q1_ = (_e25 - origin_5);
-        let _e30 = self.v_ordered(pixel_34, rt::Scalar(1u32).select(rt::Scalar(2u32), is_first_2));
-        let _e35 = self.v_raised(_e30, rt::Scalar(pixel_34.side), rt::Scalar(1f32).select(rt::Scalar(0f32), is_first_2));
+        let _e30 = self.v_ordered(pixel_35, rt::Scalar(1u32).select(rt::Scalar(2u32), is_first_2));
+        let _e35 = self.v_raised(_e30, rt::Scalar(pixel_35.side), rt::Scalar(1f32).select(rt::Scalar(0f32), is_first_2));
         let q2_ = (_e35 - origin_5);
-        let _e38 = self.v_ordered(pixel_34, rt::Scalar(2u32));
-        let _e41 = self.v_raised(_e38, rt::Scalar(pixel_34.side), rt::Scalar(1f32));
+        let _e38 = self.v_ordered(pixel_35, rt::Scalar(2u32));
+        let _e41 = self.v_raised(_e38, rt::Scalar(pixel_35.side), rt::Scalar(1f32));
         let q3_ = (_e41 - origin_5);
         let e1_ = (q1_ - q0_);
         let e2_ = (q2_ - q0_);
@@ -7127,7 +7167,7 @@ impl<'g> Resources<'g> {
         let g2_ = (along_13.dot(n2_) / volume_1);
         let g3_ = (along_13.dot(n3_) / volume_1);
         let g0_ = (rt::Scalar(0f32) - (along_13.dot(n0_) / volume_1));
-        let _e77 = self.v_shell_slack(pixel_34, middle_5);
+        let _e77 = self.v_shell_slack(pixel_35, middle_5);
         let slack_5 = (_e77 / volume_1.abs());
         inside_1 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_5), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e85 = inside_1;
@@ -7166,55 +7206,55 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn is_met(
         &self,
-        pixel_35: PixelIn,
+        pixel_36: PixelIn,
         along_14: impl rt::Into<rt::Vec3<f32>>,
         middle_6: impl rt::Into<rt::Scalar<f32>>,
         number_11: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_met(pixel_35, rt::into(along_14), rt::into(middle_6), rt::into(number_11)))
+        rt::into(self.v_is_met(pixel_36, rt::into(along_14), rt::into(middle_6), rt::into(number_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_is_met(
         &self,
-        pixel_35: PixelIn,
+        pixel_36: PixelIn,
         along_14: rt::Vec3<f32>,
         middle_6: rt::Scalar<f32>,
         number_11: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
-        let _e4 = self.v_tetrahedron(pixel_35, along_14, middle_6, number_11);
+        let _e4 = self.v_tetrahedron(pixel_36, along_14, middle_6, number_11);
         let inside_5 = _e4.inside;
         return inside_5.y().elementwise_gt(inside_5.x());
     }
     pub(crate) fn surface_tetrahedra_enter(
         &self,
-        pixel_36: PixelIn,
+        pixel_37: PixelIn,
         params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_enter(pixel_36, rt::into(params_27)))
+        rt::into(self.v_surface_tetrahedra_enter(pixel_37, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_enter(
         &self,
-        pixel_36: PixelIn,
+        pixel_37: PixelIn,
         params_27: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_36: rt::Scalar<bool>;
         let mut local_37: rt::Scalar<bool>;
         let mut at_37: Entered;
 
-        let along_28 = pixel_36.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_36, along_28);
-        let _e6 = self.v_is_met(pixel_36, along_28, _e4, rt::Scalar(0u32));
+        let along_28 = pixel_37.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_37, along_28);
+        let _e6 = self.v_is_met(pixel_37, along_28, _e4, rt::Scalar(0u32));
         if rt::Scalar::into_branch_condition((!_e6)) {
-            let _e11 = self.v_is_met(pixel_36, along_28, _e4, rt::Scalar(1u32));
+            let _e11 = self.v_is_met(pixel_37, along_28, _e4, rt::Scalar(1u32));
             local_36 = (!_e11);
         } else {
             local_36 = rt::Scalar(false);
         }
         let _e14 = local_36;
         if rt::Scalar::into_branch_condition(_e14) {
-            let _e18 = self.v_is_met(pixel_36, along_28, _e4, rt::Scalar(2u32));
+            let _e18 = self.v_is_met(pixel_37, along_28, _e4, rt::Scalar(2u32));
             local_37 = (!_e18);
         } else {
             local_37 = rt::Scalar(false);
@@ -7224,7 +7264,7 @@ impl<'g> Resources<'g> {
             let _e22 = self.v_passed_by();
             return _e22;
         }
-        let _e23 = self.v_shell_middle(pixel_36, along_28);
+        let _e23 = self.v_shell_middle(pixel_37, along_28);
         at_37 = _e23;
         rt::Scalar(at_37.segments) = rt::Scalar(3u32);
         let _e27 = at_37;
@@ -7232,26 +7272,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn triangle_distance(
         &self,
-        pixel_37: PixelIn,
+        pixel_38: PixelIn,
         normal_16: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_triangle_distance(pixel_37, rt::into(normal_16)))
+        rt::into(self.v_triangle_distance(pixel_38, rt::into(normal_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_triangle_distance(
         &self,
-        pixel_37: PixelIn,
+        pixel_38: PixelIn,
         normal_16: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let a_34 = (pixel_37.a.position - pixel_37.origin);
-        let b_34 = (pixel_37.b.position - pixel_37.origin);
-        let c_25 = (pixel_37.c.position - pixel_37.origin);
-        let along_29 = (pixel_37.direction / rt::Vec3::splat_from_scalar(pixel_37.direction.dot(pixel_37.direction)));
+        let a_34 = (pixel_38.a.position - pixel_38.origin);
+        let b_34 = (pixel_38.b.position - pixel_38.origin);
+        let c_25 = (pixel_38.c.position - pixel_38.origin);
+        let along_29 = (pixel_38.direction / rt::Vec3::splat_from_scalar(pixel_38.direction.dot(pixel_38.direction)));
         let places_1 = <rt::Vec3<f32>>::from_scalars(a_34.dot(along_29), b_34.dot(along_29), c_25.dot(along_29));
         let least_6 = places_1.x().min(places_1.y()).min(places_1.z());
         let most_12 = places_1.x().max(places_1.y()).max(places_1.z());
-        let across_5 = normal_16.dot(pixel_37.direction);
+        let across_5 = normal_16.dot(pixel_38.direction);
         if rt::Scalar::into_branch_condition(across_5.elementwise_eq(rt::Scalar(0f32))) {
             return least_6;
         }
@@ -7259,21 +7299,21 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn triangle_weights(
         &self,
-        pixel_38: PixelIn,
+        pixel_39: PixelIn,
         normal_17: impl rt::Into<rt::Vec3<f32>>,
-        point_11: impl rt::Into<rt::Vec3<f32>>,
+        point_12: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_triangle_weights(pixel_38, rt::into(normal_17), rt::into(point_11)))
+        rt::into(self.v_triangle_weights(pixel_39, rt::into(normal_17), rt::into(point_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_triangle_weights(
         &self,
-        pixel_38: PixelIn,
+        pixel_39: PixelIn,
         normal_17: rt::Vec3<f32>,
-        point_11: rt::Vec3<f32>,
+        point_12: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e3 = self.v_plane_weights(pixel_38, normal_17, point_11);
+        let _e3 = self.v_plane_weights(pixel_39, normal_17, point_12);
         let inside_6 = _e3.max(<rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
         return (inside_6 / rt::Vec3::splat_from_scalar(((inside_6.x() + inside_6.y()) + inside_6.z())));
     }
@@ -7297,27 +7337,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_facets_enter(
         &self,
-        pixel_39: PixelIn,
+        pixel_40: PixelIn,
         params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_facets_enter(pixel_39, rt::into(params_28)))
+        rt::into(self.v_surface_facets_enter(pixel_40, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_facets_enter(
         &self,
-        pixel_39: PixelIn,
+        pixel_40: PixelIn,
         params_28: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_39: rt::Scalar<bool>;
 
-        let _e2 = self.v_plane_normal(pixel_39);
-        let _e5 = self.v_triangle_distance(pixel_39, _e2);
-        let point_28 = (pixel_39.origin + (pixel_39.direction * _e5));
-        let _e8 = self.v_triangle_weights(pixel_39, _e2, point_28);
-        let uv_37 = (((pixel_39.a.uv * _e8.x()) + (pixel_39.b.uv * _e8.y())) + (pixel_39.c.uv * _e8.z()));
-        let tangent_3 = (((pixel_39.a.tangent * _e8.x()) + (pixel_39.b.tangent * _e8.y())) + (pixel_39.c.tangent * _e8.z()));
-        let bitangent_2 = (((pixel_39.a.bitangent * _e8.x()) + (pixel_39.b.bitangent * _e8.y())) + (pixel_39.c.bitangent * _e8.z()));
-        let sum_11 = ((((pixel_39.a.normal * _e8.x()) + (pixel_39.b.normal * _e8.y())) + (pixel_39.c.normal * _e8.z())) * rt::Scalar(pixel_39.side));
+        let _e2 = self.v_plane_normal(pixel_40);
+        let _e5 = self.v_triangle_distance(pixel_40, _e2);
+        let point_29 = (pixel_40.origin + (pixel_40.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_29);
+        let uv_37 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
+        let tangent_3 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
+        let bitangent_2 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
+        let sum_11 = ((((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z())) * rt::Scalar(pixel_40.side));
         let tt_1 = tangent_3.dot(tangent_3);
         let tb_1 = tangent_3.dot(bitangent_2);
         let bb_1 = bitangent_2.dot(bitangent_2);
@@ -7329,34 +7369,34 @@ impl<'g> Resources<'g> {
         }
         let _e79 = local_39;
         let _e84 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_28, uv_37, tangent_3, bitangent_2, sum_11.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e79), point_29, uv_37, tangent_3, bitangent_2, sum_11.normalize(), <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, _e84), rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_slices_enter(
         &self,
-        pixel_40: PixelIn,
+        pixel_41: PixelIn,
         params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_slices_enter(pixel_40, rt::into(params_29)))
+        rt::into(self.v_surface_slices_enter(pixel_41, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_slices_enter(
         &self,
-        pixel_40: PixelIn,
+        pixel_41: PixelIn,
         params_29: rt::Vec4<f32>,
     ) -> Entered {
         let mut local_40: rt::Scalar<bool>;
         let mut local_41: rt::Scalar<bool>;
         let mut local_42: rt::Scalar<bool>;
 
-        let _e2 = self.v_plane_normal(pixel_40);
-        let _e5 = self.v_triangle_distance(pixel_40, _e2);
-        let point_29 = (pixel_40.origin + (pixel_40.direction * _e5));
-        let _e8 = self.v_triangle_weights(pixel_40, _e2, point_29);
-        let uv_38 = (((pixel_40.a.uv * _e8.x()) + (pixel_40.b.uv * _e8.y())) + (pixel_40.c.uv * _e8.z()));
-        let tangent_4 = (((pixel_40.a.tangent * _e8.x()) + (pixel_40.b.tangent * _e8.y())) + (pixel_40.c.tangent * _e8.z()));
-        let bitangent_3 = (((pixel_40.a.bitangent * _e8.x()) + (pixel_40.b.bitangent * _e8.y())) + (pixel_40.c.bitangent * _e8.z()));
-        let raw_ = (((pixel_40.a.normal * _e8.x()) + (pixel_40.b.normal * _e8.y())) + (pixel_40.c.normal * _e8.z()));
-        let slice_6 = (((pixel_40.a.of_surface * _e8.x()) + (pixel_40.b.of_surface * _e8.y())) + (pixel_40.c.of_surface * _e8.z()));
+        let _e2 = self.v_plane_normal(pixel_41);
+        let _e5 = self.v_triangle_distance(pixel_41, _e2);
+        let point_30 = (pixel_41.origin + (pixel_41.direction * _e5));
+        let _e8 = self.v_triangle_weights(pixel_41, _e2, point_30);
+        let uv_38 = (((pixel_41.a.uv * _e8.x()) + (pixel_41.b.uv * _e8.y())) + (pixel_41.c.uv * _e8.z()));
+        let tangent_4 = (((pixel_41.a.tangent * _e8.x()) + (pixel_41.b.tangent * _e8.y())) + (pixel_41.c.tangent * _e8.z()));
+        let bitangent_3 = (((pixel_41.a.bitangent * _e8.x()) + (pixel_41.b.bitangent * _e8.y())) + (pixel_41.c.bitangent * _e8.z()));
+        let raw_ = (((pixel_41.a.normal * _e8.x()) + (pixel_41.b.normal * _e8.y())) + (pixel_41.c.normal * _e8.z()));
+        let slice_6 = (((pixel_41.a.of_surface * _e8.x()) + (pixel_41.b.of_surface * _e8.y())) + (pixel_41.c.of_surface * _e8.z()));
         let tt_2 = tangent_4.dot(tangent_4);
         let tb_2 = tangent_4.dot(bitangent_3);
         let bb_2 = bitangent_3.dot(bitangent_3);
@@ -7385,20 +7425,20 @@ impl<'g> Resources<'g> {
         }
         let _e122 = local_42;
         let _e128 = rt::Scalar(self.surface_settings.scale_m);
-        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_29 - (raw_ * height_m)), uv_38, tangent_4, bitangent_3, normal_28, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_28, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(rt::Scalar(0u32).select(rt::Scalar(1u32), _e122), (point_30 - (raw_ * height_m)), uv_38, tangent_4, bitangent_3, normal_28, <rt::Vec4<f32>>::from_scalars(tt_2, tb_2, bb_2, _e128), rt::Scalar(0u32), normal_28, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::new_31(slice_6, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_object_enter(
         &self,
-        pixel_41: PixelIn,
+        pixel_42: PixelIn,
         params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_enter(pixel_41, rt::into(params_30)))
+        rt::into(self.v_surface_object_enter(pixel_42, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_enter(
         &self,
-        pixel_41: PixelIn,
+        pixel_42: PixelIn,
         params_30: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_38: Entered;
@@ -7407,22 +7447,22 @@ impl<'g> Resources<'g> {
         at_38 = _e2;
         let _e7 = rt::Scalar(self.surface_settings.solids);
         rt::Scalar(at_38.segments) = _e7;
-        at_38.point = pixel_41.origin;
+        at_38.point = pixel_42.origin;
         let _e10 = at_38;
         return _e10;
     }
     pub(crate) fn surface_frames_enter(
         &self,
-        pixel_42: PixelIn,
+        pixel_43: PixelIn,
         params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_frames_enter(pixel_42, rt::into(params_31)))
+        rt::into(self.v_surface_frames_enter(pixel_43, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_frames_enter(
         &self,
-        pixel_42: PixelIn,
+        pixel_43: PixelIn,
         params_31: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_39: Entered;
@@ -7430,103 +7470,103 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_passed_by();
         at_39 = _e2;
         rt::Scalar(at_39.segments) = FRAMES;
-        at_39.point = pixel_42.origin;
+        at_39.point = pixel_43.origin;
         let _e8 = at_39;
         return _e8;
     }
     pub(crate) fn surface_object_slices_enter(
         &self,
-        pixel_43: PixelIn,
+        pixel_44: PixelIn,
         params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_object_slices_enter(pixel_43, rt::into(params_32)))
+        rt::into(self.v_surface_object_slices_enter(pixel_44, rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_slices_enter(
         &self,
-        pixel_43: PixelIn,
+        pixel_44: PixelIn,
         params_32: rt::Vec4<f32>,
     ) -> Entered {
         let mut at_40: Entered;
 
-        let _e2 = self.v_plane_normal(pixel_43);
+        let _e2 = self.v_plane_normal(pixel_44);
         let _e3 = self.v_passed_by();
         at_40 = _e3;
         rt::Scalar(at_40.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), _e2.dot(_e2).elementwise_gt(rt::Scalar(0f32)));
-        let _e15 = self.v_triangle_distance(pixel_43, _e2);
-        at_40.point = (pixel_43.origin + (pixel_43.direction * _e15));
-        at_40.normal = (_e2.normalize() * rt::Scalar(1f32).select(rt::Scalar(-1f32), _e2.dot(pixel_43.direction).elementwise_gt(rt::Scalar(0f32))));
+        let _e15 = self.v_triangle_distance(pixel_44, _e2);
+        at_40.point = (pixel_44.origin + (pixel_44.direction * _e15));
+        at_40.normal = (_e2.normalize() * rt::Scalar(1f32).select(rt::Scalar(-1f32), _e2.dot(pixel_44.direction).elementwise_gt(rt::Scalar(0f32))));
         let _e28 = at_40;
         return _e28;
     }
-    pub(crate) fn surface_enter_stage(&self, pixel_44: PixelIn) -> Entered {
-        rt::into(self.v_surface_enter_stage(pixel_44))
+    pub(crate) fn surface_enter_stage(&self, pixel_45: PixelIn) -> Entered {
+        rt::into(self.v_surface_enter_stage(pixel_45))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_enter_stage(&self, pixel_44: PixelIn) -> Entered {
+    fn v_surface_enter_stage(&self, pixel_45: PixelIn) -> Entered {
         let _e5 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[1usize].params;
-                let _e11 = self.v_surface_plane_enter(pixel_44, _e10);
+                let _e11 = self.v_surface_plane_enter(pixel_45, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[1usize].params;
-                let _e17 = self.v_surface_prism_enter(pixel_44, _e16);
+                let _e17 = self.v_surface_prism_enter(pixel_45, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[1usize].params;
-                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_44, _e22);
+                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_45, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[1usize].params;
-                let _e29 = self.v_surface_quadric_vertical_enter(pixel_44, _e28);
+                let _e29 = self.v_surface_quadric_vertical_enter(pixel_45, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[1usize].params;
-                let _e35 = self.v_surface_tetrahedra_enter(pixel_44, _e34);
+                let _e35 = self.v_surface_tetrahedra_enter(pixel_45, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[1usize].params;
-                let _e41 = self.v_surface_facets_enter(pixel_44, _e40);
+                let _e41 = self.v_surface_facets_enter(pixel_45, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[1usize].params;
-                let _e47 = self.v_surface_slices_enter(pixel_44, _e46);
+                let _e47 = self.v_surface_slices_enter(pixel_45, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[1usize].params;
-                let _e53 = self.v_surface_object_enter(pixel_44, _e52);
+                let _e53 = self.v_surface_object_enter(pixel_45, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[1usize].params;
-                let _e59 = self.v_surface_frames_enter(pixel_44, _e58);
+                let _e59 = self.v_surface_frames_enter(pixel_45, _e58);
                 return _e59;
             }
             _ => {
                 let _e64 = self.surface_settings.choices[1usize].params;
-                let _e65 = self.v_surface_object_slices_enter(pixel_44, _e64);
+                let _e65 = self.v_surface_object_slices_enter(pixel_45, _e64);
                 return _e65;
             }
         }
     }
-    pub(crate) fn enter_relief(&self, pixel_45: PixelIn) -> Entered {
-        rt::into(self.v_enter_relief(pixel_45))
+    pub(crate) fn enter_relief(&self, pixel_46: PixelIn) -> Entered {
+        rt::into(self.v_enter_relief(pixel_46))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_enter_relief(&self, pixel_45: PixelIn) -> Entered {
+    fn v_enter_relief(&self, pixel_46: PixelIn) -> Entered {
         let mut at_41: Entered;
 
-        let _e1 = self.v_surface_enter_stage(pixel_45);
+        let _e1 = self.v_surface_enter_stage(pixel_46);
         at_41 = _e1;
         let _e4 = rt::Scalar(at_41.segments);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(0u32))) {
@@ -7534,7 +7574,7 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         let _e8 = at_41;
-        let _e9 = self.v_detail_stage(pixel_45, _e8);
+        let _e9 = self.v_detail_stage(pixel_46, _e8);
         rt::Scalar(at_41.level) = rt::Scalar(_e9.level);
         rt::Scalar(at_41.footprint) = rt::Scalar(_e9.footprint);
         rt::Scalar(at_41.fade) = rt::Scalar(_e9.fade);
@@ -7773,11 +7813,11 @@ impl<'g> Resources<'g> {
         let mut part_4: rt::Vec2<f32>;
 
         let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let point_30 = ((uv_15 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e9 = self.v_cell_of(point_30);
+        let point_31 = ((uv_15 * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e9 = self.v_cell_of(point_31);
         let _e11 = self.v_sloped_cell(_e9.to_i32());
         let cell_30 = _e11.to_f32();
-        part_4 = (point_30 - cell_30);
+        part_4 = (point_31 - cell_30);
         let _e17 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e17.elementwise_eq(WRAP_CLAMP)) {
             let _e20 = part_4;
@@ -7935,17 +7975,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_segment(
         &self,
-        pixel_46: PixelIn,
+        pixel_47: PixelIn,
         at_46: Entered,
         k_5: impl rt::Into<rt::Scalar<u32>>,
         params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_46, at_46, rt::into(k_5), rt::into(params_33)))
+        rt::into(self.v_surface_plane_segment(pixel_47, at_46, rt::into(k_5), rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
         &self,
-        pixel_46: PixelIn,
+        pixel_47: PixelIn,
         at_46: Entered,
         k_5: rt::Scalar<u32>,
         params_33: rt::Vec4<f32>,
@@ -7954,24 +7994,24 @@ impl<'g> Resources<'g> {
         let mut leave_3: rt::Scalar<f32>;
         let mut interval_3: rt::Vec2<f32>;
 
-        let along_31 = pixel_46.direction.length();
-        let direction_6 = (pixel_46.direction / rt::Vec3::splat_from_scalar(along_31));
+        let along_31 = pixel_47.direction.length();
+        let direction_6 = (pixel_47.direction / rt::Vec3::splat_from_scalar(along_31));
         let _e9 = self.v_climb(at_46, direction_6);
         let duv_5 = _e9.xy();
         let descent_3 = (rt::Scalar(0f32) - at_46.normal.dot(direction_6));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
         let slope_8 = ((rt::Scalar(0f32) - descent_3) / _e15);
-        let _e20 = self.v_plane_normal(pixel_46);
-        let _e21 = self.v_plane_distance(pixel_46, _e20);
+        let _e20 = self.v_plane_normal(pixel_47);
+        let _e21 = self.v_plane_distance(pixel_47, _e20);
         let distance = (_e21 * along_31);
         let eye_3 = (rt::Scalar(0f32) - distance);
-        let top_6 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
-        enter = top_6.max(eye_3);
+        let top_7 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
+        enter = top_7.max(eye_3);
         leave_3 = ((_e16 * _e15) / descent_3);
         let _e34 = leave_3;
         let _e35 = leave_3;
-        leave_3 = (_e34 + ((_e35 - top_6) * rt::Scalar(0.000001f32)));
+        leave_3 = (_e34 + ((_e35 - top_7) * rt::Scalar(0.000001f32)));
         let _e42 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
@@ -7988,7 +8028,7 @@ impl<'g> Resources<'g> {
         }
         let _e62 = enter;
         let _e65 = enter;
-        let entry_height = (_e16 + (slope_8 * _e62)).select(rt::Scalar(1f32), _e65.elementwise_eq(top_6));
+        let entry_height = (_e16 + (slope_8 * _e62)).select(rt::Scalar(1f32), _e65.elementwise_eq(top_7));
         let _e69 = enter;
         let base_2 = (rt::Scalar(0f32) - _e69).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e76 = enter;
@@ -7999,17 +8039,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn folded_segment(
         &self,
-        pixel_47: PixelIn,
+        pixel_48: PixelIn,
         at_47: Entered,
         k_6: impl rt::Into<rt::Scalar<u32>>,
         params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_folded_segment(pixel_47, at_47, rt::into(k_6), rt::into(params_34)))
+        rt::into(self.v_folded_segment(pixel_48, at_47, rt::into(k_6), rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_folded_segment(
         &self,
-        pixel_47: PixelIn,
+        pixel_48: PixelIn,
         at_47: Entered,
         k_6: rt::Scalar<u32>,
         params_34: rt::Vec4<f32>,
@@ -8019,15 +8059,15 @@ impl<'g> Resources<'g> {
         let mut path_19: Path;
         let mut local_45: rt::Scalar<bool>;
 
-        let along_32 = pixel_47.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_47, along_32);
-        let _e7 = self.v_prism_of(pixel_47, along_32, _e6, params_34);
-        let _e8 = self.v_shell_slack(pixel_47, _e6);
-        let _e9 = self.v_way_of(pixel_47, _e7, along_32);
-        let _e10 = self.v_way_offsets(pixel_47, _e7, _e8);
-        let _e11 = self.v_chord_reach(pixel_47, at_47, _e6, params_34);
+        let along_32 = pixel_48.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_48, along_32);
+        let _e7 = self.v_prism_of(pixel_48, along_32, _e6, params_34);
+        let _e8 = self.v_shell_slack(pixel_48, _e6);
+        let _e9 = self.v_way_of(pixel_48, _e7, along_32);
+        let _e10 = self.v_way_offsets(pixel_48, _e7, _e8);
+        let _e11 = self.v_chord_reach(pixel_48, at_47, _e6, params_34);
         let _e12 = self.v_way_beyond(_e7, _e10, _e11);
-        let _e14 = self.v_way_chord(pixel_47, _e7, along_32, _e9, _e10, _e12, params_34.x(), k_6);
+        let _e14 = self.v_way_chord(pixel_48, _e7, along_32, _e9, _e10, _e12, params_34.x(), k_6);
         let _e16 = self.v_before_turn(_e7, along_32, _e9, _e14.offsets);
         let _e18 = self.v_way_point(_e7, along_32, _e9, _e16.x());
         a_13 = _e18;
@@ -8053,7 +8093,7 @@ impl<'g> Resources<'g> {
         let _e58 = b_13.point;
         let _e60 = rt::Scalar(a_13.t);
         let _e62 = rt::Scalar(b_13.t);
-        let _e64 = self.v_chord_path(pixel_47, at_47, _e6, params_34, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
+        let _e64 = self.v_chord_path(pixel_48, at_47, _e6, params_34, _e56, _e58, _e54, <rt::Vec2<f32>>::from_scalars(_e60, _e62), _e12);
         path_19 = _e64;
         let _e67 = rt::Scalar(a_13.beside);
         if rt::Scalar::into_branch_condition((!(!_e67.elementwise_lt((rt::Scalar(4f32) * _e8))))) {
@@ -8071,29 +8111,29 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_prism_segment(
         &self,
-        pixel_48: PixelIn,
+        pixel_49: PixelIn,
         at_48: Entered,
         k_7: impl rt::Into<rt::Scalar<u32>>,
         params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_48, at_48, rt::into(k_7), rt::into(params_35)))
+        rt::into(self.v_surface_prism_segment(pixel_49, at_48, rt::into(k_7), rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_segment(
         &self,
-        pixel_48: PixelIn,
+        pixel_49: PixelIn,
         at_48: Entered,
         k_7: rt::Scalar<u32>,
         params_35: rt::Vec4<f32>,
     ) -> Path {
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_48.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_folded_segment(pixel_48, at_48, k_7, params_35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_49.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e8 = self.v_folded_segment(pixel_49, at_48, k_7, params_35);
             return _e8;
         }
-        let along_33 = pixel_48.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_48, along_33);
-        let _e12 = self.v_prism_of(pixel_48, along_33, _e11, params_35);
-        let heights_2 = pixel_48.shell.heights;
+        let along_33 = pixel_49.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_49, along_33);
+        let _e12 = self.v_prism_of(pixel_49, along_33, _e11, params_35);
+        let heights_2 = pixel_49.shell.heights;
         let mean_3 = (rt::Scalar(0.5f32) * (heights_2.x() + heights_2.y()));
         let _e20 = self.v_chord_end(at_48, k_7);
         let _e23 = self.v_chord_end(at_48, (k_7 + rt::Scalar(1u32)));
@@ -8102,24 +8142,24 @@ impl<'g> Resources<'g> {
         let _e32 = self.v_between(_e25, _e27);
         let _e33 = self.v_shell_point_from(_e12, (along_33 * (rt::Scalar(0.5f32) * (_e20 + _e23))), _e32);
         let bend_4 = (rt::Scalar(2f32) * ((rt::Scalar(_e25.height) + rt::Scalar(_e27.height)) - (rt::Scalar(2f32) * rt::Scalar(_e33.height))));
-        let _e56 = self.v_chord_reach(pixel_48, at_48, _e11, params_35);
+        let _e56 = self.v_chord_reach(pixel_49, at_48, _e11, params_35);
         let beyond_5 = (<rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length()) * (_e56 / (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length()));
-        let _e68 = self.v_chord_path(pixel_48, at_48, _e11, params_35, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
+        let _e68 = self.v_chord_path(pixel_49, at_48, _e11, params_35, _e25, _e27, bend_4, <rt::Vec2<f32>>::from_scalars(_e20, _e23), beyond_5);
         return _e68;
     }
     pub(crate) fn surface_quadric_perpendicular_segment(
         &self,
-        pixel_49: PixelIn,
+        pixel_50: PixelIn,
         at_49: Entered,
         k_8: impl rt::Into<rt::Scalar<u32>>,
         params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_49, at_49, rt::into(k_8), rt::into(params_36)))
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_50, at_49, rt::into(k_8), rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_perpendicular_segment(
         &self,
-        pixel_49: PixelIn,
+        pixel_50: PixelIn,
         at_49: Entered,
         k_8: rt::Scalar<u32>,
         params_36: rt::Vec4<f32>,
@@ -8130,11 +8170,11 @@ impl<'g> Resources<'g> {
         let mut path_20: Path;
         let mut inside_2: rt::Vec2<f32>;
 
-        let along_34 = pixel_49.direction.length();
-        let _e9 = self.v_across_of(at_49, (pixel_49.direction / rt::Vec3::splat_from_scalar(along_34)));
+        let along_34 = pixel_50.direction.length();
+        let _e9 = self.v_across_of(at_49, (pixel_50.direction / rt::Vec3::splat_from_scalar(along_34)));
         let _e10 = self.v_traced_scale_m();
-        let _e11 = self.v_plane_normal(pixel_49);
-        let _e12 = self.v_plane_distance(pixel_49, _e11);
+        let _e11 = self.v_plane_normal(pixel_50);
+        let _e12 = self.v_plane_distance(pixel_50, _e11);
         let distance_1 = (_e12 * along_34);
         let whole = (at_49.span.y() - at_49.span.x());
         let first_15 = (at_49.span.x() + (whole * (k_8.to_f32() / params_36.z())));
@@ -8197,17 +8237,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_quadric_vertical_segment(
         &self,
-        pixel_50: PixelIn,
+        pixel_51: PixelIn,
         at_50: Entered,
         k_9: impl rt::Into<rt::Scalar<u32>>,
         params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_quadric_vertical_segment(pixel_50, at_50, rt::into(k_9), rt::into(params_37)))
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_51, at_50, rt::into(k_9), rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_quadric_vertical_segment(
         &self,
-        pixel_50: PixelIn,
+        pixel_51: PixelIn,
         at_50: Entered,
         k_9: rt::Scalar<u32>,
         params_37: rt::Vec4<f32>,
@@ -8220,8 +8260,8 @@ impl<'g> Resources<'g> {
         let mut path_21: Path;
         let mut local_49: rt::Scalar<bool>;
 
-        let along_35 = pixel_50.direction.length();
-        let direction_7 = (pixel_50.direction / rt::Vec3::splat_from_scalar(along_35));
+        let along_35 = pixel_51.direction.length();
+        let direction_7 = (pixel_51.direction / rt::Vec3::splat_from_scalar(along_35));
         let _e9 = self.v_climb(at_50, direction_7);
         let duv_6 = _e9.xy();
         let descent_4 = (rt::Scalar(0f32) - at_50.normal.dot(direction_7));
@@ -8230,8 +8270,8 @@ impl<'g> Resources<'g> {
         let slope_10 = ((rt::Scalar(0f32) - descent_4) / _e15);
         let _e23 = self.v_quadric_at(at_50.of_surface.xyz(), duv_6);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
-        let _e27 = self.v_plane_normal(pixel_50);
-        let _e28 = self.v_plane_distance(pixel_50, _e27);
+        let _e27 = self.v_plane_normal(pixel_51);
+        let _e28 = self.v_plane_distance(pixel_51, _e27);
         let distance_2 = (_e28 * along_35);
         let eye_4 = (rt::Scalar(0f32) - distance_2);
         let _e35 = self.v_bent_descent(((height_18 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
@@ -8303,17 +8343,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_tetrahedra_segment(
         &self,
-        pixel_51: PixelIn,
+        pixel_52: PixelIn,
         at_51: Entered,
         k_10: impl rt::Into<rt::Scalar<u32>>,
         params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_51, at_51, rt::into(k_10), rt::into(params_38)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_52, at_51, rt::into(k_10), rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_segment(
         &self,
-        pixel_51: PixelIn,
+        pixel_52: PixelIn,
         at_51: Entered,
         k_10: rt::Scalar<u32>,
         params_38: rt::Vec4<f32>,
@@ -8322,11 +8362,11 @@ impl<'g> Resources<'g> {
         let mut inside_3: rt::Vec2<f32>;
         let mut path_22: Path;
 
-        let along_36 = pixel_51.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_51, along_36);
-        let _e8 = self.v_tetrahedron(pixel_51, along_36, _e6, rt::Scalar(0u32));
-        let _e10 = self.v_tetrahedron(pixel_51, along_36, _e6, rt::Scalar(1u32));
-        let _e12 = self.v_tetrahedron(pixel_51, along_36, _e6, rt::Scalar(2u32));
+        let along_36 = pixel_52.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_52, along_36);
+        let _e8 = self.v_tetrahedron(pixel_52, along_36, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_52, along_36, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_52, along_36, _e6, rt::Scalar(2u32));
         let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
@@ -8337,22 +8377,22 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_10)) {
             chosen_1 = _e12;
         }
-        let _e30 = self.v_ordered(pixel_51, rt::Scalar(0u32));
-        let _e32 = self.v_ordered(pixel_51, rt::Scalar(1u32));
-        let _e34 = self.v_ordered(pixel_51, rt::Scalar(2u32));
+        let _e30 = self.v_ordered(pixel_52, rt::Scalar(0u32));
+        let _e32 = self.v_ordered(pixel_52, rt::Scalar(1u32));
+        let _e34 = self.v_ordered(pixel_52, rt::Scalar(2u32));
         let w_4 = chosen_1.weights;
         let g = chosen_1.change;
         let uv_39 = (((_e30.uv * w_4.x()) + (_e32.uv * w_4.y())) + (_e34.uv * w_4.z()));
         let duv_7 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
-        let _e61 = self.v_shell_slack(pixel_51, _e6);
+        let _e61 = self.v_shell_slack(pixel_52, _e6);
         let beyond_6 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
         let _e68 = chosen_1.inside;
         inside_3 = _e68;
         let _e70 = inside_3;
-        let _e77 = self.v_where_positive(_e70, (w_4.w() - pixel_51.shell.heights.x()), g.w(), beyond_6);
+        let _e77 = self.v_where_positive(_e70, (w_4.w() - pixel_52.shell.heights.x()), g.w(), beyond_6);
         inside_3 = _e77;
         let _e78 = inside_3;
-        let _e87 = self.v_where_positive(_e78, (pixel_51.shell.heights.y() - w_4.w()), (rt::Scalar(0f32) - g.w()), beyond_6);
+        let _e87 = self.v_where_positive(_e78, (pixel_52.shell.heights.y() - w_4.w()), (rt::Scalar(0f32) - g.w()), beyond_6);
         inside_3 = _e87;
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
@@ -8385,25 +8425,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_facets_segment(
         &self,
-        pixel_52: PixelIn,
+        pixel_53: PixelIn,
         at_52: Entered,
         k_11: impl rt::Into<rt::Scalar<u32>>,
         params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_facets_segment(pixel_52, at_52, rt::into(k_11), rt::into(params_39)))
+        rt::into(self.v_surface_facets_segment(pixel_53, at_52, rt::into(k_11), rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_segment(
         &self,
-        pixel_52: PixelIn,
+        pixel_53: PixelIn,
         at_52: Entered,
         k_11: rt::Scalar<u32>,
         params_39: rt::Vec4<f32>,
     ) -> Path {
-        let _e4 = self.v_plane_normal(pixel_52);
-        let _e5 = self.v_triangle_distance(pixel_52, _e4);
-        let start_5 = (_e5 * pixel_52.direction.length());
+        let _e4 = self.v_plane_normal(pixel_53);
+        let _e5 = self.v_triangle_distance(pixel_53, _e4);
+        let start_5 = (_e5 * pixel_53.direction.length());
         let _e11 = self.v_height_at(at_52.uv, rt::Scalar(at_52.level));
         let duv_8 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let h_5 = <rt::Vec3<f32>>::from_scalars(_e11, rt::Scalar(0f32), rt::Scalar(0f32));
@@ -8534,31 +8574,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slice_above(
         &self,
-        pixel_53: PixelIn,
+        pixel_54: PixelIn,
         at_54: Entered,
         along_16: impl rt::Into<rt::Scalar<f32>>,
         far_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_above(pixel_53, at_54, rt::into(along_16), rt::into(far_2)))
+        rt::into(self.v_slice_above(pixel_54, at_54, rt::into(along_16), rt::into(far_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_above(
         &self,
-        pixel_53: PixelIn,
+        pixel_54: PixelIn,
         at_54: Entered,
         along_16: rt::Scalar<f32>,
         far_2: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         let mut local_50: rt::Scalar<bool>;
 
-        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_53.direction.dot(at_54.normal).elementwise_lt(rt::Scalar(0f32))) * at_54.of_surface.y());
+        let upward = (rt::Scalar(-1f32).select(rt::Scalar(1f32), pixel_54.direction.dot(at_54.normal).elementwise_lt(rt::Scalar(0f32))) * at_54.of_surface.y());
         let _e17 = rt::Scalar(self.surface_settings.scale_m);
         let step_m = (upward * _e17);
-        let a_36 = (pixel_53.a.position + (pixel_53.a.normal * step_m));
-        let b_36 = (pixel_53.b.position + (pixel_53.b.normal * step_m));
-        let c_26 = (pixel_53.c.position + (pixel_53.c.normal * step_m));
+        let a_36 = (pixel_54.a.position + (pixel_54.a.normal * step_m));
+        let b_36 = (pixel_54.b.position + (pixel_54.b.normal * step_m));
+        let c_26 = (pixel_54.c.position + (pixel_54.c.normal * step_m));
         let n_12 = (b_36 - a_36).cross((c_26 - a_36));
-        let t_37 = (n_12.dot((a_36 - pixel_53.origin)) / n_12.dot(pixel_53.direction));
+        let t_37 = (n_12.dot((a_36 - pixel_54.origin)) / n_12.dot(pixel_54.direction));
         let lead = (far_2 - (t_37 * along_16));
         if rt::Scalar::into_branch_condition(lead.elementwise_gt((far_2 * rt::Scalar(0.0000005f32)))) {
             local_50 = t_37.abs().elementwise_le(rt::Scalar(1000000000f32));
@@ -8569,8 +8609,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!_e57)) {
             return <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         }
-        let _e68 = self.v_weights_of(a_36, b_36, c_26, n_12, (pixel_53.origin + (pixel_53.direction * t_37)));
-        let aside_4 = ((((pixel_53.a.uv * _e68.x()) + (pixel_53.b.uv * _e68.y())) + (pixel_53.c.uv * _e68.z())) - at_54.uv);
+        let _e68 = self.v_weights_of(a_36, b_36, c_26, n_12, (pixel_54.origin + (pixel_54.direction * t_37)));
+        let aside_4 = ((((pixel_54.a.uv * _e68.x()) + (pixel_54.b.uv * _e68.y())) + (pixel_54.c.uv * _e68.z())) - at_54.uv);
         return <rt::Vec4<f32>>::new_31((<rt::Vec3<f32>>::new_21(aside_4, upward) / rt::Vec3::splat_from_scalar(lead)), lead);
     }
     pub(crate) fn slice_beside(
@@ -8606,28 +8646,28 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn slice_before(
         &self,
-        pixel_54: PixelIn,
+        pixel_55: PixelIn,
         at_56: Entered,
         axis_2: impl rt::Into<rt::Scalar<u32>>,
         along_17: impl rt::Into<rt::Scalar<f32>>,
         far_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_slice_before(pixel_54, at_56, rt::into(axis_2), rt::into(along_17), rt::into(far_3)))
+        rt::into(self.v_slice_before(pixel_55, at_56, rt::into(axis_2), rt::into(along_17), rt::into(far_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_before(
         &self,
-        pixel_54: PixelIn,
+        pixel_55: PixelIn,
         at_56: Entered,
         axis_2: rt::Scalar<u32>,
         along_17: rt::Scalar<f32>,
         far_3: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_HEIGHT)) {
-            let _e7 = self.v_slice_above(pixel_54, at_56, along_17, far_3);
+            let _e7 = self.v_slice_above(pixel_55, at_56, along_17, far_3);
             return _e7;
         }
-        let _e11 = self.v_climb(at_56, (pixel_54.direction / rt::Vec3::splat_from_scalar(along_17)));
+        let _e11 = self.v_climb(at_56, (pixel_55.direction / rt::Vec3::splat_from_scalar(along_17)));
         if rt::Scalar::into_branch_condition(axis_2.elementwise_eq(SLICES_ALONG_U)) {
             let _e16 = self.v_slice_beside(at_56, _e11, _e11.x().abs());
             return _e16;
@@ -8641,32 +8681,32 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_slices_segment(
         &self,
-        pixel_55: PixelIn,
+        pixel_56: PixelIn,
         at_57: Entered,
         k_12: impl rt::Into<rt::Scalar<u32>>,
         params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_slices_segment(pixel_55, at_57, rt::into(k_12), rt::into(params_43)))
+        rt::into(self.v_surface_slices_segment(pixel_56, at_57, rt::into(k_12), rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_segment(
         &self,
-        pixel_55: PixelIn,
+        pixel_56: PixelIn,
         at_57: Entered,
         k_12: rt::Scalar<u32>,
         params_43: rt::Vec4<f32>,
     ) -> Path {
-        let along_37 = pixel_55.direction.length();
-        let _e6 = self.v_plane_normal(pixel_55);
-        let _e7 = self.v_triangle_distance(pixel_55, _e6);
+        let along_37 = pixel_56.direction.length();
+        let _e6 = self.v_plane_normal(pixel_56);
+        let _e7 = self.v_triangle_distance(pixel_56, _e6);
         let far_7 = (_e7 * along_37);
-        let axis_4 = pixel_55.a.of_surface.z().to_u32();
+        let axis_4 = pixel_56.a.of_surface.z().to_u32();
         let height_19 = at_57.of_surface.x();
         let _e17 = self.v_height_at(at_57.uv, rt::Scalar(at_57.level));
         let _e18 = self.v_slice_spacing(at_57, axis_4);
         let _e19 = self.v_slices_stage(_e17, height_19, _e18);
-        let _e20 = self.v_slice_before(pixel_55, at_57, axis_4, along_37, far_7);
+        let _e20 = self.v_slice_before(pixel_56, at_57, axis_4, along_37, far_7);
         let lead_2 = (far_7 * rt::Scalar(0.0000005f32)).select(_e20.w().min(far_7), _e20.w().elementwise_gt(rt::Scalar(0f32)));
         return <Path>::new((at_57.uv + (_e20.xy() * lead_2)), (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e20.xy()), <rt::Vec3<f32>>::from_scalars((height_19 + (_e20.z() * lead_2)), (rt::Scalar(0f32) - _e20.z()), rt::Scalar(0f32)), rt::Scalar(0f32).select(lead_2, _e19), lead_2, at_57.metric, RAY_VIEW, rt::Scalar(at_57.level), (far_7 - lead_2), rt::Scalar(1f32), rt::Scalar(0f32));
     }
@@ -8730,15 +8770,15 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn path_through_image(
         &self,
-        pixel_56: PixelIn,
+        pixel_57: PixelIn,
         k_13: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_path_through_image(pixel_56, rt::into(k_13)))
+        rt::into(self.v_path_through_image(pixel_57, rt::into(k_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_through_image(
         &self,
-        pixel_56: PixelIn,
+        pixel_57: PixelIn,
         k_13: rt::Scalar<u32>,
     ) -> Path {
         let mut begin_2: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -8746,10 +8786,10 @@ impl<'g> Resources<'g> {
         let mut interval_6: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let mut height_5: rt::Vec3<f32>;
 
-        let along_38 = pixel_56.direction.normalize();
+        let along_38 = pixel_57.direction.normalize();
         let _e4 = self.v_image_of_object(k_13);
         let deepens = _e4.depth.xyz().dot(along_38);
-        let _e9 = self.v_depth_in_image(_e4, pixel_56.origin);
+        let _e9 = self.v_depth_in_image(_e4, pixel_57.origin);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e4.has_eye)) {
             let nearest_2 = (rt::Scalar(0.01f32) * rt::Scalar(_e4.nearest));
             begin_2 = rt::Scalar(0f32).select(rt::Scalar(300000000000000000000000000000000000000f32), _e9.elementwise_lt(nearest_2));
@@ -8764,7 +8804,7 @@ impl<'g> Resources<'g> {
             }
         }
         let _e30 = begin_2;
-        let origin_6 = (pixel_56.origin + (along_38 * _e30));
+        let origin_6 = (pixel_57.origin + (along_38 * _e30));
         let _e33 = self.v_depth_in_image(_e4, origin_6);
         let bend_6 = (deepens / _e33);
         let u_2 = ((_e4.u.xyz().dot(origin_6) + _e4.u.w()) / _e33);
@@ -8799,69 +8839,69 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_object_segment(
         &self,
-        pixel_57: PixelIn,
+        pixel_58: PixelIn,
         at_58: Entered,
         k_14: impl rt::Into<rt::Scalar<u32>>,
         params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_segment(pixel_57, at_58, rt::into(k_14), rt::into(params_44)))
+        rt::into(self.v_surface_object_segment(pixel_58, at_58, rt::into(k_14), rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_segment(
         &self,
-        pixel_57: PixelIn,
+        pixel_58: PixelIn,
         at_58: Entered,
         k_14: rt::Scalar<u32>,
         params_44: rt::Vec4<f32>,
     ) -> Path {
-        let _e4 = self.v_path_through_image(pixel_57, k_14);
+        let _e4 = self.v_path_through_image(pixel_58, k_14);
         return _e4;
     }
     pub(crate) fn surface_frames_segment(
         &self,
-        pixel_58: PixelIn,
+        pixel_59: PixelIn,
         at_59: Entered,
         k_15: impl rt::Into<rt::Scalar<u32>>,
         params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_frames_segment(pixel_58, at_59, rt::into(k_15), rt::into(params_45)))
+        rt::into(self.v_surface_frames_segment(pixel_59, at_59, rt::into(k_15), rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_frames_segment(
         &self,
-        pixel_58: PixelIn,
+        pixel_59: PixelIn,
         at_59: Entered,
         k_15: rt::Scalar<u32>,
         params_45: rt::Vec4<f32>,
     ) -> Path {
-        let _e7 = self.v_frames_around((-pixel_58.direction.normalize()));
+        let _e7 = self.v_frames_around((-pixel_59.direction.normalize()));
         let _e8 = self.v_frame_number(_e7, k_15);
-        let _e9 = self.v_path_through_image(pixel_58, _e8);
+        let _e9 = self.v_path_through_image(pixel_59, _e8);
         return _e9;
     }
     pub(crate) fn on_image(
         &self,
         image_9: Image,
-        point_12: impl rt::Into<rt::Vec3<f32>>,
+        point_13: impl rt::Into<rt::Vec3<f32>>,
     ) -> OnImage {
-        rt::into(self.v_on_image(image_9, rt::into(point_12)))
+        rt::into(self.v_on_image(image_9, rt::into(point_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_on_image(
         &self,
         image_9: Image,
-        point_12: rt::Vec3<f32>,
+        point_13: rt::Vec3<f32>,
     ) -> OnImage {
         let mut local_54: rt::Scalar<bool>;
         let mut local_55: rt::Scalar<bool>;
         let mut local_56: rt::Scalar<bool>;
 
-        let _e2 = self.v_depth_in_image(image_9, point_12);
-        let u_3 = ((image_9.u.xyz().dot(point_12) + image_9.u.w()) / _e2);
-        let v_5 = ((image_9.v.xyz().dot(point_12) + image_9.v.w()) / _e2);
-        let h_7 = ((image_9.height.xyz().dot(point_12) + image_9.height.w()) / _e2);
+        let _e2 = self.v_depth_in_image(image_9, point_13);
+        let u_3 = ((image_9.u.xyz().dot(point_13) + image_9.u.w()) / _e2);
+        let v_5 = ((image_9.v.xyz().dot(point_13) + image_9.v.w()) / _e2);
+        let h_7 = ((image_9.height.xyz().dot(point_13) + image_9.height.w()) / _e2);
         let _e24 = self.v_beyond_image(image_9);
         let beside_5 = ((u_3 - rt::Scalar(0.5f32)).abs() - _e24.x()).max(((v_5 - rt::Scalar(0.5f32)).abs() - _e24.y()));
         let uv_40 = (image_9.corner + (image_9.extent * <rt::Vec2<f32>>::from_scalars(u_3, v_5)));
@@ -8871,9 +8911,9 @@ impl<'g> Resources<'g> {
         let _e52 = self.v_cell_of(at_146);
         let part_19 = (at_146 - _e52);
         let _e56 = self.v_object_cell_stage(_e52.to_i32(), rt::Scalar(0u32));
-        let top_7 = (_e56.x() + ((_e56.y() - _e56.x()) * part_19.x()));
+        let top_8 = (_e56.x() + ((_e56.y() - _e56.x()) * part_19.x()));
         let bottom_4 = (_e56.z() + ((_e56.w() - _e56.z()) * part_19.x()));
-        let map_5 = (top_7 + ((bottom_4 - top_7) * part_19.y()));
+        let map_5 = (top_8 + ((bottom_4 - top_8) * part_19.y()));
         if rt::Scalar::into_branch_condition(_e2.elementwise_gt(rt::Scalar(0f32))) {
             local_54 = beside_5.elementwise_le(rt::Scalar(0.5f32));
         } else {
@@ -8916,9 +8956,9 @@ impl<'g> Resources<'g> {
         &self,
         slice_4: OnSlice,
         number_12: impl rt::Into<rt::Scalar<u32>>,
-        point_13: impl rt::Into<rt::Vec3<f32>>,
+        point_14: impl rt::Into<rt::Vec3<f32>>,
     ) -> OnSlice {
-        rt::into(self.v_with_image(slice_4, rt::into(number_12), rt::into(point_13)))
+        rt::into(self.v_with_image(slice_4, rt::into(number_12), rt::into(point_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -8926,10 +8966,10 @@ impl<'g> Resources<'g> {
         &self,
         slice_4: OnSlice,
         number_12: rt::Scalar<u32>,
-        point_13: rt::Vec3<f32>,
+        point_14: rt::Vec3<f32>,
     ) -> OnSlice {
         let _e3 = self.v_image_of_object(number_12);
-        let _e4 = self.v_on_image(_e3, point_13);
+        let _e4 = self.v_on_image(_e3, point_14);
         let over_1 = (rt::Scalar(_e4.map) - rt::Scalar(_e4.height));
         let _e8 = self.v_is_in_image(_e4);
         if rt::Scalar::into_branch_condition(over_1.elementwise_lt(rt::Scalar(slice_4.over))) {
@@ -8937,11 +8977,11 @@ impl<'g> Resources<'g> {
         }
         return <OnSlice>::new(_e8, rt::Scalar(slice_4.number), slice_4.nearest, rt::Scalar(slice_4.over));
     }
-    pub(crate) fn slice_at(&self, point_14: impl rt::Into<rt::Vec3<f32>>) -> OnSlice {
-        rt::into(self.v_slice_at(rt::into(point_14)))
+    pub(crate) fn slice_at(&self, point_15: impl rt::Into<rt::Vec3<f32>>) -> OnSlice {
+        rt::into(self.v_slice_at(rt::into(point_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_slice_at(&self, point_14: rt::Vec3<f32>) -> OnSlice {
+    fn v_slice_at(&self, point_15: rt::Vec3<f32>) -> OnSlice {
         let mut slice_5: OnSlice = <OnSlice>::new(rt::Scalar(true), rt::Scalar(0u32), <OnImage>::new(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(false)), rt::Scalar(2f32));
         let mut number_13: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_58: rt::Scalar<bool>;
@@ -8964,7 +9004,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e26 = slice_5;
                     let _e27 = number_13;
-                    let _e28 = self.v_with_image(_e26, _e27, point_14);
+                    let _e28 = self.v_with_image(_e26, _e27, point_15);
                     slice_5 = _e28;
                     let _e29 = number_13;
                     number_13 = (_e29 + rt::Scalar(1u32));
@@ -8976,25 +9016,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_object_slices_segment(
         &self,
-        pixel_59: PixelIn,
+        pixel_60: PixelIn,
         at_61: Entered,
         k_16: impl rt::Into<rt::Scalar<u32>>,
         params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_object_slices_segment(pixel_59, at_61, rt::into(k_16), rt::into(params_46)))
+        rt::into(self.v_surface_object_slices_segment(pixel_60, at_61, rt::into(k_16), rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_slices_segment(
         &self,
-        pixel_59: PixelIn,
+        pixel_60: PixelIn,
         at_61: Entered,
         k_16: rt::Scalar<u32>,
         params_46: rt::Vec4<f32>,
     ) -> Path {
         let _e5 = self.v_slice_at(at_61.point);
         let _e7 = self.v_image_of_object(rt::Scalar(_e5.number));
-        let far_8 = (at_61.point - pixel_59.origin).length();
+        let far_8 = (at_61.point - pixel_60.origin).length();
         let lead_3 = (far_8 * rt::Scalar(0.0000005f32));
         let _e28 = self.v_depth_in_image(_e7, at_61.point);
         let _e29 = self.v_metric_of_image(_e7, _e28);
@@ -9002,16 +9042,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_segment_stage(
         &self,
-        pixel_60: PixelIn,
+        pixel_61: PixelIn,
         at_62: Entered,
         k_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_60, at_62, rt::into(k_17)))
+        rt::into(self.v_surface_segment_stage(pixel_61, at_62, rt::into(k_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
-        pixel_60: PixelIn,
+        pixel_61: PixelIn,
         at_62: Entered,
         k_17: rt::Scalar<u32>,
     ) -> Path {
@@ -9019,52 +9059,52 @@ impl<'g> Resources<'g> {
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[1usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_60, at_62, k_17, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_61, at_62, k_17, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[1usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_60, at_62, k_17, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_61, at_62, k_17, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[1usize].params;
-                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_60, at_62, k_17, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_61, at_62, k_17, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[1usize].params;
-                let _e31 = self.v_surface_quadric_vertical_segment(pixel_60, at_62, k_17, _e30);
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_61, at_62, k_17, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[1usize].params;
-                let _e37 = self.v_surface_tetrahedra_segment(pixel_60, at_62, k_17, _e36);
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_61, at_62, k_17, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[1usize].params;
-                let _e43 = self.v_surface_facets_segment(pixel_60, at_62, k_17, _e42);
+                let _e43 = self.v_surface_facets_segment(pixel_61, at_62, k_17, _e42);
                 return _e43;
             }
             6u32 => {
                 let _e48 = self.surface_settings.choices[1usize].params;
-                let _e49 = self.v_surface_slices_segment(pixel_60, at_62, k_17, _e48);
+                let _e49 = self.v_surface_slices_segment(pixel_61, at_62, k_17, _e48);
                 return _e49;
             }
             7u32 => {
                 let _e54 = self.surface_settings.choices[1usize].params;
-                let _e55 = self.v_surface_object_segment(pixel_60, at_62, k_17, _e54);
+                let _e55 = self.v_surface_object_segment(pixel_61, at_62, k_17, _e54);
                 return _e55;
             }
             8u32 => {
                 let _e60 = self.surface_settings.choices[1usize].params;
-                let _e61 = self.v_surface_frames_segment(pixel_60, at_62, k_17, _e60);
+                let _e61 = self.v_surface_frames_segment(pixel_61, at_62, k_17, _e60);
                 return _e61;
             }
             _ => {
                 let _e66 = self.surface_settings.choices[1usize].params;
-                let _e67 = self.v_surface_object_slices_segment(pixel_60, at_62, k_17, _e66);
+                let _e67 = self.v_surface_object_slices_segment(pixel_61, at_62, k_17, _e66);
                 return _e67;
             }
         }
@@ -9087,8 +9127,8 @@ impl<'g> Resources<'g> {
         let mut start_1: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let kept = (rt::Scalar(1f32) - part_5);
-        let top_8 = (middle_8 + ((rt::Scalar(1f32) - middle_8) * kept));
-        let above_6 = (path_23.h.x() - top_8);
+        let top_9 = (middle_8 + ((rt::Scalar(1f32) - middle_8) * kept));
+        let above_6 = (path_23.h.x() - top_9);
         let begins = above_6.elementwise_gt(rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(begins) {
             let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_6, path_23.h.y(), path_23.h.z()), rt::Scalar(path_23.exit));
@@ -9111,22 +9151,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn segment_of(
         &self,
-        pixel_61: PixelIn,
+        pixel_62: PixelIn,
         at_63: Entered,
         k_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_61, at_63, rt::into(k_18)))
+        rt::into(self.v_segment_of(pixel_62, at_63, rt::into(k_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
-        pixel_61: PixelIn,
+        pixel_62: PixelIn,
         at_63: Entered,
         k_18: rt::Scalar<u32>,
     ) -> Path {
         let mut path_24: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_61, at_63, k_18);
+        let _e3 = self.v_surface_segment_stage(pixel_62, at_63, k_18);
         path_24 = _e3;
         if rt::Scalar::into_branch_condition(rt::Scalar(at_63.fade).elementwise_gt(rt::Scalar(0f32))) {
             let _e8 = path_24;
@@ -9143,19 +9183,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_polish(
         &self,
-        pixel_62: PixelIn,
+        pixel_63: PixelIn,
         at_64: Entered,
         path_25: Path,
         hit_9: Hit,
         params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_62, at_64, path_25, hit_9, rt::into(params_47)))
+        rt::into(self.v_surface_plane_polish(pixel_63, at_64, path_25, hit_9, rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_plane_polish(
         &self,
-        pixel_62: PixelIn,
+        pixel_63: PixelIn,
         at_64: Entered,
         path_25: Path,
         hit_9: Hit,
@@ -9225,23 +9265,23 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_way(
         &self,
-        pixel_63: PixelIn,
+        pixel_64: PixelIn,
         prism_13: Prism,
         place_16: impl rt::Into<rt::Vec3<f32>>,
         height_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_point_of_way(pixel_63, prism_13, rt::into(place_16), rt::into(height_7)))
+        rt::into(self.v_point_of_way(pixel_64, prism_13, rt::into(place_16), rt::into(height_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_point_of_way(
         &self,
-        pixel_63: PixelIn,
+        pixel_64: PixelIn,
         prism_13: Prism,
         place_16: rt::Vec3<f32>,
         height_7: rt::Scalar<f32>,
     ) -> ShellPoint {
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_63.shell.order).elementwise_ge(SHELL_FOLDED)) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_64.shell.order).elementwise_ge(SHELL_FOLDED)) {
             let _e8 = self.v_shell_point_near(prism_13, place_16, height_7);
             return _e8;
         }
@@ -9250,30 +9290,30 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_prism_polish(
         &self,
-        pixel_64: PixelIn,
+        pixel_65: PixelIn,
         at_65: Entered,
         path_26: Path,
         hit_10: Hit,
         params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_64, at_65, path_26, hit_10, rt::into(params_48)))
+        rt::into(self.v_surface_prism_polish(pixel_65, at_65, path_26, hit_10, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
         &self,
-        pixel_64: PixelIn,
+        pixel_65: PixelIn,
         at_65: Entered,
         path_26: Path,
         hit_10: Hit,
         params_48: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_15: rt::Scalar<f32>;
-        let mut point_15: ShellPoint;
+        let mut point_16: ShellPoint;
         let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let along_39 = pixel_64.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_64, along_39);
-        let _e8 = self.v_prism_of(pixel_64, along_39, _e7, params_48);
+        let along_39 = pixel_65.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_65, along_39);
+        let _e8 = self.v_prism_of(pixel_65, along_39, _e7, params_48);
         let _e10 = self.v_path_gap(path_26, rt::Scalar(hit_10.t));
         let _e11 = self.v_grid_of(path_26);
         let texels_5 = _e11.step.abs();
@@ -9282,8 +9322,8 @@ impl<'g> Resources<'g> {
         let _e30 = t_15;
         let _e34 = t_15;
         let _e35 = self.v_path_height(path_26, _e34);
-        let _e36 = self.v_point_of_way(pixel_64, _e8, (along_39 * ((rt::Scalar(path_26.start) + _e30) - _e7)), _e35);
-        point_15 = _e36;
+        let _e36 = self.v_point_of_way(pixel_65, _e8, (along_39 * ((rt::Scalar(path_26.start) + _e30) - _e7)), _e35);
+        point_16 = _e36;
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = step_2;
@@ -9294,9 +9334,9 @@ impl<'g> Resources<'g> {
                 {
                     let _e43 = step_2;
                     step_2 = (_e43 + rt::Scalar(1u32));
-                    let _e47 = rt::Scalar(point_15.height);
-                    let _e49 = point_15.weights;
-                    let _e50 = self.v_uv_of(pixel_64, _e49);
+                    let _e47 = rt::Scalar(point_16.height);
+                    let _e49 = point_16.weights;
+                    let _e50 = self.v_uv_of(pixel_65, _e49);
                     let _e52 = self.v_height_at(_e50, rt::Scalar(path_26.level));
                     let gap_1 = ((_e47 - _e52) - _e10);
                     let _e57 = t_15;
@@ -9310,40 +9350,40 @@ impl<'g> Resources<'g> {
                     }
                     let _e75 = t_15;
                     let place_28 = (along_39 * ((rt::Scalar(path_26.start) + _e75) - _e7));
-                    if rt::Scalar::into_branch_condition(rt::Scalar(pixel_64.shell.order).elementwise_ge(SHELL_FOLDED)) {
+                    if rt::Scalar::into_branch_condition(rt::Scalar(pixel_65.shell.order).elementwise_ge(SHELL_FOLDED)) {
                         let _e83 = t_15;
                         let _e84 = self.v_path_height(path_26, _e83);
                         let _e85 = self.v_shell_point_near(_e8, place_28, _e84);
-                        point_15 = _e85;
+                        point_16 = _e85;
                     } else {
-                        let _e86 = point_15;
+                        let _e86 = point_16;
                         let _e87 = self.v_shell_point_from(_e8, place_28, _e86);
-                        point_15 = _e87;
+                        point_16 = _e87;
                     }
                 }
             }
         }
-        let _e91 = point_15.weights;
-        let _e92 = self.v_uv_of(pixel_64, _e91);
-        let _e94 = rt::Scalar(point_15.height);
+        let _e91 = point_16.weights;
+        let _e92 = self.v_uv_of(pixel_65, _e91);
+        let _e94 = rt::Scalar(point_16.height);
         let _e95 = t_15;
         return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_10.exhausted), _e92, _e94, _e95, hit_10.cost);
     }
     pub(crate) fn surface_quadric_perpendicular_polish(
         &self,
-        pixel_65: PixelIn,
+        pixel_66: PixelIn,
         at_66: Entered,
         path_27: Path,
         hit_11: Hit,
         params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_65, at_66, path_27, hit_11, rt::into(params_49)))
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_66, at_66, path_27, hit_11, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_perpendicular_polish(
         &self,
-        pixel_65: PixelIn,
+        pixel_66: PixelIn,
         at_66: Entered,
         path_27: Path,
         hit_11: Hit,
@@ -9353,19 +9393,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_quadric_vertical_polish(
         &self,
-        pixel_66: PixelIn,
+        pixel_67: PixelIn,
         at_67: Entered,
         path_28: Path,
         hit_12: Hit,
         params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_quadric_vertical_polish(pixel_66, at_67, path_28, hit_12, rt::into(params_50)))
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_67, at_67, path_28, hit_12, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_quadric_vertical_polish(
         &self,
-        pixel_66: PixelIn,
+        pixel_67: PixelIn,
         at_67: Entered,
         path_28: Path,
         hit_12: Hit,
@@ -9375,19 +9415,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_tetrahedra_polish(
         &self,
-        pixel_67: PixelIn,
+        pixel_68: PixelIn,
         at_68: Entered,
         path_29: Path,
         hit_13: Hit,
         params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_67, at_68, path_29, hit_13, rt::into(params_51)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_68, at_68, path_29, hit_13, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_tetrahedra_polish(
         &self,
-        pixel_67: PixelIn,
+        pixel_68: PixelIn,
         at_68: Entered,
         path_29: Path,
         hit_13: Hit,
@@ -9397,19 +9437,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_facets_polish(
         &self,
-        pixel_68: PixelIn,
+        pixel_69: PixelIn,
         at_69: Entered,
         path_30: Path,
         hit_14: Hit,
         params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_facets_polish(pixel_68, at_69, path_30, hit_14, rt::into(params_52)))
+        rt::into(self.v_surface_facets_polish(pixel_69, at_69, path_30, hit_14, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_facets_polish(
         &self,
-        pixel_68: PixelIn,
+        pixel_69: PixelIn,
         at_69: Entered,
         path_30: Path,
         hit_14: Hit,
@@ -9419,19 +9459,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_slices_polish(
         &self,
-        pixel_69: PixelIn,
+        pixel_70: PixelIn,
         at_70: Entered,
         path_31: Path,
         hit_15: Hit,
         params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_slices_polish(pixel_69, at_70, path_31, hit_15, rt::into(params_53)))
+        rt::into(self.v_surface_slices_polish(pixel_70, at_70, path_31, hit_15, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_slices_polish(
         &self,
-        pixel_69: PixelIn,
+        pixel_70: PixelIn,
         at_70: Entered,
         path_31: Path,
         hit_15: Hit,
@@ -9476,19 +9516,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_object_polish(
         &self,
-        pixel_70: PixelIn,
+        pixel_71: PixelIn,
         at_71: Entered,
         path_34: Path,
         hit_17: Hit,
         params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_polish(pixel_70, at_71, path_34, hit_17, rt::into(params_54)))
+        rt::into(self.v_surface_object_polish(pixel_71, at_71, path_34, hit_17, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_polish(
         &self,
-        pixel_70: PixelIn,
+        pixel_71: PixelIn,
         at_71: Entered,
         path_34: Path,
         hit_17: Hit,
@@ -9499,19 +9539,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_frames_polish(
         &self,
-        pixel_71: PixelIn,
+        pixel_72: PixelIn,
         at_72: Entered,
         path_35: Path,
         hit_18: Hit,
         params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_frames_polish(pixel_71, at_72, path_35, hit_18, rt::into(params_55)))
+        rt::into(self.v_surface_frames_polish(pixel_72, at_72, path_35, hit_18, rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_frames_polish(
         &self,
-        pixel_71: PixelIn,
+        pixel_72: PixelIn,
         at_72: Entered,
         path_35: Path,
         hit_18: Hit,
@@ -9522,19 +9562,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_object_slices_polish(
         &self,
-        pixel_72: PixelIn,
+        pixel_73: PixelIn,
         at_73: Entered,
         path_36: Path,
         hit_19: Hit,
         params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_object_slices_polish(pixel_72, at_73, path_36, hit_19, rt::into(params_56)))
+        rt::into(self.v_surface_object_slices_polish(pixel_73, at_73, path_36, hit_19, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_surface_object_slices_polish(
         &self,
-        pixel_72: PixelIn,
+        pixel_73: PixelIn,
         at_73: Entered,
         path_36: Path,
         hit_19: Hit,
@@ -9549,72 +9589,72 @@ impl<'g> Resources<'g> {
         let _e19 = counted_1;
         return _e19;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_73: PixelIn, at_74: Entered, path_37: Path, hit_20: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_73, at_74, path_37, hit_20))
+    pub(crate) fn surface_polish_stage(&self, pixel_74: PixelIn, at_74: Entered, path_37: Path, hit_20: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_74, at_74, path_37, hit_20))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_73: PixelIn, at_74: Entered, path_37: Path, hit_20: Hit) -> Hit {
+    fn v_surface_polish_stage(&self, pixel_74: PixelIn, at_74: Entered, path_37: Path, hit_20: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[1usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_73, at_74, path_37, hit_20, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_74, at_74, path_37, hit_20, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[1usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_73, at_74, path_37, hit_20, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_74, at_74, path_37, hit_20, _e19);
                 return _e20;
             }
             2u32 => {
                 let _e25 = self.surface_settings.choices[1usize].params;
-                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_73, at_74, path_37, hit_20, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_74, at_74, path_37, hit_20, _e25);
                 return _e26;
             }
             3u32 => {
                 let _e31 = self.surface_settings.choices[1usize].params;
-                let _e32 = self.v_surface_quadric_vertical_polish(pixel_73, at_74, path_37, hit_20, _e31);
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_74, at_74, path_37, hit_20, _e31);
                 return _e32;
             }
             4u32 => {
                 let _e37 = self.surface_settings.choices[1usize].params;
-                let _e38 = self.v_surface_tetrahedra_polish(pixel_73, at_74, path_37, hit_20, _e37);
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_74, at_74, path_37, hit_20, _e37);
                 return _e38;
             }
             5u32 => {
                 let _e43 = self.surface_settings.choices[1usize].params;
-                let _e44 = self.v_surface_facets_polish(pixel_73, at_74, path_37, hit_20, _e43);
+                let _e44 = self.v_surface_facets_polish(pixel_74, at_74, path_37, hit_20, _e43);
                 return _e44;
             }
             6u32 => {
                 let _e49 = self.surface_settings.choices[1usize].params;
-                let _e50 = self.v_surface_slices_polish(pixel_73, at_74, path_37, hit_20, _e49);
+                let _e50 = self.v_surface_slices_polish(pixel_74, at_74, path_37, hit_20, _e49);
                 return _e50;
             }
             7u32 => {
                 let _e55 = self.surface_settings.choices[1usize].params;
-                let _e56 = self.v_surface_object_polish(pixel_73, at_74, path_37, hit_20, _e55);
+                let _e56 = self.v_surface_object_polish(pixel_74, at_74, path_37, hit_20, _e55);
                 return _e56;
             }
             8u32 => {
                 let _e61 = self.surface_settings.choices[1usize].params;
-                let _e62 = self.v_surface_frames_polish(pixel_73, at_74, path_37, hit_20, _e61);
+                let _e62 = self.v_surface_frames_polish(pixel_74, at_74, path_37, hit_20, _e61);
                 return _e62;
             }
             _ => {
                 let _e67 = self.surface_settings.choices[1usize].params;
-                let _e68 = self.v_surface_object_slices_polish(pixel_73, at_74, path_37, hit_20, _e67);
+                let _e68 = self.v_surface_object_slices_polish(pixel_74, at_74, path_37, hit_20, _e67);
                 return _e68;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_74: PixelIn, at_75: Entered, path_38: Path, hit_21: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_74, at_75, path_38, hit_21))
+    pub(crate) fn polish_hit(&self, pixel_75: PixelIn, at_75: Entered, path_38: Path, hit_21: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_75, at_75, path_38, hit_21))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_polish_hit(&self, pixel_74: PixelIn, at_75: Entered, path_38: Path, hit_21: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_74, at_75, path_38, hit_21);
+    fn v_polish_hit(&self, pixel_75: PixelIn, at_75: Entered, path_38: Path, hit_21: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_75, at_75, path_38, hit_21);
         return _e4;
     }
     pub(crate) fn key_of(&self, depth_7: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -9675,18 +9715,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn hit_on_segment(
         &self,
-        pixel_75: PixelIn,
+        pixel_76: PixelIn,
         at_76: Entered,
         path_39: Path,
         found: Hit,
         k_19: impl rt::Into<rt::Scalar<u32>>,
     ) -> FirstHit {
-        rt::into(self.v_hit_on_segment(pixel_75, at_76, path_39, found, rt::into(k_19)))
+        rt::into(self.v_hit_on_segment(pixel_76, at_76, path_39, found, rt::into(k_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_segment(
         &self,
-        pixel_75: PixelIn,
+        pixel_76: PixelIn,
         at_76: Entered,
         path_39: Path,
         found: Hit,
@@ -9696,8 +9736,8 @@ impl<'g> Resources<'g> {
 
         first_1 = <FirstHit>::new(found, k_19, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(rt::Scalar(found.found).elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_polish_hit(pixel_75, at_76, path_39, found);
-            let _e12 = self.v_depth_on_ray(pixel_75, path_39, _e11);
+            let _e11 = self.v_polish_hit(pixel_76, at_76, path_39, found);
+            let _e12 = self.v_depth_on_ray(pixel_76, path_39, _e11);
             let _e13 = self.v_key_of(_e12);
             first_1 = <FirstHit>::new(_e11, k_19, _e13);
             let _e16 = self.v_in_hole(_e11.uv);
@@ -10849,12 +10889,12 @@ impl<'g> Resources<'g> {
                     let end_8 = _e35.x().min(_e35.y()).min(rt::Scalar(path_59.exit));
                     let _e41 = t_25;
                     let span_9 = (end_8 - _e41).max(rt::Scalar(0f32));
-                    let top_9 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
+                    let top_10 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
                     let _e52 = t_25;
                     let _e53 = self.v_path_height(path_59, _e52);
                     let _e55 = t_25;
                     let _e56 = self.v_path_slope(path_59, _e55);
-                    let above_8 = <rt::Vec3<f32>>::from_scalars((_e53 - top_9), _e56, path_59.h.z());
+                    let above_8 = <rt::Vec3<f32>>::from_scalars((_e53 - top_10), _e56, path_59.h.z());
                     let _e63 = t_25;
                     let _e67 = t_25;
                     let of_heights = (rt::Scalar(0.0000009536743f32) * (path_59.h.x().abs() + (_e63 * (path_59.h.y().abs() + (_e67 * path_59.h.z().abs())))));
@@ -12350,16 +12390,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_none(
         &self,
-        pixel_76: PixelIn,
+        pixel_77: PixelIn,
         at_78: Entered,
         params_79: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_none(pixel_76, at_78, rt::into(params_79)))
+        rt::into(self.v_object_none(pixel_77, at_78, rt::into(params_79)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_none(
         &self,
-        pixel_76: PixelIn,
+        pixel_77: PixelIn,
         at_78: Entered,
         params_79: rt::Vec4<f32>,
     ) -> FirstHit {
@@ -12380,11 +12420,11 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e16 = k_26;
-                    let _e17 = self.v_segment_of(pixel_76, at_78, _e16);
+                    let _e17 = self.v_segment_of(pixel_77, at_78, _e16);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e17.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e21 = self.v_trace(_e17);
                         let _e22 = k_26;
-                        let _e23 = self.v_hit_on_segment(pixel_76, at_78, _e17, _e21, _e22);
+                        let _e23 = self.v_hit_on_segment(pixel_77, at_78, _e17, _e21, _e22);
                         let _e24 = cost_21;
                         cost_21 = (_e24 + _e23.hit.cost);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e23.hit.found).elementwise_eq(rt::Scalar(1u32))) {
@@ -12399,7 +12439,7 @@ impl<'g> Resources<'g> {
                             if rt::Scalar::into_branch_condition(_e45) {
                                 first_3 = _e23;
                             }
-                            if rt::Scalar::into_branch_condition(rt::Scalar(pixel_76.shell.order).elementwise_lt(SHELL_FOLDED)) {
+                            if rt::Scalar::into_branch_condition(rt::Scalar(pixel_77.shell.order).elementwise_lt(SHELL_FOLDED)) {
                                 break 'naga_break;
                             }
                         }
@@ -12414,11 +12454,11 @@ impl<'g> Resources<'g> {
         let _e56 = first_3;
         return _e56;
     }
-    pub(crate) fn first_in_all(&self, pixel_77: PixelIn, at_79: Entered) -> FirstHit {
-        rt::into(self.v_first_in_all(pixel_77, at_79))
+    pub(crate) fn first_in_all(&self, pixel_78: PixelIn, at_79: Entered) -> FirstHit {
+        rt::into(self.v_first_in_all(pixel_78, at_79))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_in_all(&self, pixel_77: PixelIn, at_79: Entered) -> FirstHit {
+    fn v_first_in_all(&self, pixel_78: PixelIn, at_79: Entered) -> FirstHit {
         let mut cost_22: rt::Vec3<u32> = NO_COST;
         let mut first_4: FirstHit;
         let mut reached_1: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -12449,7 +12489,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e30 = k_27;
-                    let _e31 = self.v_segment_of(pixel_77, at_79, _e30);
+                    let _e31 = self.v_segment_of(pixel_78, at_79, _e30);
                     let _e32 = reached_1;
                     let passed_m = (_e32 - rt::Scalar(_e31.start)).max(rt::Scalar(0f32));
                     let ahead_2 = (rt::Scalar(1f32) + (rt::Scalar(_e31.bend) * passed_m));
@@ -12495,7 +12535,7 @@ impl<'g> Resources<'g> {
                         agreed = rt::Scalar(0u32);
                         let _e93 = cost_22;
                         let _e95 = k_27;
-                        let _e96 = self.v_hit_on_segment(pixel_77, at_79, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_40, _e93), _e95);
+                        let _e96 = self.v_hit_on_segment(pixel_78, at_79, _e31, <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e56.uv, rt::Scalar(_e56.height), t_40, _e93), _e95);
                         first_4 = _e96;
                         let _e99 = first_4.hit.cost;
                         cost_22 = _e99;
@@ -12519,40 +12559,40 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_depth(
         &self,
-        pixel_78: PixelIn,
+        pixel_79: PixelIn,
         at_80: Entered,
         params_80: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_depth(pixel_78, at_80, rt::into(params_80)))
+        rt::into(self.v_object_depth(pixel_79, at_80, rt::into(params_80)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_depth(
         &self,
-        pixel_78: PixelIn,
+        pixel_79: PixelIn,
         at_80: Entered,
         params_80: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_78, at_80);
+        let _e3 = self.v_first_in_all(pixel_79, at_80);
         return _e3;
     }
     pub(crate) fn object_hull(
         &self,
-        pixel_79: PixelIn,
+        pixel_80: PixelIn,
         at_81: Entered,
         params_81: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_hull(pixel_79, at_81, rt::into(params_81)))
+        rt::into(self.v_object_hull(pixel_80, at_81, rt::into(params_81)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_object_hull(
         &self,
-        pixel_79: PixelIn,
+        pixel_80: PixelIn,
         at_81: Entered,
         params_81: rt::Vec4<f32>,
     ) -> FirstHit {
-        let _e3 = self.v_first_in_all(pixel_79, at_81);
+        let _e3 = self.v_first_in_all(pixel_80, at_81);
         return _e3;
     }
     pub(crate) fn look_into_frame(&self, uv_20: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
@@ -12624,16 +12664,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn object_blend(
         &self,
-        pixel_80: PixelIn,
+        pixel_81: PixelIn,
         at_82: Entered,
         params_82: impl rt::Into<rt::Vec4<f32>>,
     ) -> FirstHit {
-        rt::into(self.v_object_blend(pixel_80, at_82, rt::into(params_82)))
+        rt::into(self.v_object_blend(pixel_81, at_82, rt::into(params_82)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_object_blend(
         &self,
-        pixel_80: PixelIn,
+        pixel_81: PixelIn,
         at_82: Entered,
         params_82: rt::Vec4<f32>,
     ) -> FirstHit {
@@ -12646,7 +12686,7 @@ impl<'g> Resources<'g> {
         let mut first_5: FirstHit;
         let mut local_89: rt::Scalar<bool>;
 
-        let toward_7 = (-pixel_80.direction.normalize());
+        let toward_7 = (-pixel_81.direction.normalize());
         let _e6 = self.v_frames_around(toward_7);
         'naga_break: loop {
             'naga_continue: {
@@ -12663,7 +12703,7 @@ impl<'g> Resources<'g> {
                     let _e26 = self.v_frame_weight(_e6, _e25);
                     if rt::Scalar::into_branch_condition(_e24.toward.dot(toward_7).elementwise_ge(rt::Scalar(0.05f32))) {
                         let _e31 = k_28;
-                        let _e32 = self.v_segment_of(pixel_80, at_82, _e31);
+                        let _e32 = self.v_segment_of(pixel_81, at_82, _e31);
                         let _e35 = self.v_look_along(_e32, _e24, params_82.w().to_u32());
                         let seen_7 = (_e26 * _e35.x());
                         let _e38 = cost_23;
@@ -12700,7 +12740,7 @@ impl<'g> Resources<'g> {
             return _e83;
         }
         let _e84 = heaviest;
-        let _e85 = self.v_segment_of(pixel_80, at_82, _e84);
+        let _e85 = self.v_segment_of(pixel_81, at_82, _e84);
         let _e86 = along_18;
         let _e87 = cover_1;
         let t_41 = ((_e86 / _e87) - rt::Scalar(_e85.start));
@@ -12709,45 +12749,45 @@ impl<'g> Resources<'g> {
         let _e95 = cost_23;
         let hit_64 = <Hit>::new(rt::Scalar(1u32), rt::Scalar(0u32), _e93, _e94, t_41, _e95);
         let _e97 = heaviest;
-        let _e98 = self.v_hit_on_segment(pixel_80, at_82, _e85, hit_64, _e97);
+        let _e98 = self.v_hit_on_segment(pixel_81, at_82, _e85, hit_64, _e97);
         return _e98;
     }
-    pub(crate) fn object_stage(&self, pixel_81: PixelIn, at_83: Entered) -> FirstHit {
-        rt::into(self.v_object_stage(pixel_81, at_83))
+    pub(crate) fn object_stage(&self, pixel_82: PixelIn, at_83: Entered) -> FirstHit {
+        rt::into(self.v_object_stage(pixel_82, at_83))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_object_stage(&self, pixel_81: PixelIn, at_83: Entered) -> FirstHit {
+    fn v_object_stage(&self, pixel_82: PixelIn, at_83: Entered) -> FirstHit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_object_none(pixel_81, at_83, _e11);
+                let _e12 = self.v_object_none(pixel_82, at_83, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_object_depth(pixel_81, at_83, _e17);
+                let _e18 = self.v_object_depth(pixel_82, at_83, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_object_hull(pixel_81, at_83, _e23);
+                let _e24 = self.v_object_hull(pixel_82, at_83, _e23);
                 return _e24;
             }
             _ => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_object_blend(pixel_81, at_83, _e29);
+                let _e30 = self.v_object_blend(pixel_82, at_83, _e29);
                 return _e30;
             }
         }
     }
-    pub(crate) fn first_hit(&self, pixel_82: PixelIn, at_84: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_82, at_84))
+    pub(crate) fn first_hit(&self, pixel_83: PixelIn, at_84: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_83, at_84))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_first_hit(&self, pixel_82: PixelIn, at_84: Entered) -> FirstHit {
-        let _e2 = self.v_object_stage(pixel_82, at_84);
+    fn v_first_hit(&self, pixel_83: PixelIn, at_84: Entered) -> FirstHit {
+        let _e2 = self.v_object_stage(pixel_83, at_84);
         return _e2;
     }
     pub(crate) fn quotient_up(
@@ -13021,25 +13061,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn gradient_at(
         &self,
-        point_16: impl rt::Into<rt::Vec2<f32>>,
+        point_17: impl rt::Into<rt::Vec2<f32>>,
         way_7: impl rt::Into<rt::Vec2<f32>>,
         count_5: impl rt::Into<rt::Scalar<f32>>,
         turns_1: impl rt::Into<rt::Scalar<f32>>,
         seed_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_gradient_at(rt::into(point_16), rt::into(way_7), rt::into(count_5), rt::into(turns_1), rt::into(seed_2)))
+        rt::into(self.v_gradient_at(rt::into(point_17), rt::into(way_7), rt::into(count_5), rt::into(turns_1), rt::into(seed_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_gradient_at(
         &self,
-        point_16: rt::Vec2<f32>,
+        point_17: rt::Vec2<f32>,
         way_7: rt::Vec2<f32>,
         count_5: rt::Scalar<f32>,
         turns_1: rt::Scalar<f32>,
         seed_2: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_bits_of_point(point_16, count_5, seed_2);
+        let _e5 = self.v_bits_of_point(point_17, count_5, seed_2);
         let _e6 = self.v_unit_of(_e5);
         let _e8 = self.v_turned_1((_e6 + turns_1));
         return _e8.dot(way_7);
@@ -13294,18 +13334,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn light_place(
         &self,
         view_13: LightView,
-        point_17: impl rt::Into<rt::Vec3<f32>>,
+        point_18: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_light_place(view_13, rt::into(point_17)))
+        rt::into(self.v_light_place(view_13, rt::into(point_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_light_place(
         &self,
         view_13: LightView,
-        point_17: rt::Vec3<f32>,
+        point_18: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let at_150 = <rt::Vec4<f32>>::new_31(point_17, rt::Scalar(1f32));
+        let at_150 = <rt::Vec4<f32>>::new_31(point_18, rt::Scalar(1f32));
         let depth_9 = view_13.depth.dot(at_150);
         let over_3 = rt::Scalar(1f32).select(depth_9, rt::Scalar(view_13.from_point).elementwise_eq(rt::Scalar(1u32)));
         return <rt::Vec3<f32>>::new_21((<rt::Vec2<f32>>::from_scalars(view_13.column.dot(at_150), view_13.row.dot(at_150)) / rt::Vec2::splat_from_scalar(over_3)), depth_9);
@@ -13340,26 +13380,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn plane_depth(
         &self,
         view_14: LightView,
-        point_18: impl rt::Into<rt::Vec3<f32>>,
+        point_19: impl rt::Into<rt::Vec3<f32>>,
         normal_18: impl rt::Into<rt::Vec3<f32>>,
         texel_4: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_plane_depth(view_14, rt::into(point_18), rt::into(normal_18), rt::into(texel_4)))
+        rt::into(self.v_plane_depth(view_14, rt::into(point_19), rt::into(normal_18), rt::into(texel_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
     fn v_plane_depth(
         &self,
         view_14: LightView,
-        point_18: rt::Vec3<f32>,
+        point_19: rt::Vec3<f32>,
         normal_18: rt::Vec3<f32>,
         texel_4: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let corner_6 = ((view_14.corner.xyz() + (view_14.across.xyz() * texel_4.x())) + (view_14.along.xyz() * texel_4.y()));
         if rt::Scalar::into_branch_condition(rt::Scalar(view_14.from_point).elementwise_eq(rt::Scalar(1u32))) {
-            return (normal_18.dot((point_18 - view_14.eye.xyz())) / normal_18.dot(corner_6));
+            return (normal_18.dot((point_19 - view_14.eye.xyz())) / normal_18.dot(corner_6));
         }
-        return (normal_18.dot((point_18 - corner_6)) / normal_18.dot(view_14.depth.xyz()));
+        return (normal_18.dot((point_19 - corner_6)) / normal_18.dot(view_14.depth.xyz()));
     }
     pub(crate) fn light_texel(
         &self,
@@ -13454,12 +13494,12 @@ impl<'g> Resources<'g> {
         let view_28 = self.frame.light_views[rt::Scalar::into_array_index(number_15)];
         let texel_m = (rt::Scalar(view_28.texel_m) * rt::Scalar(1f32).select(place_19.z(), rt::Scalar(view_28.from_point).elementwise_eq(rt::Scalar(1u32))));
         let _e19 = self.v_footprint_m(at_92);
-        let point_31 = (at_92.point + (normal_19 * (bias * texel_m.max(_e19))));
+        let point_32 = (at_92.point + (normal_19 * (bias * texel_m.max(_e19))));
         let reach_1 = (rt::Scalar(16f32) * texel_m);
         let low_10 = (place_19.xy() - (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)) * filter_width));
         let high_4 = (low_10 + <rt::Vec2<f32>>::from_scalars(filter_width, filter_width));
         let last_14 = high_4.floor().min((<rt::Vec2<f32>>::from_scalars(rt::Scalar(view_28.size).to_f32(), rt::Scalar(view_28.size).to_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))));
-        let in_view = <InView>::new(number_15, point_31, normal_19, low_10, high_4, (place_19.z() - reach_1), (place_19.z() + reach_1));
+        let in_view = <InView>::new(number_15, point_32, normal_19, low_10, high_4, (place_19.z() - reach_1), (place_19.z() + reach_1));
         row_7 = low_10.y().floor();
         'naga_break: loop {
             'naga_continue: {
@@ -14453,16 +14493,16 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_83: PixelIn, at_112: Entered, hit_38: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_83, at_112, hit_38))
+    pub(crate) fn mirrored_light(&self, pixel_84: PixelIn, at_112: Entered, hit_38: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_84, at_112, hit_38))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
-    fn v_mirrored_light(&self, pixel_83: PixelIn, at_112: Entered, hit_38: Hit) -> rt::Scalar<f32> {
+    fn v_mirrored_light(&self, pixel_84: PixelIn, at_112: Entered, hit_38: Hit) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_38.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
-        let down_3 = pixel_83.direction.normalize();
+        let down_3 = pixel_84.direction.normalize();
         let up_7 = (down_3 - (at_112.normal * (rt::Scalar(2f32) * down_3.dot(at_112.normal))));
         let _e24 = self.v_shadow_stage(at_112, hit_38, <Toward>::new(up_7, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_3.x().abs()), rt::Scalar(0u32)));
         return _e24;
@@ -14746,17 +14786,6 @@ impl<'g> Resources<'g> {
         let _e10 = self.v_parts_by_voxels(a_20, b_20, level_45);
         return _e10;
     }
-    pub(crate) fn pixel_direction(&self, pixel_84: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel_84)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    #[inline(always)]
-    fn v_pixel_direction(&self, pixel_84: rt::Vec2<f32>) -> rt::Vec3<f32> {
-        let _e3 = self.frame.corner;
-        let _e7 = self.frame.right;
-        let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_84.x())) + (_e14.xyz() * pixel_84.y()));
-    }
     pub(crate) fn pixel_eye(&self, pixel_85: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_pixel_eye(rt::into(pixel_85)))
     }
@@ -14775,9 +14804,9 @@ impl<'g> Resources<'g> {
         c_14: Corner,
         shell_4: Shell,
         side_4: impl rt::Into<rt::Scalar<f32>>,
-        point_19: impl rt::Into<rt::Vec2<f32>>,
+        point_20: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_21, b_21, c_14, shell_4, rt::into(side_4), rt::into(point_19)))
+        rt::into(self.v_pixel_of(a_21, b_21, c_14, shell_4, rt::into(side_4), rt::into(point_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14788,10 +14817,10 @@ impl<'g> Resources<'g> {
         c_14: Corner,
         shell_4: Shell,
         side_4: rt::Scalar<f32>,
-        point_19: rt::Vec2<f32>,
+        point_20: rt::Vec2<f32>,
     ) -> PixelIn {
-        let _e6 = self.v_pixel_eye(point_19);
-        let _e7 = self.v_pixel_direction(point_19);
+        let _e6 = self.v_pixel_eye(point_20);
+        let _e7 = self.v_pixel_direction(point_20);
         return <PixelIn>::new(_e6, _e7, side_4, a_21, b_21, c_14, shell_4);
     }
     pub(crate) fn placed_over(
@@ -14849,10 +14878,10 @@ impl<'g> Resources<'g> {
         pixel_87: PixelIn,
         at_121: Entered,
         weights_4: impl rt::Into<rt::Vec3<f32>>,
-        point_20: impl rt::Into<rt::Vec3<f32>>,
+        point_21: impl rt::Into<rt::Vec3<f32>>,
         uv_33: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_87, at_121, rt::into(weights_4), rt::into(point_20), rt::into(uv_33)))
+        rt::into(self.v_placed_at(pixel_87, at_121, rt::into(weights_4), rt::into(point_21), rt::into(uv_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     #[inline(always)]
@@ -14861,12 +14890,12 @@ impl<'g> Resources<'g> {
         pixel_87: PixelIn,
         at_121: Entered,
         weights_4: rt::Vec3<f32>,
-        point_20: rt::Vec3<f32>,
+        point_21: rt::Vec3<f32>,
         uv_33: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_87, weights_4, point_20, uv_33, at_121.facing);
+        let _e6 = self.v_frame_at(pixel_87, weights_4, point_21, uv_33, at_121.facing);
         placed_1 = _e6;
         rt::Scalar(placed_1.level) = rt::Scalar(at_121.level);
         rt::Scalar(placed_1.footprint) = rt::Scalar(at_121.footprint);
@@ -15072,8 +15101,8 @@ impl<'g> Resources<'g> {
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_8 = (_e45 + (_e47 * t_42));
-        let point_32 = (pixel_91.origin + (along_47 * (rt::Scalar(path_78.start) + rt::Scalar(hit_48.t))));
-        let _e58 = self.v_placed_at(pixel_91, at_126, weights_8.xyz(), point_32, hit_48.uv);
+        let point_33 = (pixel_91.origin + (along_47 * (rt::Scalar(path_78.start) + rt::Scalar(hit_48.t))));
+        let _e58 = self.v_placed_at(pixel_91, at_126, weights_8.xyz(), point_33, hit_48.uv);
         return _e58;
     }
     pub(crate) fn surface_facets_place(
@@ -16328,7 +16357,7 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_first_of_top(sweep_8, column_5);
         let _e10 = self.v_first_of_top(sweep_8, (column_5 + rt::Scalar(1i32)));
         let is_behind = (_e10 - rt::Scalar(1i32)).elementwise_gt(n_14);
-        let top_10 = TOP_NEXT.select(TOP_BEFORE.select(TOP_ROOF, _e7.elementwise_lt(n_14)), is_behind);
+        let top_11 = TOP_NEXT.select(TOP_BEFORE.select(TOP_ROOF, _e7.elementwise_lt(n_14)), is_behind);
         let from_top = _e7.max(rt::Scalar(1i32));
         let of_top_1 = (_e10.min((n_14 + m_8)) - from_top);
         if rt::Scalar::into_branch_condition((!column_5.elementwise_le(rt::Scalar(0i32)))) {
@@ -16338,7 +16367,7 @@ impl<'g> Resources<'g> {
         }
         let _e34 = local_104;
         if rt::Scalar::into_branch_condition(_e34) {
-            return <SweptColumn>::new(column_5, rt::Scalar(0i32), rt::Scalar(0i32), first_8, from_top, of_top_1, top_10);
+            return <SweptColumn>::new(column_5, rt::Scalar(0i32), rt::Scalar(0i32), first_8, from_top, of_top_1, top_11);
         }
         let _e43 = self.v_quotient_near((sweep_8.end.y() * column_5), sweep_8.end.x());
         let inside_8 = (_e43 + rt::Scalar(1i32));
@@ -16347,7 +16376,7 @@ impl<'g> Resources<'g> {
         let _e53 = self.v_quotient_near(rt::Scalar(_e46.y), rt::Scalar(_e46.w));
         let _e56 = self.v_quotient_near(rt::Scalar(_e50.y), rt::Scalar(_e50.w));
         let above_10 = _e53.min(_e56);
-        return <SweptColumn>::new(column_5, inside_8, (above_10 - inside_8).max(rt::Scalar(0i32)), first_8, from_top, of_top_1, top_10);
+        return <SweptColumn>::new(column_5, inside_8, (above_10 - inside_8).max(rt::Scalar(0i32)), first_8, from_top, of_top_1, top_11);
     }
     pub(crate) fn swept_points_of(&self, sweep_9: Sweep) -> u32 {
         rt::into(self.v_swept_points_of(sweep_9))

@@ -9,6 +9,8 @@ pub const MODULES: &[Module] = &[
     Module { path: "shared/angle", head: r#"// Angles in turns, a turn being the whole circle, in plain arithmetic: the trigonometric functions of GPUs
 // differ from one to the next.
 "# },
+    Module { path: "shared/background", head: r#"// What is seen beside the surfaces.
+"# },
     Module { path: "shared/base", head: r#"// A pixel's base triangle, as a plane.
 "# },
     Module { path: "shared/bounding_box", head: r#"// Boxes around the shells of base triangles, for the rasteriser.
@@ -1372,6 +1374,20 @@ fn sine_of(turn: f32) -> f32 {
         text: r#"// The unit vector at an angle.
 fn turned(turn: f32) -> vec2f {
     return vec2f(sine_of(turn + 0.25), sine_of(turn));
+}"#,
+    },
+    Declaration {
+        module: "shared/background",
+        name: "background_at",
+        sampling: None,
+        uses: &["environment_of_level", "frame", "pixel_direction"],
+        text: r#"// The linear colour at a point in pixels from the picture's top-left corner, in a picture of so many rows.
+fn background_at(point: vec2f, rows: f32) -> vec3f {
+    if (frame.background.w > 0.0) {
+        return environment_of_level(pixel_direction(point), 0u) * frame.background.w;
+    }
+    let top = frame.background.xyz;
+    return top + (frame.background_below.xyz - top) * (point.y / rows);
 }"#,
     },
     Declaration {
@@ -6357,8 +6373,10 @@ struct Frame {
     near: f32,
     // What a depth buffer holds for a depth d is x + y / d + z d.
     clip: vec4f,
-    // Linear RGB of pixels that show no surface.
+    // Linear RGB of what is beside the surfaces, at the picture's upper and at its lower edge. Where the
+    // fourth part is above 0 the surroundings are seen there instead, times that part.
     background: vec4f,
+    background_below: vec4f,
     lights: array<Light, MAX_LIGHTS>,
     light_count: u32,
     // What lights see, as far as shadows are looked up there.
@@ -12735,7 +12753,7 @@ fn shade_main(@builtin(global_invocation_id) id: vec3u) {
         module: "roots/show",
         name: "show_main",
         sampling: None,
-        uses: &["SHADE_GROUP", "frame", "pass_settings", "picture", "shown_records"],
+        uses: &["SHADE_GROUP", "background_at", "pass_settings", "picture", "shown_records"],
         text: r#"@compute @workgroup_size(SHADE_GROUP, SHADE_GROUP)
 fn show_main(@builtin(global_invocation_id) id: vec3u) {
     let size = textureDimensions(picture);
@@ -12745,7 +12763,8 @@ fn show_main(@builtin(global_invocation_id) id: vec3u) {
     }
     let place = id.y * size.x + id.x;
     let color = shown_records[place].color;
-    let shown = color.xyz + frame.background.xyz * (1.0 - color.w);
+    let behind = background_at(vec2f(at) + vec2f(0.5, 0.5), f32(size.y));
+    let shown = color.xyz + behind * (1.0 - color.w);
     textureStore(picture, vec2i(at), vec4f(shown, 1.0));
 }"#,
     },

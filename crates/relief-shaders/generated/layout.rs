@@ -59,7 +59,7 @@ impl Shared for LightView {
 }
 
 impl Shared for Frame {
-    const SIZE: usize = 6784;
+    const SIZE: usize = 6800;
 
     fn write(&self, bytes: &mut [u8]) {
         self.view_projection.write(&mut bytes[0..]);
@@ -75,9 +75,10 @@ impl Shared for Frame {
         self.near.write(&mut bytes[196..]);
         self.clip.write(&mut bytes[208..]);
         self.background.write(&mut bytes[224..]);
-        self.lights.write(&mut bytes[240..]);
-        self.light_count.write(&mut bytes[624..]);
-        self.light_views.write(&mut bytes[640..]);
+        self.background_below.write(&mut bytes[240..]);
+        self.lights.write(&mut bytes[256..]);
+        self.light_count.write(&mut bytes[640..]);
+        self.light_views.write(&mut bytes[656..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -95,9 +96,10 @@ impl Shared for Frame {
             near: Shared::read(&bytes[196..]),
             clip: Shared::read(&bytes[208..]),
             background: Shared::read(&bytes[224..]),
-            lights: Shared::read(&bytes[240..]),
-            light_count: Shared::read(&bytes[624..]),
-            light_views: Shared::read(&bytes[640..]),
+            background_below: Shared::read(&bytes[240..]),
+            lights: Shared::read(&bytes[256..]),
+            light_count: Shared::read(&bytes[640..]),
+            light_views: Shared::read(&bytes[656..]),
         }
     }
 }

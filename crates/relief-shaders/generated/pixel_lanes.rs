@@ -1846,6 +1846,9 @@ lanes! { fn angle_to_image(r: &Resources<'_>, within: M, image_a0: &Image, point
     let off_39 = abs(sub(place_12.z, e_37));
     return add(angle_10, sel(le(mul(mul(off_39, width_20), div(deeper_33, wider_27)), splat(2.0f32)), splat(0.0f32), splat(2.0f32)));
 } }
+stage! { pub(super) fn pixel_direction(r: &Resources<'_>, pixel_a0: Vec2<F>) -> Vec3<F> {
+    return Vec3 { x: add(add(splat(r.frame.corner.x), mul(splat(r.frame.right.x), pixel_a0.x)), mul(splat(r.frame.down.x), pixel_a0.y)), y: add(add(splat(r.frame.corner.y), mul(splat(r.frame.right.y), pixel_a0.x)), mul(splat(r.frame.down.y), pixel_a0.y)), z: add(add(splat(r.frame.corner.z), mul(splat(r.frame.right.z), pixel_a0.x)), mul(splat(r.frame.down.z), pixel_a0.y)) };
+} }
 lanes! { fn lift_of(r: &Resources<'_>, lift_a0: Vec3<F>, w_a1: Vec3<F>) -> F {
     return add(add(mul(mul(lift_a0.x, w_a1.y), w_a1.z), mul(mul(lift_a0.y, w_a1.z), w_a1.x)), mul(mul(lift_a0.z, w_a1.x), w_a1.y));
 } }
@@ -5626,9 +5629,6 @@ lanes! { fn object_color_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hi
             return e_31;
         }
     }
-} }
-stage! { pub(super) fn pixel_direction(r: &Resources<'_>, pixel_a0: Vec2<F>) -> Vec3<F> {
-    return Vec3 { x: add(add(splat(r.frame.corner.x), mul(splat(r.frame.right.x), pixel_a0.x)), mul(splat(r.frame.down.x), pixel_a0.y)), y: add(add(splat(r.frame.corner.y), mul(splat(r.frame.right.y), pixel_a0.x)), mul(splat(r.frame.down.y), pixel_a0.y)), z: add(add(splat(r.frame.corner.z), mul(splat(r.frame.right.z), pixel_a0.x)), mul(splat(r.frame.down.z), pixel_a0.y)) };
 } }
 stage! { pub(super) fn pixel_eye(r: &Resources<'_>, pixel_a0: Vec2<F>) -> Vec3<F> {
     return Vec3 { x: add(add(splat(r.frame.eye.x), mul(splat(r.frame.eye_right.x), pixel_a0.x)), mul(splat(r.frame.eye_down.x), pixel_a0.y)), y: add(add(splat(r.frame.eye.y), mul(splat(r.frame.eye_right.y), pixel_a0.x)), mul(splat(r.frame.eye_down.y), pixel_a0.y)), z: add(add(splat(r.frame.eye.z), mul(splat(r.frame.eye_right.z), pixel_a0.x)), mul(splat(r.frame.eye_down.z), pixel_a0.y)) };

@@ -5,7 +5,7 @@ use std::error::Error;
 use relief::maps::Maps;
 use relief::render::gpu::{Gpu, block_on};
 use relief::render::mesh::square;
-use relief::render::scene::{Sampling, Scene, Surface};
+use relief::render::scene::{Look, Sampling, Scene, Surface};
 use relief::render::{Renderer, wgpu};
 use relief::{HeightMap, Wrap};
 
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let heights = HeightMap::from_fn(64, 64, Wrap::Repeat, |i, j| ((i ^ j) & 8) as f32 / 8.0)?;
     let surface = Surface::new(square(1)?, heights.with_displacement(0.05, 0.0)?);
-    let scene = Scene::builder(surface).size(320, 240).build()?;
+    let scene = Scene::builder(surface).look(Look::Studio).size(320, 240).build()?;
     let mut renderer = Renderer::on_gpu(Gpu::of_device(device, queue, "ours"), Sampling::Exact);
     let mut maps = Maps::in_memory();
     let Some(texture) = block_on(renderer.draw(&scene, &mut maps, &|_task, _part| {}))? else {

@@ -7,7 +7,7 @@ use relief::render::Renderer;
 use relief::render::camera::Camera;
 use relief::render::glam::DVec3;
 use relief::render::mesh::{Placement, cube, square};
-use relief::render::scene::{BackendChoice, Sampling, Scene, Surface};
+use relief::render::scene::{BackendChoice, Look, Sampling, Scene, Surface};
 use relief::shaders::Selection;
 use relief::{HeightMap, Wrap};
 
@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let place = Placement { position_m: DVec3::new(0.2, 0.2, 0.0), size: 0.4, ..Placement::default() };
     let floor = Surface::new(square(1)?, heights.clone()).with_selection(Selection::exact());
     let block = Surface::new(cube(1)?.placed(&place)?, heights).with_selection(Selection::method("cone")?);
-    let mut scene = Scene::builder(floor).surface(block).size(320, 240).build()?;
+    let mut scene = Scene::builder(floor).surface(block).look(Look::Studio).size(320, 240).build()?;
 
     let mut maps = Maps::in_memory();
     let mut renderer = Renderer::new(BackendChoice::Auto, Sampling::Exact)?;

@@ -4,7 +4,7 @@ use std::error::Error;
 
 use relief::maps::Maps;
 use relief::render::mesh::torus;
-use relief::render::scene::{Scene, Surface};
+use relief::render::scene::{Look, Scene, Surface};
 use relief::render::{picture, render};
 use relief::shaders::Selection;
 use relief::{HeightMap, Wrap};
@@ -14,10 +14,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     // 2 cm between the lowest and the highest texel; the lowest lies on the mesh.
     let heights = HeightMap::from_fn(94, 94, Wrap::Repeat, bumps)?.with_displacement(0.02, 0.0)?;
     let surface = Surface::new(torus(96, 48)?, heights).with_selection(Selection::method("cone")?);
-    let scene = Scene::builder(surface).size(320, 240).build()?;
+    let scene = Scene::builder(surface).look(Look::Studio).size(320, 240).build()?;
 
     let rendered = render(&scene, &mut Maps::in_memory(), &|_task, _part| {})?;
-    let rgb = picture::srgb8(&rendered.rendering, &scene.look());
+    let rgb = picture::srgb8(&rendered.rendering, &scene);
     println!("{} bytes of sRGB on the {}, {}", rgb.len(), rendered.made.backend, rendered.made.device);
 
     let hits = rendered.rendering.pixels.iter().filter(|pixel| pixel.hit == 1).count();

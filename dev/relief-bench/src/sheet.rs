@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use relief_io::{PictureFormat, write_picture};
 use relief_maps::Maps;
+use relief_render::picture::{linear, srgb};
 use relief_render::render;
 use relief_render::scene::{BackendChoice, SceneSpec, SurfaceSpec};
 
@@ -104,8 +105,8 @@ fn show(file: &Path) -> Result<Shown, String> {
     };
     let scene = spec.load().map_err(|error| error.to_string())?;
     let rendered = render(&scene, &mut Maps::in_memory(), &|_, _| {}).map_err(|error| error.to_string())?;
-    let (look, pixels) = (scene.look(), &rendered.rendering.pixels);
-    let colours: Vec<[f32; 3]> = pixels.iter().map(|pixel| look.srgb(pixel)).collect();
+    let pixels = &rendered.rendering.pixels;
+    let colours: Vec<[f32; 3]> = linear(&rendered.rendering, &scene).into_iter().map(srgb).collect();
     let (mut sum, mut covered) = (0.0, 0usize);
     for (colour, _) in colours.iter().zip(pixels).filter(|(_, pixel)| pixel.hit == 1) {
         sum += colour.iter().map(|part| f64::from(*part) * 255.0).sum::<f64>() / 3.0;

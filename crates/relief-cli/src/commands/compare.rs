@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use relief_compare::{Compared, Comparison, Goal, Timing, Tried, choose, csv, page, with_other_steps};
 use relief_core::MapFormat;
+use relief_render::scene::Look;
 
 use super::contest::{Contest, ContestArguments, as_json, compared, look_again, of_comparison};
 use super::staged::{Staged, format_of};
@@ -204,6 +205,10 @@ impl Arguments {
         let has_scale = spec.each_surface().iter().any(|surface| surface.scale.is_some());
         let is_scene = self.contest.scene.file().is_some();
         let mut comparison = contest.comparison(self.json)?;
+        // The light and the background that somebody chose are shown as they are.
+        let spec = &contest.spec;
+        let is_lit = spec.light.is_some() || spec.lights.is_some() || spec.background.is_some();
+        comparison.shown_look = (!is_lit).then_some(Look::Studio);
         comparison.steps.clone_from(&self.steps);
         comparison.angles_deg.clone_from(&self.angles);
         let has_own = is_scene || has_scale || self.goal().is_some();

@@ -9,7 +9,7 @@ use relief_compare::{
     COBBLES_PNG, CompareError, Compared, Comparison, Contender, Goal, LeftOut, Machine, Records, Watch,
 };
 use relief_core::registry::UnknownName;
-use relief_render::scene::{BackendChoice, Sampling, SceneSpec};
+use relief_render::scene::{BackendChoice, Look, Sampling, SceneSpec};
 use relief_render::{RenderError, Renderer};
 use relief_shaders::{Choice, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SLICES, STAGES, Selection, geometry};
 use tempfile::TempDir;
@@ -69,6 +69,8 @@ impl ContestArguments {
     /// What is tried.
     pub fn contest(&self) -> Result<Contest, Failure> {
         let mut spec = self.scene.spec()?;
+        // Pictures that are measured do not change with fashion.
+        spec.look.get_or_insert(Look::Plain);
         Numbering::of(self.scene.file()).refuse(&spec, ONE_FRAME)?;
         if let Some(file) = spec.each_surface().into_iter().find_map(|surface| surface.object) {
             return Err(Failure::Usage(format!(

@@ -88,12 +88,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let _reading = Progress::spinner("reading", arguments.json);
         spec.load().map_err(of_scene)?
     };
-    let mut studio = Studio::new(arguments);
+    let mut renderer = PictureRenderer::new(arguments);
     let progress = TaskProgress::new(arguments.json);
-    let (counts, made) = studio.draw(&scene, &outputs, &|task, part| progress.show(task, part))?;
+    let (counts, made) = renderer.draw(&scene, &outputs, &|task, part| progress.show(task, part))?;
     drop(progress);
     if !arguments.json {
-        studio.notes(&spec, &scene, &made).iter().for_each(say::note);
+        renderer.notes(&spec, &scene, &made).iter().for_each(say::note);
     }
     let picture = Picture { spec: &spec, scene: &scene, outputs: &outputs, counts, made: &made };
     tell_written(arguments.json, |out| match arguments.json {
@@ -103,7 +103,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// Renders one scene after the other.
-struct Studio<'a> {
+struct PictureRenderer<'a> {
     arguments: &'a Arguments,
     /// The baked maps.
     kept: Maps,
@@ -113,7 +113,7 @@ struct Studio<'a> {
     renderer: Option<(BackendChoice, Sampling, Renderer)>,
 }
 
-impl<'a> Studio<'a> {
+impl<'a> PictureRenderer<'a> {
     fn new(arguments: &'a Arguments) -> Self {
         let (kept, no_cache) = arguments.cache.maps();
         Self { arguments, kept, no_cache, renderer: None }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf, absolute};
 
 use clap::Args;
 use relief_io::write_atomically;
+use relief_render::background::Background;
 use relief_render::scene::{Form, Key, SceneSpec, keys, parse_scene};
 use serde_json::{Map, Value, json};
 
@@ -115,6 +116,7 @@ fn of_key(key: &Key) -> Value {
         Form::Length => length(),
         Form::Lengths(count) => list(length(), *count),
         Form::Direction => direction(),
+        Form::Background => json!({ "oneOf": [colour(), { "enum": Background::NAMES }] }),
         Form::Wholes(count) => numbers("integer", *count),
         Form::Size => json!({ "oneOf": [numbers("integer", 2), { "const": "map" }] }),
         Form::Range => json!({ "oneOf": [numbers("number", 2), { "const": "auto" }] }),

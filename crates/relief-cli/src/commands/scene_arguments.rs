@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use relief_core::ByteSize;
 use relief_io::{GreenSign, decode_text};
+use relief_render::background::Background;
 use relief_render::depth_buffer::Clip;
 use relief_render::scene::{
-    BackendChoice, LightDirection, LightSpec, MaterialSpec, MeshChoice, PictureSize, ProjectionChoice,
+    BackendChoice, LightDirection, LightSpec, Look, MaterialSpec, MeshChoice, PictureSize, ProjectionChoice,
     Sampling, SceneError, SceneSpec, SurfaceSpec, ValueError, ValueProblem, View, parse_scene, read_scene,
 };
 use relief_render::tone::Tone;
@@ -66,21 +67,23 @@ pub struct SceneArguments {
     /// Samples of a pixel, 1 to 1024: more make edges and far texels smoother [default: 4]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     samples: Option<u32>,
-    /// Stops by which the light is brightened, each doubling it [default: 0]
+    /// Light, background, tone curve and camera where no other flag says them: studio (a key light from the
+    /// camera's upper left, a soft sky, a bright backdrop), sun (low and warm, before a blue sky), overcast (sky
+    /// alone), or plain (one light, dark background, as `relief compare` measures by). Takes the
+    /// place of a scene file's own light, background and tone curve [default: studio]
+    #[arg(long, value_name = "NAME")]
+    look: Option<Look>,
+    /// Stops by which the light is brightened, each doubling it [default: the look's]
     #[arg(long, value_name = "STOPS", allow_hyphen_values = true)]
     exposure: Option<f32>,
-    /// Tone curve: none cuts off what is too bright, agx makes it pale [default: none]
+    /// Tone curve: none cuts off what is too bright, agx makes it pale; an EXR has none
+    /// [default: the look's]
     #[arg(long, value_name = "none|agx")]
     tone: Option<Tone>,
-    /// Linear red, green and blue of pixels that show no surface [default: 0.05,0.05,0.05]
-    #[arg(
-        long,
-        value_name = "R,G,B",
-        value_parser = values::point,
-        allow_hyphen_values = true,
-        hide_short_help = true,
-    )]
-    background: Option<[f64; 3]>,
+    /// What is seen where no surface is: linear red, green and blue, gradient (a bright backdrop), or environment
+    /// (that of --environment, or a generated sky) [default: the look's]
+    #[arg(long, value_name = "R,G,B|NAME", allow_hyphen_values = true, hide_short_help = true)]
+    background: Option<Background>,
 
     /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
@@ -168,7 +171,7 @@ pub struct SceneArguments {
     )]
     set: Vec<(String, f64)>,
 
-    /// From where the camera looks that sees all of the scene: corner, top, front or right [default: corner]
+    /// From where the camera looks that sees all of the scene: corner, top, front or right [default: the look's]
     #[arg(
         long,
         value_name = "VIEW",
@@ -236,7 +239,7 @@ pub struct SceneArguments {
     )]
     far: Option<f64>,
     /// Direction toward a directional light: a vector, or degrees clockwise from north (-z) and above the
-    /// horizon [default: -0.6,0.6,-0.1]
+    /// horizon, as in az=315,alt=45 [default: the look's light]
     #[arg(
         long,
         value_name = "X,Y,Z|az=A,alt=B",
@@ -264,7 +267,7 @@ pub struct SceneArguments {
         hide_short_help = true
     )]
     light_angle: Option<f64>,
-    /// Colour of the ambient light, linear red, green and blue [default: 0.12,0.12,0.12]
+    /// Colour of the ambient light, linear red, green and blue [default: the look's]
     #[arg(
         long,
         value_name = "R,G,B",
@@ -392,6 +395,7 @@ impl SceneArguments {
         let lights = || directional.into_iter().chain(self.point_light.iter().cloned()).collect();
         let colour = |colour: [f64; 3]| colour.map(|part| part as f32);
         SceneSpec {
+            look: self.look,
             view: self.view,
             eye: self.eye,
             target: self.target,
@@ -410,7 +414,7 @@ impl SceneArguments {
             light_angle: self.light_angle,
             ambient_color: self.ambient_color.or(color_of_ambient).map(colour),
             environment: self.environment.clone(),
-            background: self.background.map(colour),
+            background: self.background,
             max_memory: self.max_memory,
             ..SceneSpec::of_surface(surface)
         }

@@ -9,7 +9,7 @@ use std::time::Instant;
 use clap::Args;
 use relief_core::ByteSize;
 use relief_io::{DEFAULT_MAX_BYTES, MAX_SHELLS, MeshCounts, Shells, WriteError, write_shells};
-use relief_render::scene::{SceneError, SceneSpec, Surface, read_scene};
+use relief_render::scene::{Look, SceneError, SceneSpec, Surface, read_scene};
 use serde_json::json;
 
 use super::maps::{self, By};
@@ -133,6 +133,7 @@ impl Arguments {
             max_memory: Some(ByteSize(self.max_bytes())),
             size: Some([1, 1].into()),
             samples: Some(1),
+            look: Some(Look::Plain),
             ..spec
         };
         let scene = spec.load().map_err(of_scene_file)?;

@@ -37,9 +37,9 @@ fn help(place: usize, stage: &Stage) -> String {
             let names: Vec<&str> = stage.entries.iter().map(|entry| entry.name).collect();
             let default = match place {
                 DETAIL => "footprint with several samples where the search can, else none",
-                AMBIENT => "constant; environment with --environment or --transmission",
+                AMBIENT => "the look's; environment with --environment or --transmission",
                 GEOMETRY => "that of the method, else none",
-                SHADOW => "ray; map with displaced triangles",
+                SHADOW => "ray; map with displaced triangles, and with several surfaces unless --look plain",
                 _ => names[0],
             };
             let or_color = match place {

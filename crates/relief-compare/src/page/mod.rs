@@ -14,7 +14,7 @@ use self::heat::heat;
 use crate::columns::{COLUMNS, Cell, Column, Row};
 use crate::picture::{Flip, Image};
 use crate::record::{About, LeftOut, PictureRecord, Records};
-use crate::run::{Compared, Reference, Shown};
+use crate::run::{Compared, Shown};
 
 /// Quality of the pictures in the page: nothing of it is seen beside the differences that are shown.
 const JPEG_QUALITY: u8 = 90;
@@ -28,9 +28,9 @@ const SCRIPT: &str = include_str!("script.js");
 ///
 /// When a picture cannot be encoded.
 pub fn page(compared: &Compared) -> Result<String, ImageError> {
-    let Compared { records, shown, references } = compared;
+    let records = &compared.records;
     let title = format!("Displacement methods on {}", records.about.map);
-    let pictures = pictures(records, shown, references)?;
+    let pictures = pictures(compared)?;
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -147,7 +147,8 @@ fn left_out(left_out: &[LeftOut]) -> Markup {
 }
 
 /// The pictures, those of a reference together, each with what differs beside it.
-fn pictures(records: &Records, shown: &[Shown], references: &[Reference]) -> Result<Markup, ImageError> {
+fn pictures(compared: &Compared) -> Result<Markup, ImageError> {
+    let Compared { records, shown, references, shown_look } = compared;
     let mut groups = Vec::new();
     for (place, reference) in references.iter().enumerate() {
         let of_reference = records.pictures.iter().zip(shown).filter(|(_, shown)| shown.reference == place);
@@ -172,7 +173,13 @@ fn pictures(records: &Records, shown: &[Shown], references: &[Reference]) -> Res
     Ok(html! {
         @if !groups.is_empty() {
             h2 { "Pictures, with FLIP beside them" }
-            p { "Black is no difference, white the greatest that there is." }
+            p {
+                "Black is no difference, white the greatest that there is."
+                @if let Some(look) = shown_look {
+                    " What is shown has the light and the background of the look " (look)
+                    "; what is compared has those of the scene."
+                }
+            }
             @for group in groups { (group) }
         }
     })

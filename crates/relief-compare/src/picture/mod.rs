@@ -6,7 +6,8 @@ mod kernel;
 
 use relief_io::linear_to_srgb;
 use relief_render::job::Rendering;
-use relief_render::picture::Look;
+use relief_render::picture::linear;
+use relief_render::scene::Scene;
 
 pub use flip::{Flip, PIXELS_PER_DEGREE, flip};
 
@@ -57,14 +58,13 @@ impl Image {
         Ok(Self { size, pixels })
     }
 
-    /// What a rendering looks like.
+    /// What a rendering of a scene looks like.
     ///
     /// # Errors
     ///
     /// When it has no pixels.
-    pub fn of(rendering: &Rendering, look: &Look) -> Result<Self, ImageError> {
-        let pixels = rendering.pixels.iter().map(|pixel| look.linear(pixel)).collect();
-        Self::new([rendering.width, rendering.height], pixels)
+    pub fn of(rendering: &Rendering, scene: &Scene) -> Result<Self, ImageError> {
+        Self::new([rendering.width, rendering.height], linear(rendering, scene))
     }
 
     /// Columns and rows.

@@ -11,7 +11,7 @@ mod times;
 use relief_core::registry::RayClass;
 use relief_core::{MapFormat, MapIdentity};
 use relief_maps::{Maps, Origin, Provided, Watch as MapWatch};
-use relief_render::scene::Surface;
+use relief_render::scene::{Look, Surface};
 use relief_render::{RenderError, Renderer};
 use relief_shaders::{GEOMETRY, REFINE, SEARCH, Selection};
 
@@ -31,6 +31,8 @@ pub struct Compared {
     pub shown: Vec<Shown>,
     /// What these are compared with.
     pub references: Vec<Reference>,
+    /// The look whose light and background all of them are shown in, unless it is the scene's own.
+    pub shown_look: Option<Look>,
 }
 
 /// A picture of a method.
@@ -150,7 +152,7 @@ impl Comparison {
     pub fn run_on(&self, renderers: &Renderers, watch: &Watch) -> Result<Compared, CompareError> {
         self.check()?;
         let surfaces = self.scene.surfaces();
-        let mut compared = Compared::default();
+        let mut compared = Compared { shown_look: self.shown_look, ..Compared::default() };
         let left_out = &mut compared.records.left_out;
         let mut usable = Vec::new();
         for contender in self.entrants()? {

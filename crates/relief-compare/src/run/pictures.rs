@@ -169,7 +169,7 @@ impl Comparison {
             Some(surface) => Some(seen_by_judge(surface, scene.camera(), scene.size())?),
             None => None,
         };
-        let image = Image::of(&rendered.rendering, &scene.look())?;
+        let image = Image::of(&rendered.rendering, &scene)?;
         let still = match self.flicker_samples {
             Some(samples) => {
                 let scene = exact(samples)?;
@@ -179,13 +179,20 @@ impl Comparison {
             }
             None => None,
         };
+        let shown = self.shown(
+            &exact(scene.samples())?,
+            &image,
+            renderer,
+            (baked.maps(MapFormat::F32), EXACT),
+            watch,
+        )?;
         let reference = compared.references.len();
         compared.references.push(Reference {
             map_size: subject.map_size,
             scale_m: subject.scale_m,
             shadow: shadows.first().map_or(String::new(), |shadow| shadow.entry.name.to_owned()),
             distance_m: *distance_m,
-            image: image.clone(),
+            image: shown,
         });
         Ok(Truth { shadows, reference, image, hits, still })
     }
@@ -224,7 +231,7 @@ impl Comparison {
             }
             Err(other) => return Err(other),
         };
-        let image = Image::of(&rendered.rendering, &scene.look())?;
+        let image = Image::of(&rendered.rendering, &scene)?;
         let change = match truth.still {
             Some(still) => {
                 let second = self.image(&moved(&scene)?, renderer, maps, &label, watch)?;
@@ -269,8 +276,23 @@ impl Comparison {
             wave_reads: is_searched.then(|| CostReport::of(&hits, size[0] as usize).reads.wave),
             times: None,
         });
+        let image = self.shown(&scene, &image, renderer, (baked.maps(contender.format()), &label), watch)?;
         compared.shown.push(Shown { image, difference, reference: truth.reference });
         Ok(true)
+    }
+
+    /// What is shown of a scene that looks like that where it is compared.
+    fn shown(
+        &self,
+        scene: &Scene,
+        compared: &Image,
+        renderer: &mut Renderer,
+        (maps, method): (&mut Maps, &str),
+        watch: &Watch,
+    ) -> Result<Image, CompareError> {
+        let Some(look) = self.shown_look else { return Ok(compared.clone()) };
+        let lit = scene.to_builder().background(look.background()).lights(look.lights(scene.camera()));
+        self.image(&lit.build()?, renderer, maps, method, watch)
     }
 
     /// What a scene looks like.
@@ -283,7 +305,7 @@ impl Comparison {
         watch: &Watch,
     ) -> Result<Image, CompareError> {
         let rendered = rendered(scene, renderer, maps, method, watch)?;
-        Ok(Image::of(&rendered.rendering, &scene.look())?)
+        Ok(Image::of(&rendered.rendering, &scene)?)
     }
 }
 

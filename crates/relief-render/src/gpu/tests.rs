@@ -380,7 +380,7 @@ fn a_picture_that_stays_on_the_gpu_has_the_colours_that_are_read_back() {
     gpu.queue().submit([encoder.finish()]);
     let mut bytes = Vec::new();
     block_on(gpu.read(&buffer, buffer.size(), |read| bytes.extend_from_slice(read))).expect("it is read");
-    let background = scene.background();
+    let [background, _] = scene.background().colours();
     for (y, texels) in bytes.chunks(row as usize).enumerate() {
         for (x, texel) in texels.as_chunks::<8>().0.iter().take(300).enumerate() {
             let half = |at: usize| {

@@ -4,11 +4,12 @@ use super::framing::{Framing, fitted_to_seen, proportional_size};
 use super::limits::{DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, MAX_EXPOSURE, MAX_SAMPLES};
 use super::picture_size::check_size;
 use super::view::{Fit, View, fitted};
-use super::{BackendChoice, Sampling, Scene, Surface, ValueError, error::ValueProblem};
+use super::{BackendChoice, Look, Sampling, Scene, Surface, ValueError, error::ValueProblem};
+use crate::background::Background;
 use crate::camera::{Camera, CameraError};
 use crate::depth_buffer::DepthBuffer;
 use crate::environment::Environment;
-use crate::light::{Light, LightError, MAX_LIGHTS, checked_colour};
+use crate::light::{Light, LightError, MAX_LIGHTS, SUN_DEG, checked_colour};
 use crate::tone::Tone;
 use glam::{DVec3, Vec3};
 use relief_core::ByteSize;
@@ -19,11 +20,6 @@ use std::sync::Arc;
 pub(super) const DEFAULT_EYE: DVec3 = DVec3::new(0.6, 0.9, 1.1);
 /// The default vertical field of view, in degrees.
 pub(super) const DEFAULT_FOV: f64 = 40.0;
-/// The direction toward the default light: from the upper left of the built-in views, as people expect it of
-/// a relief.
-pub(super) const DEFAULT_LIGHT: DVec3 = DVec3::new(-0.6, 0.6, -0.1);
-const DEFAULT_AMBIENT: Vec3 = Vec3::splat(0.12);
-const DEFAULT_BACKGROUND: Vec3 = Vec3::splat(0.05);
 /// What surroundings and light that is refracted need.
 pub(super) const SEEN: &str = "ambient environment";
 /// The default method.
@@ -39,17 +35,22 @@ pub(super) const DEFAULT_SIZE: [u32; 2] = [800, 600];
 pub struct SceneBuilder {
     surfaces: Vec<Surface>,
     camera: CameraChoice,
-    framing: Framing,
+    /// Unless it is the look's.
+    framing: Option<Framing>,
     depth_buffer: DepthBuffer,
+    look: Look,
+    /// Whether surfaces get the sky and the shadows of the look.
+    adapts_surfaces: bool,
     lights: Option<Vec<Light>>,
-    ambient: Vec3,
+    light_angle: f64,
+    ambient: Option<Vec3>,
     environment: Option<Arc<Environment>>,
-    background: Vec3,
+    background: Option<Background>,
     /// Unless the proportions of what is seen, or the default, are to say it.
     size: Option<[u32; 2]>,
     samples: u32,
-    exposure: f32,
-    tone: Tone,
+    exposure: Option<f32>,
+    tone: Option<Tone>,
     backend: BackendChoice,
     sampling: Sampling,
     geometry_memory: ByteSize,
@@ -60,7 +61,8 @@ pub struct SceneBuilder {
 #[derive(Clone, Copy, Debug)]
 enum CameraChoice {
     Given(Camera),
-    Fitted(View, Fit),
+    /// From there, or from where the look has it.
+    Fitted(Option<View>, Fit),
 }
 
 impl Scene {
@@ -82,17 +84,20 @@ impl SceneBuilder {
     pub(super) fn showing(surfaces: Vec<Surface>) -> Self {
         Self {
             surfaces,
-            camera: CameraChoice::Fitted(View::default(), Fit::Perspective(DEFAULT_FOV)),
-            framing: Framing::default(),
+            camera: CameraChoice::Fitted(None, Fit::Perspective(DEFAULT_FOV)),
+            framing: None,
             depth_buffer: DepthBuffer::default(),
+            look: Look::default(),
+            adapts_surfaces: true,
             lights: None,
-            ambient: DEFAULT_AMBIENT,
+            light_angle: SUN_DEG,
+            ambient: None,
             environment: None,
-            background: DEFAULT_BACKGROUND,
+            background: None,
             size: None,
             samples: DEFAULT_SAMPLES,
-            exposure: 0.0,
-            tone: Tone::default(),
+            exposure: None,
+            tone: None,
             backend: BackendChoice::default(),
             sampling: Sampling::default(),
             geometry_memory: DEFAULT_MAX_MEMORY,
@@ -104,16 +109,19 @@ impl SceneBuilder {
         Self {
             surfaces: scene.surfaces.clone(),
             camera: CameraChoice::Given(scene.camera),
-            framing: Framing::default(),
+            framing: None,
             depth_buffer: scene.depth_buffer,
+            look: Look::default(),
+            adapts_surfaces: true,
             lights: Some(scene.lights.clone()),
-            ambient: scene.ambient,
+            light_angle: SUN_DEG,
+            ambient: Some(scene.ambient),
             environment: scene.environment.clone(),
-            background: scene.background,
+            background: Some(scene.background),
             size: Some(scene.size),
             samples: scene.samples,
-            exposure: scene.exposure,
-            tone: scene.tone,
+            exposure: Some(scene.exposure),
+            tone: Some(scene.tone),
             backend: scene.backend,
             sampling: scene.sampling,
             geometry_memory: scene.geometry_memory,
@@ -133,8 +141,25 @@ impl SceneBuilder {
         self
     }
 
-    /// The camera. By default one that sees all of the scene from above one corner, with a field of view of
-    /// 40 degrees.
+    /// The look: light, sky, background, tone curve and camera, as far as nothing else is said of them by the
+    /// other functions. By default [`Look::Plain`].
+    ///
+    /// Looks with a sky are for surfaces of the ambient light `constant`, which is what nobody chose: these
+    /// get `sky`, or `hemisphere` where they have no relief to read. Of several surfaces those of the shadow
+    /// `ray` get `map`, so that they throw shadows on each other.
+    pub fn look(mut self, look: Look) -> Self {
+        self.look = look;
+        self
+    }
+
+    /// The same for surfaces that have the look's sky and shadows already, unless other ones were named.
+    pub(super) fn look_beside_surfaces(mut self, look: Look) -> Self {
+        (self.look, self.adapts_surfaces) = (look, false);
+        self
+    }
+
+    /// The camera. By default one that sees all of the scene from where the look has it, with a field of view
+    /// of 40 degrees.
     pub fn camera(mut self, camera: Camera) -> Self {
         self.camera = CameraChoice::Given(camera);
         self
@@ -143,19 +168,19 @@ impl SceneBuilder {
     /// The camera that looks from there and sees all of the scene as large as the picture allows, with a
     /// vertical field of view in degrees.
     pub fn fitted_camera(mut self, view: View, fov_degrees: f64) -> Self {
-        self.camera = CameraChoice::Fitted(view, Fit::Perspective(fov_degrees));
+        self.camera = CameraChoice::Fitted(Some(view), Fit::Perspective(fov_degrees));
         self
     }
 
     /// The same with parallel rays, as on a map.
     pub fn fitted_orthographic_camera(mut self, view: View) -> Self {
-        self.camera = CameraChoice::Fitted(view, Fit::Orthographic);
+        self.camera = CameraChoice::Fitted(Some(view), Fit::Orthographic);
         self
     }
 
     /// What a fitted camera goes by.
     pub(super) fn framing(mut self, framing: Framing) -> Self {
-        self.framing = framing;
+        self.framing = Some(framing);
         self
     }
 
@@ -166,10 +191,16 @@ impl SceneBuilder {
         self
     }
 
-    /// The lights, at most [`MAX_LIGHTS`]; they may be none. By default one from the direction (-0.6, 0.6,
-    /// -0.1) with irradiance 1.
+    /// The lights, at most [`MAX_LIGHTS`]; they may be none. By default those of the look: of [`Look::Plain`]
+    /// one from the direction (-0.6, 0.6, -0.1) with irradiance 1.
     pub fn lights(mut self, lights: Vec<Light>) -> Self {
         self.lights = Some(lights);
+        self
+    }
+
+    /// The diameter of the look's light in degrees, from 0 to 90. By default 0.53, the sun's.
+    pub fn light_angle(mut self, degrees: f64) -> Self {
+        self.light_angle = degrees;
         self
     }
 
@@ -180,15 +211,15 @@ impl SceneBuilder {
         self
     }
 
-    /// Irradiance from everywhere, linear. By default 0.12.
+    /// Irradiance from everywhere, linear. By default the look's: of [`Look::Plain`] 0.12.
     pub fn ambient(mut self, ambient: Vec3) -> Self {
-        self.ambient = ambient;
+        self.ambient = Some(ambient);
         self
     }
 
-    /// Linear colour of pixels that show no surface. By default dark grey, 0.05.
-    pub fn background(mut self, background: Vec3) -> Self {
-        self.background = background;
+    /// What pixels show that no surface covers. By default as the look has it: [`Look::Plain`] dark grey, 0.05.
+    pub fn background(mut self, background: impl Into<Background>) -> Self {
+        self.background = Some(background.into());
         self
     }
 
@@ -206,10 +237,16 @@ impl SceneBuilder {
         self
     }
 
-    /// How light becomes the colours of a picture: stops by which it is brightened, from -[`MAX_EXPOSURE`] to
-    /// [`MAX_EXPOSURE`], and then a tone curve. By default none of both.
-    pub fn look(mut self, exposure: f32, tone: Tone) -> Self {
-        (self.exposure, self.tone) = (exposure, tone);
+    /// Stops by which light is brightened, from -[`MAX_EXPOSURE`] to [`MAX_EXPOSURE`]. By default the look's:
+    /// of [`Look::Plain`] 0.
+    pub fn exposure(mut self, stops: f32) -> Self {
+        self.exposure = Some(stops);
+        self
+    }
+
+    /// The tone curve, which follows. By default the look's: of [`Look::Plain`] none.
+    pub fn tone(mut self, tone: Tone) -> Self {
+        self.tone = Some(tone);
         self
     }
 
@@ -247,11 +284,19 @@ impl SceneBuilder {
     /// lights, a colour is negative or not finite, or what a surface selects cannot trace view rays; when
     /// surroundings are given that no surface sees, or a surface refracts light and sees none; when normals
     /// are chosen for a surface that has those of its vertices.
-    pub fn build(self) -> Result<Scene, ValueError> {
+    pub fn build(mut self) -> Result<Scene, ValueError> {
+        let look = self.look.parts();
+        if self.adapts_surfaces {
+            self.look.adapt(&mut self.surfaces);
+        }
+        let framing = self.framing.unwrap_or(look.framing);
         let size = match (self.size, self.camera) {
             (Some(size), _) => check_size(size)?,
-            (None, CameraChoice::Fitted(view, fit)) if self.framing.fills_to_border(view, fit) => {
+            (None, CameraChoice::Fitted(view, fit))
+                if framing.fills_to_border(view.unwrap_or(look.view), fit) =>
+            {
                 let [width, height] = DEFAULT_SIZE;
+                let view = view.unwrap_or(look.view);
                 proportional_size(&self.surfaces, view, width.max(height)).unwrap_or(DEFAULT_SIZE)
             }
             (None, _) => DEFAULT_SIZE,
@@ -260,8 +305,9 @@ impl SceneBuilder {
             let value = f64::from(self.samples);
             return Err(ValueProblem::Number { value, must: "from 1 to 1024" }.of("samples"));
         }
-        if !(-MAX_EXPOSURE..=MAX_EXPOSURE).contains(&self.exposure) {
-            let value = f64::from(self.exposure);
+        let exposure = self.exposure.unwrap_or(look.exposure);
+        if !(-MAX_EXPOSURE..=MAX_EXPOSURE).contains(&exposure) {
+            let value = f64::from(exposure);
             return Err(ValueProblem::Number { value, must: "from -32 to 32 stops" }.of("exposure"));
         }
         if self.surfaces.is_empty() {
@@ -271,8 +317,11 @@ impl SceneBuilder {
         let colour = |key: &'static str, colour: Vec3| {
             checked_colour(colour).map_err(ValueProblem::from).map_err(problem(key))
         };
-        let (ambient, background) =
-            (colour("ambient-color", self.ambient)?, colour("background", self.background)?);
+        let ambient = colour("ambient-color", self.ambient.unwrap_or(look.ambient))?;
+        let background = self.background.unwrap_or(look.background);
+        for part in background.colours() {
+            colour("background", part)?;
+        }
         for surface in &self.surfaces {
             surface.selection().check().map_err(of_selection)?;
             match (surface.object(), surface.selection().object_cells()) {
@@ -295,18 +344,19 @@ impl SceneBuilder {
                 return Err(ValueProblem::Needs(SEEN).of("transmission"));
             }
         }
-        let is_seen = self.surfaces.iter().any(|surface| surface.selection().sees_environment());
+        let is_seen = background == Background::Environment
+            || self.surfaces.iter().any(|surface| surface.selection().sees_environment());
         if self.environment.is_some() && !is_seen {
             return Err(ValueProblem::Needs(SEEN).of("environment"));
         }
         let camera = match self.camera {
             CameraChoice::Given(camera) => camera,
             CameraChoice::Fitted(view, fit) => {
-                let fitted = match self.framing {
+                let fitted = match framing {
                     Framing::Volume => fitted,
                     Framing::Seen => fitted_to_seen,
                 };
-                fitted(&self.surfaces, view, fit, size).map_err(|error| {
+                fitted(&self.surfaces, view.unwrap_or(look.view), fit, size).map_err(|error| {
                     let key = if matches!(error, CameraError::BadFov(_)) { "fov" } else { "view" };
                     ValueProblem::from(error).of(key)
                 })?
@@ -317,11 +367,10 @@ impl SceneBuilder {
         }
         let lights = match self.lights {
             Some(lights) => lights,
-            None => vec![
-                Light::directional(DEFAULT_LIGHT, Vec3::ONE)
-                    .map_err(ValueProblem::from)
-                    .map_err(problem("light"))?,
-            ],
+            None => look
+                .lights(&camera, self.light_angle)
+                .map_err(ValueProblem::from)
+                .map_err(problem("light-angle"))?,
         };
         if lights.len() > MAX_LIGHTS {
             return Err(ValueProblem::from(LightError::TooMany(lights.len())).of("lights"));
@@ -336,8 +385,8 @@ impl SceneBuilder {
             background,
             size,
             samples: self.samples,
-            exposure: self.exposure,
-            tone: self.tone,
+            exposure,
+            tone: self.tone.unwrap_or(look.tone),
             backend: self.backend,
             sampling: self.sampling,
             geometry_memory: self.geometry_memory,

@@ -1,6 +1,6 @@
 //! What can be wrong with a scene.
 
-use super::{MapSizeProblem, ObjectProblem};
+use super::{Look, MapSizeProblem, ObjectProblem};
 use crate::camera::CameraError;
 use crate::environment::EnvironmentError;
 use crate::light::LightError;
@@ -202,6 +202,12 @@ pub enum ValueProblem {
     /// The scene shows nothing.
     #[error("a scene needs at least one surface")]
     NoSurface,
+    /// All parts of a look are given by themselves.
+    #[error(
+        "nothing of '{0}' is left: the camera, lights, ambient light and its colour, background, exposure and \
+         tone curve are given as well"
+    )]
+    NothingOfLook(Look),
     /// Two keys that exclude each other are given.
     #[error("cannot be given together with {0}")]
     Excludes(&'static str),

@@ -111,6 +111,9 @@ fn parse(text: &str) -> Result<SceneSpec, Mistake> {
     Ok(spec)
 }
 
+/// Keys by which surfaces see their surroundings.
+const OF_SURROUNDINGS: [&str; 2] = ["environment", "transmission"];
+
 /// Numbers under the key of the stage `ambient` are the light's colour, which has a key of its own.
 fn color_of_ambient(root: &mut DeTable) -> Result<(), Mistake> {
     let ambient = STAGES[AMBIENT].key;
@@ -124,6 +127,11 @@ fn color_of_ambient(root: &mut DeTable) -> Result<(), Mistake> {
         let what =
             format!("{ambient} and {AMBIENT_COLOR} both give the colour of the ambient light: leave one out");
         return Err(Mistake::Key { what, at });
+    }
+    // Light of one colour, the same everywhere, unless the surroundings are seen.
+    if !OF_SURROUNDINGS.iter().any(|key| root.contains_key(*key)) {
+        let constant = DeValue::String(STAGES[AMBIENT].entries[0].name.into());
+        root.insert(Spanned::new(at.clone(), ambient.into()), Spanned::new(at.clone(), constant));
     }
     root.insert(Spanned::new(at, AMBIENT_COLOR.into()), value);
     Ok(())

@@ -29,7 +29,7 @@ const CROSSED_TEXELS: u64 = 1 << 20;
 
 /// What a fitted camera goes by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Framing {
+pub enum Framing {
     /// All space that the reliefs may fill, between heights 0 and 1. Where the depth of a scene differs from
     /// place to place, it does not lie in the middle of the picture.
     #[default]

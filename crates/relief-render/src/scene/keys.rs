@@ -1,6 +1,7 @@
 //! Values of a scene file's keys, and which keys there are.
 
 use super::{LightDirection, PictureSize};
+use crate::background::Background;
 use relief_core::ByteSize;
 use relief_io::HeightRange;
 use serde::de::value::SeqAccessDeserializer;
@@ -156,6 +157,30 @@ pub fn picture_size<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option
     }
 
     deserializer.deserialize_any(Size).map(Some)
+}
+
+/// Reads a background: three numbers, or a name such as `gradient`.
+pub fn background<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Background>, D::Error> {
+    struct Behind;
+
+    impl<'de> Visitor<'de> for Behind {
+        type Value = Background;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("three numbers, \"gradient\" or \"environment\"")
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, numbers: A) -> Result<Background, A::Error> {
+            let colour: [f32; 3] = numbers_of(SeqAccessDeserializer::new(numbers))?;
+            Ok(Background::Color(colour.into()))
+        }
+
+        fn visit_str<E: de::Error>(self, text: &str) -> Result<Background, E> {
+            text.parse().map_err(E::custom)
+        }
+    }
+
+    deserializer.deserialize_any(Behind).map(Some)
 }
 
 /// Reads an amount of memory: a number of bytes, or a text such as `4GiB`.

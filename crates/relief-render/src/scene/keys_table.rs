@@ -7,8 +7,9 @@ use relief_core::Wrap;
 use relief_io::{HeightRange, Up};
 
 use super::{
-    BackendChoice, PictureSize, ProjectionChoice, Sampling, SceneSpec, SurfaceSpec, UvProjection, View,
+    BackendChoice, Look, PictureSize, ProjectionChoice, Sampling, SceneSpec, SurfaceSpec, UvProjection, View,
 };
+use crate::background::Background;
 use crate::depth_buffer::Clip;
 use crate::mesh::Builtin;
 use crate::tone::Tone;
@@ -43,6 +44,8 @@ pub enum Form {
     Range,
     /// Three numbers, or a text such as `"az=315,alt=45"`.
     Direction,
+    /// Three numbers, `"gradient"` or `"environment"`.
+    Background,
     /// A number of bytes, or a text such as `"512MiB"`.
     Memory,
     /// A table of numbers for each stage.
@@ -158,6 +161,7 @@ pub fn keys() -> Vec<Key> {
         let names = stage.entries.iter().map(|entry| entry.name).collect();
         surface(stage.key, Form::Name(names), "", "variant of a stage, in place of the method's")
     }));
+    let looks = Look::ALL.map(Look::name).to_vec();
     let views = View::ALL.map(View::name).to_vec();
     let projections = ProjectionChoice::ALL.map(ProjectionChoice::name).to_vec();
     let clips = Clip::ALL.map(Clip::name).to_vec();
@@ -165,7 +169,13 @@ pub fn keys() -> Vec<Key> {
     let samplings = Sampling::ALL.map(Sampling::name).to_vec();
     let tones = Tone::ALL.map(Tone::name).to_vec();
     keys.extend([
-        scene("view", Form::Name(views), "\"corner\"", "from where the camera looks that sees all"),
+        scene(
+            "look",
+            Form::Name(looks),
+            "\"studio\"",
+            "camera, light, background and tone curve where nothing else is said",
+        ),
+        scene("view", Form::Name(views), "", "from where the camera looks that sees all; else the look's"),
         scene("eye", Form::Lengths(3), "", "position of the eye in metres, in place of a view"),
         scene("target", Form::Lengths(3), "", "point looked at"),
         scene("projection", Form::Name(projections), "\"perspective\"", "how space becomes a picture"),
@@ -181,14 +191,19 @@ pub fn keys() -> Vec<Key> {
         scene("far", Form::Length, "", "metres to its far plane, or inf; else behind the scene"),
         scene("size", Form::Size, "[800, 600]", "pixels of the picture, or \"map\": one a texel, from above"),
         scene("samples", Form::Whole, "4", "samples of a pixel, 1 to 1024"),
-        scene("exposure", Form::Number, "0", "stops by which light is brightened"),
-        scene("tone", Form::Name(tones), "\"none\"", "tone curve"),
-        scene("light", Form::Direction, "[-0.6, 0.6, -0.1]", "direction toward the only light"),
+        scene("exposure", Form::Number, "", "stops by which light is brightened; else the look's"),
+        scene("tone", Form::Name(tones), "", "tone curve; else the look's"),
+        scene("light", Form::Direction, "", "direction toward the only light; else the look's light"),
         scene("lights", Form::Lights, "", "all lights, in place of it"),
         scene("light-angle", Form::Number, "0.53", "diameter of lights far away in degrees, 0 to 90"),
-        scene("ambient-color", Form::Numbers(3), "[0.12, 0.12, 0.12]", "light from all around, linear"),
+        scene("ambient-color", Form::Numbers(3), "", "light from all around, linear; else the look's"),
         scene("environment", Form::Text, "", "surroundings, a picture 2:1; else a generated sky"),
-        scene("background", Form::Numbers(3), "[0.05, 0.05, 0.05]", "linear colour beside the surfaces"),
+        scene(
+            "background",
+            Form::Background,
+            "",
+            "linear colour beside the surfaces, \"gradient\" or \"environment\"; else the look's",
+        ),
         scene("backend", Form::Name(backends), "\"auto\"", "what computes the picture"),
         scene("sampling", Form::Name(samplings), "\"exact\"", "how textures are read"),
         scene("max-memory", Form::Memory, "\"4GiB\"", "the most memory for maps and picture"),
@@ -305,6 +320,7 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
 
 fn scene_value(spec: &SceneSpec, key: &str) -> Option<String> {
     match key {
+        "look" => spec.look.map(|look| quoted(look.name())),
         "view" => spec.view.map(|view| quoted(view.name())),
         "eye" => spec.eye.map(|eye| list(&eye)),
         "target" => spec.target.map(|target| list(&target)),
@@ -339,7 +355,10 @@ fn scene_value(spec: &SceneSpec, key: &str) -> Option<String> {
         "light-angle" => spec.light_angle.map(|angle| format!("{angle:?}")),
         "ambient-color" => spec.ambient_color.map(|color| list(&color)),
         "environment" => spec.environment.as_ref().map(|path| quoted(&path.to_string_lossy())),
-        "background" => spec.background.map(|background| list(&background)),
+        "background" => spec.background.map(|background| match background {
+            Background::Color(colour) => list(&colour.to_array()),
+            named => quoted(&named.to_string()),
+        }),
         "backend" => spec.backend.map(|backend| quoted(backend.name())),
         "sampling" => spec.sampling.map(|sampling| quoted(sampling.name())),
         "max-memory" => spec.max_memory.map(|limit| limit.0.to_string()),

@@ -1,14 +1,14 @@
 //! From the description of a scene to the scene: defaults, checks, files.
 
-use super::builder::{DEFAULT_EYE, DEFAULT_FOV, DEFAULT_LIGHT, DEFAULT_SIZE};
+use super::builder::{DEFAULT_EYE, DEFAULT_FOV, DEFAULT_SIZE};
 use super::error::{SceneError, ValueError, ValueProblem};
 use super::framing::Framing;
-use super::load_surface::Parts;
+use super::load_surface::{Around, Parts};
 use super::maps::{BYTES_PER_TRIANGLE, Maps};
 use super::metres::check_metres;
 use super::picture_size::check_size;
 use super::{
-    DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, LightSpec, MeshChoice, ProjectionChoice, Scene, SceneBuilder,
+    DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, LightSpec, Look, MeshChoice, ProjectionChoice, Scene, SceneBuilder,
     SceneSpec, SurfaceSpec,
 };
 use crate::camera::{Camera, CameraError, Projection};
@@ -19,7 +19,7 @@ use crate::mesh::Builtin;
 use crate::shadow_map_size::shadow_map_side;
 use glam::{DVec3, Vec3};
 use relief_core::ByteSize;
-use relief_shaders::LIGHT_FACES;
+use relief_shaders::{AMBIENT, LIGHT_FACES, STAGES};
 
 /// Memory that rendering takes for a pixel of the band of rows that it is at: its results on the GPU, their
 /// copies, and its part of the picture to be written.
@@ -43,6 +43,7 @@ impl SceneSpec {
     ///
     /// When a value is out of range, or keys are given that exclude or need each other.
     pub fn check(&self) -> Result<(), ValueError> {
+        self.check_look()?;
         // Maps of one texel and a sky stand in for the files, so that the builder's own checks are made as
         // well; and squares for meshes, so that it takes little memory.
         let mut surfaces = Vec::new();
@@ -118,10 +119,15 @@ impl SceneSpec {
     /// Every surface, with its number where there are several, and with what needs no file.
     fn each_with_parts(&self) -> impl Iterator<Item = Result<SurfaceParts, ValueError>> {
         let several = !self.surfaces.is_empty();
+        let around = Around {
+            look: self.look(),
+            has_environment: self.environment.is_some(),
+            several: self.surfaces.len() > 1,
+        };
         self.each_surface().into_iter().enumerate().map(move |(number, surface)| {
             let number = several.then_some(number);
             let parts = surface
-                .parts(self.samples.unwrap_or(DEFAULT_SAMPLES), self.environment.is_some())
+                .parts(self.samples.unwrap_or(DEFAULT_SAMPLES), &around)
                 .map_err(|error| error.of_surface(number))?;
             Ok((number, surface, parts))
         })
@@ -177,12 +183,19 @@ impl SceneSpec {
     fn lights_see_bytes(&self, asked: Option<[u32; 2]>, size: [u32; 2]) -> Result<u64, ValueError> {
         let Some([most, cascades]) = asked else { return Ok(0) };
         let side = shadow_map_side(most, size);
-        let views = self.lights()?.into_iter().map(|light| match light {
-            Light::Directional { .. } => u64::from(cascades),
-            Light::Point { .. } => LIGHT_FACES as u64,
-        });
+        let views: u64 = match self.lights()? {
+            // All of a look's lights are far away.
+            None => u64::from(cascades) * self.look().parts().light_count() as u64,
+            Some(lights) => lights
+                .iter()
+                .map(|light| match light {
+                    Light::Directional { .. } => u64::from(cascades),
+                    Light::Point { .. } => LIGHT_FACES as u64,
+                })
+                .sum(),
+        };
         // One more is the depth that a GPU draws them with.
-        Ok((views.sum::<u64>() + 1) * u64::from(side) * u64::from(side) * size_of::<f32>() as u64)
+        Ok((views + 1) * u64::from(side) * u64::from(side) * size_of::<f32>() as u64)
     }
 
     fn builder(&self, surfaces: Vec<super::Surface>) -> Result<SceneBuilder, ValueError> {
@@ -201,8 +214,8 @@ impl SceneSpec {
         self.pixels().map(check_size).transpose()?;
         let mut builder = self
             .camera(SceneBuilder::showing(surfaces))?
-            .look(self.exposure.unwrap_or_default(), self.tone.unwrap_or_default())
-            .lights(self.lights()?)
+            .look_beside_surfaces(self.look())
+            .light_angle(self.light_angle.unwrap_or(SUN_DEG))
             .depth_buffer(DepthBuffer {
                 clip: self.clip.unwrap_or_default(),
                 near_m: self.near,
@@ -211,11 +224,20 @@ impl SceneSpec {
             .samples(self.samples.unwrap_or(DEFAULT_SAMPLES))
             .backend(self.backend.unwrap_or_default())
             .sampling(self.sampling.unwrap_or_default());
+        if let Some(lights) = self.lights()? {
+            builder = builder.lights(lights);
+        }
+        if let Some(exposure) = self.exposure {
+            builder = builder.exposure(exposure);
+        }
+        if let Some(tone) = self.tone {
+            builder = builder.tone(tone);
+        }
         if let Some(ambient) = self.ambient_color {
             builder = builder.ambient(ambient.into());
         }
         if let Some(background) = self.background {
-            builder = builder.background(background.into());
+            builder = builder.background(background);
         }
         if let Some([width, height]) = self.pixels() {
             builder = builder.size(width, height);
@@ -244,7 +266,7 @@ impl SceneSpec {
             if self.view_height.is_some() {
                 return Err(ValueProblem::Needs("eye").of("view-height"));
             }
-            let view = self.view.unwrap_or_default();
+            let view = self.view.unwrap_or(self.look().parts().view);
             return Ok(match projection {
                 ProjectionChoice::Perspective => builder.fitted_camera(view, fov),
                 ProjectionChoice::Orthographic => builder.fitted_orthographic_camera(view),
@@ -274,19 +296,40 @@ impl SceneSpec {
         Ok(builder.camera(camera))
     }
 
-    fn lights(&self) -> Result<Vec<Light>, ValueError> {
+    /// Refuses a look of which nothing is seen.
+    fn check_look(&self) -> Result<(), ValueError> {
+        let Some(look) = self.look else { return Ok(()) };
+        let names_ambient = |surface: &SurfaceSpec| surface.stages.contains_key(STAGES[AMBIENT].key);
+        let has_camera = self.view.is_some() || self.eye.is_some() || self.target.is_some();
+        let has_lights = self.light.is_some() || self.lights.is_some();
+        let has_sky = self.ambient_color.is_some() && self.each_surface().iter().all(names_ambient);
+        let has_display = self.background.is_some() && self.exposure.is_some() && self.tone.is_some();
+        if look != Look::Plain && has_camera && has_lights && has_sky && has_display {
+            return Err(ValueProblem::NothingOfLook(look).of("look"));
+        }
+        Ok(())
+    }
+
+    /// The look, by default that of pictures.
+    pub(super) fn look(&self) -> Look {
+        self.look.unwrap_or(Look::OF_PICTURES)
+    }
+
+    /// The lights, unless they are the look's.
+    fn lights(&self) -> Result<Option<Vec<Light>>, ValueError> {
         let angle = self.light_angle.unwrap_or(SUN_DEG);
         let problem = |key| move |error| ValueProblem::from(error).of(key);
-        let toward = self.light.map_or(DEFAULT_LIGHT, DVec3::from);
-        let only = Light::directional(toward, Vec3::ONE).map_err(problem("light"))?;
         // An angle that is said of no light is wrong all the same.
-        let only = only.with_diameter(angle).map_err(problem("light-angle"))?;
+        let only = Light::directional(self.light.map_or(DVec3::Y, DVec3::from), Vec3::ONE);
+        let only = only.map_err(problem("light"))?.with_diameter(angle).map_err(problem("light-angle"))?;
         match (self.light, &self.lights) {
             (Some(_), Some(_)) => Err(ValueProblem::Excludes("lights").of("light")),
-            (_, None) => Ok(vec![only]),
+            (Some(_), None) => Ok(Some(vec![only])),
+            (None, None) => Ok(None),
             (None, Some(lights)) => {
                 let lights = lights.iter().map(|light| light.light(angle));
-                lights.collect::<Result<_, ValueProblem>>().map_err(|problem| problem.of("lights"))
+                let lights = lights.collect::<Result<_, ValueProblem>>();
+                lights.map(Some).map_err(|problem| problem.of("lights"))
             }
         }
     }

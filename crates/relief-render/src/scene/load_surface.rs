@@ -6,7 +6,7 @@ use super::maps::{LoadedMesh, Maps};
 use super::metres::{MAX_METRES, check_metres};
 use super::surface_colors::{Drawn, DrawnMaterial};
 use super::surface_spec::ENVIRONMENT;
-use super::{MeshChoice, ObjectProblem, SceneObject, Surface, SurfaceSpec};
+use super::{Look, MeshChoice, ObjectProblem, SceneObject, Surface, SurfaceSpec};
 use crate::material::{Material, MaterialError};
 use crate::mesh::{Builtin, Mesh, Placement, UvProjection, square};
 use glam::{Vec2, Vec3};
@@ -73,6 +73,16 @@ pub struct Parts {
     creases: bool,
 }
 
+/// What the scene around a surface says of it.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Around {
+    pub look: Look,
+    /// Whether surroundings are given.
+    pub has_environment: bool,
+    /// Whether there are several surfaces.
+    pub several: bool,
+}
+
 impl Parts {
     /// What is run.
     pub fn selection(&self) -> &Selection {
@@ -81,9 +91,8 @@ impl Parts {
 }
 
 impl SurfaceSpec {
-    /// What needs no file, completed and checked, for a picture of so many samples a pixel, in surroundings
-    /// that were given or not.
-    pub(super) fn parts(&self, samples: u32, surrounded: bool) -> Result<Parts, ValueError> {
+    /// What needs no file, completed and checked, for a picture of so many samples a pixel.
+    pub(super) fn parts(&self, samples: u32, around: &Around) -> Result<Parts, ValueError> {
         if let Some(key) = self.key_of_relief().filter(|_| self.object.is_some()) {
             return Err(ValueProblem::Excludes("object").of(key));
         }
@@ -115,7 +124,7 @@ impl SurfaceSpec {
         Ok(Parts {
             mesh: self.placed(self.mesh_without_file([1.0, 1.0])?)?,
             material: self.material_of(None)?,
-            selection: self.selection(samples, surrounded)?,
+            selection: self.selection(samples, around)?,
             scale_m: self.scale,
             bias_m: self.bias,
             exaggerate: self.exaggerate.unwrap_or(1.0),
@@ -399,18 +408,18 @@ impl SurfaceSpec {
 
     /// What is run. Several samples ask for a picture without jagged edges, which it then has where maps are
     /// seen small, too.
-    fn selection(&self, samples: u32, surrounded: bool) -> Result<Selection, ValueError> {
+    fn selection(&self, samples: u32, around: &Around) -> Result<Selection, ValueError> {
         if samples > 1 && !self.stages.contains_key(STAGES[DETAIL].key) {
-            let selection = self.selection_in(Some(FOOTPRINT), surrounded)?;
+            let selection = self.selection_in(Some(FOOTPRINT), around)?;
             if selection.check_levels().is_ok() && selection.object_cells().is_none() {
                 return Ok(selection);
             }
         }
-        self.selection_in(None, surrounded)
+        self.selection_in(None, around)
     }
 
     /// The same with another detail than that of the method.
-    fn selection_in(&self, detail: Option<&str>, surrounded: bool) -> Result<Selection, ValueError> {
+    fn selection_in(&self, detail: Option<&str>, around: &Around) -> Result<Selection, ValueError> {
         let named = |stage: usize| self.stages.get(STAGES[stage].key).map(String::as_str);
         let selection = match (&self.method, named(SEARCH), named(REFINE)) {
             (Some(_), None, None) if named(GEOMETRY).is_some() => {
@@ -433,7 +442,8 @@ impl SurfaceSpec {
         if let Some(detail) = detail {
             selection.choose(STAGES[DETAIL].key, detail).map_err(of_selection)?;
         }
-        if surrounded || self.asks_for_environment() {
+        let sees_environment = around.has_environment || self.asks_for_environment();
+        if sees_environment {
             selection.choose(STAGES[AMBIENT].key, ENVIRONMENT).map_err(of_selection)?;
         }
         if self.is_mesh_alone() {
@@ -444,6 +454,14 @@ impl SurfaceSpec {
             let of_part = |key: &&String| key.starts_with(STAGES[SHADOW].key) == is_of_shadow;
             for key in self.stages.keys().filter(of_part) {
                 selection.choose(key, &self.stages[key]).map_err(of_selection)?;
+            }
+            let is_named = |stage: usize| self.stages.contains_key(STAGES[stage].key);
+            if !is_of_shadow && !sees_environment && !is_named(AMBIENT) {
+                around.look.light_from_sky(&mut selection, !self.is_mesh_alone());
+            }
+            let has_shadow = self.is_mesh_alone() || is_named(SHADOW) || is_named(SHADOW_SEARCH);
+            if is_of_shadow && around.several && !has_shadow {
+                around.look.share_shadows(&mut selection);
             }
             for key in self.set.keys().filter(of_part) {
                 selection.set(key, self.set[key]).map_err(of_selection)?;

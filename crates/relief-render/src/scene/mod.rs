@@ -17,6 +17,7 @@ mod light_direction;
 mod limits;
 mod load;
 mod load_surface;
+mod look;
 mod maps;
 mod mesh_choice;
 mod mesh_defaults;
@@ -39,6 +40,7 @@ pub use file::{parse_scene, read_scene};
 pub use keys_table::{Form, Key, keys};
 pub use light_direction::{LightDirection, LightDirectionError};
 pub use limits::{DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, MAX_EXPOSURE, MAX_IMAGE_SIDE, MAX_SAMPLES};
+pub use look::Look;
 pub use mesh_choice::{MeshChoice, UnknownMesh};
 pub use object::{ObjectProblem, SceneObject};
 pub use picture_size::{MapSizeProblem, PictureSize, PictureSizeError};
@@ -48,11 +50,11 @@ pub(crate) use surface_colors::SurfaceColors;
 pub use surface_spec::{MaterialSpec, SurfaceSpec};
 pub use view::View;
 
+use crate::background::Background;
 use crate::camera::Camera;
 use crate::depth_buffer::DepthBuffer;
 use crate::environment::Environment;
 use crate::light::Light;
-use crate::picture::Look;
 use crate::tone::Tone;
 use glam::Vec3;
 use relief_core::ByteSize;
@@ -71,7 +73,7 @@ pub struct Scene {
     pub(crate) lights: Vec<Light>,
     pub(crate) ambient: Vec3,
     pub(crate) environment: Option<Arc<Environment>>,
-    pub(crate) background: Vec3,
+    pub(crate) background: Background,
     pub(crate) size: [u32; 2],
     pub(crate) samples: u32,
     pub(crate) exposure: f32,
@@ -94,7 +96,7 @@ impl Scene {
         &self.camera
     }
 
-    /// Moves the camera.
+    /// Moves the camera. The lights stay where they are, those of a [`Look`], too.
     pub fn set_camera(&mut self, camera: Camera) {
         self.camera = camera;
     }
@@ -119,8 +121,8 @@ impl Scene {
         self.environment.as_ref()
     }
 
-    /// Linear colour of pixels that show no surface.
-    pub fn background(&self) -> Vec3 {
+    /// What pixels show that no surface covers.
+    pub fn background(&self) -> Background {
         self.background
     }
 
@@ -134,9 +136,20 @@ impl Scene {
         self.samples
     }
 
-    /// How light becomes the colours of a picture.
-    pub fn look(&self) -> Look {
-        Look { background: self.background.to_array(), exposure: self.exposure, tone: self.tone }
+    /// Stops by which light is brightened.
+    pub fn exposure(&self) -> f32 {
+        self.exposure
+    }
+
+    /// The tone curve.
+    pub fn tone(&self) -> Tone {
+        self.tone
+    }
+
+    /// The surroundings, where they are seen behind the scene.
+    pub(crate) fn environment_behind(&self) -> Option<Arc<Environment>> {
+        let is_seen = self.background == Background::Environment;
+        is_seen.then(|| self.environment.clone().unwrap_or_else(Environment::sky))
     }
 
     /// What computes the picture. Where that is not said it is the CPU if a surface's shadows are rays

@@ -1,7 +1,8 @@
 //! Descriptions of scenes, with gaps.
 
-use super::keys::{amount, length, lengths, light_direction, numbers, parsed, picture_size};
-use super::{BackendChoice, PictureSize, ProjectionChoice, Sampling, SurfaceSpec, View};
+use super::keys::{amount, background, length, lengths, light_direction, numbers, parsed, picture_size};
+use super::{BackendChoice, Look, PictureSize, ProjectionChoice, Sampling, SurfaceSpec, View};
+use crate::background::Background;
 use crate::depth_buffer::Clip;
 use crate::tone::Tone;
 use relief_core::ByteSize;
@@ -22,8 +23,12 @@ pub struct SceneSpec {
     /// The surfaces, `[[surfaces]]` in a scene file. None: one that is as [`Self::surface`] says.
     #[serde(skip)]
     pub surfaces: Vec<SurfaceSpec>,
+    /// The look: `studio` (default), `sun`, `overcast` or `plain`. It says what the camera, the lights, the
+    /// light from all around, the background and the tone curve are where nothing else is said of them.
+    #[serde(deserialize_with = "parsed")]
+    pub look: Option<Look>,
     /// From where the camera looks that sees all of the scene, where neither `eye` nor `target` is given:
-    /// `corner` (default), `top`, `front` or `right`.
+    /// `corner`, `top`, `front` or `right`. By default as the look has it.
     #[serde(deserialize_with = "parsed")]
     pub view: Option<View>,
     /// Position of the eye in metres. Without it and `target` the camera is fitted to scene and picture; with
@@ -58,13 +63,15 @@ pub struct SceneSpec {
     pub size: Option<PictureSize>,
     /// Samples of a pixel, 1 to 1024: more make edges smoother. By default 4.
     pub samples: Option<u32>,
-    /// Stops by which light is brightened, from -32 to 32: each doubles it. By default 0.
+    /// Stops by which light is brightened, from -32 to 32: each doubles it. By default the
+    /// look's.
     pub exposure: Option<f32>,
-    /// The tone curve: `none` (default) or `agx`.
+    /// The tone curve: `none` or `agx`. By default the look's.
     #[serde(deserialize_with = "parsed")]
     pub tone: Option<Tone>,
     /// Direction toward the only light, white and of irradiance 1: a vector, or a text such as
-    /// `"az=315,alt=45"` (see [`LightDirection`](super::LightDirection)). By default (-0.6, 0.6, -0.1).
+    /// `"az=315,alt=45"` (see [`LightDirection`](super::LightDirection)). By default the look's
+    /// light.
     #[serde(deserialize_with = "light_direction")]
     pub light: Option<[f64; 3]>,
     /// All lights, in place of `light`.
@@ -73,15 +80,16 @@ pub struct SceneSpec {
     /// 0.53, as the sun's.
     pub light_angle: Option<f64>,
     /// Radiance of the sky all around, linear red, green, blue: what a white surface reflects of it. By
-    /// default 0.12 each. In a scene file, numbers under the key `ambient` are it, too.
+    /// default the look's. In a scene file, numbers under the key `ambient` are it, too: of the ambient light `constant`.
     #[serde(deserialize_with = "numbers")]
     pub ambient_color: Option<[f32; 3]>,
     /// The surroundings' file, an equirectangular picture twice as wide as high: where it is given, surfaces
     /// see it unless they name another ambient light. By default a generated sky.
     pub environment: Option<PathBuf>,
-    /// Linear colour of pixels that show no surface. By default 0.05 each.
-    #[serde(deserialize_with = "numbers")]
-    pub background: Option<[f32; 3]>,
+    /// What pixels show that no surface covers: a linear colour, `gradient` or `environment`. By default as the
+    /// look has it.
+    #[serde(deserialize_with = "background")]
+    pub background: Option<Background>,
     /// What computes the picture: `auto` (default), `cpu` or `gpu`.
     #[serde(deserialize_with = "parsed")]
     pub backend: Option<BackendChoice>,
@@ -127,11 +135,20 @@ impl SceneSpec {
     /// surfaces holds for each of them; surfaces of its own take the place of all.
     ///
     /// What belongs to something replaced goes with it: of the scene's keys `light` and `lights` each other,
-    /// a `view` with an eye or a target and these with a view, a `size` of the map with another view, `fov`, an infinite `far` or `view-height` with
-    /// another projection, `environment` with another ambient light and the surfaces' with an environment; of a
+    /// a `view` with an eye or a target and these with a view, a `size` of the map with another view, `fov`,
+    /// an infinite `far` or `view-height` with another projection, `environment` with another ambient light
+    /// and the surfaces' with an environment; with another `look` lights, ambient light, background, exposure
+    /// and tone curve, and not the camera; of a
     /// surface's see [`SurfaceSpec::overridden_by`].
     #[must_use]
     pub fn overridden_by(mut self, over: SceneSpec) -> SceneSpec {
+        if over.look.is_some() {
+            (self.light, self.lights, self.light_angle, self.ambient_color) = (None, None, None, None);
+            (self.background, self.exposure, self.tone) = (None, None, None);
+            for surface in self.surfaces.iter_mut().chain([&mut self.surface]) {
+                surface.forget_ambient();
+            }
+        }
         if over.light.is_some() || over.lights.is_some() {
             (self.light, self.lights) = (None, None);
         }
@@ -172,6 +189,7 @@ impl SceneSpec {
         SceneSpec {
             surface: self.surface.overridden_by(over.surface),
             surfaces,
+            look: over.look.or(self.look),
             view: over.view.or(self.view),
             eye: over.eye.or(self.eye),
             target: over.target.or(self.target),

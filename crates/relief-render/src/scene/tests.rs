@@ -1,6 +1,7 @@
 mod framing;
 mod listed_keys;
 mod loading;
+mod looks;
 mod map_size;
 mod overriding;
 mod proportions;
@@ -52,6 +53,7 @@ fn stages<const N: usize>(names: [(&str, &str); N]) -> BTreeMap<String, String> 
 
 /// A file with every key but those that exclude others.
 const FULL: &str = r#"
+look = "plain"
 height = "maps/a.exr"
 channel = "height"
 depth = true
@@ -169,6 +171,7 @@ fn every_key_is_read() {
     let expected = SceneSpec {
         surface,
         surfaces: Vec::new(),
+        look: Some(Look::Plain),
         view: None,
         eye: Some([1.0, 2.0, 3.0]),
         target: Some([0.0, 0.5, 0.0]),
@@ -204,7 +207,7 @@ fn every_key_is_read() {
         light_angle: Some(10.0),
         ambient_color: Some([0.1, 0.1, 0.2]),
         environment: Some(folder.path().join("sky/noon.hdr")),
-        background: Some([0.0, 0.0, 1.0]),
+        background: Some(Background::Color(Vec3::Z)),
         backend: Some(BackendChoice::Cpu),
         sampling: Some(Sampling::Fast),
         max_memory: Some(ByteSize(512 << 20)),
@@ -432,7 +435,10 @@ fn files_that_are_no_scene_are_refused() {
 #[test]
 fn ambient_light_is_a_name_or_a_colour() {
     let color = read("ambient = [0.1, 0.2, 0.3]").expect("a colour");
-    assert_eq!((color.ambient_color, color.surface.stages.len()), (Some([0.1, 0.2, 0.3]), 0));
+    assert_eq!((color.ambient_color, color.surface.stages.len()), (Some([0.1, 0.2, 0.3]), 1));
+    assert_eq!(color.surface.stages["ambient"], "constant");
+    let seen = read("ambient = [0.1, 0.2, 0.3]\nenvironment = 'sky.hdr'").expect("surroundings");
+    assert_eq!((seen.ambient_color, seen.surface.stages.len()), (color.ambient_color, 0));
     let both = read("ambient = 'occlusion'\nambient-color = [0.1, 0.2, 0.3]").expect("a name and a colour");
     assert_eq!((both.ambient_color, both.surface.stages.len()), (color.ambient_color, 1));
     assert_eq!(read(&both.to_toml()).expect("what was written"), both);

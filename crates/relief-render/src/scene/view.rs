@@ -73,7 +73,7 @@ impl FromStr for View {
 
 /// What a fitted camera is told.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Fit {
+pub enum Fit {
     /// With a vertical field of view in degrees.
     Perspective(f64),
     /// By parallel rays.

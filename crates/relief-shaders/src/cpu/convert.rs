@@ -4,8 +4,8 @@ use relief_core::object::JumpCells;
 use relief_core::{BakedMap, Cost, HeightMap, MapFormat, PathMetric, RayUse};
 
 use super::{
-    Bound, Choice, Frame, Hit, Light, LightView, MapSettings, MapTexture, Path, Shell, SurfaceSettings, Vec2,
-    Vec4,
+    Bound, Choice, ColorTexture, Frame, HeightTexture, Hit, HoleTexture, Light, LightView, MapSettings,
+    MapTexture, Path, Shell, SurfaceSettings, Vec2, Vec4,
 };
 use crate::{MAX_LIGHT_VIEWS, MAX_LIGHTS, MapSlot, Selection, SlotMaps};
 
@@ -234,6 +234,7 @@ impl Frame {
             near: 1.0,
             clip: nowhere(),
             background: nowhere(),
+            background_below: nowhere(),
             lights: [Light { place: nowhere(), color: nowhere(), first_view: 0, views: 0 }; MAX_LIGHTS],
             light_count: 0,
             light_views: [LightView::none(); MAX_LIGHT_VIEWS],
@@ -262,6 +263,19 @@ impl LightView {
 }
 
 impl<'a> Bound<'a> {
+    /// A frame without a surface, for functions that read no height map: `level` stands for it.
+    pub(super) fn of_nothing(frame: Frame, level: &'a HeightMap, maps: SlotMaps<'a>) -> Self {
+        Self {
+            frame,
+            surface_settings: SurfaceSettings::tracing(level, &Selection::default(), &maps),
+            height_map: HeightTexture::new(level, 1),
+            hole_map: HoleTexture::new(None),
+            color_map: ColorTexture::BLANK,
+            normal_map: ColorTexture::BLANK,
+            maps,
+        }
+    }
+
     /// The texture of a slot.
     pub(super) fn slot(&self, slot: MapSlot) -> MapTexture<'a> {
         MapTexture::new(self.maps.get(slot))

@@ -7,6 +7,7 @@
 
 use crate::SlotMaps;
 
+mod background;
 mod bytes;
 mod convert;
 #[path = "../../generated/cpu.rs"]
@@ -25,6 +26,7 @@ mod runtime;
 mod tessellator;
 mod triangle;
 
+pub use background::background_row;
 pub use bytes::{Shared, read_all, write_all};
 pub use generated::{
     BaseSite, BaseVertex, Choice, Corner, DicePlace, DicePoint, DiceRows, DiceTriangle, Entered, FirstHit,

@@ -6,8 +6,8 @@ use relief_core::registry::MAX_PARAMS;
 use relief_core::{HeightMap, HeightMapError, Wrap};
 
 use super::generated::Resources;
-use super::{Bound, ColorTexture, Frame, HeightTexture, HoleTexture, SurfaceSettings, Vec2, Vec4};
-use crate::{Selection, SlotMaps};
+use super::{Bound, Frame, Vec2, Vec4};
+use crate::SlotMaps;
 
 /// The heights at the centres of the texels of some rows, by the procedure of that number.
 pub(crate) fn procedure_rows(
@@ -17,16 +17,8 @@ pub(crate) fn procedure_rows(
     rows: Range<u32>,
 ) -> Result<Vec<f32>, HeightMapError> {
     // No procedure reads what is bound.
-    let (level, maps) = (HeightMap::new(1, 1, vec![0.0], Wrap::Repeat)?, SlotMaps::default());
-    let resources = Resources::of(&Bound {
-        frame: Frame::none(),
-        surface_settings: SurfaceSettings::tracing(&level, &Selection::default(), &maps),
-        height_map: HeightTexture::new(&level, 1),
-        hole_map: HoleTexture::new(None),
-        color_map: ColorTexture::BLANK,
-        normal_map: ColorTexture::BLANK,
-        maps,
-    });
+    let level = HeightMap::new(1, 1, vec![0.0], Wrap::Repeat)?;
+    let resources = Resources::of(&Bound::of_nothing(Frame::none(), &level, SlotMaps::default()));
     let at = |texel: u32, of: u32| ((f64::from(texel) + 0.5) / f64::from(of)) as f32;
     let places = rows.flat_map(|row| (0..width).map(move |column| (column, row)));
     let height = |(column, row)| {

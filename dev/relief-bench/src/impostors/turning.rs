@@ -3,14 +3,13 @@
 
 use std::path::Path;
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use relief_compare::picture::{Image, PIXELS_PER_DEGREE, flip};
 use relief_core::Watch;
 use relief_io::{MeshColors, MeshOptions, read_mesh, read_picture};
 use relief_maps::Maps;
 use relief_object::{Arrangement, CaptureSettings, Capturer, Cover, ObjectWriter, even_directions};
 use relief_render::job::Rendering;
-use relief_render::picture::Look;
 use relief_render::render;
 use relief_render::scene::{BackendChoice, Scene, parse_scene};
 
@@ -161,8 +160,10 @@ impl Subject<'_> {
 
     fn picture(&self, keys: &str, from: DVec3) -> Result<Image, String> {
         let rendered = self.rendered(&format!("{keys}samples = 4\n"), from)?;
-        let look = Look { background: [0.03, 0.07, 0.13], exposure: 0.0, tone: Default::default() };
-        Image::of(&rendered, &look).map_err(|error| error.to_string())
+        let scene = self.scene(keys, from, BackendChoice::Cpu)?.to_builder();
+        let scene =
+            scene.background(Vec3::new(0.03, 0.07, 0.13)).build().map_err(|error| error.to_string())?;
+        Image::of(&rendered, &scene).map_err(|error| error.to_string())
     }
 
     fn rendered(&self, keys: &str, from: DVec3) -> Result<Rendering, String> {
@@ -175,7 +176,7 @@ impl Subject<'_> {
         let Self { centre, radius, .. } = *self;
         let eye = centre + from * 4.0 * radius;
         let text = format!(
-            "{keys}shadow = \"none\"\neye = {:?}\ntarget = {:?}\nsize = [{SIZE}, {SIZE}]\n\
+            "look = \"plain\"\n{keys}shadow = \"none\"\neye = {:?}\ntarget = {:?}\nsize = [{SIZE}, {SIZE}]\n\
              projection = \"orthographic\"\nview-height = {}\nbackend = \"{backend}\"\n\
              light = [-0.5, 0.7, 0.4]\n",
             eye.to_array(),

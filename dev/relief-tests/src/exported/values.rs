@@ -92,7 +92,7 @@ structs! {
     LightView { column, row, depth, corner, across, along, eye, near, texel_m, from_point, size }
     Frame {
         view_projection, eye, eye_right, eye_down, forward, corner, right, down, ambient, sample_width, near,
-        clip, background, lights, light_count, light_views,
+        clip, background, background_below, lights, light_count, light_views,
     }
     Corner { position, normal, tangent, bitangent, uv, of_surface }
     Shell { heights, order, lift }

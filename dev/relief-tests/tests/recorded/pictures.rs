@@ -5,9 +5,10 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use relief_maps::Maps;
-use relief_render::picture::aov;
+use relief_render::job::Rendering;
+use relief_render::picture::{aov, linear};
 use relief_render::render;
-use relief_render::scene::{BackendChoice, SceneSpec, SurfaceSpec, read_scene};
+use relief_render::scene::{BackendChoice, SceneSpec, SurfaceSpec, parse_scene, read_scene};
 use relief_shaders::{DETAIL, METHODS, SLICES, STAGES, Selection};
 
 use crate::hash::Bits;
@@ -22,6 +23,17 @@ const SMALL: [u32; 2] = [50, 38];
 /// The methods with which these are rendered.
 const IN_LEVELS: [&str; 4] = ["exact", "cone", "frustum", "relief"];
 
+/// Scenes in the look `studio`: a plane, a curved mesh, and two surfaces that shadow each other.
+const STUDIO: [(&str, &str); 3] = [
+    ("bricks", "height = '../data/bricks.png'\n"),
+    ("torus", "height = '../data/cobbles.png'\nmesh = 'torus'\ntile = [7, 3]\nscale = 0.03\n"),
+    (
+        "ball over a floor",
+        "height = '../data/cobbles.png'\nset.shadow.size = 256\n[[surfaces]]\nmesh-scale = 2\n\
+         [[surfaces]]\nmesh = 'sphere'\nposition = [0, 0.6, 0]\n",
+    ),
+];
+
 /// The hash of every channel, by scene and method: the colours' first.
 pub fn all() -> BTreeMap<String, String> {
     let methods = || METHODS.iter().filter(|method| method.is_of_reliefs());
@@ -32,7 +44,21 @@ pub fn all() -> BTreeMap<String, String> {
     let levels = scenes.map(|(scene, method)| {
         (format!("{scene} {method} small"), hashes(scene, method, "footprint", SMALL))
     });
-    finest.chain(levels).collect()
+    let studio = STUDIO.iter().map(|(name, toml)| (format!("studio {name}"), hashes_of_look(toml)));
+    finest.chain(levels).chain(studio).collect()
+}
+
+/// The hashes of a scene in the look of scene files that name none: of all channels, and of what is shown.
+fn hashes_of_look(toml: &str) -> String {
+    let (backend, size) = (Some(BackendChoice::Cpu), Some(SIZE.into()));
+    let over = SceneSpec { backend, size, ..SceneSpec::default() };
+    let place = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/studio.toml");
+    let spec = parse_scene(toml, &place).expect("a proper scene").overridden_by(over);
+    let scene = spec.load().expect("shipped maps");
+    let rendering = render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering;
+    let shown = linear(&rendering, &scene);
+    let shown = Bits::default().floats(shown.into_iter().flatten()).short();
+    format!("{}, shown {shown}", of_channels(&rendering))
 }
 
 fn hashes(scene: &str, method: &str, detail: &str, size: [u32; 2]) -> String {
@@ -53,11 +79,14 @@ fn hashes(scene: &str, method: &str, detail: &str, size: [u32; 2]) -> String {
     };
     let scene =
         read_scene(&path).expect("a shipped scene").overridden_by(over).load().expect("a shipped map");
-    let rendering = render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering;
+    of_channels(&render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering)
+}
+
+fn of_channels(rendering: &Rendering) -> String {
     let pixels = rendering.pixels.iter();
     let colors = pixels.flat_map(|pixel| [pixel.color.x, pixel.color.y, pixel.color.z, pixel.color.w]);
     let mut said = vec![format!("color {}", Bits::default().floats(colors).short())];
-    for (name, values) in aov(&rendering) {
+    for (name, values) in aov(rendering) {
         said.push(format!("{name} {}", Bits::default().floats(values).short()));
     }
     said.join(", ")

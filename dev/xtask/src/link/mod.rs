@@ -44,6 +44,7 @@ const CPU_ROOT: (&str, &[&str]) = (
         "pixel_of",
         "add_sample",
         "ray_to_light",
+        "background_at",
         "mirrored_light",
         "procedure_height",
         "voxel_of",

@@ -9,7 +9,7 @@ use relief_io::{
     MeshColors, MeshFile, MeshMaterial, MeshOptions, Picture, Remark, Up, omissions, read_mesh, read_picture,
 };
 use relief_mesh::{MeshSettings, Mesher};
-use relief_render::scene::{MeshChoice, SceneSpec, SurfaceSpec, read_scene};
+use relief_render::scene::{Look, MeshChoice, SceneSpec, SurfaceSpec, read_scene};
 
 use super::Arguments;
 use crate::commands::maps::{self, By};
@@ -111,7 +111,8 @@ fn displaced(
 ) -> Result<Subject, Failure> {
     let max_memory = Some(ByteSize(arguments.max_bytes()));
     // Nothing is rendered.
-    let spec = SceneSpec { max_memory, size: Some([1, 1].into()), samples: Some(1), ..spec };
+    let (size, samples, look) = (Some([1, 1].into()), Some(1), Some(Look::Plain));
+    let spec = SceneSpec { max_memory, size, samples, look, ..spec };
     let scene = spec.load().map_err(of_scene_file)?;
     let [shown] = scene.surfaces() else { return Err(Failure::work("it has several surfaces")) };
     let settings = MeshSettings { max_bytes: arguments.max_bytes(), ..MeshSettings::default() };

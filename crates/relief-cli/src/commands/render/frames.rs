@@ -14,7 +14,7 @@ use serde_json::json;
 
 use super::output::Outputs;
 use super::report::Picture;
-use super::{Arguments, Studio};
+use super::{Arguments, PictureRenderer};
 use crate::commands::numbered::{Numbering, files};
 use crate::commands::scene_arguments::of_scene;
 use crate::failure::Failure;
@@ -35,7 +35,7 @@ pub fn run(
         let _looking = Progress::spinner("looking for files", arguments.json);
         sequence.check(frames)?;
     }
-    let mut studio = Studio::new(arguments);
+    let mut renderer = PictureRenderer::new(arguments);
     let cancel = interrupt::catch()?;
     let bar = Progress::bar("rendering", arguments.json);
     let mut told = Told { json: arguments.json, all: Vec::new(), said: BTreeSet::new(), is_heard: true };
@@ -46,7 +46,7 @@ pub fn run(
                 bar.show((done as f32 + part) / count as f32);
             }
         };
-        let rendered = sequence.frame(number, &mut studio, &bar, &report, &mut told, cancel);
+        let rendered = sequence.frame(number, &mut renderer, &bar, &report, &mut told, cancel);
         rendered.map_err(|failure| match (cancel.load(Ordering::Relaxed), done) {
             (false, _) => of_frame(failure, number, done),
             (true, 0) => interrupt::cancelled(),
@@ -164,7 +164,7 @@ impl Sequence<'_> {
     fn frame(
         &self,
         number: u32,
-        studio: &mut Studio,
+        renderer: &mut PictureRenderer,
         bar: &Progress,
         report: &relief_render::Progress,
         told: &mut Told,
@@ -176,7 +176,7 @@ impl Sequence<'_> {
         if cancel.load(Ordering::Relaxed) {
             return Err(interrupt::cancelled());
         }
-        let (counts, made) = studio.draw(&scene, &outputs, report)?;
+        let (counts, made) = renderer.draw(&scene, &outputs, report)?;
         let picture = Picture { spec: &spec, scene: &scene, outputs: &outputs, counts, made: &made };
         if told.json {
             let mut about = picture.as_json();
@@ -184,7 +184,7 @@ impl Sequence<'_> {
             told.all.push(about);
             return Ok(());
         }
-        let notes = studio.notes(&spec, &scene, &made);
+        let notes = renderer.notes(&spec, &scene, &made);
         bar.aside(|| {
             for note in notes {
                 if told.said.insert(note.clone()) {

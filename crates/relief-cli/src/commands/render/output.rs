@@ -11,7 +11,7 @@ use clap::ValueEnum;
 use relief_io::{
     LineSink, Metadata, PictureFormat, PictureSink, WriteProblem, write_exr_lines, write_picture,
 };
-use relief_render::picture::{AOV_CHANNELS, aov_of, srgb};
+use relief_render::picture::{AOV_CHANNELS, Display, aov_of, srgb};
 use relief_render::scene::{Scene, SceneSpec};
 use relief_render::tone::Tone;
 use relief_render::{Bands, Made, RenderError, Wire};
@@ -190,20 +190,20 @@ impl Outputs {
         picture: &mut PictureSink,
         mut numbers: Option<&mut LineSink>,
     ) -> Result<(Counts, Made), Error> {
-        let (look, width) = (scene.look(), scene.size()[0] as usize);
         let is_linear = self.format.is_linear();
+        let display = if is_linear { Display::of(scene).without_tone() } else { Display::of(scene) };
+        let width = scene.size()[0] as usize;
         let mut wire = self.wire.then(|| Wire::new(scene));
         let mut counts = Counts::default();
-        let mut colours = Vec::with_capacity(width);
+        let mut next_row = 0;
         let mut planes = AOV_CHANNELS.map(|_| Vec::new());
         let mut row = |pixels: &[PixelOut]| -> Result<(), Failure> {
-            colours.clear();
+            let mut colours = display.linear_row(next_row, pixels);
+            next_row += 1;
             // What is brighter than sRGB has it would shine through lines.
-            let colour = |pixel| {
-                let linear = look.linear(pixel);
-                if is_linear { linear } else { linear.map(|part| part.clamp(0.0, 1.0)) }
-            };
-            colours.extend(pixels.iter().map(colour));
+            if !is_linear {
+                colours.iter_mut().for_each(|colour| *colour = colour.map(|part| part.clamp(0.0, 1.0)));
+            }
             if let Some(wire) = &mut wire {
                 wire.next_row(pixels, &mut colours);
             }

@@ -16,15 +16,15 @@ fn a_scene_is_loaded_with_its_defaults() {
     assert_eq!((surface.two_sided(), surface.mesh().triangles().len()), (false, 2));
     assert!(surface.selection().is_exact());
     assert!(surface.color().is_none() && surface.normal_map().is_none());
-    // The builder's own defaults are the same ones, but for the detail: a surface of its own does not know
-    // how many samples its picture has.
+    // The builder's defaults with the look of pictures are the same ones, but for the detail: a surface of its
+    // own does not know how many samples its picture has.
     let mut selection = Selection::exact();
     selection.choose("detail", "footprint").expect("a detail");
     let own = Surface::new(Builtin::Plane.build([1.0, 1.0]).expect("a mesh"), Arc::clone(map));
     let own = own.with_selection(selection);
     // What maps and picture of a file need is left out of the memory for triangles.
     let left = scene.geometry_memory();
-    let built = Scene::builder(own).build().expect("a scene");
+    let built = Scene::builder(own).look(Look::Studio).build().expect("a scene");
     assert!(left.0 > 3 << 30 && left < built.geometry_memory(), "{left}");
     let built = built.to_builder().geometry_memory(left).build().expect("a scene");
     assert_eq!(format!("{built:?}"), format!("{scene:?}"));
