@@ -2580,11 +2580,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec3<f32> {
         let _e8 = self.v_ambient_texel_between(hit_6.uv, rt::Scalar(at_10.level));
         let _e10 = self.v_from_tangent_space(at_10, _e8.xyz());
-        let toward_6 = (_e10 / rt::Vec3::splat_from_scalar(_e10.length().max(rt::Scalar(0.000001f32))));
+        let toward_6 = (rt::Scalar(0.5f32) * ((_e10 / rt::Vec3::splat_from_scalar(_e10.length().max(rt::Scalar(0.000001f32)))) + normal_8));
         let part_9 = normal_8.dot(_e10).max(rt::Scalar(0f32));
-        let _e21 = self.frame.ambient;
-        let _e25 = self.v_hemisphere_grade(toward_6, params_6.x());
-        return ((_e21.xyz() * color_7) * (part_9 * _e25));
+        let _e24 = self.frame.ambient;
+        let _e28 = self.v_hemisphere_grade(toward_6, params_6.x());
+        return ((_e24.xyz() * color_7) * (part_9 * _e28));
     }
     pub(crate) fn ambient_stage(
         &self,

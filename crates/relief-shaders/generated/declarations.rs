@@ -530,11 +530,11 @@ pub const MODULES: &[Module] = &[
 //
 // Zhukov, Iones and Kronin 1998; horizons as in Szirmay-Kalos and Umenhoffer 2008, section 6.1.
 "# },
-    Module { path: "ambient/sky", head: r#"// An occluded sky above and ground below: what the relief leaves open, as bright as it is about the mean open
-// direction.
+    Module { path: "ambient/sky", head: r#"// An occluded sky above and ground below: what the relief leaves open, as bright as it is between the mean open
+// direction and the normal.
 //
-// The part that arrives is that of bent normals (Landis 2002). Its radiance is that of hemisphere lighting
-// along the bent normal.
+// The part that arrives is that of bent normals (Landis 2002). Its radiance is that of hemisphere lighting, half
+// along the bent normal and half along the normal: the first alone is the same on all slopes of a shadow.
 "# },
     Module { path: "procedure/bumps", head: r#"// Round bumps on level ground, each in a cell of a lattice. In time each grows and shrinks by itself, and all
 // come round together.
@@ -12275,7 +12275,7 @@ const LEAST_OPEN = 0.000001;"#,
     params: vec4f,
 ) -> vec3f {
     let open = from_tangent_space(at, ambient_texel_between(hit.uv, at.level).xyz);
-    let toward = open / max(length(open), LEAST_OPEN);
+    let toward = 0.5 * (open / max(length(open), LEAST_OPEN) + normal);
     let part = max(dot(normal, open), 0.0);
     return frame.ambient.xyz * color * (part * hemisphere_grade(toward, params.x));
 }"#,

@@ -1647,11 +1647,11 @@ lanes! { fn ambient_sky(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &
     let e_8 = ambient_texel_between(r, ex, Vec2 { x: hit_a1.uv.x, y: hit_a1.uv.y }, at_a0.level);
     let open_10 = from_tangent_space(r, at_a0, Vec3 { x: e_8.x, y: e_8.y, z: e_8.z });
     let e_13 = max_with(sqrt(add(add(mul(open_10.x, open_10.x), mul(open_10.y, open_10.y)), mul(open_10.z, open_10.z))), splat(1e-6f32));
-    let toward_15 = Vec3 { x: div(open_10.x, e_13), y: div(open_10.y, e_13), z: div(open_10.z, e_13) };
-    let part_18 = max_with(add(add(add(mul(normal_a2.x, open_10.x), mul(normal_a2.y, open_10.y)), mul(normal_a2.z, open_10.z)), splat(0.0f32)), splat(0.0f32));
-    let e_25 = hemisphere_grade(r, toward_15, params_a5.x);
-    let e_26 = mul(part_18, e_25);
-    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), color_a4.x), e_26), y: mul(mul(splat(r.frame.ambient.y), color_a4.y), e_26), z: mul(mul(splat(r.frame.ambient.z), color_a4.z), e_26) };
+    let toward_18 = Vec3 { x: mul(splat(0.5f32), add(div(open_10.x, e_13), normal_a2.x)), y: mul(splat(0.5f32), add(div(open_10.y, e_13), normal_a2.y)), z: mul(splat(0.5f32), add(div(open_10.z, e_13), normal_a2.z)) };
+    let part_21 = max_with(add(add(add(mul(normal_a2.x, open_10.x), mul(normal_a2.y, open_10.y)), mul(normal_a2.z, open_10.z)), splat(0.0f32)), splat(0.0f32));
+    let e_28 = hemisphere_grade(r, toward_18, params_a5.x);
+    let e_29 = mul(part_21, e_28);
+    return Vec3 { x: mul(mul(splat(r.frame.ambient.x), color_a4.x), e_29), y: mul(mul(splat(r.frame.ambient.y), color_a4.y), e_29), z: mul(mul(splat(r.frame.ambient.z), color_a4.z), e_29) };
 } }
 lanes! { fn ambient_stage(r: &Resources<'_>, within: M, at_a0: &Entered, hit_a1: &Hit, normal_a2: Vec3<F>, view_a3: Vec3<F>, color_a4: Vec3<F>) -> Vec3<F> {
     let mut ex = within;

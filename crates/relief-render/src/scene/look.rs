@@ -115,9 +115,9 @@ impl Look {
             key: Some(KeyLight {
                 toward: DVec3::new(-0.75, 0.4, 0.6),
                 of_camera: true,
-                irradiance: Vec3::new(1.4, 1.27, 1.07),
+                irradiance: Vec3::new(1.3, 1.18, 1.0),
             }),
-            ambient: Vec3::new(0.27, 0.33, 0.42),
+            ambient: Vec3::new(0.38, 0.46, 0.58),
             has_sky: true,
             is_shared: true,
             background: Background::GRADIENT,

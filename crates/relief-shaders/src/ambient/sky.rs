@@ -35,6 +35,6 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "The part of the sky that arrives is that of bent-normal, of heights as fine as the baked \
-        level. All of it has the radiance that a plane across the mean open direction sees: right where \
-        nothing is hidden. What the relief hides throws no light.",
+        level. All of it has the radiance that planes across the mean open direction and across the normal \
+        see on the mean: right where nothing is hidden. What the relief hides throws no light.",
 };
