@@ -61,7 +61,7 @@ pub struct SceneArguments {
     #[arg(value_name = "FILE")]
     scene: Option<PathBuf>,
     /// Width and height of the picture in pixels; map: one pixel a texel, with --view top --projection
-    /// orthographic [default: 800x600]
+    /// orthographic [default: 800x600; with that view and projection 800 pixels of the longer side]
     #[arg(long, value_name = "WxH|map", allow_hyphen_values = true)]
     size: Option<PictureSize>,
     /// Samples of a pixel, 1 to 1024: more make edges and far texels smoother [default: 4]
@@ -171,7 +171,8 @@ pub struct SceneArguments {
     )]
     set: Vec<(String, f64)>,
 
-    /// From where the camera looks that sees all of the scene: corner, top, front or right [default: the look's]
+    /// From where the camera looks that sees all of the scene: corner, three-quarter, top, front or right
+    /// [default: the look's]
     #[arg(
         long,
         value_name = "VIEW",

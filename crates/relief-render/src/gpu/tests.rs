@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use relief_core::{HeightMap, Wrap};
 use relief_io::Picture;
 use relief_maps::Maps;
@@ -13,11 +13,13 @@ use relief_shaders::{Selection, SlotMaps};
 use wgpu::{BufferUsages, DeviceDescriptor, Features, Limits};
 
 use super::{AdapterChoice, Gpu, GpuError, GpuRenderer, Prober, Work, block_on};
+use crate::background::Background;
 use crate::camera::Camera;
 use crate::depth_buffer::DepthBuffer;
 use crate::job::{Job, JobSurface, LightViews, Rendering};
 use crate::mesh::{Mesh, Placement, square, torus};
 use crate::mipmaps::Mipmaps;
+use crate::picture::linear;
 use crate::scene::{BackendChoice, Scene, Surface};
 use crate::{Renderer, cpu::CpuRenderer};
 
@@ -292,7 +294,7 @@ fn of_equally_near_surfaces_the_first_is_seen() {
     renderers.extend(software().map(|gpu| Renderer::on_gpu(gpu, Sampling::Exact)));
     let surface = three_surfaces().swap_remove(0);
     let material = |brightness: f32| {
-        crate::material::Material::new(glam::Vec3::splat(brightness), glam::Vec3::ZERO, 1)
+        crate::material::Material::new(Vec3::splat(brightness), Vec3::ZERO, 1)
             .expect("a material")
     };
     let (bright, dark) = (surface.clone().with_material(material(1.0)), surface.with_material(material(0.0)));
@@ -361,18 +363,33 @@ fn maps_of_fewer_bits_give_the_same_exact_picture() {
 #[test]
 fn a_picture_that_stays_on_the_gpu_has_the_colours_that_are_read_back() {
     let Some(gpu) = software() else { return };
-    let (mut maps, mut preparer) = (Maps::in_memory(), crate::prepare::Preparer::default());
-    let scene = scene(three_surfaces()).to_builder().size(300, 1000).build().expect("a proper scene");
-    preparer.provide(&scene, &mut maps, &|_| false, &relief_maps::Watch::none()).expect("a bake");
-    let job = preparer.job(&scene, relief_maps::Watch::none().cancel).expect("a job");
+    let base = scene(three_surfaces()).to_builder().size(300, 1000);
+    let gradient = Background::Gradient([Vec3::new(0.1, 0.4, 0.9), Vec3::new(0.7, 0.2, 0.3)]);
     let mut renderer = GpuRenderer::new(gpu.clone());
-    let expected = renderer.render(&job, Sampling::Exact, &|_| ()).expect("a picture");
-    let picture = block_on(renderer.draw(&job, Sampling::Exact)).expect("a picture").clone();
+    for background in [Background::Color(Vec3::new(0.1, 0.2, 0.3)), gradient, Background::Environment] {
+        let scene = base.clone().background(background).build().expect("a proper scene");
+        let (mut maps, mut preparer) = (Maps::in_memory(), crate::prepare::Preparer::default());
+        preparer.provide(&scene, &mut maps, &|_| false, &relief_maps::Watch::none()).expect("a bake");
+        let job = preparer.job(&scene, relief_maps::Watch::none().cancel).expect("a job");
+        let rendered = renderer.render(&job, Sampling::Exact, &|_| ()).expect("a picture");
+        let expected = linear(&rendered, &scene);
+        let picture = block_on(renderer.draw(&job, Sampling::Exact)).expect("a picture").clone();
+        for (place, (given, wanted)) in texels(&gpu, &picture).iter().zip(expected).enumerate() {
+            for (given, wanted) in given.iter().zip(wanted) {
+                let is_near = (given - wanted).abs() <= 1e-3 * wanted.abs() + 1e-4;
+                assert!(is_near, "{background}, {}, {}: {given} for {wanted}", place % 300, place / 300);
+            }
+            assert_eq!(given[3], 1.0);
+        }
+    }
+}
+
+/// The texels of a picture of 16-bit floats, row by row.
+fn texels(gpu: &Gpu, picture: &wgpu::Texture) -> Vec<[f32; 4]> {
     let size = picture.size();
-    assert_eq!([size.width, size.height], [300, 1000]);
-    let row = (300 * 8u32).next_multiple_of(256);
+    let row = (size.width * 8).next_multiple_of(256);
     let usage = BufferUsages::COPY_DST | BufferUsages::MAP_READ;
-    let buffer = gpu.buffer("to read", u64::from(row) * 1000, usage);
+    let buffer = gpu.buffer("to read", u64::from(row) * u64::from(size.height), usage);
     let mut encoder = gpu.device().create_command_encoder(&Default::default());
     let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None };
     let into = wgpu::TexelCopyBufferInfo { buffer: &buffer, layout };
@@ -380,23 +397,15 @@ fn a_picture_that_stays_on_the_gpu_has_the_colours_that_are_read_back() {
     gpu.queue().submit([encoder.finish()]);
     let mut bytes = Vec::new();
     block_on(gpu.read(&buffer, buffer.size(), |read| bytes.extend_from_slice(read))).expect("it is read");
-    let [background, _] = scene.background().colours();
-    for (y, texels) in bytes.chunks(row as usize).enumerate() {
-        for (x, texel) in texels.as_chunks::<8>().0.iter().take(300).enumerate() {
-            let half = |at: usize| {
-                relief_core::encoding::half::value(u16::from_le_bytes([texel[at], texel[at + 1]]))
-            };
-            let pixel = &expected.pixels[y * 300 + x];
-            let color = if pixel.hit == 1 { pixel.color } else { background.extend(1.0).to_array().into() };
-            for (given, wanted) in [0, 2, 4].map(half).into_iter().zip([color.x, color.y, color.z]) {
-                assert!(
-                    (given - wanted).abs() <= 1e-3 * wanted.abs() + 1e-4,
-                    "({x}, {y}): {given} for {wanted}"
-                );
-            }
-            assert_eq!(half(6), 1.0);
-        }
-    }
+    let half = |at: &[u8; 2]| relief_core::encoding::half::value(u16::from_le_bytes(*at));
+    let rows = bytes.chunks(row as usize).map(|row| row.as_chunks::<8>().0);
+    let texels = rows.flat_map(|texels| texels.iter().take(size.width as usize));
+    texels
+        .map(|texel| {
+            let parts = texel.as_chunks::<2>().0;
+            [0, 1, 2, 3].map(|at| half(&parts[at]))
+        })
+        .collect()
 }
 
 #[test]

@@ -28,7 +28,7 @@ pub struct SceneSpec {
     #[serde(deserialize_with = "parsed")]
     pub look: Option<Look>,
     /// From where the camera looks that sees all of the scene, where neither `eye` nor `target` is given:
-    /// `corner`, `top`, `front` or `right`. By default as the look has it.
+    /// `corner`, `three-quarter`, `top`, `front` or `right`. By default as the look has it.
     #[serde(deserialize_with = "parsed")]
     pub view: Option<View>,
     /// Position of the eye in metres. Without it and `target` the camera is fitted to scene and picture; with
