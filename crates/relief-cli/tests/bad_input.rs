@@ -105,6 +105,17 @@ fn wrong_command_lines_are_refused_with_the_flag_named() {
         ("--size map --view top --projection orthographic --rotation 0,90,0", &["--size", "rotation"]),
         ("--size map --view top --projection orthographic --tile-size 2,1", &["--size", "tile-size"]),
         ("--size maps", &["--size", "WxH", "map"]),
+        ("--look stduio", &["--look", "studio"]),
+        (
+            "--look sun --view top --light az=315,alt=45 --ambient constant --ambient-color 1,1,1 --background \
+             gradient --tone none --exposure 1",
+            &["--look", "sun", "leave the look out"],
+        ),
+        ("--light az=,alt=45", &["--light", "az=315,alt=45"]),
+        ("--light az=315,alt=-1", &["--light", "0 (the horizon)"]),
+        ("--light az=315,alt=91", &["--light", "90 (straight up)"]),
+        ("--background gradiant", &["--background", "gradient"]),
+        ("--background 0.1,0.2", &["--background", "R,G,B"]),
         ("--light-angle -1", &["--light-angle", "90"]),
         ("--light-angle 90.5", &["--light-angle", "90"]),
         ("--light-angle nan", &["--light-angle"]),

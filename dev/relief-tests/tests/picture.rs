@@ -10,7 +10,7 @@ use relief_maps::Maps;
 use relief_render::camera::Projection;
 use relief_render::job::Rendering;
 use relief_render::mesh::{Builtin, square};
-use relief_render::scene::{BackendChoice, Scene, SceneSpec, Surface, SurfaceSpec, View, read_scene};
+use relief_render::scene::{BackendChoice, Look, Scene, SceneSpec, Surface, SurfaceSpec, View, read_scene};
 use relief_render::{RenderError, Renderer, render};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
@@ -219,7 +219,9 @@ fn a_fitted_camera_sees_all_as_large_as_it_can() {
                         two_sided: Some(true),
                         ..SurfaceSpec::default()
                     };
+                    // The look whose cameras go by all of the relief's depth.
                     let over = SceneSpec {
+                        look: Some(Look::Plain),
                         view: Some(view),
                         projection: projection.parse().ok(),
                         size: Some(size.into()),

@@ -294,8 +294,7 @@ fn of_equally_near_surfaces_the_first_is_seen() {
     renderers.extend(software().map(|gpu| Renderer::on_gpu(gpu, Sampling::Exact)));
     let surface = three_surfaces().swap_remove(0);
     let material = |brightness: f32| {
-        crate::material::Material::new(Vec3::splat(brightness), Vec3::ZERO, 1)
-            .expect("a material")
+        crate::material::Material::new(Vec3::splat(brightness), Vec3::ZERO, 1).expect("a material")
     };
     let (bright, dark) = (surface.clone().with_material(material(1.0)), surface.with_material(material(0.0)));
     for renderer in &mut renderers {
