@@ -169,7 +169,7 @@ impl Comparison {
             Some(surface) => Some(seen_by_judge(surface, scene.camera(), scene.size())?),
             None => None,
         };
-        let image = Image::of(&rendered.rendering, &scene)?;
+        let image = Image::of(&rendered.rendering, scene)?;
         let still = match self.flicker_samples {
             Some(samples) => {
                 let scene = exact(samples)?;
@@ -305,7 +305,7 @@ impl Comparison {
         watch: &Watch,
     ) -> Result<Image, CompareError> {
         let rendered = rendered(scene, renderer, maps, method, watch)?;
-        Ok(Image::of(&rendered.rendering, &scene)?)
+        Ok(Image::of(&rendered.rendering, scene)?)
     }
 }
 
