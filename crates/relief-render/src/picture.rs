@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use rayon::prelude::*;
 use relief_io::linear_to_srgb;
 use relief_shaders::cpu::{Frame, PixelOut, background_row};
 
@@ -16,6 +17,9 @@ pub const AOV_CHANNELS: [&str; 18] = [
     "hit", "uv.x", "uv.y", "height", "P.x", "P.y", "P.z", "N.x", "N.y", "N.z", "depth", "reads", "steps",
     "bytes", "lit", "level", "z", "surface",
 ];
+
+/// Pixels of a row that a core takes at least.
+const ROW_PART: usize = 256;
 
 /// How linear light becomes the colours of a scene's picture, row by row.
 ///
@@ -56,7 +60,7 @@ impl Display {
         let size = [pixels.len() as u32, self.size[1]];
         let environment = self.environment.as_ref().map(|environment| &**environment.map());
         let mut behind = background_row(self.frame, environment, row, size);
-        for (behind, pixel) in behind.iter_mut().zip(pixels) {
+        behind.par_iter_mut().zip(pixels).with_min_len(ROW_PART).for_each(|(behind, pixel)| {
             if environment.is_some() {
                 *behind = self.shown(*behind, 1.0);
             }
@@ -66,7 +70,7 @@ impl Display {
                 let over = |light: f32, background: f32| light * covered + background * (1.0 - covered);
                 *behind = [0, 1, 2].map(|place| over(light[place], behind[place]));
             }
-        }
+        });
         behind
     }
 

@@ -286,9 +286,6 @@ impl SceneBuilder {
     /// are chosen for a surface that has those of its vertices.
     pub fn build(mut self) -> Result<Scene, ValueError> {
         let look = self.look.parts();
-        if self.adapts_surfaces {
-            self.look.adapt(&mut self.surfaces);
-        }
         let framing = self.framing.unwrap_or(look.framing);
         let size = match (self.size, self.camera) {
             (Some(size), _) => check_size(size)?,
@@ -301,6 +298,9 @@ impl SceneBuilder {
             }
             (None, _) => DEFAULT_SIZE,
         };
+        if self.adapts_surfaces {
+            self.look.adapt(&mut self.surfaces, size);
+        }
         if !(1..=MAX_SAMPLES).contains(&self.samples) {
             let value = f64::from(self.samples);
             return Err(ValueProblem::Number { value, must: "from 1 to 1024" }.of("samples"));

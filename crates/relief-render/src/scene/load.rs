@@ -123,6 +123,7 @@ impl SceneSpec {
             look: self.look(),
             has_environment: self.environment.is_some(),
             several: self.surfaces.len() > 1,
+            size: self.pixels().unwrap_or(DEFAULT_SIZE),
         };
         self.each_surface().into_iter().enumerate().map(move |(number, surface)| {
             let number = several.then_some(number);

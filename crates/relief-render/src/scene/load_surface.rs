@@ -81,6 +81,8 @@ pub struct Around {
     pub has_environment: bool,
     /// Whether there are several surfaces.
     pub several: bool,
+    /// Columns and rows of the picture, as far as they are known.
+    pub size: [u32; 2],
 }
 
 impl Parts {
@@ -457,11 +459,11 @@ impl SurfaceSpec {
             }
             let is_named = |stage: usize| self.stages.contains_key(STAGES[stage].key);
             if !is_of_shadow && !sees_environment && !is_named(AMBIENT) {
-                around.look.light_from_sky(&mut selection, !self.is_mesh_alone());
+                around.look.light_from_sky(&mut selection, !self.is_mesh_alone(), around.size);
             }
             let has_shadow = self.is_mesh_alone() || is_named(SHADOW) || is_named(SHADOW_SEARCH);
             if is_of_shadow && around.several && !has_shadow {
-                around.look.share_shadows(&mut selection);
+                around.look.share_shadows(&mut selection, around.size);
             }
             for key in self.set.keys().filter(of_part) {
                 selection.set(key, self.set[key]).map_err(of_selection)?;

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use glam::{DVec3, Vec3};
 use relief_core::registry::UnknownName;
-use relief_shaders::{AMBIENT, SHADOW, STAGES, Selection};
+use relief_shaders::{AMBIENT, Choice, SHADOW, STAGES, Selection};
 
 use super::framing::Framing;
 use super::{Surface, View};
@@ -80,6 +80,10 @@ pub(super) const PLAIN_LIGHT: DVec3 = DVec3::new(-0.6, 0.6, -0.1);
 const SKY: &str = "sky";
 const HEMISPHERE: &str = "hemisphere";
 
+/// Pixels of the picture's longer side beside a texel of the sky, which is smooth: bakes take a tenth of a
+/// second of the finest ones.
+const SKY_PIXELS: u32 = 4;
+
 /// Shadows that surfaces throw on each other.
 const SHARED_SHADOW: &str = "map";
 
@@ -113,11 +117,11 @@ impl Look {
     pub(crate) const fn parts(self) -> LookParts {
         let studio = LookParts {
             key: Some(KeyLight {
-                toward: DVec3::new(-0.75, 0.4, 0.6),
+                toward: DVec3::new(-0.78, 0.34, 0.4),
                 of_camera: true,
-                irradiance: Vec3::new(1.3, 1.18, 1.0),
+                irradiance: Vec3::new(1.2, 1.09, 0.92),
             }),
-            ambient: Vec3::new(0.38, 0.46, 0.58),
+            ambient: Vec3::new(0.42, 0.51, 0.64),
             has_sky: true,
             is_shared: true,
             background: Background::GRADIENT,
@@ -130,7 +134,7 @@ impl Look {
             Look::Studio => studio,
             Look::Sun => LookParts {
                 key: Some(KeyLight {
-                    toward: DVec3::new(-0.75, 0.4, 0.45),
+                    toward: DVec3::new(-0.78, 0.34, 0.3),
                     of_camera: true,
                     irradiance: Vec3::new(1.9, 1.45, 0.95),
                 }),
@@ -153,35 +157,50 @@ impl Look {
         }
     }
 
-    /// Gives a selection that names no ambient light this look's sky. A mesh without a relief hides no sky from
-    /// itself.
-    pub(super) fn light_from_sky(self, selection: &mut Selection, has_relief: bool) {
+    /// Gives a selection that names no ambient light this look's sky, as fine as a picture of that size asks
+    /// for. A mesh without a relief hides no sky from itself.
+    pub(super) fn light_from_sky(self, selection: &mut Selection, has_relief: bool, size: [u32; 2]) {
         if self.parts().has_sky {
             choose(selection, AMBIENT, if has_relief { &[SKY, HEMISPHERE] } else { &[HEMISPHERE] });
+            lower(selection, AMBIENT, "side", power_of_two(size, SKY_PIXELS));
         }
     }
 
     /// Gives a selection that names no shadow the shadows that several surfaces throw on each other.
-    pub(super) fn share_shadows(self, selection: &mut Selection) {
+    pub(super) fn share_shadows(self, selection: &mut Selection, size: [u32; 2]) {
         if self.parts().is_shared {
             choose(selection, SHADOW, &[SHARED_SHADOW]);
+            lower(selection, SHADOW, "size", power_of_two(size, 1) * 2);
         }
     }
 
     /// Both for surfaces that programs made: of them the first variants are what nobody named.
-    pub(super) fn adapt(self, surfaces: &mut [Surface]) {
+    pub(super) fn adapt(self, surfaces: &mut [Surface], size: [u32; 2]) {
         let several = surfaces.len() > 1;
         for surface in surfaces {
             let mut selection = *surface.selection();
             let [is_free, is_alone] = [AMBIENT, SHADOW].map(|stage| selection.choices[stage].number == 0);
             if is_free {
-                self.light_from_sky(&mut selection, surface.height_map().scale_m() > 0.0);
+                self.light_from_sky(&mut selection, surface.height_map().scale_m() > 0.0, size);
             }
             if several && is_alone {
-                self.share_shadows(&mut selection);
+                self.share_shadows(&mut selection, size);
             }
             *surface = surface.clone().with_selection(selection);
         }
+    }
+}
+
+/// The greatest power of two that is no more than a part of the picture's longer side.
+fn power_of_two(size: [u32; 2], part: u32) -> u32 {
+    1 << (size[0].max(size[1]) / part).max(1).ilog2()
+}
+
+/// Lowers a parameter of a stage to a value, or to the least that is possible, where the variant has it.
+fn lower(selection: &mut Selection, stage: usize, name: &str, value: u32) {
+    let Choice { entry, params, .. } = &mut selection.choices[stage];
+    if let Some((place, param)) = entry.param(name) {
+        params[place] = params[place].min((value as f32).max(param.min));
     }
 }
 

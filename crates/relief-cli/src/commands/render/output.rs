@@ -8,6 +8,7 @@ use std::str::FromStr;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::ValueEnum;
+use rayon::prelude::*;
 use relief_io::{
     LineSink, Metadata, PictureFormat, PictureSink, WriteProblem, write_exr_lines, write_picture,
 };
@@ -22,6 +23,9 @@ use crate::commands::numbered::files;
 use crate::commands::staged::{Staged, format_of};
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
+
+/// Pixels of a row that a core takes at least.
+const ROW_PART: usize = 256;
 
 /// Bits of a sample in a PNG.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -208,7 +212,7 @@ impl Outputs {
                 wire.next_row(pixels, &mut colours);
             }
             if !is_linear {
-                colours.iter_mut().for_each(|colour| *colour = srgb(*colour));
+                colours.par_iter_mut().with_min_len(ROW_PART).for_each(|colour| *colour = srgb(*colour));
             }
             picture(&colours).map_err(|error| failed(&self.picture, WriteProblem::Io(error)))?;
             if let (Some(sink), Some(path)) = (&mut numbers, &self.aov) {
