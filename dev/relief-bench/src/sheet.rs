@@ -19,7 +19,7 @@ const COLUMNS: usize = 6;
 
 /// Between which bytes the mean of the pixels that show a surface lies, where nothing is washed out nor too
 /// dark.
-const MEAN: std::ops::RangeInclusive<f64> = 70.0..=170.0;
+const MEAN: std::ops::RangeInclusive<f64> = 70.0..=180.0;
 
 /// The most of the pictures whose mean may lie elsewhere: one in ten.
 const ODD: f64 = 0.1;
@@ -77,7 +77,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         println!("* {error}");
     }
     let odd = shown.iter().filter(|picture| !MEAN.contains(&picture.mean)).count();
-    println!("\n{} of {} pictures have a mean from 70 to 170.", shown.len() - odd, shown.len());
+    println!("\n{} of {} pictures have a mean from 70 to 180.", shown.len() - odd, shown.len());
     write(&shown, &arguments.output)?;
     let is_fine = odd as f64 <= ODD * shown.len() as f64;
     if is_fine { Ok(()) } else { Err(format!("{odd} pictures are too dark or too bright")) }

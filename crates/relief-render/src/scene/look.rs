@@ -117,7 +117,7 @@ impl Look {
     pub(crate) const fn parts(self) -> LookParts {
         let studio = LookParts {
             key: Some(KeyLight {
-                toward: DVec3::new(-0.78, 0.34, 0.4),
+                toward: DVec3::new(-0.75, 0.4, 0.48),
                 of_camera: true,
                 irradiance: Vec3::new(1.2, 1.09, 0.92),
             }),

@@ -48,7 +48,7 @@ impl View {
     pub(super) const fn toward_eye(self) -> DVec3 {
         match self {
             View::Corner => DVec3::new(0.6, 0.9, 1.1),
-            View::ThreeQuarter => DVec3::new(0.26, 0.73, 0.64),
+            View::ThreeQuarter => DVec3::new(0.32, 0.73, 0.6),
             View::Top => DVec3::Y,
             View::Front => DVec3::Z,
             View::Right => DVec3::X,

@@ -29,7 +29,7 @@ const GROUND: Param = Param {
     unit: "",
     min: 0.0,
     max: 1.0,
-    default: 0.0,
+    default: 0.03,
     integer: false,
     names: &[],
 };
