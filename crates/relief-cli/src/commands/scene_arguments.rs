@@ -240,7 +240,7 @@ pub struct SceneArguments {
     )]
     far: Option<f64>,
     /// Direction toward a directional light: a vector, or degrees clockwise from north (-z) and above the
-    /// horizon, as in az=315,alt=45 [default: the look's light]
+    /// horizon, as in az=315,alt=45; it has the look's colour [default: the look's light]
     #[arg(
         long,
         value_name = "X,Y,Z|az=A,alt=B",

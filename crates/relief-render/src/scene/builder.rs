@@ -42,6 +42,8 @@ pub struct SceneBuilder {
     /// Whether surfaces get the sky and the shadows of the look.
     adapts_surfaces: bool,
     lights: Option<Vec<Light>>,
+    /// Toward the look's light, in place of the look's own direction.
+    light_toward: Option<DVec3>,
     light_angle: f64,
     ambient: Option<Vec3>,
     environment: Option<Arc<Environment>>,
@@ -90,6 +92,7 @@ impl SceneBuilder {
             look: Look::default(),
             adapts_surfaces: true,
             lights: None,
+            light_toward: None,
             light_angle: SUN_DEG,
             ambient: None,
             environment: None,
@@ -114,6 +117,7 @@ impl SceneBuilder {
             look: Look::default(),
             adapts_surfaces: true,
             lights: Some(scene.lights.clone()),
+            light_toward: None,
             light_angle: SUN_DEG,
             ambient: Some(scene.ambient),
             environment: scene.environment.clone(),
@@ -146,7 +150,8 @@ impl SceneBuilder {
     ///
     /// Looks with a sky are for surfaces of the ambient light `constant`, which is what nobody chose: these
     /// get `sky`, or `hemisphere` where they have no relief to read. Of several surfaces those of the shadow
-    /// `ray` get `map`, so that they throw shadows on each other.
+    /// `ray` get `map`, so that they throw shadows on each other. A builder of a scene that exists
+    /// ([`Scene::to_builder`]) says everything else already.
     pub fn look(mut self, look: Look) -> Self {
         self.look = look;
         self
@@ -195,6 +200,13 @@ impl SceneBuilder {
     /// one from the direction (-0.6, 0.6, -0.1) with irradiance 1.
     pub fn lights(mut self, lights: Vec<Light>) -> Self {
         self.lights = Some(lights);
+        self
+    }
+
+    /// The direction toward the look's light, in the world and of any length; its colour stays. A look without
+    /// a light gets a white one of irradiance 1. By default the direction is the look's.
+    pub fn light_toward(mut self, direction: DVec3) -> Self {
+        self.light_toward = Some(direction);
         self
     }
 
@@ -367,10 +379,10 @@ impl SceneBuilder {
         }
         let lights = match self.lights {
             Some(lights) => lights,
-            None => look
-                .lights(&camera, self.light_angle)
-                .map_err(ValueProblem::from)
-                .map_err(problem("light-angle"))?,
+            None => look.lights(&camera, self.light_angle, self.light_toward).map_err(|error| {
+                let is_size = matches!(error, LightError::BadDiameter(_));
+                ValueProblem::from(error).of(if is_size { "light-angle" } else { "light" })
+            })?,
         };
         if lights.len() > MAX_LIGHTS {
             return Err(ValueProblem::from(LightError::TooMany(lights.len())).of("lights"));

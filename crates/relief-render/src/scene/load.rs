@@ -186,7 +186,10 @@ impl SceneSpec {
         let side = shadow_map_side(most, size);
         let views: u64 = match self.lights()? {
             // All of a look's lights are far away.
-            None => u64::from(cascades) * self.look().parts().light_count() as u64,
+            None => {
+                let count = self.look().parts().light_count().max(usize::from(self.light.is_some()));
+                u64::from(cascades) * count as u64
+            }
             Some(lights) => lights
                 .iter()
                 .map(|light| match light {
@@ -227,6 +230,9 @@ impl SceneSpec {
             .sampling(self.sampling.unwrap_or_default());
         if let Some(lights) = self.lights()? {
             builder = builder.lights(lights);
+        }
+        if let Some(toward) = self.light {
+            builder = builder.light_toward(toward.into());
         }
         if let Some(exposure) = self.exposure {
             builder = builder.exposure(exposure);
@@ -322,11 +328,11 @@ impl SceneSpec {
         let problem = |key| move |error| ValueProblem::from(error).of(key);
         // An angle that is said of no light is wrong all the same.
         let only = Light::directional(self.light.map_or(DVec3::Y, DVec3::from), Vec3::ONE);
-        let only = only.map_err(problem("light"))?.with_diameter(angle).map_err(problem("light-angle"))?;
+        only.map_err(problem("light"))?.with_diameter(angle).map_err(problem("light-angle"))?;
         match (self.light, &self.lights) {
             (Some(_), Some(_)) => Err(ValueProblem::Excludes("lights").of("light")),
-            (Some(_), None) => Ok(Some(vec![only])),
-            (None, None) => Ok(None),
+            // The look's, from that direction.
+            (_, None) => Ok(None),
             (None, Some(lights)) => {
                 let lights = lights.iter().map(|light| light.light(angle));
                 let lights = lights.collect::<Result<_, ValueProblem>>();

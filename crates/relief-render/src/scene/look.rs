@@ -106,7 +106,7 @@ impl Look {
 
     /// Its lights, as a camera has them.
     pub fn lights(self, camera: &Camera) -> Vec<Light> {
-        self.parts().lights(camera, SUN_DEG).expect("the lights of looks are possible")
+        self.parts().lights(camera, SUN_DEG, None).expect("the lights of looks are possible")
     }
 
     /// Its background.
@@ -218,19 +218,27 @@ fn choose(selection: &mut Selection, stage: usize, names: &[&str]) {
 }
 
 impl LookParts {
-    /// The lights as that camera has them, with a disc of that diameter in degrees.
+    /// The lights as that camera has them, with a disc of that diameter in degrees; from another direction of
+    /// the world where one is given. A look without a light gets a white one of irradiance 1 from there.
     ///
     /// # Errors
     ///
-    /// When the diameter is out of range.
-    pub fn lights(&self, camera: &Camera, diameter_deg: f64) -> Result<Vec<Light>, LightError> {
+    /// When the direction is 0 or not finite, or the diameter is out of range.
+    pub fn lights(
+        &self,
+        camera: &Camera,
+        diameter_deg: f64,
+        toward: Option<DVec3>,
+    ) -> Result<Vec<Light>, LightError> {
+        let irradiance = self.key.map_or(Vec3::ONE, |key| key.irradiance);
+        let given = toward.map(|toward| KeyLight { toward, of_camera: false, irradiance });
         let light = |key: KeyLight| {
             let KeyLight { toward, of_camera, irradiance } = key;
             let [right, up, back] = [camera.right(), camera.up(), -camera.forward()];
             let toward = if of_camera { right * toward.x + up * toward.y + back * toward.z } else { toward };
             Light::directional(toward, irradiance)?.with_diameter(diameter_deg)
         };
-        self.key.map(light).into_iter().collect()
+        given.or(self.key).map(light).into_iter().collect()
     }
 
     /// How many lights there are.

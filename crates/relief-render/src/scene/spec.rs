@@ -69,9 +69,9 @@ pub struct SceneSpec {
     /// The tone curve: `none` or `agx`. By default the look's.
     #[serde(deserialize_with = "parsed")]
     pub tone: Option<Tone>,
-    /// Direction toward the only light, white and of irradiance 1: a vector, or a text such as
-    /// `"az=315,alt=45"` (see [`LightDirection`](super::LightDirection)). By default the look's
-    /// light.
+    /// Direction toward the look's light, which keeps its colour (white and of irradiance 1 in `plain` and
+    /// `overcast`): a vector, or a text such as `"az=315,alt=45"` (see
+    /// [`LightDirection`](super::LightDirection)). By default the look's direction.
     #[serde(deserialize_with = "light_direction")]
     pub light: Option<[f64; 3]>,
     /// All lights, in place of `light`.

@@ -75,6 +75,24 @@ fn a_look_is_what_nothing_else_says() {
 }
 
 #[test]
+fn a_direction_leaves_the_looks_light_its_colour() {
+    let irradiance = |scene: &Scene| match scene.lights() {
+        [Light::Directional { toward, irradiance, .. }] => (*toward, *irradiance),
+        others => panic!("{others:?}"),
+    };
+    let (_, of_sun) = irradiance(&loaded("look = 'sun'"));
+    assert_eq!(irradiance(&loaded("look = 'sun'\nlight = [0, 2, 0]")), (DVec3::Y, of_sun));
+    assert!(of_sun.x > of_sun.z, "it is warm");
+    for look in ["plain", "overcast"] {
+        let (toward, white) = irradiance(&loaded(&format!("look = '{look}'\nlight = 'az=0,alt=90'")));
+        assert!((toward - DVec3::Y).length() < 1e-12 && white == Vec3::ONE, "{look}");
+    }
+    for bad in [DVec3::ZERO, DVec3::NAN] {
+        assert!(Scene::builder(surface()).look(Look::Sun).light_toward(bad).build().is_err(), "{bad}");
+    }
+}
+
+#[test]
 fn plain_is_what_programs_and_old_files_have() {
     let plain = scene(Look::Plain);
     let default = Scene::builder(surface()).build().expect("a scene");
