@@ -170,7 +170,7 @@ impl Look {
     pub(super) fn share_shadows(self, selection: &mut Selection, size: [u32; 2]) {
         if self.parts().is_shared {
             choose(selection, SHADOW, &[SHARED_SHADOW]);
-            lower(selection, SHADOW, "size", power_of_two(size, 1) * 2);
+            lower(selection, SHADOW, "size", power_of_two(size, 1).saturating_mul(2));
         }
     }
 
