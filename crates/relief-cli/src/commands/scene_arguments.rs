@@ -68,9 +68,9 @@ pub struct SceneArguments {
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     samples: Option<u32>,
     /// Light, background, tone curve and camera where no other flag says them: studio (a key light from the
-    /// camera's upper left, a soft sky, a bright backdrop), sun (low and warm, before a blue sky), overcast (sky
-    /// alone), or plain (one light, dark background, as `relief compare` measures by). Takes the
-    /// place of a scene file's own light, background and tone curve [default: studio]
+    /// camera's upper left, a soft sky, a bright backdrop), sun (low and warm, before a blue sky), overcast
+    /// (sky alone), or plain (one light, dark background, as `relief compare` measures by). Takes the place
+    /// of a scene file's own light, background and tone curve [default: studio]
     #[arg(long, value_name = "NAME")]
     look: Option<Look>,
     /// Stops by which the light is brightened, each doubling it [default: the look's]
@@ -80,8 +80,8 @@ pub struct SceneArguments {
     /// [default: the look's]
     #[arg(long, value_name = "none|agx")]
     tone: Option<Tone>,
-    /// What is seen where no surface is: linear red, green and blue, gradient (a bright backdrop), or environment
-    /// (that of --environment, or a generated sky) [default: the look's]
+    /// What is seen where no surface is: linear red, green and blue, gradient (a bright backdrop), or
+    /// environment (the file of --environment, or a generated sky) [default: the look's]
     #[arg(long, value_name = "R,G,B|NAME", allow_hyphen_values = true, hide_short_help = true)]
     background: Option<Background>,
 

@@ -196,15 +196,15 @@ impl SceneBuilder {
         self
     }
 
-    /// The lights, at most [`MAX_LIGHTS`]; they may be none. By default those of the look: of [`Look::Plain`]
-    /// one from the direction (-0.6, 0.6, -0.1) with irradiance 1.
+    /// The lights, at most [`MAX_LIGHTS`]; they may be none. By default the look's: in [`Look::Plain`] one
+    /// from the direction (-0.6, 0.6, -0.1) with irradiance 1.
     pub fn lights(mut self, lights: Vec<Light>) -> Self {
         self.lights = Some(lights);
         self
     }
 
-    /// The direction toward the look's light, in the world and of any length; its colour stays. A look without
-    /// a light gets a white one of irradiance 1. By default the direction is the look's.
+    /// The direction toward the look's light, in the world and of any length. The light keeps its colour. A
+    /// look without a light gets a white one of irradiance 1. By default the direction is the look's.
     pub fn light_toward(mut self, direction: DVec3) -> Self {
         self.light_toward = Some(direction);
         self
@@ -229,14 +229,15 @@ impl SceneBuilder {
         self
     }
 
-    /// What pixels show that no surface covers. By default as the look has it: [`Look::Plain`] dark grey, 0.05.
+    /// What pixels show that no surface covers. By default the look's: in [`Look::Plain`] dark grey, 0.05.
     pub fn background(mut self, background: impl Into<Background>) -> Self {
         self.background = Some(background.into());
         self
     }
 
     /// Width and height of the picture in pixels, each from 1 to
-    /// [`MAX_IMAGE_SIDE`](super::MAX_IMAGE_SIDE). By default 800 and 600.
+    /// [`MAX_IMAGE_SIDE`](super::MAX_IMAGE_SIDE). By default 800 and 600. From the view `top` by parallel
+    /// rays the default is 800 for the longer side, in the scene's proportions, except in [`Look::Plain`].
     pub fn size(mut self, width: u32, height: u32) -> Self {
         self.size = Some([width, height]);
         self

@@ -204,8 +204,8 @@ pub enum ValueProblem {
     NoSurface,
     /// All parts of a look are given by themselves.
     #[error(
-        "nothing of '{0}' is left, as camera, lights, ambient light and its colour, background, exposure and tone \
-         curve are given as well: leave the look out"
+        "nothing of '{0}' is left, as camera, lights, ambient light and its colour, background, exposure and \
+         tone curve are given as well: leave the look out"
     )]
     NothingOfLook(Look),
     /// Two keys that exclude each other are given.

@@ -161,8 +161,8 @@ impl SceneSpec {
         Ok(())
     }
 
-    /// What is left for maps of so many bytes by a picture of that size, and by what lights see where surfaces
-    /// look up shadows there: in maps of so many texels a side at most, and in so many cascades.
+    /// Subtracts from `left` bytes the memory of a picture of that size and of its shadow maps. `asked` is
+    /// the longest side of these maps in texels and the number of cascades, where surfaces need them.
     fn memory_beside_the_picture(
         &self,
         left: u64,
@@ -303,7 +303,7 @@ impl SceneSpec {
         Ok(builder.camera(camera))
     }
 
-    /// Refuses a look of which nothing is seen.
+    /// Refuses a look whose parts are all replaced.
     fn check_look(&self) -> Result<(), ValueError> {
         let Some(look) = self.look else { return Ok(()) };
         let names_ambient = |surface: &SurfaceSpec| surface.stages.contains_key(STAGES[AMBIENT].key);

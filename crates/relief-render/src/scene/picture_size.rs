@@ -1,4 +1,4 @@
-//! The size of a picture: pixels, or those of a height map.
+//! The size of a picture: columns and rows, or the size of a height map.
 
 use std::fmt;
 use std::str::FromStr;
@@ -50,8 +50,8 @@ pub enum MapSizeProblem {
     Turned,
     /// Tiles end within a texel.
     #[error(
-        "'map' is one pixel for each texel, and the tiles have {} by {} texels: choose tiles of whole texels, \
-         or give width and height", .0[0], .0[1]
+        "'map' is one pixel for each texel, and the tiles have {} by {} texels: choose tiles of whole \
+         texels, or give width and height", .0[0], .0[1]
     )]
     PartTexels([f64; 2]),
     /// Texels are longer than wide, or wider than long.

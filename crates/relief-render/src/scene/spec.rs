@@ -58,13 +58,13 @@ pub struct SceneSpec {
     #[serde(deserialize_with = "length")]
     pub far: Option<f64>,
     /// Width and height of the picture in pixels, or `map`: one pixel for each texel, seen from above by
-    /// parallel rays. By default 800 and 600.
+    /// parallel rays. By default 800 and 600. With `view` `top` and `projection` `orthographic` the default
+    /// is 800 for the longer side, in the proportions of the scene, except in the look `plain`.
     #[serde(deserialize_with = "picture_size")]
     pub size: Option<PictureSize>,
     /// Samples of a pixel, 1 to 1024: more make edges smoother. By default 4.
     pub samples: Option<u32>,
-    /// Stops by which light is brightened, from -32 to 32: each doubles it. By default the
-    /// look's.
+    /// Stops by which light is brightened, from -32 to 32: each doubles it. By default the look's.
     pub exposure: Option<f32>,
     /// The tone curve: `none` or `agx`. By default the look's.
     #[serde(deserialize_with = "parsed")]
@@ -80,14 +80,15 @@ pub struct SceneSpec {
     /// 0.53, as the sun's.
     pub light_angle: Option<f64>,
     /// Radiance of the sky all around, linear red, green, blue: what a white surface reflects of it. By
-    /// default the look's. In a scene file, numbers under the key `ambient` are it, too: of the ambient light `constant`.
+    /// default the look's. In a scene file, numbers under the key `ambient` are this colour, too; surfaces
+    /// then have the ambient light `constant`, unless they see surroundings.
     #[serde(deserialize_with = "numbers")]
     pub ambient_color: Option<[f32; 3]>,
     /// The surroundings' file, an equirectangular picture twice as wide as high: where it is given, surfaces
     /// see it unless they name another ambient light. By default a generated sky.
     pub environment: Option<PathBuf>,
-    /// What pixels show that no surface covers: a linear colour, `gradient` or `environment`. By default as the
-    /// look has it.
+    /// What pixels show that no surface covers: a linear colour, `gradient` or `environment`. By default the
+    /// look's.
     #[serde(deserialize_with = "background")]
     pub background: Option<Background>,
     /// What computes the picture: `auto` (default), `cpu` or `gpu`.

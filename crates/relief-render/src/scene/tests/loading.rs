@@ -16,8 +16,8 @@ fn a_scene_is_loaded_with_its_defaults() {
     assert_eq!((surface.two_sided(), surface.mesh().triangles().len()), (false, 2));
     assert!(surface.selection().is_exact());
     assert!(surface.color().is_none() && surface.normal_map().is_none());
-    // The builder's defaults with the look of pictures are the same ones, but for the detail: a surface of its
-    // own does not know how many samples its picture has.
+    // The builder's defaults with the look of pictures are the same ones, but for the detail: a surface of
+    // its own does not know how many samples its picture has.
     let mut selection = Selection::exact();
     selection.choose("detail", "footprint").expect("a detail");
     let own = Surface::new(Builtin::Plane.build([1.0, 1.0]).expect("a mesh"), Arc::clone(map));
