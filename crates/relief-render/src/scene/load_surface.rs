@@ -461,7 +461,10 @@ impl SurfaceSpec {
             if !is_of_shadow && !sees_environment && !is_named(AMBIENT) {
                 around.look.light_from_sky(&mut selection, !self.is_mesh_alone(), around.size);
             }
-            let has_shadow = self.is_mesh_alone() || is_named(SHADOW) || is_named(SHADOW_SEARCH);
+            let sets_search =
+                self.set.keys().any(|key| key.split('.').next() == Some(STAGES[SHADOW_SEARCH].key));
+            let has_shadow =
+                self.is_mesh_alone() || is_named(SHADOW) || is_named(SHADOW_SEARCH) || sets_search;
             if is_of_shadow && around.several && !has_shadow {
                 around.look.share_shadows(&mut selection, around.size);
             }
