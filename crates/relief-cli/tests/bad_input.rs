@@ -107,7 +107,7 @@ fn wrong_command_lines_are_refused_with_the_flag_named() {
         ("--size maps", &["--size", "WxH", "map"]),
         ("--look stduio", &["--look", "studio"]),
         (
-            "--look sun --view top --light az=315,alt=45 --ambient constant --ambient-color 1,1,1 --background \
+            "--look sun --view top --point-light 0,1,0 --ambient constant --ambient-color 1,1,1 --background \
              gradient --tone none --exposure 1",
             &["--look", "sun", "leave the look out"],
         ),

@@ -485,11 +485,11 @@ fn a_light_has_a_vector_or_an_azimuth_and_an_altitude() {
         folder.relief(&format!("render {line} {SMALL}")).fine();
         std::fs::read(folder.path("a.png")).expect("a picture")
     };
-    let east = picture("--height map.png --light 1,1,0");
-    assert!(east == picture("--height map.png --light az=90,alt=45"));
-    assert!(east != picture("--height map.png --light az=270,alt=45"));
+    let east = picture("--height map.png --look plain --light 1,1,0");
+    assert!(east == picture("--height map.png --look plain --light az=90,alt=45"));
+    assert!(east != picture("--height map.png --look plain --light az=270,alt=45"));
     for key in ["light = 'alt=45, az=90'", "lights = [{ direction = 'az=90,alt=45' }]"] {
-        folder.write("s.toml", format!("height = 'map.png'\n{key}\n"));
+        folder.write("s.toml", format!("look = 'plain'\nheight = 'map.png'\n{key}\n"));
         assert!(east == picture("s.toml"), "{key}");
     }
     for (bad, named) in [("az=,alt=45", "az=315"), ("az=90,alt=-1", "altitude"), ("az=400,alt=1", "azimuth")]

@@ -29,6 +29,9 @@ const BYTES_PER_PIXEL: u64 = 256;
 /// backends make of these. The first one's is among what is taken always.
 const BYTES_PER_SURFACE: u64 = 64 << 10;
 
+/// The size of pictures of maps that are not read yet, as far as skies and shadows go by it.
+const LARGE_SIZE: [u32; 2] = [4096; 2];
+
 /// Pixels of a band of rows; of very wide pictures one row.
 const BAND_PIXELS: u64 = 1 << 18;
 
@@ -123,7 +126,7 @@ impl SceneSpec {
             look: self.look(),
             has_environment: self.environment.is_some(),
             several: self.surfaces.len() > 1,
-            size: self.pixels().unwrap_or(DEFAULT_SIZE),
+            size: self.pixels().unwrap_or(if self.is_of_map_size() { LARGE_SIZE } else { DEFAULT_SIZE }),
         };
         self.each_surface().into_iter().enumerate().map(move |(number, surface)| {
             let number = several.then_some(number);
@@ -308,7 +311,8 @@ impl SceneSpec {
         let Some(look) = self.look else { return Ok(()) };
         let names_ambient = |surface: &SurfaceSpec| surface.stages.contains_key(STAGES[AMBIENT].key);
         let has_camera = self.view.is_some() || self.eye.is_some() || self.target.is_some();
-        let has_lights = self.light.is_some() || self.lights.is_some();
+        // A direction leaves the look's light its colour.
+        let has_lights = self.lights.is_some();
         let has_sky = self.ambient_color.is_some() && self.each_surface().iter().all(names_ambient);
         let has_display = self.background.is_some() && self.exposure.is_some() && self.tone.is_some();
         if look != Look::Plain && has_camera && has_lights && has_sky && has_display {

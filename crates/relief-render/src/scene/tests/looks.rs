@@ -137,6 +137,7 @@ fn several_surfaces_throw_shadows_on_each_other_unless_plain() {
         ("look = 'plain'\n", "ray"),
         ("shadow = 'none'\n", "none"),
         ("shadow-search = 'linear'\n", "ray"),
+        ("set.shadow-search.limit = 64\n", "ray"),
         ("set.shadow.size = 512\n", "map"),
     ] {
         let scene = loaded(&format!("{toml}{two}"));
@@ -163,7 +164,7 @@ fn another_look_takes_the_place_of_what_a_file_says_of_light() {
 
 #[test]
 fn looks_of_which_nothing_is_left_and_unknown_ones_are_refused() {
-    let all = "view = 'top'\nlight = [0, 1, 0]\nambient = 'constant'\nambient-color = [1, 1, 1]\n\
+    let all = "view = 'top'\nlights = [{ direction = [0, 1, 0] }]\nambient = 'constant'\nambient-color = [1, 1, 1]\n\
         background = 'gradient'\nexposure = 2\ntone = 'none'\n";
     assert!(read(all).is_ok());
     let error = read(&format!("look = 'studio'\n{all}")).expect_err("nothing is left of the look");
