@@ -84,7 +84,7 @@ pub struct Comparison {
     /// How frames are timed; none: they are not.
     pub timing: Option<Timing>,
     /// The look whose light and background the pictures to be shown have. They are rendered once more for it:
-    /// errors are those of the scene's own light. None: pictures are shown as they are compared.
+    /// errors are measured in the scene's own light. None: pictures are shown as they are compared.
     pub shown_look: Option<Look>,
     /// How many rays the CPU traces at once.
     pub lanes: Lanes,

@@ -74,7 +74,7 @@ impl Display {
         behind
     }
 
-    /// What is shown of the light of a pixel, of which a part is covered.
+    /// The shown colour of a pixel's light; `covered` is the part of the pixel that a surface covers.
     fn shown(&self, light: [f32; 3], covered: f32) -> [f32; 3] {
         let gain = self.exposure.exp2() / covered;
         self.tone.apply(light.map(|light| light * gain))

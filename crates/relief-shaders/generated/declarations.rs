@@ -530,11 +530,10 @@ pub const MODULES: &[Module] = &[
 //
 // Zhukov, Iones and Kronin 1998; horizons as in Szirmay-Kalos and Umenhoffer 2008, section 6.1.
 "# },
-    Module { path: "ambient/sky", head: r#"// An occluded sky above and ground below: what the relief leaves open, as bright as it is between the mean open
-// direction and the normal.
+    Module { path: "ambient/sky", head: r#"// A sky above and ground below, as far as the relief leaves them open.
 //
-// The part that arrives is that of bent normals (Landis 2002). Its radiance is that of hemisphere lighting, half
-// along the bent normal and half along the normal: the first alone is the same on all slopes of a shadow.
+// Bent normals say which part of the light arrives (Landis 2002). Its radiance is hemisphere lighting, half along
+// the bent normal and half along the normal. Along the bent normal alone all slopes in a shadow look the same.
 "# },
     Module { path: "procedure/bumps", head: r#"// Round bumps on level ground, each in a cell of a lattice. In time each grows and shrinks by itself, and all
 // come round together.
@@ -1381,7 +1380,7 @@ fn turned(turn: f32) -> vec2f {
         name: "background_at",
         sampling: None,
         uses: &["environment_of_level", "frame", "pixel_direction"],
-        text: r#"// The linear colour at a point in pixels from the picture's top-left corner, in a picture of so many rows.
+        text: r#"// The linear colour at a point in pixels from the picture's top-left corner, in a picture of `rows` rows.
 fn background_at(point: vec2f, rows: f32) -> vec3f {
     if (frame.background.w > 0.0) {
         return environment_of_level(pixel_direction(point), 0u) * frame.background.w;
@@ -3430,8 +3429,8 @@ fn normal_at(uv: vec2f, layer: i32, level: u32) -> vec4f {
         name: "hemisphere_grade",
         sampling: None,
         uses: &[],
-        text: r#"// What arrives at a plane of that normal, where the sky's radiance is 1 and the ground's is `ground`. The light
-// is linear in the normal, so a mean of normals, shorter than 1, has the mean of their light.
+        text: r#"// The light on a plane with a normal, under a sky of radiance 1 above ground of radiance `ground`. It is linear
+// in the normal: a mean of normals, shorter than 1, gets the mean of their light.
 fn hemisphere_grade(normal: vec3f, ground: f32) -> f32 {
     return ground + (1.0 - ground) * (0.5 + 0.5 * normal.y);
 }"#,

@@ -39,7 +39,7 @@ fn surface(map: &HeightMap, mesh: Builtin, choose: &[(&str, &str)], set: &[(&str
     surface_on(map, mesh, choose, set)
 }
 
-/// The plane of a map, turned about the axes by so many degrees.
+/// The plane of a map, turned about the axes by `degrees`.
 fn tilted(map: &HeightMap, rotation_degrees: DVec3) -> (Mesh, DMat3) {
     let placement = Placement { rotation_degrees, ..Placement::default() };
     let plane = Builtin::Plane.build(map.proportions()).expect("a built-in mesh");
@@ -97,7 +97,7 @@ fn truth(map: &HeightMap) -> Vec<f32> {
     truth_under(map, DVec3::ZERO, |_| 1.0)
 }
 
-/// What a white surface of a map on the plane, turned by so many degrees, reflects of surroundings of a
+/// What a white surface of a map on the plane, turned by `degrees`, reflects of surroundings of a
 /// radiance for each direction: pictures with hard shadows under lights that are spread evenly over the half
 /// of them that the plane sees.
 fn truth_under(map: &HeightMap, degrees: DVec3, radiance: impl Fn(DVec3) -> f32) -> Vec<f32> {
@@ -145,7 +145,7 @@ fn what_knows_more_of_the_sky_is_nearer_to_the_truth() {
 /// The ground's radiance beside the sky's.
 const GROUND: f32 = 0.35;
 
-/// What is seen of a map on the plane, turned by so many degrees, under an ambient light with settings.
+/// What is seen of a map on the plane, turned by `degrees`, under an ambient light with settings.
 fn under(ambient: &str, map: &HeightMap, degrees: DVec3, set: &[(&str, f64)], detail: &str) -> Vec<PixelOut> {
     let choose = [("ambient", ambient), ("detail", detail)];
     in_white_sky(surface_on(map, tilted(map, degrees).0, &choose, set), View::Top)
@@ -177,7 +177,7 @@ fn an_open_plane_shows_the_same_by_hemisphere_and_sky_however_it_is_turned() {
     }
 }
 
-/// The part upward of a plane's normal that is turned by so many degrees.
+/// The part upward of a plane's normal that is turned by `degrees`.
 fn turns_up(degrees: DVec3) -> f64 {
     let placement = Placement { rotation_degrees: degrees, ..Placement::default() };
     (placement.turn().expect("a placement") * DVec3::Y).y

@@ -177,7 +177,7 @@ fn pictures(compared: &Compared) -> Result<Markup, ImageError> {
                 "Black is no difference, white the greatest that there is."
                 @if let Some(look) = shown_look {
                     " What is shown has the light and the background of the look " (look)
-                    "; what is compared has those of the scene."
+                    "; pictures are compared in the scene's own light."
                 }
             }
             @for group in groups { (group) }

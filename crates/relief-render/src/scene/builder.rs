@@ -149,7 +149,7 @@ impl SceneBuilder {
     /// other functions. By default [`Look::Plain`].
     ///
     /// Looks with a sky are for surfaces of the ambient light `constant`, which is what nobody chose: these
-    /// get `sky`, or `hemisphere` where they have no relief to read. Of several surfaces those of the shadow
+    /// get `sky`, or `hemisphere` where they have no relief to read. With several surfaces the ones with the shadow
     /// `ray` get `map`, so that they throw shadows on each other. A builder of a scene that exists
     /// ([`Scene::to_builder`]) says everything else already.
     pub fn look(mut self, look: Look) -> Self {

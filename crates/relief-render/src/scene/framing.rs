@@ -18,8 +18,8 @@ const FILLED: f64 = 0.94;
 /// one, and a few are enough.
 const MOST_STEPS: usize = 64;
 
-/// About how many texels of an object's images are looked at. A step between those of an image is then at
-/// most 3 % of its side for 100 images, and 1 % for 10: less than the picture's margin.
+/// About how many texels of an object's images are looked at. The step from one to the next in an image is then
+/// at most 3 % of its side for 100 images, and 1 % for 10: less than the picture's margin.
 const OBJECT_TEXELS: f64 = 131_072.0;
 
 /// The most rays that are followed through an object to where they leave it, and the most texels of images

@@ -321,7 +321,7 @@ impl SceneSpec {
         Ok(())
     }
 
-    /// The look, by default that of pictures.
+    /// The look, by default [`Look::OF_PICTURES`].
     pub(super) fn look(&self) -> Look {
         self.look.unwrap_or(Look::OF_PICTURES)
     }

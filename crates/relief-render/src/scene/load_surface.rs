@@ -93,7 +93,7 @@ impl Parts {
 }
 
 impl SurfaceSpec {
-    /// What needs no file, completed and checked, for a picture of so many samples a pixel.
+    /// What needs no file, completed and checked, for a picture of `samples` samples a pixel.
     pub(super) fn parts(&self, samples: u32, around: &Around) -> Result<Parts, ValueError> {
         if let Some(key) = self.key_of_relief().filter(|_| self.object.is_some()) {
             return Err(ValueProblem::Excludes("object").of(key));

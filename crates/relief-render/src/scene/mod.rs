@@ -96,7 +96,7 @@ impl Scene {
         &self.camera
     }
 
-    /// Moves the camera. The lights stay where they are, those of a [`Look`], too.
+    /// Moves the camera. The lights stay where they are, also the light of a [`Look`].
     pub fn set_camera(&mut self, camera: Camera) {
         self.camera = camera;
     }

@@ -42,7 +42,7 @@ struct Timer<'a> {
 }
 
 impl Timer<'_> {
-    /// Times pictures of a look beside those of `plain`, of maps of three sizes.
+    /// Times pictures of a look beside pictures of `plain`, with maps of three sizes.
     fn looks(&self, look: &str) -> Result<bool, String> {
         let mut rows = table(&["map", "backend", "plain s", &format!("{look} s"), "ratio", "verdict"]);
         let mut holds = true;
@@ -77,7 +77,7 @@ impl Timer<'_> {
         }
         println!(
             "\nSeconds of a first picture with its bakes, without a cache; medians of {} runs by turns. At \
-             most {LOOK} times those of plain.\n\n{rows}\n",
+             most {LOOK} times the seconds of plain.\n\n{rows}\n",
             self.rounds
         );
         Ok(holds)
@@ -92,7 +92,7 @@ impl Timer<'_> {
             flags.chain([scene.clone().into_os_string()]).collect()
         };
         let named = [
-            ("that of the look", &[][..]),
+            ("the look's own", &[][..]),
             ("map", &["--shadow", "map"]),
             ("ray, of the same surface", &["--shadow", "ray"]),
             ("none", &["--shadow", "none"]),

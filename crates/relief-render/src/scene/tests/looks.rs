@@ -164,8 +164,8 @@ fn another_look_takes_the_place_of_what_a_file_says_of_light() {
 
 #[test]
 fn looks_of_which_nothing_is_left_and_unknown_ones_are_refused() {
-    let all = "view = 'top'\nlights = [{ direction = [0, 1, 0] }]\nambient = 'constant'\nambient-color = [1, 1, 1]\n\
-        background = 'gradient'\nexposure = 2\ntone = 'none'\n";
+    let all = "view = 'top'\nlights = [{ direction = [0, 1, 0] }]\nambient = 'constant'\n\
+        ambient-color = [1, 1, 1]\nbackground = 'gradient'\nexposure = 2\ntone = 'none'\n";
     assert!(read(all).is_ok());
     let error = read(&format!("look = 'studio'\n{all}")).expect_err("nothing is left of the look");
     assert!(error.to_string().contains("nothing of 'studio' is left"), "{error}");
