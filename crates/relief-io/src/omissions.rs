@@ -33,7 +33,7 @@ macro_rules! omissions {
     };
 }
 
-// A new row needs a file that makes it appear: `FEEDS` in `crates/relief-cli/tests/notes.rs`.
+// A new row needs a file that makes it appear: `FEEDS` in `crates/relief-cli/tests/pictures/notes.rs`.
 omissions! {
     UNDECLARED_NODATA: "undeclared-nodata", "heights",
         "a value far beyond all others, which no file and no user declares as a value for none",

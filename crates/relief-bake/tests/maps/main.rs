@@ -1,0 +1,17 @@
+//! Baked maps beside brute force, and heights made of normals and photographs.
+
+mod cone;
+mod dilation_erosion;
+mod distance;
+mod filter_levels;
+mod from_normals;
+mod frustum;
+mod horizon;
+mod normal;
+mod occlusion;
+mod photometric;
+mod pyramid;
+mod relaxed_cone;
+mod seen_normal;
+mod ties;
+mod visibility;

@@ -1,0 +1,13 @@
+//! What all commands share: the command line, streams, errors; and `inspect` and `shader`.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod any_file;
+mod bad_input;
+mod command_line;
+mod contract;
+mod examples;
+mod inspect;
+mod shader;
+mod streams;

@@ -1,0 +1,173 @@
+//! `relief shader`: files, what they say of themselves, and what is refused.
+
+use std::collections::BTreeSet;
+
+use crate::common::command::{Folder, Ran, json_of};
+use crate::common::refused::{OUT, assert_refused, entries, make_read_only, with_out};
+use serde_json::Value;
+
+fn manifest(folder: &Folder, name: &str) -> Value {
+    let text = std::fs::read_to_string(folder.path(name)).expect("a manifest");
+    serde_json::from_str(&text).expect("JSON")
+}
+
+fn found<'a>(list: &'a Value, key: &str, value: &str) -> &'a Value {
+    let list = list.as_array().expect("a list");
+    list.iter().find(|one| one[key] == value).unwrap_or_else(|| panic!("no {key} {value}"))
+}
+
+#[test]
+fn every_target_has_its_files_and_the_manifest_names_them() {
+    let folder = Folder::new();
+    let line = "shader --method cone --target wgsl,glsl,hlsl --target msl --target spirv -o new/shaders";
+    let ran = folder.relief(&format!("{line} --json")).fine();
+    let told = json_of(&ran);
+    let told = told["files"].as_array().expect("files").iter().filter_map(|file| file["path"].as_str());
+    assert_eq!(told.filter(|path| folder.path(path).is_file()).count(), 7);
+    let written: BTreeSet<String> = entries(&folder.path("new/shaders")).into_iter().collect();
+    let expected =
+        ["cone.wgsl", "cone.vert.glsl", "cone.frag.glsl", "cone.hlsl", "cone.metal", "cone.spv", "cone.json"];
+    assert_eq!(written, expected.map(str::to_owned).into());
+    let about = manifest(&folder, "new/shaders/cone.json");
+    let targets = about["targets"].as_array().expect("targets");
+    let files = targets.iter().flat_map(|target| target["files"].as_array().expect("files"));
+    let named: BTreeSet<&str> = files.filter_map(|file| file["file"].as_str()).collect();
+    assert_eq!(named.len(), 6);
+    assert!(named.iter().all(|name| written.contains(*name)), "{named:?}");
+    // The same again, over these files.
+    let read = || expected.map(|name| std::fs::read(folder.path("new/shaders").join(name)).expect("a file"));
+    let before = read();
+    let ran = folder.relief(line).fine();
+    assert!(expected.iter().all(|name| ran.stdout.contains(name)), "{}", ran.stdout);
+    assert!(before == read());
+}
+
+#[test]
+fn maps_come_with_the_line_that_bakes_them() {
+    let folder = Folder::new();
+    folder.relief("shader --method frustum --shadow horizon --target wgsl -o out").fine();
+    let about = manifest(&folder, "out/frustum.json");
+    folder.write("map.png", crate::common::maps::Map::hills().png());
+    for (slot, kind) in [("search_map", "frustum"), ("shadow_texels", "horizon")] {
+        let bake = &found(&about["bindings"], "name", slot)["texture"]["bake"];
+        assert_eq!(bake["kind"], kind);
+        let how = bake["how"].as_str().expect("a line");
+        assert!(std::fs::read_to_string(folder.path("out/frustum.wgsl")).expect("text").contains(how));
+        // It is a line that works, with what is the user's filled in.
+        let line = how.replace("HEIGHT", "map.png").replace("DIR", "maps");
+        let line = line.replace(" M ", " 0.1 ").replace("U,V", "1,1");
+        folder.relief(line.strip_prefix("relief ").expect("a line of relief")).fine();
+    }
+}
+
+#[test]
+fn settings_are_values_to_begin_with() {
+    let folder = Folder::new();
+    folder.relief("shader --method relief --set search.steps=48 --target wgsl -o a").fine();
+    folder.relief("shader --method relief --set search.steps=20 --target wgsl -o b").fine();
+    for (name, steps) in [("a", 48.0), ("b", 20.0)] {
+        let about = manifest(&folder, &format!("{name}/relief.json"));
+        let search = found(&about["stages"], "stage", "search");
+        assert_eq!(found(&search["params"], "name", "steps")["value"], steps);
+    }
+    let code = |name: &str| {
+        let text = std::fs::read_to_string(folder.path(name)).expect("a shader");
+        text.lines().filter(|line| !line.starts_with("//")).collect::<Vec<_>>().join("\n")
+    };
+    assert_eq!(code("a/relief.wgsl"), code("b/relief.wgsl"));
+}
+
+#[test]
+fn flags_choose_sampling_depth_places_and_names() {
+    let folder = Folder::new();
+    let line = "shader --search linear --refine secant --sampling fast --depth --group 2 --first-binding 5";
+    folder.relief(&format!("{line} --target wgsl,hlsl --profile 6.0 --name wall -o out")).fine();
+    let about = manifest(&folder, "out/wall.json");
+    assert_eq!((&about["sampling"], &about["draw"]["depth"]), (&"fast".into(), &true.into()));
+    assert_eq!(found(&about["targets"], "target", "hlsl")["profile"], "6.0");
+    for (number, bound) in (5..).zip(about["bindings"].as_array().expect("bindings")) {
+        assert_eq!((&bound["group"], &bound["binding"]), (&2.into(), &number.into()));
+    }
+    folder.relief("shader --search linear --refine secant --target wgsl -o out").fine();
+    assert!(folder.path("out/linear-secant.wgsl").is_file());
+    // What shows displaced triangles, as the refusal of their methods says.
+    let refusal = folder.relief("shader --method vertex --target wgsl -o out").stderr;
+    let facets = "--surface facets --search none --refine none --shadow none";
+    assert!(refusal.contains(facets), "{refusal}");
+    folder.relief(&format!("shader {facets} --target wgsl -o out")).fine();
+}
+
+#[test]
+fn wrong_lines_are_refused_with_what_is_wrong_and_what_there_is() {
+    let folder = with_out();
+    let table: &[(&str, &[&str])] = &[
+        ("--method con --target wgsl", &["--method", "'cone'"]),
+        ("--target wgsl", &["--method"]),
+        ("--method cone", &["--target"]),
+        ("--method cone --search cone --refine patch --target wgsl", &["--method", "--search"]),
+        ("--search cone --target wgsl", &["--refine"]),
+        ("--refine patch --target wgsl", &["--search"]),
+        ("--search cone --refine pach --target wgsl", &["--refine", "'patch'"]),
+        ("--search cone --refine offset --target wgsl", &["--refine", "offset"]),
+        ("--method cone --target wsgl", &["--target", "'wgsl'", "spirv"]),
+        ("--method cone --target glsl --profile core45", &["--profile", "'core450'", "es310"]),
+        ("--method cone --target glsl --profile 6.0", &["--profile", "core450", "es310"]),
+        ("--method cone --target wgsl,wgsl", &["--target", "cone.wgsl"]),
+        ("--method cone --target glsl --profile core450,es310", &["cone.vert.glsl"]),
+        ("--method cone --target wgsl --sampling quick", &["--sampling", "fast"]),
+        ("--method vertex --target wgsl", &["--method", "vertex", "facets"]),
+        ("--method tessellate --target wgsl", &["--method", "facets"]),
+        ("--method cone --shadow scene --target wgsl", &["--shadow", "CPU"]),
+        ("--method cone --surface prims --target wgsl", &["--surface", "'prism'"]),
+        ("--method bump --surface prism --target wgsl", &["--search", "prism"]),
+        ("--method cone --surface prism --shadow entry --target wgsl", &["--shadow", "prism"]),
+        ("--method relief --set search.steps=0 --target wgsl", &["search.steps", "4096"]),
+        ("--method relief --set search.step=4 --target wgsl", &["--set", "steps"]),
+        ("--method cone --target wgsl --group 4", &["--group", "4", "3"]),
+        ("--method cone --target msl --group 0 --first-binding 30", &["--first-binding", "msl", "30"]),
+        ("--method cone --target glsl --group 0 --first-binding 4294967295", &["--first-binding", "255"]),
+        ("--method cone --target wgsl --group -1", &["--group"]),
+        ("--method cone --target wgsl --first-binding 3", &["--group"]),
+        ("--method cone --target wgsl --name a/b", &["--name", "a/b"]),
+        ("--method cone --target wgsl --name ..", &["--name"]),
+    ];
+    for (line, words) in table {
+        let ran = folder.relief(&format!("shader {line} -o {OUT}"));
+        assert_refused(&folder, &ran, 2, words);
+    }
+}
+
+#[test]
+fn folders_that_cannot_be_written_are_refused() {
+    let folder = with_out();
+    folder.write("file", "");
+    folder.write("taken/cone.json/inside", "");
+    let refused = |output: &str, word: &str| {
+        let ran = folder.relief(&format!("shader --method cone --target wgsl,glsl -o {output}"));
+        assert_refused(&folder, &ran, 1, &[word]);
+    };
+    refused("file", "file");
+    refused("file/below", "file");
+    refused("taken", "cone.json");
+    assert_eq!(entries(&folder.path("taken")), ["cone.json"]);
+    #[cfg(target_os = "linux")]
+    refused("/proc/shaders", "/proc/shaders");
+    if make_read_only(&folder) {
+        refused(OUT, OUT);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn no_room_on_the_disk_leaves_what_was_there() {
+    let folder = Folder::new();
+    folder.write("full/cone.wgsl", b"old");
+    let line = "shader --method cone --target wgsl,spirv -o full";
+    let script = format!("trap '' XFSZ; ulimit -f 64; exec {} {line}", env!("CARGO_BIN_EXE_relief"));
+    let output = std::process::Command::new("sh").args(["-c", &script]).current_dir(folder.path("")).output();
+    let ran = Ran::new(line, &output.expect("a shell runs"));
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert!(ran.stderr.contains("full/cone"), "{}", ran.stderr);
+    assert_eq!(std::fs::read(folder.path("full/cone.wgsl")).expect("it is there"), b"old");
+    assert_eq!(entries(&folder.path("full")).iter().filter(|name| !name.starts_with('.')).count(), 1);
+}

@@ -1,0 +1,18 @@
+//! The commands that make maps: `bake` and `height`, and what files say about heights.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod bad_height_input;
+mod bake;
+mod bake_files;
+mod cache;
+mod elevation;
+mod for_mesh;
+mod from_meshes;
+mod from_view;
+mod height;
+mod height_files;
+mod height_photos;
+mod metres;
+mod normal_holes;

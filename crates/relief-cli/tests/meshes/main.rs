@@ -1,0 +1,13 @@
+//! The commands that make meshes and objects: `mesh`, `slices`, `capture`.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod bad_objects;
+mod capture;
+mod displaced_mesh;
+mod mesh;
+mod mesh_files;
+mod mesh_keys;
+mod mesh_solids;
+mod slices;

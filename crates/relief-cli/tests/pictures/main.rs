@@ -1,0 +1,14 @@
+//! The commands that make pictures: `render`, `compare`, `bench`.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod around;
+mod bench;
+mod compare;
+mod compare_files;
+mod file_materials;
+mod frames;
+mod notes;
+mod pictures;
+mod procedure;

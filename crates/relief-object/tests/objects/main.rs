@@ -1,0 +1,5 @@
+//! Image-based objects: captured, kept in files, verified.
+
+mod bad_files;
+mod captured;
+mod verified;

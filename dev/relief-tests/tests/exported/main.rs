@@ -1,0 +1,5 @@
+//! Exported shaders beside the renderer.
+
+mod exported_pictures;
+mod exported_shaders;
+mod exported_slices;

@@ -1,9 +1,0 @@
-//! Both backends give the same bits on the surface `tetrahedra`.
-
-use relief_shaders::surface::ENTRIES;
-use relief_tests::one_source::shells::compare_surface;
-
-#[test]
-fn the_backends_have_the_same_bits() {
-    compare_surface(ENTRIES.iter().find(|entry| entry.name == "tetrahedra").expect("a listed name"));
-}
