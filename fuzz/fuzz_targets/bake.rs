@@ -3,8 +3,8 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use relief_core::{HeightMap, Metric, Wrap};
 use relief_bake::{Collected, KINDS, Progress, bake};
+use relief_core::{HeightMap, Metric, Wrap};
 
 /// The longest side, in texels: every wrap and padding shows on small maps, and large ones only cost time.
 const MOST: u32 = 24;
@@ -16,7 +16,9 @@ fuzz_target!(|bytes: &[u8]| {
     let wrap = Wrap::ALL[wrap as usize % Wrap::ALL.len()];
     let (width, height) = (u32::from(width) % MOST + 1, u32::from(height) % MOST + 1);
     let mut texels = texels.iter().copied().chain(std::iter::repeat(0)).map(|byte| f32::from(byte) / 255.0);
-    let Ok(map) = HeightMap::from_fn(width, height, wrap, |_, _| texels.next().unwrap_or(0.0)) else { return };
+    let Ok(map) = HeightMap::from_fn(width, height, wrap, |_, _| texels.next().unwrap_or(0.0)) else {
+        return;
+    };
     let unit = |byte: u8| 2f64.powi(i32::from(byte) / 16 - 8);
     let Ok(metric) = Metric::new([unit(tile), unit(tile.rotate_left(4))], unit(scale)) else { return };
     let mut settings = kind.defaults();
