@@ -9,10 +9,10 @@ use glam::{DVec3, Vec2, Vec3};
 use libfuzzer_sys::fuzz_target;
 use relief_core::camera::Camera;
 use relief_core::mesh::{Mesh, RawCorner, RawMesh, cube, rectangle};
-use relief_core::{HeightMap, TexelMask, Wrap};
+use relief_core::{HeightMap, TexelMask, Watch, Wrap};
 use relief_mesh::{
     BaseSurface, Cull, Directions, EDGE_RULES, Fit, INTERIORS, Judge, MeshSettings, Mesher, Seams, Shading,
-    Side, Stream, View, Watch,
+    Side, Stream, View,
 };
 
 /// The longest side of a map, in texels: every wrap shows on small maps, and large ones only cost time.
@@ -118,7 +118,7 @@ fuzz_target!(|bytes: &[u8]| {
     if mesher.triangles() > MOST_TRIANGLES {
         return;
     }
-    let how = Stream { size: 1.0, check: true, grid: None, cache_order: false, watch: Watch::NOBODY };
+    let how = Stream { size: 1.0, check: true, grid: None, cache_order: false, watch: Watch::none() };
     let (mut vertices, mut triangles) = (0, 0);
     let streamed = mesher.stream(&how, |block| {
         assert!(block.vertices.iter().all(|vertex| vertex.position.is_finite() && vertex.normal.is_finite()));

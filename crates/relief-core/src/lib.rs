@@ -53,5 +53,5 @@ pub use pyramid::{MaxPyramid, MinPyramid};
 pub use slice_axis::SliceAxis;
 pub use tangent_frame::{TangentFrame, TangentFrameError};
 pub use texel_mask::TexelMask;
-pub use watch::Watch;
+pub use watch::{Cancelled, Watch};
 pub use wrap::Wrap;

@@ -3,9 +3,9 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use relief_core::HeightMapError;
 use relief_core::mesh::FramingError;
 use relief_core::registry::UnknownName;
+use relief_core::{Cancelled, HeightMapError};
 
 use crate::{ForeignFormat, RawLayout};
 
@@ -284,6 +284,9 @@ pub enum WriteProblem {
     /// The size or the channels cannot be stored in the format.
     #[error("{0}")]
     NotStorable(String),
+    /// Writing was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 impl WriteProblem {

@@ -1,9 +1,9 @@
 //! The mesh of least error that has no more than so many triangles.
 
-use relief_core::HeightMap;
 use relief_core::mesh::Mesh;
+use relief_core::{HeightMap, Watch};
 
-use crate::{Certificate, MeshSettings, Mesher, MesherError, Watch};
+use crate::{Certificate, MeshSettings, Mesher, MesherError};
 
 /// Tries after which the best so far is taken.
 const TRIES: u32 = 10;
@@ -38,8 +38,8 @@ impl Mesher {
         let (mut fine, mut coarse) = (None, None);
         let mut best: Option<Self> = None;
         for turn in 0..TRIES {
-            let tell = |part: f32| (watch.tell)((turn as f32 + part) / TRIES as f32);
-            let watch = Watch { tell: &tell, ..*watch };
+            let [from, to] = [turn, turn + 1].map(|turn| turn as f32 / TRIES as f32);
+            let watch = watch.piece(from, to);
             let settings = MeshSettings { error_m, ..*settings };
             match Self::of_at_most(mesh, map, &settings, most, &watch) {
                 Ok(made) => {

@@ -1,5 +1,6 @@
 //! What goes wrong.
 
+use relief_core::Cancelled;
 use relief_core::registry::UnknownName;
 
 use crate::{Part, Weights};
@@ -221,9 +222,9 @@ pub enum MesherError {
         /// How many were allowed.
         limit: u64,
     },
-    /// It was cancelled.
-    #[error("cancelled")]
-    Cancelled,
+    /// The work was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// The mesh has more vertices than 32-bit numbers count.
     #[error(
         "the mesh would have {vertices} vertices and {triangles} triangles, or more: {MOST} are possible"
@@ -259,9 +260,9 @@ pub enum StreamError<E> {
     /// Whoever takes it did not want any more.
     #[error(transparent)]
     Sink(E),
-    /// It was cancelled.
-    #[error("cancelled")]
-    Cancelled,
+    /// The work was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// A vertex is displaced too far.
     #[error("a vertex is displaced beyond what 32-bit numbers hold")]
     NotFinite,

@@ -1,6 +1,8 @@
 //! Patches that are filled with as few triangles as a tolerance allows: what they have in common.
 
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use relief_core::Watch;
 
 use crate::edge::Along;
 use crate::interior::{Fill, Filled, STEPS, Wanted};
@@ -49,15 +51,15 @@ pub struct Room<'a> {
     made: u64,
     limit: u64,
     triangles: AtomicU64,
-    cancel: &'a AtomicBool,
+    watch: Watch<'a>,
 }
 
 impl<'a> Room<'a> {
-    pub fn new(settings: &MeshSettings, most: u64, cancel: &'a AtomicBool) -> Self {
+    pub fn new(settings: &MeshSettings, most: u64, watch: Watch<'a>) -> Self {
         let limit = settings.max_bytes;
         let (held, made) = (limit / 2 / BYTES_HELD, limit / 4 / BYTES_MADE);
         let MeshSettings { judge, fit, .. } = *settings;
-        Self { judge, fit, most, held, made, limit, triangles: AtomicU64::new(0), cancel }
+        Self { judge, fit, most, held, made, limit, triangles: AtomicU64::new(0), watch }
     }
 
     /// The most triangles of a patch.
@@ -72,7 +74,7 @@ impl<'a> Room<'a> {
             judge: self.judge,
             fit: self.fit,
             most: self.of_patch() as u32,
-            cancel: self.cancel,
+            watch: self.watch,
         }
     }
 
@@ -87,9 +89,7 @@ impl<'a> Room<'a> {
     /// A patch that was filled, if there is room for it.
     pub fn taken(&self, filled: Option<Filled>) -> Result<Filled, MesherError> {
         let Some(filled) = filled else {
-            if self.cancel.load(Ordering::Relaxed) {
-                return Err(MesherError::Cancelled);
-            }
+            self.watch.check()?;
             self.check(self.of_patch() + 1, self.made)?;
             return Err(MesherError::NoMemory { limit: self.limit });
         };

@@ -64,7 +64,6 @@ pub use error::{MesherError, StreamError};
 pub use folds::{FoldedBase, Folds};
 pub use interior::{INTERIORS, Interior, check_pair, interior};
 pub use mesher::Mesher;
-pub use relief_core::Watch;
 pub use settings::{MeshSettings, Part, Put};
 pub use slices::{
     BoxSlice, BoxSlicer, SliceAnchor, SliceBlock, SliceDirection, SliceError, SliceSettings, SliceVertex,

@@ -6,12 +6,11 @@ mod solid;
 
 use std::collections::HashMap;
 use std::convert::Infallible;
-use std::sync::atomic::Ordering;
 
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
-use relief_core::HeightMap;
 use relief_core::mesh::{Mesh, MeshBlock, Vertex};
+use relief_core::{HeightMap, Watch};
 
 use self::block::Made;
 pub use self::outline::Bottom;
@@ -32,7 +31,7 @@ use crate::surface::Relief;
 use crate::triangles::{self, Triangles};
 use crate::{
     Bounds, Certificate, MeshSettings, MesherError, Part, Put, Rounded, Shading, Spacing, Stream,
-    StreamError, Streamed, Watch, Weights, check_pair,
+    StreamError, Streamed, Weights, check_pair,
 };
 
 /// Bytes of a vertex and a triangle of a block, whichever takes more, while it is made and looked at.
@@ -125,7 +124,7 @@ impl Mesher {
     /// tolerance cannot be kept, the base has no triangles, or the mesh would have more vertices or triangles
     /// than 32-bit numbers count, or take more than the memory allowed.
     pub fn new(mesh: &Mesh, map: &HeightMap, settings: &MeshSettings) -> Result<Self, MesherError> {
-        Self::watched(mesh, map, settings, &Watch::NOBODY)
+        Self::watched(mesh, map, settings, &Watch::none())
     }
 
     /// The same as [`new`](Self::new), watched.
@@ -308,9 +307,7 @@ impl Mesher {
     fn without_what_is_left_out(self, watch: &Watch) -> Result<Self, MesherError> {
         let mut kept = Kept::of_none(self.vertices);
         for group in self.blocks.chunks(rayon::current_num_threads() * BLOCKS_PER_THREAD) {
-            if watch.cancel.load(Ordering::Relaxed) {
-                return Err(MesherError::Cancelled);
-            }
+            watch.check()?;
             let left: Vec<Vec<[u32; 3]>> = group.par_iter().map(|work| self.left(work)).collect();
             for triangles in left {
                 kept.add(&triangles);
@@ -345,7 +342,7 @@ impl Mesher {
         let sides = {
             let mut triangles = Vec::with_capacity(kept.triangles() as usize);
             for group in self.groups() {
-                self.cancelled(watch)?;
+                watch.check()?;
                 let left: Vec<Vec<[u32; 3]>> = group.par_iter().map(|work| self.left(work)).collect();
                 triangles.extend(left.into_iter().flatten());
             }
@@ -354,7 +351,7 @@ impl Mesher {
         let wanted = sides.wanted();
         let mut found: HashMap<u32, Vertex> = HashMap::with_capacity(wanted.len());
         for group in self.groups() {
-            self.cancelled(watch)?;
+            watch.check()?;
             let vertices: Vec<Vec<(u32, Vertex)>> =
                 group.par_iter().map(|work| self.wanted(work, &wanted)).collect();
             found.extend(vertices.into_iter().flatten());
@@ -381,11 +378,6 @@ impl Mesher {
     /// The blocks, as many at a time as are made at once.
     fn groups(&self) -> impl Iterator<Item = &[Work]> {
         self.blocks.chunks(rayon::current_num_threads() * BLOCKS_PER_THREAD)
-    }
-
-    /// An error where it is cancelled.
-    fn cancelled(&self, watch: &Watch) -> Result<(), MesherError> {
-        if watch.cancel.load(Ordering::Relaxed) { Err(MesherError::Cancelled) } else { Ok(()) }
     }
 
     /// Whether a mesh is a plane: two triangles that make a rectangle with straight texture.
@@ -435,12 +427,13 @@ impl Mesher {
     ) -> Result<Streamed, StreamError<E>> {
         let mut normals = None;
         // With normals of triangles the mesh is made twice.
-        let mut rounds = 1.0;
+        let mut watch = how.watch;
         if self.shading == Shading::Mesh {
-            rounds = 2.0;
+            watch = how.watch.piece(0.5, 1.0);
             let mut sums = Normals::new(self.made_vertices);
-            let plain = Stream { check: false, grid: None, cache_order: false, ..*how };
-            self.each_block(&plain, None, &|part| (how.watch.tell)(part / 2.0), |made| {
+            let watch = how.watch.piece(0.0, 0.5);
+            let plain = Stream { check: false, grid: None, cache_order: false, watch, ..*how };
+            self.each_block(&plain, None, |made| {
                 sums.add(made.block.positions(), &made.smooth);
                 Ok(())
             })?;
@@ -449,8 +442,7 @@ impl Mesher {
         let mut test = how.check.then(CrackTest::default);
         let (mut bounds_m, mut rounded) = (EMPTY, Rounded::default());
         let (mut folds, mut folds_below) = (Folds::default(), Folds::default());
-        let tell = |part: f32| (how.watch.tell)(1.0 - (1.0 - part) / rounds);
-        self.each_block(how, normals.as_ref(), &tell, |made| {
+        self.each_block(&Stream { watch, ..*how }, normals.as_ref(), |made| {
             if let (Some(test), Some(part)) = (&mut test, made.part.take()) {
                 test.add(part);
             }
@@ -483,7 +475,7 @@ impl Mesher {
     pub fn bounds(&self, size: f64, watch: &Watch) -> Result<Bounds, StreamError<Infallible>> {
         let how = Stream { size, check: false, grid: None, cache_order: false, watch: *watch };
         let mut bounds = Bounds { positions_m: EMPTY, uvs: [Vec2::INFINITY, Vec2::NEG_INFINITY] };
-        self.each_block(&how, None, &watch.tell, |made| {
+        self.each_block(&how, None, |made| {
             let ([least, greatest], [low, high]) = (made.bounds_m, bounds.positions_m);
             bounds.positions_m = [low.min(least), high.max(greatest)];
             for vertex in &made.block.vertices {
@@ -500,7 +492,7 @@ impl Mesher {
     ///
     /// When a vertex lies beyond what `f32` holds, and when the memory for all of it cannot be had.
     pub fn mesh(&self) -> Result<Mesh, StreamError<Infallible>> {
-        let watch = Watch::NOBODY;
+        let watch = Watch::none();
         let how = Stream { size: 1.0, check: false, grid: None, cache_order: false, watch };
         let mut vertices = room_for("vertices", self.vertices)?;
         let mut triangles = room_for("triangles", self.triangles)?;
@@ -517,7 +509,6 @@ impl Mesher {
         &self,
         how: &Stream,
         normals: Option<&Normals>,
-        tell: &dyn Fn(f32),
         mut take: impl FnMut(&mut Made) -> Result<(), StreamError<E>>,
     ) -> Result<(), StreamError<E>> {
         let at_once = rayon::current_num_threads() * BLOCKS_PER_THREAD;
@@ -525,9 +516,7 @@ impl Mesher {
         let (mut done, mut ready) = (0, Vec::new());
         let mut spare: Vec<MeshBlock> = Vec::new();
         loop {
-            if how.watch.cancel.load(Ordering::Relaxed) {
-                return Err(StreamError::Cancelled);
-            }
+            how.watch.check()?;
             let group = groups.next().unwrap_or_default();
             let mut next: Vec<Option<Made>> = Vec::new();
             spare.resize_with(group.len().max(spare.len()), MeshBlock::default);
@@ -551,7 +540,7 @@ impl Mesher {
             });
             taken?;
             // There may be none at all.
-            tell(done as f32 / self.blocks.len().max(1) as f32);
+            how.watch.at(done as f32 / self.blocks.len().max(1) as f32)?;
             if group.is_empty() {
                 return Ok(());
             }
@@ -569,7 +558,7 @@ fn room_for<T>(what: &'static str, count: u64) -> Result<Vec<T>, StreamError<Inf
 
 #[cfg(test)]
 mod tests {
-    use std::sync::atomic::AtomicBool;
+    use std::sync::atomic::{AtomicBool, Ordering};
     use std::time::Instant;
 
     use super::*;
@@ -590,7 +579,7 @@ mod tests {
                 }
                 cancel.store(true, Ordering::Relaxed);
             });
-            let watch = Watch { tell: &|_| {}, cancel: &cancel };
+            let watch = Watch::cancelled_by(&cancel);
             let made = pool.install(|| Mesher::watched(mesh, &map, settings, &watch).map(drop));
             done.store(true, Ordering::Relaxed);
             made
@@ -618,7 +607,7 @@ mod tests {
             // Whatever else the machine does: the best of three.
             let early = (0..3).map(|_| {
                 let (seconds, made) = cancelled_after(mesh, &settings, whole / 8.0);
-                assert!(matches!(made, Err(MesherError::Cancelled)), "{made:?}");
+                assert!(matches!(made, Err(MesherError::Cancelled(_))), "{made:?}");
                 seconds
             });
             let early = early.fold(f64::INFINITY, f64::min);

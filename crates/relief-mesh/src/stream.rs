@@ -1,9 +1,10 @@
 //! How a mesh is handed over, and what is known of it then.
 
 use glam::{Vec2, Vec3};
+use relief_core::Watch;
 use relief_core::mesh::PositionGrid;
 
-use crate::{Cracks, Folds, Watch};
+use crate::{Cracks, Folds};
 
 /// How a mesh is handed over.
 #[derive(Clone, Copy, Debug)]
@@ -18,7 +19,7 @@ pub struct Stream<'a> {
     /// Whether the triangles of a block are put in an order in which a GPU finds most of their corners in
     /// its cache.
     pub cache_order: bool,
-    /// Who watches.
+    /// Hears how far it is, and may cancel it.
     pub watch: Watch<'a>,
 }
 

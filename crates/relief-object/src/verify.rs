@@ -96,8 +96,7 @@ pub(crate) type FirstHit<'a> = dyn Fn(&Ray) -> Option<f64> + Sync + 'a;
 
 /// Compares an object with a mesh by parallel rays through a ball, from [`even_directions`].
 ///
-/// The rays see both sides of the mesh's triangles. None where it was cancelled, or where no picture is asked
-/// for.
+/// The rays see both sides of the mesh's triangles. None where no picture is asked for.
 pub(crate) fn measure(
     first: &FirstHit<'_>,
     object: &ImageObject,
@@ -120,17 +119,15 @@ pub(crate) fn measure(
         let view = view.map_err(|problem| CaptureError::View { number: number + 1, problem })?;
         let mut counts = Counts::default();
         for y in 0..size {
-            if watch.cancel.load(Ordering::Relaxed) {
-                return Err(CaptureError::Cancelled);
-            }
+            watch.check()?;
             let row = (0..size).map(|x| pixel(first, object, &view, [x, y]));
             counts = row.fold(counts, Counts::and);
         }
         let part = done.fetch_add(1, Ordering::Relaxed) + 1;
-        (watch.tell)(part as f32 / views as f32);
+        watch.at(part as f32 / views as f32)?;
         Ok(counts)
     };
-    let counts = directions.par_iter().enumerate().map(of_view).collect::<Result<Vec<_>, _>>()?;
+    let counts = directions.par_iter().enumerate().map(of_view).collect::<Result<Vec<_>, CaptureError>>()?;
     let all = counts.iter().copied().fold(Counts::default(), Counts::and);
     let worst = |a: &usize, b: &usize| counts[*a].iou().total_cmp(&counts[*b].iou());
     let worst = (0..counts.len()).min_by(worst).unwrap_or_default();

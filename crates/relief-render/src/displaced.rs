@@ -3,13 +3,12 @@
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use relief_core::HeightMap;
 use relief_core::camera::Camera;
 use relief_core::mesh::{Mesh, Vertex};
 use relief_core::object::ImageObject;
+use relief_core::{HeightMap, Watch};
 use relief_mesh::{
     Cull, MeshSettings, Mesher, MesherError, Outside, SliceError, SliceSettings, Stream, StreamError, View,
-    Watch,
 };
 use relief_shaders::Selection;
 use relief_shaders::cpu::{Corner, Shell};
@@ -146,7 +145,7 @@ impl DisplacedOf {
 
     /// The error where they cannot be made; none where it was cancelled.
     fn error(&self, error: MesherError) -> Option<GeometryError> {
-        (error != MesherError::Cancelled).then(|| GeometryError::Mesh(error, self.setting()))
+        (!matches!(error, MesherError::Cancelled(_))).then(|| GeometryError::Mesh(error, self.setting()))
     }
 }
 
@@ -242,7 +241,7 @@ impl Displaced {
             }
             let taken = self.known.iter().map(|known| known.bytes).sum::<u64>();
             let left = scene.geometry_memory().0.saturating_sub(taken);
-            let watch = Watch { tell: &|_| {}, cancel };
+            let watch = Watch::cancelled_by(cancel);
             let made = match of.cut {
                 Cut::Texels(texels) => {
                     let settings = MeshSettings { texels, ..MeshSettings::default() };
@@ -354,7 +353,7 @@ fn made(
     });
     match streamed {
         Ok(_) => {}
-        Err(StreamError::Cancelled) => return Err(None),
+        Err(StreamError::Cancelled(_)) => return Err(None),
         Err(_) => return Err(Some(GeometryError::NotFinite)),
     }
     let faces = faces.into_iter().zip(std::iter::repeat(Shell::whole()));

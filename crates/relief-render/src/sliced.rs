@@ -4,13 +4,13 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use relief_core::HeightMap;
 use relief_core::camera::Camera;
 use relief_core::mesh::{Mesh, Vertex};
 use relief_core::object::ImageObject;
+use relief_core::{HeightMap, Watch};
 use relief_mesh::{
     BoxSlice, BoxSlicer, SliceAnchor, SliceDirection as Slicing, SliceError, SliceSettings, SliceVertex,
-    Slicer, Watch,
+    Slicer,
 };
 use relief_shaders::cpu::{Corner, Shell};
 use relief_shaders::slice::{SliceDirection, Slices};
@@ -100,7 +100,7 @@ pub fn triangles_of_object(
 
 fn error(error: SliceError) -> Option<GeometryError> {
     match error {
-        SliceError::Cancelled => None,
+        SliceError::Cancelled(_) => None,
         SliceError::NotFinite => Some(GeometryError::NotFinite),
         error => Some(GeometryError::Slices(error)),
     }

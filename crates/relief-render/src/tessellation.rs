@@ -2,11 +2,9 @@
 
 use std::sync::Arc;
 
-use relief_core::HeightMap;
 use relief_core::mesh::Mesh;
-use relief_mesh::{
-    BaseTables, Cull, Everything, MesherError, TableEdge, TablePatch, TableVertex, View, Watch,
-};
+use relief_core::{HeightMap, Watch};
+use relief_mesh::{BaseTables, Cull, Everything, MesherError, TableEdge, TablePatch, TableVertex, View};
 use relief_shaders::cpu::{BaseEdge, BasePatch, BaseVertex, Tessellation as Grid};
 use relief_shaders::wgsl::TESSELLATE_COUNTLESS;
 

@@ -12,10 +12,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let torus = mesh::torus(128, 64)?;
     let settings = CaptureSettings { size: 128, ..CaptureSettings::default() };
     let capturer = Capturer::new(&torus, None, settings)?;
-    let captured = capturer.capture(Cover::Centre, &Watch::NOBODY)?;
+    let captured = capturer.capture(Cover::Centre, &Watch::none())?;
 
     let verification = Verification { views: 8, ..Verification::default() };
-    let measured = capturer.verify(&captured, &verification, &Watch::NOBODY)?;
+    let measured = capturer.verify(&captured, &verification, &Watch::none())?;
     println!("{measured:?}");
     assert!(measured.is_some_and(|measured| measured.iou > 0.98));
 

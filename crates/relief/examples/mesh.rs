@@ -2,9 +2,9 @@
 
 use std::error::Error;
 
-use relief::displace::{MeshSettings, Mesher, Stream, StreamError, Watch};
+use relief::displace::{MeshSettings, Mesher, Stream, StreamError};
 use relief::io::{MeshCounts, MeshFormat, write_mesh};
-use relief::{HeightMap, Wrap, mesh};
+use relief::{HeightMap, Watch, Wrap, mesh};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let heights = HeightMap::from_fn(128, 64, Wrap::Repeat, |i, j| ((i ^ j) & 8) as f32 / 8.0)?;
@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{counts:?}, {} bytes", MeshFormat::Gltf.bytes(counts));
 
     let file = std::env::temp_dir().join("relief-torus.glb");
-    let how = Stream { size: 1.0, check: true, grid: None, cache_order: true, watch: Watch::NOBODY };
+    let how = Stream { size: 1.0, check: true, grid: None, cache_order: true, watch: Watch::none() };
     let mut streamed = None;
     write_mesh(&file, MeshFormat::Gltf, counts, |sink| {
         let made = mesher.stream(&how, |block| sink(block)).map_err(|error| match error {

@@ -124,7 +124,7 @@ pub fn captured(
 ) -> Result<ImageObject, String> {
     let settings = CaptureSettings { arrangement, size, ..CaptureSettings::default() };
     let capturer = Capturer::new(mesh, None, settings).map_err(|error| error.to_string())?;
-    let captured = capturer.capture(cover, &Watch::NOBODY).map_err(|error| error.to_string())?;
+    let captured = capturer.capture(cover, &Watch::none()).map_err(|error| error.to_string())?;
     captured.object(cells, DEFAULT_JUMP_TEXELS).map_err(|error| error.to_string())
 }
 

@@ -7,10 +7,10 @@ use std::time::Instant;
 
 use clap::Args;
 use glam::{DVec3, Vec2};
-use relief_core::HeightMap;
 use relief_core::camera::Camera;
+use relief_core::{HeightMap, Watch};
 use relief_io::{MeshCounts, MeshFormat, write_mesh};
-use relief_mesh::{Cracks, MeshSettings, Mesher, Stream, View, Watch};
+use relief_mesh::{Cracks, MeshSettings, Mesher, Stream, View};
 use relief_render::mesh::{Mesh, rectangle, sphere, torus};
 use tempfile::TempDir;
 
@@ -137,7 +137,7 @@ impl Work {
     ) -> Result<Option<Cracks>, String> {
         let check = !matches!(self, Self::Made | Self::Ordered);
         let cache_order = matches!(self, Self::Ordered | Self::Written(MeshFormat::Gltf));
-        let how = Stream { size: 1.0, check, grid: None, cache_order, watch: Watch::NOBODY };
+        let how = Stream { size: 1.0, check, grid: None, cache_order, watch: Watch::none() };
         match self {
             Self::Counted => {
                 let counted = Mesher::new(base, map, settings);

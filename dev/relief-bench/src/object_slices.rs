@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use clap::Args;
 use glam::DVec3;
+use relief_core::Watch;
 use relief_core::camera::Camera;
 use relief_core::object::{ImageObject, JumpCells};
 use relief_core::raycast::{RayCaster, Sides};
 use relief_maps::Maps;
-use relief_mesh::{BoxSlicer, SliceAnchor, SliceDirection, Watch};
+use relief_mesh::{BoxSlicer, SliceAnchor, SliceDirection};
 use relief_object::{Arrangement, Cover};
 use relief_render::render;
 use relief_render::scene::{BackendChoice, Scene, Surface};
@@ -106,7 +107,7 @@ impl Shot<'_> {
             let at = |place: usize| slice[place].as_vec3();
             corners.extend((2..slice.len()).map(|k| [at(0), at(k - 1), at(k)]));
         };
-        slicer.each(&Watch::NOBODY, take).map_err(|error| error.to_string())?;
+        slicer.each(&Watch::none(), take).map_err(|error| error.to_string())?;
         let (caster, camera) = (RayCaster::of_corners(corners.into_iter()), self.camera()?);
         let crossed = (0..self.size * self.size).map(|number| {
             let ray = camera.ray(number % self.size, number / self.size, self.size, self.size);

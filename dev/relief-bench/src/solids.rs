@@ -5,9 +5,9 @@ use std::process::{Command, ExitCode};
 
 use clap::Args;
 use relief_core::mesh::Builtin;
-use relief_core::{HeightMap, TexelMask, Wrap};
+use relief_core::{HeightMap, TexelMask, Watch, Wrap};
 use relief_io::{MeshCounts, MeshFormat, write_mesh};
-use relief_mesh::{MeshSettings, Mesher, Part, Stream, Watch};
+use relief_mesh::{MeshSettings, Mesher, Part, Stream};
 use relief_tests::maps::fractal;
 use serde_json::Value;
 
@@ -115,7 +115,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
 
 fn written(mesher: &Mesher, path: &Path, format: MeshFormat) -> Result<(), String> {
     let counts = MeshCounts { vertices: mesher.vertices(), triangles: mesher.triangles() };
-    let how = Stream { size: 1.0, check: false, grid: None, cache_order: false, watch: Watch::NOBODY };
+    let how = Stream { size: 1.0, check: false, grid: None, cache_order: false, watch: Watch::none() };
     let written = write_mesh(path, format, counts, |sink| {
         mesher
             .stream(&how, |block| sink(block))

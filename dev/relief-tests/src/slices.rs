@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use relief_core::HeightMap;
 use relief_core::camera::Camera;
 use relief_core::mesh::{Mesh, square};
 use relief_core::raycast::{RayCaster, Sides};
+use relief_core::{HeightMap, Watch};
 use relief_maps::Maps;
-use relief_mesh::{SliceAnchor, SliceDirection, SliceSettings, Slicer, Watch};
+use relief_mesh::{SliceAnchor, SliceDirection, SliceSettings, Slicer};
 use relief_render::render;
 use relief_render::scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
@@ -198,7 +198,7 @@ pub fn crossings(
         let corner = |at: u32| block.vertices[at as usize].vertex.position;
         corners.extend(block.triangles.iter().map(|triangle| triangle.map(corner)));
     };
-    slicer.each(&Watch::NOBODY, take).expect("slices");
+    slicer.each(&Watch::none(), take).expect("slices");
     let caster = RayCaster::of_corners(corners.into_iter());
     let crossed = |number: u32| {
         let ray = camera.ray(number % size, number / size, size, size);

@@ -1,14 +1,12 @@
 //! `relief slices`: a scene's relief as shells, which any viewer of glTF shows.
 
 use std::io::Write as _;
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::Ordering;
 use std::time::Instant;
 
 use clap::Args;
-use relief_core::ByteSize;
-use relief_io::{DEFAULT_MAX_BYTES, MAX_SHELLS, MeshCounts, Shells, WriteError, write_shells};
+use relief_core::{ByteSize, Watch};
+use relief_io::{DEFAULT_MAX_BYTES, MAX_SHELLS, MeshCounts, Shells, WriteError, WriteProblem, write_shells};
 use relief_render::scene::{Look, SceneError, SceneSpec, Surface, read_scene};
 use serde_json::json;
 
@@ -89,15 +87,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut staged = Staged::open(&[&arguments.output], arguments.json, cancel)?;
     let aside = staged.aside(&arguments.output)?;
     let progress = Progress::bar("writing", arguments.json);
-    let tell = |part: f32| {
-        progress.show(part);
-        if cancel.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
-    write_shells(&aside, &shells, &tell).map_err(|WriteError { problem, .. }| {
-        if cancel.load(Ordering::Relaxed) {
-            return interrupt::cancelled();
-        }
-        Failure::Work(format!("{}: {problem}", arguments.output.display()))
+    let tell = |_: &str, part: f32| progress.show(part);
+    let written = write_shells(&aside, &shells, &Watch::new(&tell, cancel));
+    written.map_err(|WriteError { problem, .. }| match problem {
+        WriteProblem::Cancelled(_) => interrupt::cancelled(),
+        problem => Failure::Work(format!("{}: {problem}", arguments.output.display())),
     })?;
     drop(progress);
     staged.finish()?;

@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::Vec3;
 use rayon::prelude::*;
+use relief_core::Watch;
 use relief_core::mesh::Vertex;
 
 use super::span::{Span, TILE, spans};
@@ -13,7 +14,7 @@ use crate::error::MOST;
 use crate::filling::{Filling, Room, least_tolerance};
 use crate::interior::{Filled, Gap, STEPS, Seen, Window};
 use crate::surface::{Relief, twist_of};
-use crate::{Certificate, Judge, MeshSettings, MesherError, Watch};
+use crate::{Certificate, Judge, MeshSettings, MesherError};
 
 /// Bytes that a tile of two triangles takes, with its sides.
 const BYTES_PER_TILE: u64 = 400;
@@ -80,18 +81,16 @@ impl Adapted {
         }
         adapted.first_of_side.push(numbered(vertices, 0)?);
         let done = AtomicU64::new(0);
-        let room = Room::new(settings, filling.most, watch.cancel);
+        let room = Room::new(settings, filling.most, *watch);
         let tiles: Result<Vec<Filled>, MesherError> = (0..across * down)
             .into_par_iter()
             .map(|tile| {
-                if watch.cancel.load(Ordering::Relaxed) {
-                    return Err(MesherError::Cancelled);
-                }
+                watch.check()?;
                 let wanted = room.wanted(tolerance);
                 let filled =
                     (fill.tile)(&adapted.window(relief, tile), &adapted.border(relief, tile), wanted);
                 let filled = room.taken(filled)?;
-                (watch.tell)((done.fetch_add(1, Ordering::Relaxed) + 1) as f32 / (across * down) as f32);
+                watch.at((done.fetch_add(1, Ordering::Relaxed) + 1) as f32 / (across * down) as f32)?;
                 Ok(filled)
             })
             .collect();

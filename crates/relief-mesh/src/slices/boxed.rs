@@ -3,13 +3,11 @@
 //! Source: Kautz and Seidel 2001, section 4.1: the slices go through the space that the images look at, and
 //! are drawn where all of these see something. Which image sees what is not known here.
 
-use std::sync::atomic::Ordering;
-
 use glam::DVec3;
+use relief_core::Watch;
 use relief_core::camera::Camera;
 
 use super::{SliceAnchor, SliceDirection, SliceError};
-use crate::Watch;
 
 /// The corners of a convex slice through a box, in their order around it: 3 to 6.
 pub type BoxSlice = Vec<DVec3>;
@@ -20,12 +18,13 @@ pub type BoxSlice = Vec<DVec3>;
 ///
 /// ```
 /// use glam::DVec3;
-/// use relief_mesh::{BoxSlicer, SliceDirection, Watch};
+/// use relief_core::Watch;
+/// use relief_mesh::{BoxSlicer, SliceDirection};
 ///
 /// let bounds = [DVec3::ZERO, DVec3::new(1.0, 2.0, 0.5)];
 /// let slicer = BoxSlicer::new(bounds, 0.1, SliceDirection::AcrossU)?;
 /// let mut slices = 0;
-/// slicer.each(&Watch::NOBODY, |corners| slices += usize::from(corners.len() == 4))?;
+/// slicer.each(&Watch::none(), |corners| slices += usize::from(corners.len() == 4))?;
 /// assert_eq!((slices, slicer.slices()), (20, 20));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -109,9 +108,7 @@ impl BoxSlicer {
     /// When it was cancelled, or a corner lies farther away than `f32` can tell.
     pub fn each(&self, watch: &Watch, mut take: impl FnMut(&BoxSlice)) -> Result<(), SliceError> {
         for number in 0..self.count {
-            if watch.cancel.load(Ordering::Relaxed) {
-                return Err(SliceError::Cancelled);
-            }
+            watch.check()?;
             let slice = self.slice(self.first_m + number as f64 * self.spacing_m);
             if !slice.iter().all(|corner| corner.as_vec3().is_finite()) {
                 return Err(SliceError::NotFinite);
@@ -120,7 +117,7 @@ impl BoxSlicer {
             if slice.len() >= 3 {
                 take(&slice);
             }
-            (watch.tell)((number + 1) as f32 / self.count as f32);
+            watch.at((number + 1) as f32 / self.count as f32)?;
         }
         Ok(())
     }
@@ -169,6 +166,8 @@ fn facing_axis([low, high]: [DVec3; 2], camera: &Camera) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use relief_core::Cancelled;
+
     use super::*;
 
     const BOUNDS: [DVec3; 2] = [DVec3::new(-1.0, -0.5, 0.25), DVec3::new(1.0, 0.75, 0.5)];
@@ -176,7 +175,7 @@ mod tests {
     fn slices(spacing_m: f64, direction: SliceDirection) -> Vec<BoxSlice> {
         let slicer = BoxSlicer::new(BOUNDS, spacing_m, direction).expect("a box");
         let mut all = Vec::new();
-        slicer.each(&Watch::NOBODY, |slice| all.push(slice.clone())).expect("slices");
+        slicer.each(&Watch::none(), |slice| all.push(slice.clone())).expect("slices");
         assert!(all.len() as u64 <= slicer.slices());
         all
     }
@@ -251,7 +250,7 @@ mod tests {
         }
         let slicer = BoxSlicer::new(BOUNDS, 0.1, SliceDirection::Surface).expect("a box");
         let cancel = std::sync::atomic::AtomicBool::new(true);
-        let watch = Watch { tell: &|_| {}, cancel: &cancel };
-        assert_eq!(slicer.each(&watch, |_| panic!("none is taken")), Err(SliceError::Cancelled));
+        let stopped = slicer.each(&Watch::cancelled_by(&cancel), |_| panic!("none is taken"));
+        assert_eq!(stopped, Err(SliceError::Cancelled(Cancelled)));
     }
 }

@@ -1,5 +1,7 @@
 //! What goes wrong with slices.
 
+use relief_core::Cancelled;
+
 /// Why there are no slices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SliceError {
@@ -20,7 +22,7 @@ pub enum SliceError {
         "a corner of a slice lies beyond what 32-bit numbers hold: choose a smaller displacement or mesh"
     )]
     NotFinite,
-    /// They were not waited for.
-    #[error("cancelled")]
-    Cancelled,
+    /// The work was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }

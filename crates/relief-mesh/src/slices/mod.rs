@@ -12,17 +12,14 @@ mod screen;
 mod settings;
 mod surface;
 
-use std::sync::atomic::Ordering;
-
 use glam::DVec3;
 use relief_core::mesh::{Mesh, Vertex};
-use relief_core::{HeightMap, SliceAxis};
+use relief_core::{HeightMap, SliceAxis, Watch};
 
 pub use self::boxed::{BoxSlice, BoxSlicer};
 pub use self::error::SliceError;
 use self::quads::FlatPolygon;
 pub use self::settings::{SliceAnchor, SliceDirection, SliceSettings};
-use crate::Watch;
 
 /// By how much the lengths of a mesh's tiles are rounded, as a part of a slice's distance.
 const ROUNDING: f64 = 1e-5;
@@ -53,15 +50,15 @@ pub struct SliceBlock {
 /// Makes the slices of a mesh under a height map.
 ///
 /// ```
-/// use relief_core::{HeightMap, Wrap, mesh::torus};
-/// use relief_mesh::{SliceDirection, SliceSettings, Slicer, Watch};
+/// use relief_core::{HeightMap, Watch, Wrap, mesh::torus};
+/// use relief_mesh::{SliceDirection, SliceSettings, Slicer};
 ///
 /// let map = HeightMap::from_fn(64, 32, Wrap::Repeat, |i, j| ((i ^ j) & 8) as f32 / 8.0)?;
 /// let map = map.with_displacement(0.02, 0.0)?;
 /// let base = torus(16, 8)?;
 /// let slicer = Slicer::new(&base, &map, SliceSettings { count: 20, direction: SliceDirection::Surface })?;
 /// let mut triangles = 0;
-/// slicer.each(&Watch::NOBODY, |block| triangles += block.triangles.len() as u64)?;
+/// slicer.each(&Watch::none(), |block| triangles += block.triangles.len() as u64)?;
 /// assert_eq!((triangles, slicer.triangles()), (20 * 256, 20 * 256));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -175,12 +172,10 @@ impl<'a> Slicer<'a> {
         let is_whole = self.direction == SliceDirection::Surface;
         let count = if is_whole { self.layers } else { u64::from(self.numbers().end) };
         for number in 0..count {
-            if watch.cancel.load(Ordering::Relaxed) {
-                return Err(SliceError::Cancelled);
-            }
+            watch.check()?;
             let block = if is_whole { self.of_surface(number + 1)? } else { self.of_part(number as u32)? };
             take(&block);
-            (watch.tell)((number + 1) as f32 / count as f32);
+            watch.at((number + 1) as f32 / count as f32)?;
         }
         Ok(())
     }

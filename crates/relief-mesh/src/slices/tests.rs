@@ -1,10 +1,10 @@
 use std::collections::HashMap;
 use std::sync::atomic::AtomicBool;
 
-use relief_core::Wrap;
 use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{cube, square, torus};
 use relief_core::raycast::{RayCaster, Sides, SurfaceHit};
+use relief_core::{Cancelled, Wrap};
 
 use super::*;
 
@@ -23,7 +23,7 @@ fn slicer<'a>(base: &'a Mesh, map: &HeightMap, count: u32, direction: SliceDirec
 
 fn blocks(slicer: &Slicer) -> Vec<SliceBlock> {
     let mut blocks = Vec::new();
-    slicer.each(&Watch::NOBODY, |block| blocks.push(block.clone())).expect("slices");
+    slicer.each(&Watch::none(), |block| blocks.push(block.clone())).expect("slices");
     let count = |of: fn(&SliceBlock) -> usize| blocks.iter().map(of).sum::<usize>() as u64;
     assert!(count(|block| block.vertices.len()) <= slicer.vertices());
     assert!(count(|block| block.triangles.len()) <= slicer.triangles());
@@ -234,10 +234,10 @@ fn what_cannot_be_sliced_is_refused_and_what_is_cancelled_ends() {
         let many = slicer(&base, &usual, 1_000_000_000, direction);
         assert!(many.triangles() > 1_000_000_000, "{direction:?}: {}", many.triangles());
         let cancel = AtomicBool::new(true);
-        let watch = Watch { cancel: &cancel, ..Watch::NOBODY };
-        assert_eq!(many.each(&watch, |_| unreachable!("nothing is made")), Err(SliceError::Cancelled));
+        let stopped = many.each(&Watch::cancelled_by(&cancel), |_| unreachable!("nothing is made"));
+        assert_eq!(stopped, Err(SliceError::Cancelled(Cancelled)));
     }
     let far = map(1e39, 0.0);
     let slicer = slicer(&base, &far, 2, SliceDirection::Surface);
-    assert_eq!(slicer.each(&Watch::NOBODY, |_| {}), Err(SliceError::NotFinite));
+    assert_eq!(slicer.each(&Watch::none(), |_| {}), Err(SliceError::NotFinite));
 }

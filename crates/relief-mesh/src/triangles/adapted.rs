@@ -3,6 +3,7 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
+use relief_core::Watch;
 use relief_core::mesh::Mesh;
 
 use super::profile::turning;
@@ -12,7 +13,7 @@ use crate::filling::{Filling, Room};
 use crate::interior::{Cut, Facet, Filled, Gap, Ground, Turning};
 use crate::patch::PatchPoint;
 use crate::surface::Relief;
-use crate::{BaseSurface, Certificate, Directions, MeshSettings, MesherError, Side, Watch};
+use crate::{BaseSurface, Certificate, Directions, MeshSettings, MesherError, Side};
 
 /// Patches that are filled one after the other.
 const TOGETHER: usize = 64;
@@ -86,14 +87,12 @@ impl Adapted {
             return Err(MesherError::OnPlanesAlone { what });
         }
         let base = Triangles::new(mesh, relief, settings, filling.most, watch)?;
-        let (room, done) = (Room::new(settings, filling.most, watch.cancel), AtomicU64::new(0));
+        let (room, done) = (Room::new(settings, filling.most, *watch), AtomicU64::new(0));
         let patches: Vec<u32> = (0..base.count()).collect();
         let made: Result<Vec<Several>, MesherError> = patches
             .par_chunks(TOGETHER)
             .map(|patches| {
-                if watch.cancel.load(Ordering::Relaxed) {
-                    return Err(MesherError::Cancelled);
-                }
+                watch.check()?;
                 let mut made = Several {
                     inner: Vec::new(),
                     triangles: Vec::new(),
@@ -105,7 +104,7 @@ impl Adapted {
                 }
                 let count = patches.len() as u64;
                 let before = done.fetch_add(count, Ordering::Relaxed);
-                (watch.tell)((before + count) as f32 / base.count() as f32);
+                watch.at((before + count) as f32 / base.count() as f32)?;
                 Ok(made)
             })
             .collect();

@@ -1,17 +1,16 @@
 //! Patches beside what a camera sees are not made.
 
 use std::ops::Range;
-use std::sync::atomic::Ordering;
 
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
-use relief_core::HeightBounds;
+use relief_core::{HeightBounds, Watch};
 
 use super::Triangles;
 use crate::cull::{Everything, Hull, Sight};
 use crate::surface::Relief;
 use crate::view::log2;
-use crate::{BaseSurface, MeshSettings, MesherError, Watch, cubic};
+use crate::{BaseSurface, MeshSettings, MesherError, cubic};
 
 /// Texels beside its own that a point may have its height from, by rounding.
 const BESIDE_TEXELS: f64 = 1e-3;
@@ -38,9 +37,7 @@ impl Triangles {
         let sight = Sight::new(&view);
         let bounds = Bounds { relief, levels: relief.levels().map(HeightBounds::new).collect() };
         let look = |patch: u32| {
-            if watch.cancel.load(Ordering::Relaxed) {
-                return Err(MesherError::Cancelled);
-            }
+            watch.check()?;
             let hull = self.hull(&bounds, patch);
             Ok((sight.misses(&hull, &cull.outside), hull))
         };

@@ -1,14 +1,14 @@
 //! Base triangles are halved along the sides that are too long, until none is: see `Creases` and `near`.
 
 use std::collections::{HashMap, HashSet};
-use std::sync::atomic::Ordering;
 
+use relief_core::Watch;
 use relief_core::mesh::{Mesh, Vertex};
 
 use super::creases::Creases;
 use crate::error::MOST;
 use crate::surface::Relief;
-use crate::{Mesher, MesherError, Watch, point};
+use crate::{Mesher, MesherError, point};
 
 /// Triangles that are cut before it is looked whether that is still wanted.
 const BETWEEN_LOOKS: usize = 1 << 16;
@@ -37,7 +37,7 @@ impl Limits<'_> {
     }
 
     fn look(&self) -> Result<(), MesherError> {
-        if self.watch.cancel.load(Ordering::Relaxed) { Err(MesherError::Cancelled) } else { Ok(()) }
+        Ok(self.watch.check()?)
     }
 }
 

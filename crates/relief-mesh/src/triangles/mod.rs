@@ -18,6 +18,7 @@ mod solid;
 mod tables;
 
 use glam::DVec3;
+use relief_core::Watch;
 use relief_core::mesh::{Mesh, Vertex};
 
 pub use self::adapted::Adapted;
@@ -40,7 +41,7 @@ use crate::error::MOST;
 use crate::patch::{Patch, PatchPoint};
 use crate::surface::{Placed, Relief};
 use crate::view::{Voxel, log2};
-use crate::{BaseSurface, MeshSettings, MesherError, Seams, Side, Watch, Weights, cubic, point};
+use crate::{BaseSurface, MeshSettings, MesherError, Seams, Side, Weights, cubic, point};
 
 /// A base of triangles, with the points of its sides counted.
 #[derive(Debug)]

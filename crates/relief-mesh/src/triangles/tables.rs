@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, Vec2, Vec3};
 use relief_core::mesh::Mesh;
-use relief_core::{HeightBounds, HeightMap};
+use relief_core::{HeightBounds, HeightMap, Watch};
 
 use super::cull::Bounds;
 use super::edges::{Division, Edges};
@@ -12,7 +12,7 @@ use super::halves::{Limits, halved};
 use super::{Corners, Triangles, texels_per_metre};
 use crate::cull::{Everything, ROUNDING};
 use crate::surface::Relief;
-use crate::{BaseSurface, Directions, MesherError, Shading, View, Watch};
+use crate::{BaseSurface, Directions, MesherError, Shading, View};
 
 /// The longest side of a triangle, in texels: longer ones are halved, so that what is not seen of a triangle
 /// is left out, and what is near to the eye does not make all of it fine.
@@ -239,7 +239,7 @@ mod tests {
     fn tables(mesh: &Mesh, side: u32) -> BaseTables {
         let map = HeightMap::from_fn(side, side, Wrap::Repeat, |i, j| ((i * 7 + j * 5) % 11) as f32 / 10.0);
         let map = map.expect("a map").with_displacement(0.1, -0.02).expect("lengths");
-        BaseTables::new(mesh, &map, &[], &Watch::NOBODY).expect("tables")
+        BaseTables::new(mesh, &map, &[], &Watch::none()).expect("tables")
     }
 
     #[test]

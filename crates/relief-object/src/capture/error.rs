@@ -1,7 +1,7 @@
 //! Why a mesh cannot be captured.
 
-use relief_core::HeightMapError;
 use relief_core::object::{MAX_VIEWS, ObjectError, ViewError};
+use relief_core::{Cancelled, HeightMapError};
 
 use super::{MAX_IMAGE_SIDE, MIN_IMAGE_SIDE};
 use crate::arrangement::MAX_GRID;
@@ -72,6 +72,6 @@ pub enum CaptureError {
     #[error(transparent)]
     Object(#[from] ObjectError),
     /// The capture was cancelled.
-    #[error("the capture was cancelled")]
-    Cancelled,
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }

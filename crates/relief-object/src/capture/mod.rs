@@ -14,7 +14,7 @@ use relief_core::camera::Ray;
 use relief_core::mesh::Mesh;
 use relief_core::object::{EMPTY_HEIGHT, ImageObject, JumpCells, MAX_VIEWS, ObjectError, View, ViewError};
 use relief_core::raycast::{RayCaster, Sides, SurfaceHit};
-use relief_core::{HeightMap, Watch, Wrap};
+use relief_core::{Cancelled, HeightMap, Watch, Wrap};
 use relief_io::{DEFAULT_MAX_BYTES, MeshColors};
 
 pub use self::cover::Cover;
@@ -195,7 +195,7 @@ impl<'a> Capturer<'a> {
             let (image, of_backs) = self.image(view, cover, watch)?;
             backs.fetch_add(of_backs, Ordering::Relaxed);
             let part = done.fetch_add(1, Ordering::Relaxed) + 1;
-            (watch.tell)(part as f32 / self.views.len() as f32);
+            watch.at(part as f32 / self.views.len() as f32)?;
             Ok(image)
         };
         let images = self.views.par_iter().map(image).collect::<Result<Vec<_>, CaptureError>>()?;
@@ -236,10 +236,8 @@ impl<'a> Capturer<'a> {
     /// An image, and how many of its texels show backs.
     fn image(&self, view: &View, cover: Cover, watch: &Watch) -> Result<(CapturedImage, u64), CaptureError> {
         let [columns, rows] = view.size();
-        let row = |y: u32| {
-            if watch.cancel.load(Ordering::Relaxed) {
-                return Err(CaptureError::Cancelled);
-            }
+        let row = |y: u32| -> Result<_, Cancelled> {
+            watch.check()?;
             Ok((0..columns).map(|x| self.centre(view, x, y)).collect::<Vec<_>>())
         };
         let lines = (0..rows).into_par_iter().map(row).collect::<Result<Vec<_>, _>>()?;
@@ -255,9 +253,7 @@ impl<'a> Capturer<'a> {
             // Of what has a mask centres decide: its highest point may be cut out.
             let has_mask = |triangle: u32| self.colors.is_some_and(|colors| colors.has_mask(triangle));
             highest::raise([columns, rows], corners, has_mask, &mut raised);
-            if watch.cancel.load(Ordering::Relaxed) {
-                return Err(CaptureError::Cancelled);
-            }
+            watch.check()?;
             for (texel, highest) in seen.iter_mut().zip(raised) {
                 let Some(Highest { at, triangle }) = highest else { continue };
                 match texel {

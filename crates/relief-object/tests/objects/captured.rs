@@ -20,7 +20,7 @@ fn mesh(builtin: Builtin) -> Mesh {
 
 fn captured(mesh: &Mesh, settings: CaptureSettings, cover: Cover) -> Captured {
     let capturer = Capturer::new(mesh, None, settings).expect("views");
-    capturer.capture(cover, &Watch::NOBODY).expect("images")
+    capturer.capture(cover, &Watch::none()).expect("images")
 }
 
 fn settings(size: u32) -> CaptureSettings {
@@ -162,7 +162,7 @@ fn what_is_written_is_read_as_it_was() {
             let arrangement = arrangement.clone();
             let settings = CaptureSettings { bits, arrangement, fov_degrees, ..settings(32) };
             let capturer = Capturer::new(&mesh, Some(&colors), settings).expect("views");
-            let captured = capturer.capture(Cover::Pixel, &Watch::NOBODY).expect("images");
+            let captured = capturer.capture(Cover::Pixel, &Watch::none()).expect("images");
             let folder = tempfile::tempdir().expect("a folder");
             let place = folder.path().join("made/torus");
             let writer =
@@ -200,7 +200,7 @@ fn the_same_bytes_are_written_whatever_the_threads() {
             let colors = colors();
             let settings = CaptureSettings { arrangement: Arrangement::Octahedral(4), ..settings(40) };
             let capturer = Capturer::new(&mesh, Some(&colors), settings).expect("views");
-            let captured = capturer.capture(Cover::Pixel, &Watch::NOBODY).expect("images");
+            let captured = capturer.capture(Cover::Pixel, &Watch::none()).expect("images");
             let folder = tempfile::tempdir().expect("a folder");
             let writer =
                 ObjectWriter::open(folder.path(), captured.files(), false, &mut { ALONE }).expect("a folder");

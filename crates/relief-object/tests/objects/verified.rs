@@ -1,17 +1,17 @@
 //! How near a real mesh's object is to the mesh. The mesh is none that the project ships: without a folder
 //! of data, which `RELIEF_DATA` names, this is told and nothing is tested.
 
-use relief_core::Watch;
 use relief_core::mesh::Builtin;
 use relief_core::object::JumpCells;
+use relief_core::{Cancelled, Watch};
 use relief_io::{MeshOptions, read_mesh};
 use relief_object::even_directions;
 use relief_object::{Arrangement, CaptureError, CaptureSettings, Capturer, Cover, Measured, Verification};
 
 fn measured(capturer: &Capturer, cover: Cover, cells: JumpCells) -> Measured {
-    let captured = capturer.capture(cover, &Watch::NOBODY).expect("images");
+    let captured = capturer.capture(cover, &Watch::none()).expect("images");
     let verification = Verification { cells, ..Verification::default() };
-    capturer.verify(&captured, &verification, &Watch::NOBODY).expect("pictures").expect("some")
+    capturer.verify(&captured, &verification, &Watch::none()).expect("pictures").expect("some")
 }
 
 #[test]
@@ -58,10 +58,10 @@ fn what_a_few_pictures_state_many_others_bear_out() {
     let mesh = Builtin::Torus.build([1.0; 2]).expect("a mesh");
     let settings = CaptureSettings { size: 209, ..Default::default() };
     let capturer = Capturer::new(&mesh, None, settings).expect("views");
-    let captured = capturer.capture(Cover::Centre, &Watch::NOBODY).expect("images");
+    let captured = capturer.capture(Cover::Centre, &Watch::none()).expect("images");
     let [stated, found] = [(32, 128), (1000, 64)].map(|(views, size)| {
         let verification = Verification { views, size, ..Verification::default() };
-        capturer.verify(&captured, &verification, &Watch::NOBODY).expect("pictures").expect("some")
+        capturer.verify(&captured, &verification, &Watch::none()).expect("pictures").expect("some")
     });
     let silhouettes = (1.0 - stated.iou) / (1.0 - found.iou);
     let depths = stated.depth_error_percent.zip(found.depth_error_percent).map(|(a, b)| a / b);
@@ -77,20 +77,23 @@ fn comparisons_repeat_and_end_when_they_are_told_to() {
     let settings =
         CaptureSettings { arrangement: Arrangement::Octahedral(3), size: 48, ..Default::default() };
     let capturer = Capturer::new(&mesh, None, settings).expect("views");
-    let captured = capturer.capture(Cover::Pixel, &Watch::NOBODY).expect("images");
+    let captured = capturer.capture(Cover::Pixel, &Watch::none()).expect("images");
     let verify = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         let verification = Verification { views: 5, ..Verification::default() };
-        pool.install(|| capturer.verify(&captured, &verification, &Watch::NOBODY).expect("pictures"))
+        pool.install(|| capturer.verify(&captured, &verification, &Watch::none()).expect("pictures"))
     };
     assert_eq!(verify(1), verify(3));
     let none = Verification { views: 0, ..Verification::default() };
-    assert_eq!(capturer.verify(&captured, &none, &Watch::NOBODY), Ok(None));
+    assert_eq!(capturer.verify(&captured, &none, &Watch::none()), Ok(None));
     let many = Verification { views: 5000, ..Verification::default() };
-    let error = capturer.verify(&captured, &many, &Watch::NOBODY);
+    let error = capturer.verify(&captured, &many, &Watch::none());
     assert!(matches!(error, Err(CaptureError::BadPictures { views: 5000, .. })));
     let cancel = std::sync::atomic::AtomicBool::new(true);
-    let watch = Watch { tell: &|_| {}, cancel: &cancel };
-    assert_eq!(capturer.capture(Cover::Centre, &watch), Err(CaptureError::Cancelled));
-    assert_eq!(capturer.verify(&captured, &Verification::default(), &watch), Err(CaptureError::Cancelled));
+    let watch = Watch::cancelled_by(&cancel);
+    assert_eq!(capturer.capture(Cover::Centre, &watch), Err(CaptureError::Cancelled(Cancelled)));
+    assert_eq!(
+        capturer.verify(&captured, &Verification::default(), &watch),
+        Err(CaptureError::Cancelled(Cancelled))
+    );
 }

@@ -8,9 +8,9 @@ use std::time::Instant;
 
 use clap::Args;
 use glam::{DVec2, Vec2};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_io::{Fill, HeightOptions, read_height};
-use relief_mesh::{Fit, Judge, MeshSettings, Mesher, Watch};
+use relief_mesh::{Fit, Judge, MeshSettings, Mesher};
 use relief_render::mesh::{Mesh, Vertex, rectangle};
 use relief_tests::maps::fractal;
 use relief_tests::{accuracy, data_dir};
@@ -219,7 +219,7 @@ fn at_one_count(arguments: &Arguments) -> Result<(), String> {
         };
         let start = Instant::now();
         let settings = MeshSettings::within(1.0);
-        let mesher = Mesher::with_at_most(&plane, &map, &settings, u64::from(wanted), &Watch::NOBODY)
+        let mesher = Mesher::with_at_most(&plane, &map, &settings, u64::from(wanted), &Watch::none())
             .map_err(|error| error.to_string())?;
         let seconds = start.elapsed().as_secs_f64();
         add("Relief".to_owned(), &pieces(&map, &mesher.mesh().map_err(|error| error.to_string())?), seconds);

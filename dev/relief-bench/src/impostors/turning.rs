@@ -103,7 +103,7 @@ fn captured(folder: &Path, mesh: &Path, color: &Path, cover: Cover) -> Result<(D
         let settings = CaptureSettings { arrangement, size, ..CaptureSettings::default() };
         let capturer = Capturer::new(&mesh, Some(&colors), settings).map_err(|error| error.to_string())?;
         ball = capturer.ball();
-        let captured = capturer.capture(cover, &Watch::NOBODY).map_err(|error| error.to_string())?;
+        let captured = capturer.capture(cover, &Watch::none()).map_err(|error| error.to_string())?;
         let writer = ObjectWriter::open(&folder.join(name), captured.files(), false, &mut |_| true);
         let written = writer.and_then(|writer| writer.write(&captured, None));
         written.map_err(|error| error.to_string())?;

@@ -4,10 +4,10 @@ use comfy_table::Table;
 use glam::{DVec3, Vec2};
 use rayon::prelude::*;
 use relief_bake::{Filter, Progress, filter_levels};
-use relief_core::HeightMap;
 use relief_core::camera::Camera;
 use relief_core::mesh::{Mesh, square};
-use relief_mesh::{MeshSettings, Mesher, View, Watch};
+use relief_core::{HeightMap, Watch};
+use relief_mesh::{MeshSettings, Mesher, View};
 use relief_render::raycast::{RayCaster, Sides};
 use relief_tests::outline::{Mask, distances, overlap};
 
@@ -66,7 +66,7 @@ pub fn table(width: u32) -> Result<Table, String> {
         let mask = |settings: &MeshSettings, levels: &[HeightMap], camera: &Camera| {
             let mesher = match levels {
                 [] => Mesher::new(&base, &map, settings),
-                _ => Mesher::with_levels(&base, &map, levels, settings, &Watch::NOBODY),
+                _ => Mesher::with_levels(&base, &map, levels, settings, &Watch::none()),
             };
             let mesh =
                 mesher.map_err(|error| error.to_string())?.mesh().map_err(|error| error.to_string())?;

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use glam::DVec3;
 use relief_core::object::{ImageObject, JumpCells, View};
 use relief_core::raycast::Ray;
-use relief_core::{HeightMap, Wrap};
-use relief_mesh::{BoxSlicer, SliceAnchor, SliceDirection, SliceSettings, Watch};
+use relief_core::{HeightMap, Watch, Wrap};
+use relief_mesh::{BoxSlicer, SliceAnchor, SliceDirection, SliceSettings};
 use relief_render::camera::{Camera, Projection};
 use relief_render::scene::BackendChoice;
 use relief_shaders::cpu::PixelOut;
@@ -254,7 +254,7 @@ fn from_an_angle() -> [f64; 2] {
             let turned = (2..slice.len()).map(|k| (slice[k - 1] - slice[0]).cross(slice[k] - slice[0]));
             area += 0.5 * turned.sum::<DVec3>().dot(camera.forward()).abs();
         };
-        slicer.each(&Watch::NOBODY, take).expect("slices");
+        slicer.each(&Watch::none(), take).expect("slices");
         area
     })
 }

@@ -5,9 +5,9 @@ use std::sync::atomic::AtomicBool;
 use glam::{DVec2, DVec3};
 use relief_core::exact::{DisplacedMesh, Sides};
 use relief_core::mesh::{Builtin, Mesh, Vertex, cube, sphere, square, torus};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_mesh::{
-    BaseSurface, Directions, MeshSettings, Mesher, MesherError, Seams, Shading, Stream, StreamError, Watch,
+    BaseSurface, Directions, MeshSettings, Mesher, MesherError, Seams, Shading, Stream, StreamError,
 };
 use relief_tests::maps;
 use relief_tests::smooth_base::{curved_point, lift_m, mean_on_sphere};
@@ -367,12 +367,12 @@ fn a_mesh_ends_when_it_is_cancelled_or_beyond_numbers() {
             check: true,
             grid: None,
             cache_order: false,
-            watch: Watch { tell: &|_| {}, cancel: &cancel },
+            watch: Watch::cancelled_by(&cancel),
         };
         let mesher = Mesher::new(&base, map, &MeshSettings::default()).expect("a mesh");
         mesher.stream(&how, |_| Err::<(), _>("full"))
     };
-    assert!(matches!(stream(&map, true), Err(StreamError::Cancelled)));
+    assert!(matches!(stream(&map, true), Err(StreamError::Cancelled(_))));
     assert!(matches!(stream(&map, false), Err(StreamError::Sink("full"))));
     let far = displaced(map, 1e39, 0.0);
     assert!(matches!(stream(&far, false), Err(StreamError::NotFinite | StreamError::Sink(_))));

@@ -6,9 +6,9 @@ use std::collections::HashMap;
 use glam::{DVec2, Vec2, Vec3};
 use rayon::ThreadPoolBuilder;
 use relief_core::mesh::{Mesh, rectangle, torus};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_mesh::{
-    Certificate, CrackTest, Fit, Judge, MeshSettings, Mesher, MesherError, Part, Shading, Side, Watch,
+    Certificate, CrackTest, Fit, Judge, MeshSettings, Mesher, MesherError, Part, Shading, Side,
 };
 use relief_tests::maps;
 
@@ -366,7 +366,7 @@ fn so_many_triangles_are_used_and_no_more() {
     let settings = MeshSettings::within(f64::NAN);
     let mut before = f64::INFINITY;
     for most in [300, 1000, 4000] {
-        let mesher = Mesher::with_at_most(&plane(), &map, &settings, most, &Watch::NOBODY).expect("a mesh");
+        let mesher = Mesher::with_at_most(&plane(), &map, &settings, most, &Watch::none()).expect("a mesh");
         let error_m = mesher.certificate().expect("made to an error").error_m;
         assert!(
             mesher.triangles() <= most && mesher.triangles() * 10 >= most * 9,
@@ -376,7 +376,7 @@ fn so_many_triangles_are_used_and_no_more() {
         assert!(error_m < before);
         before = error_m;
     }
-    let none = Mesher::with_at_most(&plane(), &map, &settings, 1, &Watch::NOBODY);
+    let none = Mesher::with_at_most(&plane(), &map, &settings, 1, &Watch::none());
     assert!(matches!(none, Err(MesherError::MoreThan { most: 1 })));
 }
 

@@ -7,10 +7,10 @@ use glam::{DVec2, DVec3, Vec2, Vec3};
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 use relief_core::mesh::{BasePoint, Mesh, Vertex, cube, cylinder, sphere, torus};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_mesh::{
     BaseSurface, Certificate, CrackTest, Directions, Fit, Judge, MeshSettings, Mesher, MesherError, Seams,
-    Shading, Side, Watch,
+    Shading, Side,
 };
 use relief_tests::maps;
 use relief_tests::smooth_base::{curved_point, lift_m};
@@ -353,14 +353,15 @@ fn triangles_over_very_many_texels_are_refused_before_they_are_cut() {
     let map = displaced(&map.expect("a map"));
     let base = torus(3, 3).and_then(|base| base.tiled(Vec2::new(6000.0, 30.0))).expect("a mesh");
     let settings = MeshSettings { max_bytes: 256 << 20, ..MeshSettings::within(0.01 * SCALE_M) };
-    let few = Mesher::with_at_most(&base, &map, &settings, 5000, &Watch::NOBODY);
+    let few = Mesher::with_at_most(&base, &map, &settings, 5000, &Watch::none());
     assert!(matches!(few, Err(MesherError::MoreThan { most: 5000 })), "{:?}", few.err());
     let tight = MeshSettings { max_bytes: 16 << 20, ..settings };
     let much = Mesher::new(&base, &map, &tight);
     assert!(matches!(much, Err(MesherError::NoMemory { limit }) if limit == 16 << 20), "{:?}", much.err());
-    let stopped = Watch { cancel: &AtomicBool::new(true), ..Watch::NOBODY };
+    let cancel = AtomicBool::new(true);
+    let stopped = Watch::cancelled_by(&cancel);
     let stopped = Mesher::watched(&base, &map, &settings, &stopped);
-    assert!(matches!(stopped, Err(MesherError::Cancelled)), "{:?}", stopped.err());
+    assert!(matches!(stopped, Err(MesherError::Cancelled(_))), "{:?}", stopped.err());
 }
 
 #[test]
@@ -440,14 +441,14 @@ fn so_many_triangles_are_used_and_no_more() {
     let settings = MeshSettings::within(f64::NAN);
     let mut before = f64::INFINITY;
     for most in [1000, 4000] {
-        let mesher = Mesher::with_at_most(&base, &map, &settings, most, &Watch::NOBODY).expect("a mesh");
+        let mesher = Mesher::with_at_most(&base, &map, &settings, most, &Watch::none()).expect("a mesh");
         let error_m = mesher.certificate().expect("made to an error").error_m;
         let triangles = mesher.triangles();
         assert!(triangles <= most && triangles * 10 >= most * 9, "{most}: {triangles}");
         assert!(error_m < before);
         before = error_m;
     }
-    let none = Mesher::with_at_most(&base, &map, &settings, 10, &Watch::NOBODY);
+    let none = Mesher::with_at_most(&base, &map, &settings, 10, &Watch::none());
     assert!(matches!(none, Err(MesherError::MoreThan { most: 10 })));
 }
 

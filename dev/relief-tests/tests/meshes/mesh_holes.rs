@@ -5,9 +5,9 @@ use glam::{DVec2, DVec3};
 use rayon::ThreadPoolBuilder;
 use relief_core::camera::Camera;
 use relief_core::mesh::{Builtin, Mesh, cube, sphere, square, torus};
-use relief_core::{HeightMap, TexelMask, Wrap};
+use relief_core::{HeightMap, TexelMask, Watch, Wrap};
 use relief_mesh::{
-    CrackTest, Directions, Judge, MeshSettings, Mesher, MesherError, Part, Shading, Stream, View, Watch,
+    CrackTest, Directions, Judge, MeshSettings, Mesher, MesherError, Part, Shading, Stream, View,
 };
 use relief_tests::maps;
 
@@ -194,7 +194,7 @@ fn every_way_to_divide_leaves_out_what_lies_over_holes() {
             let whole = Mesher::new(&base, &map, &settings).expect("a mesh");
             assert!(mesh.triangles().len() as u64 > whole.triangles() / 4);
             // The search for cracks that goes with making says what the whole mesh does.
-            let how = Stream { size: 1.0, check: true, grid: None, cache_order: true, watch: Watch::NOBODY };
+            let how = Stream { size: 1.0, check: true, grid: None, cache_order: true, watch: Watch::none() };
             let mesher = Mesher::new(&base, &map, &MeshSettings { holes: true, ..settings }).expect("a mesh");
             let mut next = 0;
             let streamed = mesher.stream(&how, |block| -> Result<(), ()> {

@@ -4,11 +4,10 @@ use std::collections::BTreeMap;
 
 use glam::{DVec3, Vec3};
 use relief_core::mesh::{Mesh, MeshBlock, PositionGrid, cube, cylinder, rectangle, sphere, square, torus};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_io::{GlbLayout, GlbLevel, GlbNode, MeshCounts, Quantization, read_raw_mesh, write_glb};
 use relief_mesh::{
-    CrackTest, Directions, Folds, MeshSettings, Mesher, Part, Seams, Shading, Stream, Streamed, Watch,
-    cache_misses,
+    CrackTest, Directions, Folds, MeshSettings, Mesher, Part, Seams, Shading, Stream, Streamed, cache_misses,
 };
 use relief_tests::glb;
 use serde_json::{Value, json};
@@ -26,7 +25,7 @@ fn hills(scale_m: f64) -> HeightMap {
 }
 
 fn streamed(mesher: &Mesher, size: f64) -> Streamed {
-    let how = Stream { size, check: true, grid: None, cache_order: false, watch: Watch::NOBODY };
+    let how = Stream { size, check: true, grid: None, cache_order: false, watch: Watch::none() };
     mesher.stream(&how, |_| Ok::<(), ()>(())).expect("finite")
 }
 
@@ -134,7 +133,7 @@ fn folds_do_not_depend_on_threads_or_blocks() {
 
 /// The mesh on a lattice of so many bits: its blocks, and what is said of it.
 fn rounded(mesher: &Mesher, grid: Option<PositionGrid>) -> (Vec<MeshBlock>, Streamed) {
-    let how = Stream { size: 1.0, check: true, grid, cache_order: false, watch: Watch::NOBODY };
+    let how = Stream { size: 1.0, check: true, grid, cache_order: false, watch: Watch::none() };
     let mut blocks = Vec::new();
     let streamed = mesher.stream(&how, |block| {
         blocks.push(block.clone());
@@ -162,7 +161,7 @@ fn integers_are_read_as_the_lattice_and_open_no_crack() {
         let (exact, plain) = rounded(&mesher, None);
         assert_eq!(plain.rounded, None);
         for bits in [8, 9, 12, 13, 16] {
-            let bounds = mesher.bounds(1.0, &Watch::NOBODY).expect("finite");
+            let bounds = mesher.bounds(1.0, &Watch::none()).expect("finite");
             assert_eq!(bounds.positions_m, plain.bounds_m);
             let grid = PositionGrid::around(&[bounds.positions_m], bits).expect("finite")[0];
             let (blocks, streamed) = rounded(&mesher, Some(grid));
@@ -223,7 +222,7 @@ fn parts_on_one_lattice_meet() {
         Mesher::new(&base, &map, &settings).expect("a mesh")
     };
     let parts = [part(0), part(1)];
-    let boxes = parts.each_ref().map(|part| part.bounds(1.0, &Watch::NOBODY).expect("finite").positions_m);
+    let boxes = parts.each_ref().map(|part| part.bounds(1.0, &Watch::none()).expect("finite").positions_m);
     let grids = PositionGrid::around(&boxes, 10).expect("finite");
     let triangles = |part: usize| {
         let (blocks, streamed) = rounded(&parts[part], Some(grids[part]));
@@ -274,7 +273,7 @@ fn levels_of_detail_are_meshes_of_one_file() {
     let levels = GlbLevel::of(&all);
     assert!(levels.windows(2).all(|pair| pair[1].coverage <= pair[0].coverage / 2.0), "{levels:?}");
     assert_eq!(levels[2].coverage, 0.0);
-    let bounds = meshers.each_ref().map(|mesher| mesher.bounds(1.0, &Watch::NOBODY).expect("finite"));
+    let bounds = meshers.each_ref().map(|mesher| mesher.bounds(1.0, &Watch::none()).expect("finite"));
     let around = bounds[0].with(&bounds[1]).with(&bounds[2]).positions_m;
     let grid = PositionGrid::around(&[around], 14).expect("finite")[0];
     for quantization in [None, Some(Quantization { grid, uvs: true })] {
@@ -378,7 +377,7 @@ fn triangles_in_cache_order_are_the_same_ones_and_find_more_corners() {
     ] {
         let mesher = Mesher::new(base, &hills(0.05), &settings).expect("a mesh");
         let blocks = |cache_order: bool| {
-            let how = Stream { size: 1.0, check: true, grid: None, cache_order, watch: Watch::NOBODY };
+            let how = Stream { size: 1.0, check: true, grid: None, cache_order, watch: Watch::none() };
             let mut blocks = Vec::new();
             let streamed = mesher.stream(&how, |block| {
                 blocks.push(block.clone());

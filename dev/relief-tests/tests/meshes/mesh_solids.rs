@@ -5,9 +5,9 @@ use std::collections::{HashMap, HashSet};
 use glam::{DVec3, Vec2, Vec3};
 use rayon::ThreadPoolBuilder;
 use relief_core::mesh::{Mesh, Vertex, cube, rectangle, square, torus};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_mesh::{
-    BaseSurface, CrackTest, Directions, MeshSettings, Mesher, MesherError, Seams, Shading, Stream, Watch,
+    BaseSurface, CrackTest, Directions, MeshSettings, Mesher, MesherError, Seams, Shading, Stream,
 };
 use relief_tests::maps;
 
@@ -313,9 +313,9 @@ fn what_has_no_inside_or_no_room_is_refused() {
     // The triangles that close it count as well.
     for base in [rectangle([1.0, 1.0], 1).expect("a mesh"), tube(5, 4, 0.3)] {
         let solid = MeshSettings { solid_m: Some(SOLID_M), ..MeshSettings::within(f64::NAN) };
-        let mesher = Mesher::with_at_most(&base, &map, &solid, 1500, &Watch::NOBODY).expect("a solid");
+        let mesher = Mesher::with_at_most(&base, &map, &solid, 1500, &Watch::none()).expect("a solid");
         assert!((1200..=1500).contains(&mesher.triangles()), "{}", mesher.triangles());
-        let few = Mesher::with_at_most(&base, &map, &solid, 40, &Watch::NOBODY);
+        let few = Mesher::with_at_most(&base, &map, &solid, 40, &Watch::none());
         assert!(matches!(few, Err(MesherError::MoreThan { most: 40 })) == (base.triangles().len() > 2));
     }
     let kept = MeshSettings { seams: Seams::Keep, solid_m: Some(SOLID_M), ..MeshSettings::default() };
@@ -351,7 +351,7 @@ fn closed_pieces_stay_and_undersides_that_fold_are_counted() {
     }
     let folds = |base: &Mesh, solid_m: f64| {
         let mesher = Mesher::new(base, &map, &MeshSettings { solid_m: Some(solid_m), ..solid });
-        let how = Stream { size: 1.0, check: true, grid: None, cache_order: true, watch: Watch::NOBODY };
+        let how = Stream { size: 1.0, check: true, grid: None, cache_order: true, watch: Watch::none() };
         let streamed = mesher.expect("a solid").stream(&how, |_| Ok::<(), ()>(())).expect("finite");
         assert_eq!(streamed.folds.triangles, 0);
         assert!(streamed.cracks.expect("looked at").is_closed());

@@ -4,9 +4,9 @@
 use glam::DVec3;
 use relief_core::camera::Camera;
 use relief_core::mesh::{Mesh, MeshBlock, PositionGrid, cube, rectangle, torus};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_io::{GlbLayout, GlbLevel, GlbNode, MeshCounts, Quantization, read_raw_mesh, write_glb};
-use relief_mesh::{MeshSettings, Mesher, Stream, View, Watch};
+use relief_mesh::{MeshSettings, Mesher, Stream, View};
 use relief_tests::{glb, maps};
 
 /// Triangles with their least corner first, in order.
@@ -25,7 +25,7 @@ fn decoded(indices: &[u32]) -> Vec<[u32; 3]> {
 }
 
 fn blocks(mesher: &Mesher, grid: Option<PositionGrid>) -> Vec<MeshBlock> {
-    let how = Stream { size: 1.0, check: false, grid, cache_order: false, watch: Watch::NOBODY };
+    let how = Stream { size: 1.0, check: false, grid, cache_order: false, watch: Watch::none() };
     let mut blocks = Vec::new();
     mesher
         .stream(&how, |block| {
@@ -68,7 +68,7 @@ fn meshes() -> Vec<(&'static str, Mesher, f64)> {
 fn strips_decode_to_the_very_triangles() {
     let folder = tempfile::tempdir().expect("a folder");
     for (name, mesher, most) in meshes() {
-        let bounds = mesher.bounds(1.0, &Watch::NOBODY).expect("finite").positions_m;
+        let bounds = mesher.bounds(1.0, &Watch::none()).expect("finite").positions_m;
         let grid = PositionGrid::around(&[bounds], 12).expect("finite")[0];
         for quantization in [None, Some(Quantization { grid, uvs: false })] {
             let blocks = blocks(&mesher, quantization.map(|how| how.grid));

@@ -5,10 +5,10 @@ use glam::{DVec2, DVec3, Vec2, Vec3};
 use relief_bake::{Filter, Progress, filter_levels};
 use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{BasePoint, Builtin, Mesh, Vertex, cube, cylinder, sphere, torus};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_mesh::{
     BaseSurface, CrackTest, Cracks, EDGE_RULES, INTERIORS, Interior, MeshSettings, Mesher, MesherError, Part,
-    Seams, Spacing, View, Watch, Weights, check_pair,
+    Seams, Spacing, View, Weights, check_pair,
 };
 use relief_tests::maps;
 
@@ -66,7 +66,7 @@ fn meshes_are_closed_from_everywhere() {
                 let settings = MeshSettings { interior, base: base_surface, ..MeshSettings::seen_by(view) };
                 let mesher = match at % 2 {
                     0 => Mesher::new(base, &map, &settings),
-                    _ => Mesher::with_levels(base, &map, &levels, &settings, &Watch::NOBODY),
+                    _ => Mesher::with_levels(base, &map, &levels, &settings, &Watch::none()),
                 };
                 let mesher = mesher.expect("a mesh");
                 let mesh = mesher.mesh().expect("finite");
@@ -93,7 +93,7 @@ fn spot_is_closed_from_everywhere() {
             let view = View { near_m: 0.3, ..seen(camera, 150, [2.0, 3.7, 40.0][at % 3]) };
             let base_surface = BaseSurface::ALL[at % 3];
             let settings = MeshSettings { interior, base: base_surface, ..MeshSettings::seen_by(view) };
-            let mesher = Mesher::with_levels(&base, &map, &levels, &settings, &Watch::NOBODY);
+            let mesher = Mesher::with_levels(&base, &map, &levels, &settings, &Watch::none());
             let cracks = CrackTest::of_mesh(&mesher.expect("a mesh").mesh().expect("finite"));
             let counts = |of: &Cracks| [of.open, of.branching, of.pieces];
             assert_eq!(counts(&cracks), counts(&was), "{camera:?} {}", interior.name);
@@ -278,7 +278,7 @@ fn coarse_points_have_the_heights_of_the_level_that_is_as_coarse() {
     let levels = coarser(&map, Filter::Max);
     let made = |pixels: f64, levels: &[HeightMap]| {
         let settings = MeshSettings::seen_by(seen(camera, 512, pixels));
-        let mesher = Mesher::with_levels(&base, &map, levels, &settings, &Watch::NOBODY).expect("a mesh");
+        let mesher = Mesher::with_levels(&base, &map, levels, &settings, &Watch::none()).expect("a mesh");
         mesher.mesh().expect("finite")
     };
     // Four pixels are a texel.
@@ -301,7 +301,7 @@ fn coarse_points_have_the_heights_of_the_level_that_is_as_coarse() {
         }
     }
     // What is seen at a fixed distance of texels has no levels.
-    let found = Mesher::with_levels(&base, &map, &levels, &MeshSettings::default(), &Watch::NOBODY);
+    let found = Mesher::with_levels(&base, &map, &levels, &MeshSettings::default(), &Watch::none());
     assert!(matches!(found, Err(MesherError::LevelsOfNoView { .. })));
 }
 

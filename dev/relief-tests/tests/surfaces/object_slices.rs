@@ -3,9 +3,10 @@
 //!
 //! Kautz and Seidel 2001, sections 4.1 and 5.
 
+use relief_core::Watch;
 use relief_core::camera::Ray;
 use relief_core::object::JumpCells;
-use relief_mesh::{BoxSlicer, SliceAnchor, SliceDirection, Watch};
+use relief_mesh::{BoxSlicer, SliceAnchor, SliceDirection};
 use relief_render::glam::DVec3;
 use relief_render::scene::BackendChoice;
 use relief_shaders::cpu::PixelOut;
@@ -47,7 +48,7 @@ fn judged(
     let bounds = subject.object.bounds().expect("something to see");
     let slicer = BoxSlicer::new(bounds, 2.0 * radius / count, direction).expect("a box");
     let mut slices = Vec::new();
-    slicer.each(&Watch::NOBODY, |slice| slices.push(slice.clone())).expect("slices");
+    slicer.each(&Watch::none(), |slice| slices.push(slice.clone())).expect("slices");
     let first = |ray: Ray| {
         let on = |slice: &Vec<DVec3>| {
             let normal = (slice[1] - slice[0]).cross(slice[2] - slice[0]);

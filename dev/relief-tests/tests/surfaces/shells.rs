@@ -2,14 +2,13 @@
 //!
 //! Kautz and Seidel 2001, section 3.1.
 
-use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3, Vec3};
 use relief_core::mesh::{square, torus};
 use relief_core::raycast::{RayCaster, Sides};
-use relief_core::{HeightMap, TexelMask, Wrap};
+use relief_core::{HeightMap, TexelMask, Watch, Wrap};
 use relief_io::{DEFAULT_MAX_BYTES, MeshMaterial, Picture, Shells, read_picture, write_shells};
 use relief_maps::Maps;
 use relief_render::camera::Camera;
@@ -144,7 +143,7 @@ fn viewed(mesh: &Mesh, map: &HeightMap, has_holes: bool, color: Option<&Picture>
     });
     let color = material.as_ref();
     let shells = Shells { base: mesh, map, has_holes, color, factor: [0.5, 0.25, 1.0], count: COUNT };
-    write_shells(&path, &shells, &|_| ControlFlow::Continue(())).expect("a file");
+    write_shells(&path, &shells, &Watch::none()).expect("a file");
     Viewed::read(&path)
 }
 

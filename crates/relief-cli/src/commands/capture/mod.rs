@@ -318,12 +318,14 @@ impl Arguments {
         for cover in covers {
             let captured = {
                 let bar = Progress::bar("capturing", self.json);
-                let watch = Watch { tell: &|part| bar.show(part), cancel };
+                let tell = |_: &str, part: f32| bar.show(part);
+                let watch = Watch::new(&tell, cancel);
                 capturer.capture(cover, &watch).map_err(|error| self.of_capture(error))?
             };
             let measured = {
                 let bar = Progress::bar("comparing", self.json);
-                let watch = Watch { tell: &|part| bar.show(part), cancel };
+                let tell = |_: &str, part: f32| bar.show(part);
+                let watch = Watch::new(&tell, cancel);
                 let measured = capturer.verify(&captured, &self.verification(), &watch);
                 measured.map_err(|error| self.of_capture(error))?
             };
@@ -350,7 +352,7 @@ impl Arguments {
     /// Why there are no images, with the flag that would help.
     fn of_capture(&self, error: CaptureError) -> Failure {
         let flag = match &error {
-            CaptureError::Cancelled => return interrupt::cancelled(),
+            CaptureError::Cancelled(_) => return interrupt::cancelled(),
             CaptureError::BadSize(_) | CaptureError::Size(_) => "--size",
             CaptureError::BadGrid(_) => "--grid",
             CaptureError::BadCount(_) if self.grid.is_some() => "--grid",

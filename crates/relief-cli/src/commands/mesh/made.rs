@@ -7,12 +7,13 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::Vec3;
+use relief_core::Watch;
 use relief_core::mesh::PositionGrid;
 use relief_io::{
     GlbLayout, GlbLevel, GlbMaterials, GlbNode, MeshCounts, MeshFormat, MeshSink, Quantization, Standing,
     write_glb, write_mesh_standing,
 };
-use relief_mesh::{Bounds, Certificate, Mesher, Stream, StreamError, Streamed, Watch};
+use relief_mesh::{Bounds, Certificate, Mesher, Stream, StreamError, Streamed};
 
 use super::parts::PartFile;
 use super::refused::{COARSER, of_larger};
@@ -160,8 +161,8 @@ impl Making<'_> {
         let settings = relief_mesh::MeshSettings { part: file.part, max_bytes, ..settings };
         let (mesh, map) = (surface.mesh(), surface.height_map());
         let bar = Progress::bar("fitting", arguments.json);
-        let tell = |part: f32| bar.show(part);
-        let watch = Watch { tell: &tell, cancel: self.cancel };
+        let tell = |_: &str, part: f32| bar.show(part);
+        let watch = Watch::new(&tell, self.cancel);
         let mesher = match arguments.triangles {
             Some(most) => Mesher::with_at_most(mesh, map, &settings, (most >> (2 * level)).max(1), &watch),
             None if seen.coarser.is_empty() => Mesher::watched(mesh, map, &settings, &watch),
@@ -277,8 +278,8 @@ impl Making<'_> {
         }
         let name = self.arguments.output.display().to_string();
         let bar = Progress::bar("counting", self.arguments.json);
-        let tell = |part: f32| bar.show(part);
-        let watch = Watch { tell: &tell, cancel: self.cancel };
+        let tell = |_: &str, part: f32| bar.show(part);
+        let watch = Watch::new(&tell, self.cancel);
         let how = Stream { size: 1.0, check: false, grid: None, cache_order: false, watch };
         for (level, mesher) in meshers.iter().enumerate() {
             let counted = mesher.stream(&how, |block| -> Result<(), Infallible> {
@@ -286,7 +287,7 @@ impl Making<'_> {
                 Ok(())
             });
             counted.map_err(|error| match error {
-                StreamError::Cancelled => cancelled(),
+                StreamError::Cancelled(_) => cancelled(),
                 error => Failure::Work(format!("{name}: {error}")),
             })?;
         }
@@ -321,12 +322,13 @@ impl Making<'_> {
         let grid = layout.quantization.map(|how| how.grid);
         let all = layout.counts().triangles as f32;
         let mut made = Ok(Vec::new());
+        let tell = |_: &str, part: f32| bar.show(part);
+        let watch = Watch::new(&tell, self.cancel);
         let blocks = |sink: &mut MeshSink| {
             let mut done = 0.0;
             for mesher in meshers {
                 let part = mesher.triangles() as f32 / all;
-                let tell = |of_level: f32| bar.show(done + part * of_level);
-                let watch = Watch { tell: &tell, cancel: self.cancel };
+                let watch = watch.piece(done, done + part);
                 // Other formats are seldom drawn as they are, and strips have an order of their own.
                 let cache_order = self.format == MeshFormat::Gltf && !layout.strips;
                 let how = Stream { size, check: true, grid, cache_order, watch };
@@ -364,12 +366,12 @@ impl Making<'_> {
     /// The least and the greatest numbers of all levels of a mesh, made larger by a factor.
     fn bounds(&self, meshers: &[Mesher], size: f64) -> Result<Bounds, Failure> {
         let bar = Progress::bar("measuring", self.arguments.json);
-        let tell = |part: f32| bar.show(part);
-        let watch = Watch { tell: &tell, cancel: self.cancel };
+        let tell = |_: &str, part: f32| bar.show(part);
+        let watch = Watch::new(&tell, self.cancel);
         let name = self.arguments.output.display().to_string();
         let bounds = meshers.iter().map(|mesher| {
             mesher.bounds(size, &watch).map_err(|error| match error {
-                StreamError::Cancelled => cancelled(),
+                StreamError::Cancelled(_) => cancelled(),
                 error => Failure::Work(format!("{name}: {error}")),
             })
         });

@@ -65,7 +65,7 @@ pub fn of_mesher(error: MesherError) -> Failure {
             ByteSize(limit)
         )),
         MesherError::TooLarge { .. } => Failure::Work(format!("{error}: {COARSER}")),
-        MesherError::Cancelled => interrupt::cancelled(),
+        MesherError::Cancelled(_) => interrupt::cancelled(),
         other => Failure::work(other),
     }
 }

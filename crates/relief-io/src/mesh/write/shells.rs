@@ -4,15 +4,14 @@
 //! Source: Kautz and Seidel 2001, section 3.1.
 
 use std::fs::File;
-use std::io::{self, BufWriter, Write};
-use std::ops::ControlFlow;
+use std::io::{BufWriter, Write};
 use std::path::Path;
 use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
 use png::{BitDepth, ColorType, Encoder};
 use relief_core::mesh::{Mesh, Vertex};
-use relief_core::{HeightMap, TexelMask, Wrap};
+use relief_core::{HeightMap, TexelMask, Watch, Wrap};
 
 use super::glb::tangent;
 use super::{MeshCounts, check_counts, floats};
@@ -286,8 +285,8 @@ impl Shells<'_> {
         &self,
         out: &mut BufWriter<&File>,
         pictures: &[Vec<u8>; 2],
-        tell: &dyn Fn(f32) -> ControlFlow<()>,
-    ) -> io::Result<()> {
+        watch: &Watch,
+    ) -> Result<(), WriteProblem> {
         let vertices = self.base.vertices();
         let mut bytes = Vec::new();
         let normals = vertices.iter().map(|vertex| vertex.normal.normalize_or(Vec3::Y));
@@ -300,9 +299,7 @@ impl Shells<'_> {
             bytes.clear();
             floats(&mut bytes, self.positions(shell.offset_m).flat_map(|at| at.to_array()));
             out.write_all(&bytes)?;
-            if tell(number as f32 / self.count as f32).is_break() {
-                return Err(io::Error::new(io::ErrorKind::Interrupted, "cancelled"));
-            }
+            watch.at(number as f32 / self.count as f32)?;
         }
         for picture in pictures {
             out.write_all(picture)?;
@@ -332,8 +329,7 @@ fn view([first, bytes]: Place, target: Option<u32>) -> String {
 /// Writes shells over a mesh as a GLB: one mesh with a primitive and a material for each shell, which share
 /// normals, texture coordinates, triangles and the picture. Heights are the picture's opacity, in 8 bits, and
 /// the material's `alphaCutoff` is the shell's height; the shell at height 0 is opaque but for holes. Normals
-/// are those of the mesh, and a normal map has the relief's. `tell` is told the part done, and says whether
-/// to go on.
+/// are those of the mesh, and a normal map has the relief's.
 ///
 /// The same input gives the same bytes. Besides the pictures a shell is held at once.
 ///
@@ -341,12 +337,8 @@ fn view([first, bytes]: Place, target: Option<u32>) -> String {
 ///
 /// When there is no shell, or more than [`MAX_SHELLS`], when the file would be longer than the 4 GiB at which
 /// a GLB ends, when a shell lies farther out than 32-bit numbers hold, when it cannot be written, or when it
-/// was not to go on. Nothing is left behind then.
-pub fn write_shells(
-    path: &Path,
-    shells: &Shells,
-    tell: &dyn Fn(f32) -> ControlFlow<()>,
-) -> Result<(), WriteError> {
+/// is cancelled. Nothing is left behind then.
+pub fn write_shells(path: &Path, shells: &Shells, watch: &Watch) -> Result<(), WriteError> {
     shells.check().map_err(|problem| problem.at(path))?;
     write_file(path, |out| {
         let pictures = shells.pictures()?;
@@ -363,6 +355,6 @@ pub fn write_shells(
         head.extend((layout.bytes as u32).to_le_bytes());
         head.extend(b"BIN\0");
         out.write_all(&head)?;
-        Ok(shells.buffer(out, &pictures, tell)?)
+        shells.buffer(out, &pictures, watch)
     })
 }

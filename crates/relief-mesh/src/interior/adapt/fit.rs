@@ -3,7 +3,7 @@
 //! The sum of the squares of what exceeds it is convex; a few steps of Newton's method on the distances that
 //! are the greatest of their triangles and edges lower it, until most triangles lie within.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use relief_core::Watch;
 
 use super::delaunay::NONE;
 use super::ground::{Gap, Ground};
@@ -50,7 +50,7 @@ struct Fit<'t, 'w, G> {
 /// Moves the heights of the points within a tile so that fewer distances exceed the tolerance, and by less:
 /// what exceeds it counts by its square. If nothing is gained the heights stay as they are. Ends at once
 /// where it is cancelled, with heights that are worth nothing.
-pub fn fit<G: Ground>(tile: &mut Refined<G>, tolerance: f64, cancel: &AtomicBool) {
+pub fn fit<G: Ground>(tile: &mut Refined<G>, tolerance: f64, watch: &Watch) {
     let free = tile.border();
     let count = tile.heights.len();
     if count == free {
@@ -68,7 +68,7 @@ pub fn fit<G: Ground>(tile: &mut Refined<G>, tolerance: f64, cancel: &AtomicBool
             kept.clone_from(&fit.tile.heights);
         }
         for _ in 0..NEWTON_STEPS {
-            if cancel.load(Ordering::Relaxed) {
+            if watch.is_cancelled() {
                 return;
             }
             if !fit.step(round * tolerance) {

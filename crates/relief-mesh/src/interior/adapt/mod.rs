@@ -15,8 +15,7 @@ mod refine;
 mod turning;
 mod window;
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
+use relief_core::Watch;
 use relief_core::registry::Publication;
 
 use super::{Fill, Fills, Interior};
@@ -57,15 +56,8 @@ pub struct Wanted<'a> {
     pub fit: Fit,
     /// The most triangles.
     pub most: u32,
-    /// Set when nobody wants it any more.
-    pub cancel: &'a AtomicBool,
-}
-
-impl Wanted<'_> {
-    /// Whether nobody wants it any more.
-    pub fn is_cancelled(&self) -> bool {
-        self.cancel.load(Ordering::Relaxed)
-    }
+    /// Asked whether to go on.
+    pub watch: Watch<'a>,
 }
 
 /// A patch that is filled.
@@ -84,7 +76,7 @@ pub struct Filled {
 /// Fills a patch, whose border's points are its corners, in the ground's order, and then any others. None
 /// where it would have too many triangles, or was cancelled.
 fn fill<G: Ground>(ground: &G, border: &[([i32; 2], f32)], wanted: Wanted<'_>) -> Option<Filled> {
-    if wanted.is_cancelled() {
+    if wanted.watch.is_cancelled() {
         return None;
     }
     // So that what is found in f64 holds, too.
@@ -95,7 +87,7 @@ fn fill<G: Ground>(ground: &G, border: &[([i32; 2], f32)], wanted: Wanted<'_>) -
             Fit::None => tile.refine(tolerance, &wanted)?,
             Fit::Heights => {
                 tile.refine(LOOSER * tolerance, &wanted)?;
-                fit::fit(&mut tile, tolerance, wanted.cancel);
+                fit::fit(&mut tile, tolerance, &wanted.watch);
                 tile.moved();
                 tile.refine(tolerance, &wanted)?;
             }

@@ -158,7 +158,7 @@ impl<'a, G: Ground> Refined<'a, G> {
             if queue_key(gap, triangle) != queued {
                 continue;
             }
-            if self.mesh.count() > wanted.most || wanted.is_cancelled() {
+            if self.mesh.count() > wanted.most || wanted.watch.is_cancelled() {
                 return None;
             }
             if self.insert(triangle, gap.place) {

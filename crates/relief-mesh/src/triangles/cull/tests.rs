@@ -4,7 +4,7 @@ use glam::{DVec3, DVec4, Vec3};
 use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{Builtin, Mesh, Vertex, cube, cylinder, sphere, torus};
 use relief_core::raycast::{RayCaster, Sides};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{Cancelled, HeightMap, Watch, Wrap};
 
 use super::*;
 use crate::error::MOST;
@@ -12,7 +12,7 @@ use crate::interior::{Cut, Fills, Pattern};
 use crate::patch::PatchPoint;
 use crate::plane::Rectangle;
 use crate::triangles::{Inside, PatchBorder};
-use crate::{CrackTest, Cull, Directions, Mesher, Outside, Part, Seams, Shading, Stream, View, Watch};
+use crate::{CrackTest, Cull, Directions, Mesher, Outside, Part, Seams, Shading, Stream, View};
 
 const SIZE: [u32; 2] = [96, 72];
 
@@ -67,7 +67,7 @@ impl Case {
     /// All patches, also those that are left out.
     fn whole(&self) -> Triangles {
         let settings = MeshSettings { cull: Some(Cull::default()), ..self.settings };
-        let made = Triangles::new(&self.mesh, &self.relief, &settings, MOST, &Watch::NOBODY);
+        let made = Triangles::new(&self.mesh, &self.relief, &settings, MOST, &Watch::none());
         made.expect("patches")
     }
 
@@ -81,14 +81,14 @@ impl Case {
         let mut whole = self.whole();
         // Parts of a triangle are told apart.
         whole.whole = (0..whole.count()).collect();
-        let culled = whole.culled(&self.relief, &settings, &Watch::NOBODY);
+        let culled = whole.culled(&self.relief, &settings, &Watch::none());
         culled.expect("patches").whole
     }
 
     fn mesher(&self, cull: Option<Cull>) -> Mesher {
         let coarser: Vec<HeightMap> = self.relief.levels().skip(1).cloned().collect();
         let settings = MeshSettings { cull, ..self.settings };
-        let mesher = Mesher::with_levels(&self.mesh, &self.map, &coarser, &settings, &Watch::NOBODY);
+        let mesher = Mesher::with_levels(&self.mesh, &self.map, &coarser, &settings, &Watch::none());
         mesher.expect("a mesh")
     }
 
@@ -268,7 +268,7 @@ fn planes_that_are_not_moved_out_and_backs_of_the_base_leave_out_what_is_seen() 
 /// A triangle by its vertices.
 fn by_vertices(mesher: &Mesher) -> Vec<[Vertex; 3]> {
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
-    let watch = Watch::NOBODY;
+    let watch = Watch::none();
     let how = Stream { size: 1.0, check: false, grid: None, cache_order: false, watch };
     let streamed = mesher.stream(&how, |block| {
         vertices.extend_from_slice(&block.vertices);
@@ -341,9 +341,10 @@ fn nothing_is_left_out_where_there_is_no_view_or_normals_need_all_triangles() {
     let settings = MeshSettings { cull, ..MeshSettings::seen_by(view) };
     let of_mesh = MeshSettings { shading: Shading::Mesh, ..settings };
     assert_eq!(refused(of_mesh), MesherError::CullOfMeshNormals);
-    let stopped = Watch { tell: &|_| {}, cancel: &AtomicBool::new(true) };
+    let cancel = AtomicBool::new(true);
+    let stopped = Watch::cancelled_by(&cancel);
     let stopped = Mesher::watched(&mesh, &map, &settings, &stopped);
-    assert_eq!(stopped.err(), Some(MesherError::Cancelled));
+    assert_eq!(stopped.err(), Some(MesherError::Cancelled(Cancelled)));
 }
 
 #[test]
