@@ -1,34 +1,5 @@
-//! What a registry entry says of itself.
-//!
-//! Each variant of a stage, such as a search or a shadow, has one [`Entry`] beside its source. The command's
-//! help, the tables in the documentation, the tests' matrix and the benchmarks all read the lists of these.
-
-use crate::FoundState;
-
-/// One stage's variant: what it is called, where it comes from, what it needs and what it promises. Its
-/// number in the shaders is its place in its list.
-#[derive(Clone, Copy, Debug)]
-pub struct Entry {
-    /// The name on the command line and in scenes.
-    pub name: &'static str,
-    /// One line on what it does.
-    pub summary: &'static str,
-    /// Where it was published.
-    pub publication: Publication,
-    /// The baked maps that it reads besides the height map.
-    pub maps: &'static [MapInput],
-    /// Its parameters, at most [`MAX_PARAMS`], in the order of the shader's parameter vector.
-    pub params: &'static [Param],
-    /// Of a search, how it ends where it has found something; of a refinement, what it makes better. Empty
-    /// for all else.
-    pub states: &'static [FoundState],
-    /// What it promises for each kind of ray.
-    pub guarantee: Guarantees,
-    /// Where it promises less.
-    pub weakened: &'static [Weakened],
-    /// Why the guarantee holds: the claim, the rays, the rounding slack in `f32`.
-    pub argument: &'static str,
-}
+//! What registry entries of stages and of map kinds are made of: parameters, sources, promises, the baked maps
+//! that they read, and names that nothing has.
 
 /// The most parameters of an entry: they travel to the shader in one vector of four.
 pub const MAX_PARAMS: usize = 4;
@@ -226,40 +197,6 @@ impl Guarantees {
             RayClass::Shadow => self.shadow,
         }
     }
-}
-
-impl Entry {
-    /// The parameter of that name and its place in the parameter vector.
-    pub fn param(&self, name: &str) -> Option<(usize, &'static Param)> {
-        self.params.iter().enumerate().find(|(_, param)| param.name == name)
-    }
-
-    /// What it promises with these parameters, in the order of its own.
-    pub fn promises(&self, params: &[f32; MAX_PARAMS]) -> Guarantees {
-        let is_met = |weakened: &&Weakened| {
-            self.param(weakened.param).is_some_and(|(place, _)| params[place] == weakened.value)
-        };
-        self.weakened.iter().find(is_met).map_or(self.guarantee, |weakened| weakened.to)
-    }
-
-    /// The default of every parameter, as the vector that the shader takes.
-    pub fn defaults(&self) -> [f32; MAX_PARAMS] {
-        let mut values = [0.0; MAX_PARAMS];
-        for (value, param) in values.iter_mut().zip(self.params) {
-            *value = param.default;
-        }
-        values
-    }
-}
-
-/// The place of the entry of that name.
-///
-/// # Errors
-///
-/// When no entry has that name; the error names the nearest.
-pub fn find(kind: &'static str, entries: &[Entry], name: &str) -> Result<usize, UnknownName> {
-    let known = || entries.iter().map(|entry| entry.name);
-    entries.iter().position(|entry| entry.name == name).ok_or_else(|| UnknownName::new(kind, name, known()))
 }
 
 /// A name that nothing has, with the nearest name that something has.

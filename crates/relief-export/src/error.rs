@@ -1,6 +1,7 @@
 //! Why there is no export.
 
-use relief_shaders::SelectionError;
+use relief_shaders::surface::Shown;
+use relief_shaders::{SURFACE, SelectionError, Variants};
 
 use crate::Target;
 
@@ -13,7 +14,8 @@ pub enum ExportError {
     /// The selection shows displaced triangles, which no shader of these stages makes.
     #[error(
         "the geometry '{geometry}' shows triangles that no shader of these stages makes or counts, so there \
-         is none to export: displaced ones are those of a mesh, which the surface 'facets' shades"
+         is none to export: displaced ones are those of a mesh, which the surface {} shades",
+        Variants::of(SURFACE, |entry| entry.paths().shown == Shown::Triangles).or()
     )]
     Displaced {
         /// The geometry.

@@ -43,7 +43,6 @@ mod target;
 mod textures;
 mod writers;
 
-use relief_shaders::geometry::Geometry;
 use relief_shaders::{GEOMETRY, SHADOW, STAGES, Selection};
 
 pub use error::ExportError;
@@ -120,10 +119,10 @@ pub fn export(selection: &Selection, options: &Options) -> Result<Exported, Expo
 
 /// Whether shaders can run all stages of a selection, together.
 fn check(selection: &Selection) -> Result<(), ExportError> {
-    let is_sliced =
-        matches!(selection.geometry(), Some(Geometry::Slices(_) | Geometry::ObjectSlices(_, false)));
+    let geometry = selection.choices[GEOMETRY].entry;
+    let is_sliced = geometry.geometry().shown.is_sliced() && !selection.counts_in_stencil();
     if selection.geometry().is_some() && !is_sliced {
-        return Err(ExportError::Displaced { geometry: selection.choices[GEOMETRY].entry.name });
+        return Err(ExportError::Displaced { geometry: geometry.name });
     }
     if selection.rays_through_scene().is_some() {
         let (stage, entry) = (STAGES[SHADOW].title, selection.choices[SHADOW].entry.name);

@@ -107,7 +107,8 @@ impl DisplacedOf {
                 Cut::Tessellated(view, levels, cull, by)
             }
             Geometry::Slices(slices) => Cut::Sliced(sliced::settings(slices, scene)),
-            Geometry::ObjectSlices(slices, is_in_order) => {
+            Geometry::ObjectSlices(slices) => {
+                let is_in_order = selection.counts_in_stencil();
                 Cut::SlicedBox(sliced::settings(slices, scene), is_in_order.then(|| *scene.camera()))
             }
         };

@@ -13,6 +13,7 @@ pub mod bindings;
 #[cfg(feature = "cpu")]
 pub mod cpu;
 pub mod detail;
+mod entry;
 pub mod geometry;
 #[path = "../generated/declarations.rs"]
 #[rustfmt::skip]
@@ -33,8 +34,10 @@ pub mod slice;
 mod slots;
 mod stages;
 pub mod surface;
+mod variants;
 pub mod wgsl;
 
+pub use entry::{Companion, Entry, Role, TracingRole, find};
 pub use light_ray::LightRayState;
 pub use maps::{MapError, MapNeed, MapProblem, SlotMaps};
 pub use methods::{Family, METHODS, Method, method};
@@ -44,6 +47,7 @@ pub use stages::{
     AMBIENT, Call, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE,
     Stage, stage, stage_of_setting,
 };
+pub use variants::Variants;
 
 /// The most lights of a picture: the length of the shaders' array of lights.
 pub const MAX_LIGHTS: usize = 8;

@@ -211,9 +211,9 @@ impl Selection {
                         settings: input
                             .settings
                             .iter()
-                            .map(|(name, value)| (*name, choice.value(value, self.has_levels())))
+                            .map(|(name, value)| (*name, choice.map_value(value, self.has_levels())))
                             .collect(),
-                        side: input.side.map(|side| choice.value(&side, self.has_levels()) as u32),
+                        side: input.side.map(|side| choice.map_value(&side, self.has_levels()) as u32),
                     }
                 }));
             }
@@ -262,10 +262,10 @@ impl Selection {
 
 impl Choice {
     /// The value of a map's setting, with levels of detail or without.
-    fn value(&self, setting: &MapSetting, has_levels: bool) -> f32 {
+    fn map_value(&self, setting: &MapSetting, has_levels: bool) -> f32 {
         match setting {
             MapSetting::Fixed(value) => *value,
-            MapSetting::Param(name) => self.entry.param(name).map_or(0.0, |(place, _)| self.params[place]),
+            MapSetting::Param(name) => self.value(name),
             MapSetting::Levels(finest, all) => {
                 if has_levels {
                     *all

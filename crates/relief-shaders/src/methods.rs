@@ -2,7 +2,10 @@
 
 use relief_core::registry::{Publication, UnknownName};
 
-use crate::{DEPTH_OBJECTS, SURVEY, geometry, object, slice};
+use crate::object::BLENDED_COLORS;
+use crate::slice::SliceDirection;
+use crate::stages::{GEOMETRY, STAGES, entry_place};
+use crate::{DEPTH_OBJECTS, SURVEY, object, slice};
 
 /// A published pair of search and refinement, or triangles of their own, of which nothing is searched:
 /// displaced ones, or slices.
@@ -54,16 +57,32 @@ impl Method {
 
     /// The family that it belongs to.
     pub fn family(&self) -> Family {
-        match self.geometry {
-            geometry::SLICES => Family::Slices,
-            geometry::OBJECT | geometry::OBJECT_SLICES => Family::Object,
-            _ => Family::Ray,
-        }
+        let geometry = STAGES[GEOMETRY].first(|entry| entry.name == self.geometry);
+        geometry.map_or(Family::Ray, |(_, entry)| entry.geometry().family)
     }
 }
 
 /// The settings of a method that has none of its own.
 const DEFAULTS: &[(&str, f32)] = &[];
+
+/// The settings of slices along the base, drawn down to their floor.
+const ALONG_SURFACE: &[(&str, f32)] = &[
+    ("slices.direction", SliceDirection::A as u32 as f32),
+    ("slices.test", entry_place(slice::ENTRIES, "at-least") as f32),
+];
+
+/// The settings of slices at equal depths.
+const ALONG_SCREEN: &[(&str, f32)] = &[("slices.direction", SliceDirection::Screen as u32 as f32)];
+
+/// The settings of objects of images with depth.
+const OF_DEPTH: &[(&str, f32)] = &[("object.solid", entry_place(object::ENTRIES, "depth") as f32)];
+
+/// The settings of visual hulls.
+const OF_SILHOUETTES: &[(&str, f32)] = &[("object.solid", entry_place(object::ENTRIES, "hull") as f32)];
+
+/// The settings of blended impostors.
+const OF_FRAMES: &[(&str, f32)] =
+    &[("object.solid", entry_place(object::ENTRIES, "blend") as f32), ("object.color", BLENDED_COLORS)];
 
 const fn survey(
     name: &'static str,
@@ -76,7 +95,7 @@ const fn survey(
     Method {
         name,
         summary,
-        geometry: geometry::NONE,
+        geometry: "none",
         search,
         refine,
         settings,
@@ -208,7 +227,7 @@ pub const METHODS: &[Method] = &[
     Method {
         name: "relaxed",
         summary: "over relaxed cones that rest on their texel: few reads, rarely a hit passed",
-        geometry: geometry::NONE,
+        geometry: "none",
         search: "relaxed-cone-resting",
         refine: "patch",
         settings: DEFAULTS,
@@ -217,7 +236,7 @@ pub const METHODS: &[Method] = &[
     Method {
         name: "frustum",
         summary: "the same first hit by fewer reads, over quadrant frusta",
-        geometry: geometry::NONE,
+        geometry: "none",
         search: "frustum",
         refine: "patch",
         settings: DEFAULTS,
@@ -226,7 +245,7 @@ pub const METHODS: &[Method] = &[
     Method {
         name: "vertex",
         summary: "displaced triangles: the base with a vertex every texel, or every so many",
-        geometry: geometry::VERTEX,
+        geometry: "vertex",
         search: "none",
         refine: "none",
         settings: DEFAULTS,
@@ -235,7 +254,7 @@ pub const METHODS: &[Method] = &[
     Method {
         name: "remesh",
         summary: "displaced triangles: the base divided anew for each view, as finely as its pixels are",
-        geometry: geometry::REMESH,
+        geometry: "remesh",
         search: "none",
         refine: "none",
         settings: DEFAULTS,
@@ -247,7 +266,7 @@ pub const METHODS: &[Method] = &[
     Method {
         name: "tessellate",
         summary: "displaced triangles: each base triangle cut by itself, as finely as the view's pixels are",
-        geometry: geometry::TESSELLATE,
+        geometry: "tessellate",
         search: "none",
         refine: "none",
         settings: DEFAULTS,
@@ -259,16 +278,16 @@ pub const METHODS: &[Method] = &[
     Method {
         name: "slices-surface",
         summary: "slices along the base, drawn where the relief is at least as high",
-        geometry: geometry::SLICES,
+        geometry: "slices",
         search: "none",
         refine: "none",
-        settings: slice::ALONG_SURFACE,
+        settings: ALONG_SURFACE,
         publication: Publication { paper: DEPTH_OBJECTS, section: "3.1" },
     },
     Method {
         name: "slices-orthogonal",
         summary: "slices along the base or upright on it, whichever face the eye, drawn inside the relief",
-        geometry: geometry::SLICES,
+        geometry: "slices",
         search: "none",
         refine: "none",
         settings: DEFAULTS,
@@ -277,55 +296,55 @@ pub const METHODS: &[Method] = &[
     Method {
         name: "slices-screen",
         summary: "slices at equal depths from the eye, drawn inside the relief",
-        geometry: geometry::SLICES,
+        geometry: "slices",
         search: "none",
         refine: "none",
-        settings: slice::ALONG_SCREEN,
+        settings: ALONG_SCREEN,
         publication: Publication { paper: DEPTH_OBJECTS, section: "3.3" },
     },
     Method {
         name: "depth-object",
         summary: "an object of images with depth: what all of them see",
-        geometry: geometry::OBJECT,
+        geometry: "object",
         search: "pyramid",
         refine: "patch",
-        settings: object::OF_DEPTH,
+        settings: OF_DEPTH,
         publication: Publication { paper: DEPTH_OBJECTS, section: "4" },
     },
     Method {
         name: "depth-object-slices",
         summary: "slices through an object of images with depth, drawn where all of them see something",
-        geometry: geometry::OBJECT_SLICES,
+        geometry: "object-slices",
         search: "none",
         refine: "none",
-        settings: object::OF_DEPTH,
+        settings: OF_DEPTH,
         publication: Publication { paper: DEPTH_OBJECTS, section: "4.1" },
     },
     Method {
         name: "visual-hull",
         summary: "the visual hull of an object: what lies in the silhouettes of all images",
-        geometry: geometry::OBJECT,
+        geometry: "object",
         search: "cells",
         refine: "patch",
-        settings: object::OF_SILHOUETTES,
+        settings: OF_SILHOUETTES,
         publication: Publication { paper: DEPTH_OBJECTS, section: "5" },
     },
     Method {
         name: "visual-hull-slices",
         summary: "slices through the visual hull of an object, drawn inside all silhouettes",
-        geometry: geometry::OBJECT_SLICES,
+        geometry: "object-slices",
         search: "none",
         refine: "none",
-        settings: object::OF_SILHOUETTES,
+        settings: OF_SILHOUETTES,
         publication: Publication { paper: DEPTH_OBJECTS, section: "5" },
     },
     Method {
         name: "impostor-blend",
         summary: "an octahedral impostor as engines draw it: three frames, blended",
-        geometry: geometry::OBJECT,
+        geometry: "object",
         search: "none",
         refine: "none",
-        settings: object::OF_FRAMES,
+        settings: OF_FRAMES,
         publication: Publication { paper: "Brucks 2018, Octahedral Impostors", section: "" },
     },
 ];

@@ -1,8 +1,9 @@
 //! The stages of a pixel: one table, from which selections, settings, the shaders' dispatch, help and tests
 //! are made.
 
-use relief_core::registry::{Entry, RayClass};
+use relief_core::registry::RayClass;
 
+use crate::entry::Entry;
 use crate::slots::MapSlot;
 use crate::{ambient, detail, geometry, object, refine, search, shade, shadow, slice, surface};
 
@@ -247,6 +248,11 @@ pub const SHADOW_SEARCH: usize = place("shadow-search");
 pub const AMBIENT: usize = place("ambient");
 
 impl Stage {
+    /// Its first variant for which that holds, and its number.
+    pub fn first(&self, holds: impl Fn(&Entry) -> bool) -> Option<(usize, &'static Entry)> {
+        self.entries.iter().enumerate().find(|(_, entry)| holds(entry))
+    }
+
     /// Whether scenes choose its variant by its key; else a setting does.
     pub fn has_key(&self) -> bool {
         self.chosen_as.is_none()

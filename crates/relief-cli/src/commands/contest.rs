@@ -11,7 +11,9 @@ use relief_compare::{
 use relief_core::registry::UnknownName;
 use relief_render::scene::{BackendChoice, Look, Sampling, SceneSpec};
 use relief_render::{RenderError, Renderer};
-use relief_shaders::{Choice, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SLICES, STAGES, Selection, geometry};
+use relief_shaders::{
+    Choice, DETAIL, Entry, Family, GEOMETRY, REFINE, SEARCH, SHADOW, SLICES, STAGES, Selection,
+};
 use tempfile::TempDir;
 
 use super::maps::{self, By};
@@ -81,10 +83,11 @@ impl ContestArguments {
         let families = self.families(&spec)?;
         let shadows = shadows(&mut spec)?;
         let settings = settings(&mut spec, &[GEOMETRY, SLICES, SEARCH, REFINE]);
+        let finest = STAGES[DETAIL].first(Entry::is_idle).map_or("", |(_, entry)| entry.name);
         for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
             surface.stages.remove(STAGES[GEOMETRY].key);
             // All methods see the finest level, unless another is asked for.
-            surface.stages.entry(STAGES[DETAIL].key.to_owned()).or_insert_with(|| "none".to_owned());
+            surface.stages.entry(STAGES[DETAIL].key.to_owned()).or_insert_with(|| finest.to_owned());
             surface.method = None;
         }
         let contenders = self.contenders(&families, &settings)?;
@@ -105,15 +108,17 @@ impl ContestArguments {
                  tried, pairs as linear+binary",
             ));
         }
-        let known = || STAGES[GEOMETRY].entries.iter().map(|entry| entry.name);
+        let entries = STAGES[GEOMETRY].entries;
+        let known = || entries.iter().map(|entry| entry.name);
         let Some(text) = surfaces.iter().find_map(|surface| surface.stages.get(STAGES[GEOMETRY].key)) else {
             let are_named = !self.methods.iter().any(|name| name == "all");
-            let is_quick = |name: &&str| are_named || *name != geometry::SLICES;
-            return Ok(known().filter(is_quick).map(str::to_owned).collect());
+            let is_quick = |entry: &&Entry| are_named || entry.geometry().family != Family::Slices;
+            return Ok(entries.iter().filter(is_quick).map(|entry| entry.name.to_owned()).collect());
         };
         let of = |name: &str| {
             // Rays are what there is without a geometry.
-            let name = if name == "ray" { geometry::NONE } else { name };
+            let base = entries.iter().find(|entry| entry.is_idle()).map_or(name, |entry| entry.name);
+            let name = if name == Family::Ray.name() { base } else { name };
             let is_known = known().any(|known| known == name);
             let unknown =
                 || Failure::Usage(format!("--geometry: {}", UnknownName::new("geometry", name, known())));

@@ -5,8 +5,8 @@ use std::io::{self, Write};
 use clap::Args;
 use comfy_table::presets::ASCII_MARKDOWN;
 use comfy_table::{ContentArrangement, Table};
-use relief_core::registry::{Entry, Param, Publication, RayClass};
-use relief_shaders::{METHODS, REFINE, SEARCH, STAGES, Selection, Stage};
+use relief_core::registry::{Param, Publication, RayClass};
+use relief_shaders::{Entry, METHODS, REFINE, SEARCH, STAGES, Selection, Stage};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;

@@ -7,10 +7,11 @@ use clap::Args;
 use relief_bake::KINDS;
 use relief_core::registry::MapMetric;
 use relief_export::{ExportError, Exported, File, Options, Placement, Profile, Target, export};
+use relief_shaders::surface::Shown;
 use relief_shaders::wgsl::Sampling;
 use relief_shaders::{
-    AMBIENT, DETAIL, METHODS, MapNeed, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, SURFACE, Selection,
-    SelectionError,
+    AMBIENT, DETAIL, Entry, GEOMETRY, METHODS, MapNeed, Method, REFINE, SEARCH, SHADOW, SHADOW_SEARCH,
+    STAGES, SURFACE, Selection, SelectionError, Stage,
 };
 use serde_json::{Value, json};
 
@@ -92,7 +93,19 @@ const EXAMPLES: &str = "Examples:\n  relief shader --method cone --target wgsl -
     --target hlsl --profile 6.0 --group 2 -o shaders";
 
 /// The flags of a shader that shows triangles as they are.
-const FACETS: &str = "--surface facets --search none --refine none --shadow none";
+fn facets() -> String {
+    let flag = |place: usize, is_meant: fn(&Entry) -> bool| {
+        let Stage { key, .. } = &STAGES[place];
+        STAGES[place].first(is_meant).map_or(String::new(), |(_, entry)| format!("--{key} {}", entry.name))
+    };
+    [
+        flag(SURFACE, |entry| entry.paths().shown == Shown::Triangles),
+        flag(SEARCH, Entry::is_idle),
+        flag(REFINE, Entry::is_idle),
+        flag(SHADOW, Entry::is_idle),
+    ]
+    .join(" ")
+}
 
 fn short_help() -> String {
     format!("{EXAMPLES}\n\n`relief shader --help` says what is in the files.")
@@ -123,10 +136,17 @@ fn after_help() -> String {
             text += &format!("  {target} {}: {}\n", profile.name(), profile.title());
         }
     }
-    text + "\nMethods of displaced triangles (vertex, remesh, tessellate) have no shader of their own: \
-            `relief mesh` makes displaced meshes, and "
-        + FACETS
-        + " shades them. Of slices it shades polygons that a program makes: shells, for one."
+    let shows_triangles = |method: &&Method| {
+        let selection = Selection::of(method);
+        selection.is_ok_and(|it| it.choices[GEOMETRY].entry.geometry().shown == Shown::Triangles)
+    };
+    let displaced: Vec<&str> = METHODS.iter().filter(shows_triangles).map(|method| method.name).collect();
+    text + &format!(
+        "\nMethods of displaced triangles ({}) have no shader of their own: `relief mesh` makes displaced \
+         meshes, and {} shades them. Of slices it shades polygons that a program makes: shells, for one.",
+        displaced.join(", "),
+        facets()
+    )
 }
 
 fn method_help() -> String {
@@ -265,7 +285,7 @@ fn of_export(error: ExportError) -> Failure {
             Failure::Usage(format!("--{key}: {error}"))
         }
         ExportError::Displaced { .. } => {
-            Failure::Usage(format!("--method: {error} (relief mesh makes meshes, {FACETS} shades them)"))
+            Failure::Usage(format!("--method: {error} (relief mesh makes meshes, {} shades them)", facets()))
         }
         ExportError::OnlyCpu { .. } => Failure::Usage(format!("--shadow: {error}")),
         ExportError::Name(_) => Failure::Usage(format!("--name: {error}")),

@@ -3,7 +3,8 @@
 use relief_core::registry::Param;
 use relief_render::light::Light;
 use relief_render::scene::Scene;
-use relief_shaders::{Choice, SelectionError};
+use relief_shaders::shadow::ShadowRole;
+use relief_shaders::{Choice, Entry, SHADOW, STAGES, SelectionError};
 
 use crate::contender::shadow;
 
@@ -12,9 +13,6 @@ const DISC_RAYS: u32 = 1024;
 
 /// The fewest of a sample.
 const LEAST_RAYS: u32 = 4;
-
-/// The parameter that counts them.
-const SAMPLES: &str = "samples";
 
 /// Whether a light has a disc.
 pub fn has_disc(scene: &Scene) -> bool {
@@ -28,21 +26,25 @@ pub fn has_disc(scene: &Scene) -> bool {
 /// throw on each other rays through the whole scene; of shadows of discs, where there are discs, the mean of
 /// many rays to these; of all others a ray to the light's centre.
 pub fn true_shadow(of: &Choice, has_disc: bool) -> Result<Choice, SelectionError> {
-    let name = match of.entry.name {
-        "none" => "none",
+    let is_truth: fn(&Entry) -> bool = match of.entry.shadow() {
+        _ if of.entry.is_idle() => Entry::is_idle,
         // Its rays go to as many points of a light as it says.
-        "scene" => return Ok(*of),
-        "map" => "scene",
-        "soft" | "horizon" if has_disc => "soft",
-        _ => "ray",
+        Some(ShadowRole::ThroughScene { .. }) => return Ok(*of),
+        Some(ShadowRole::LightViews { .. }) => {
+            |entry| matches!(entry.shadow(), Some(ShadowRole::ThroughScene { .. }))
+        }
+        Some(role) if has_disc && role.knows_discs() => {
+            |entry| matches!(entry.shadow(), Some(ShadowRole::ToLights { rays: Some(_) }))
+        }
+        _ => |entry| matches!(entry.shadow(), Some(ShadowRole::ToLights { rays: None })),
     };
-    shadow(name)
+    shadow(STAGES[SHADOW].first(is_truth).map_or(of.entry.name, |(_, entry)| entry.name))
 }
 
 /// The same where so many samples of a pixel are taken.
 pub fn with_samples(mut shadow: Choice, samples: u32) -> Choice {
-    if shadow.entry.name == "soft"
-        && let Some((place, Param { max, .. })) = shadow.entry.param(SAMPLES)
+    if let Some(ShadowRole::ToLights { rays: Some(rays) }) = shadow.entry.shadow()
+        && let Some((place, Param { max, .. })) = shadow.entry.param(rays)
     {
         let rays = (DISC_RAYS / samples.max(1)).max(LEAST_RAYS);
         shadow.params[place] = (rays as f32).min(*max);
@@ -52,8 +54,6 @@ pub fn with_samples(mut shadow: Choice, samples: u32) -> Choice {
 
 #[cfg(test)]
 mod tests {
-    use relief_shaders::{SHADOW, STAGES};
-
     use super::*;
 
     #[test]

@@ -6,7 +6,7 @@ use std::time::Duration;
 use relief_core::MapFormat;
 use relief_render::scene::Scene;
 use relief_render::{FrameTime, PassTimes, Renderer};
-use relief_shaders::{SHADOW, STAGES, Selection};
+use relief_shaders::Selection;
 
 use super::Work;
 use super::pictures::{Shot, of};
@@ -92,7 +92,7 @@ impl Comparison {
         let bump = Contender::named(BUMP)?;
         // On some surfaces there is no bump mapping: shells are searched or not there.
         let Ok(plain) = bump.on_all(&shot.subject.surfaces) else { return Ok(none) };
-        let plain = without_shadows(&plain.selections)?;
+        let plain = without_shadows(&plain.selections);
         let timed = |of: &Contender, selections: &[Selection], is_lit: bool| -> Result<Timed, CompareError> {
             let scene = timed_scene(shot, selections, timing, is_lit)?;
             Ok(Timed { name: of.label(), scene, format: of.format(), times: Vec::new() })
@@ -100,7 +100,7 @@ impl Comparison {
         let mut all = vec![timed(&bump, &plain, false)?, timed(&bump, &plain, true)?];
         for contender in contenders {
             let selections = contender.on_all(&shot.subject.surfaces)?.selections;
-            all.push(timed(contender, &without_shadows(&selections)?, true)?);
+            all.push(timed(contender, &without_shadows(&selections), true)?);
             all.push(timed(contender, &selections, true)?);
         }
         for turn in 0..timing.warm + timing.frames {
@@ -170,10 +170,6 @@ fn timed_scene(
 }
 
 /// The same without shadows.
-fn without_shadows(selections: &[Selection]) -> Result<Vec<Selection>, CompareError> {
-    let mut selections = selections.to_vec();
-    for selection in &mut selections {
-        selection.choose(STAGES[SHADOW].key, "none")?;
-    }
-    Ok(selections)
+fn without_shadows(selections: &[Selection]) -> Vec<Selection> {
+    selections.iter().map(Selection::without_shadows).collect()
 }

@@ -1,5 +1,7 @@
 //! What can go wrong on a GPU.
 
+use relief_shaders::shadow::of_light_views;
+
 use super::AdapterChoice;
 
 /// Why the GPU gave no result.
@@ -91,7 +93,7 @@ pub enum GpuError {
     /// A surface's shadows are rays through all surfaces of the scene, which the shaders do not have at once.
     #[error(
         "the shadows of surface {} are rays through the whole scene, which the CPU alone traces; choose the \
-         shadow 'map', or the CPU", surface + 1
+         shadow {}, or the CPU", surface + 1, of_light_views().or()
     )]
     RaysThroughScene {
         /// The surface's number in the scene.

@@ -3,6 +3,7 @@
 use super::framing::{Framing, fitted_to_seen, proportional_size};
 use super::limits::{DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, MAX_EXPOSURE, MAX_SAMPLES};
 use super::picture_size::check_size;
+use super::surface_spec::environment;
 use super::view::{Fit, View, fitted};
 use super::{BackendChoice, Look, Sampling, Scene, Surface, ValueError, error::ValueProblem};
 use crate::background::Background;
@@ -13,15 +14,16 @@ use crate::light::{Light, LightError, MAX_LIGHTS, SUN_DEG, checked_colour};
 use crate::tone::Tone;
 use glam::{DVec3, Vec3};
 use relief_core::ByteSize;
-use relief_shaders::{STAGES, SelectionError};
-use std::sync::Arc;
+use relief_shaders::{AMBIENT, STAGES, SelectionError};
+use std::sync::{Arc, LazyLock};
 
 /// The position of the eye where only the target is given, in metres.
 pub(super) const DEFAULT_EYE: DVec3 = DVec3::new(0.6, 0.9, 1.1);
 /// The default vertical field of view, in degrees.
 pub(super) const DEFAULT_FOV: f64 = 40.0;
 /// What surroundings and light that is refracted need.
-pub(super) const SEEN: &str = "ambient environment";
+pub(super) static SEEN: LazyLock<String> =
+    LazyLock::new(|| format!("{} {}", STAGES[AMBIENT].key, environment()));
 /// The default method.
 pub(super) const DEFAULT_METHOD: &str = "exact";
 /// That of objects.
@@ -354,13 +356,13 @@ impl SceneBuilder {
                 }
             }
             if surface.material().transmission() > 0.0 && !surface.selection().sees_environment() {
-                return Err(ValueProblem::Needs(SEEN).of("transmission"));
+                return Err(ValueProblem::Needs(&SEEN).of("transmission"));
             }
         }
         let is_seen = background == Background::Environment
             || self.surfaces.iter().any(|surface| surface.selection().sees_environment());
         if self.environment.is_some() && !is_seen {
-            return Err(ValueProblem::Needs(SEEN).of("environment"));
+            return Err(ValueProblem::Needs(&SEEN).of("environment"));
         }
         let camera = match self.camera {
             CameraChoice::Given(camera) => camera,

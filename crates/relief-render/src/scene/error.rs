@@ -10,7 +10,8 @@ use relief_core::{ByteSize, HeightMapError};
 use relief_io::ReadError;
 use relief_maps::MapsError;
 use relief_object::ObjectFileError;
-use relief_shaders::SelectionError;
+use relief_shaders::shadow::of_light_views;
+use relief_shaders::{SURFACE, SelectionError, Variants};
 use std::path::PathBuf;
 
 /// Why a scene cannot be read, completed or loaded.
@@ -123,8 +124,8 @@ pub enum SceneError {
     /// What lights see would take more memory than allowed.
     #[error(
         "what lights see needs {} MiB of memory, {} MiB of the {limit} allowed are left for it: choose fewer \
-         texels for the shadow 'map', or raise the limit",
-        mebibytes(*needed), left / BYTES_PER_MEBIBYTE
+         texels for the shadow {}, or raise the limit",
+        mebibytes(*needed), left / BYTES_PER_MEBIBYTE, of_light_views().or()
     )]
     TooMuchForLights {
         /// Bytes that it needs.
@@ -221,8 +222,9 @@ pub enum ValueProblem {
     NoShadowRays,
     /// Normals are chosen for pixels, and the surface has those of vertices.
     #[error(
-        "is for normals of pixels, and the surface 'facets' has those of its triangles' vertices: leave it \
-         out, or choose a method that finds the relief pixel by pixel"
+        "is for normals of pixels, and the surface {} has those of its triangles' vertices: leave it out, or \
+         choose a method that finds the relief pixel by pixel",
+        Variants::of(SURFACE, |entry| !entry.paths().has_normals_of_relief()).or()
     )]
     VertexNormals,
     /// A method for objects is chosen for a relief.

@@ -4,7 +4,7 @@ use glam::DVec3;
 use relief_core::object::{EMPTY_HEIGHT, ImageObject};
 use relief_shaders::Selection;
 use relief_shaders::object::Solid;
-use relief_shaders::surface::{Proposal, Shown};
+use relief_shaders::surface::Proposal;
 
 use super::seen_heights::points_of_relief;
 use super::view::{Fit, View, aspect_of, axes_of, from_a_side, projection_of};
@@ -165,12 +165,11 @@ fn seen(surface: &Surface) -> Vec<DVec3> {
     }
     let (mesh, selection) = (surface.mesh(), surface.selection());
     let paths = selection.paths();
-    let lies_beside = match paths.shown {
+    let lies_beside = if paths.has_relief() {
         // The relief is seen through its triangles, in their shells, or beside its quadrics.
-        Shown::Relief => paths.proposal == Proposal::Shells || selection.quadrics().is_some(),
-        Shown::Slices => true,
-        Shown::Triangles => selection.geometry().is_some(),
-        Shown::Object | Shown::ObjectSlices => false,
+        paths.proposal == Proposal::Shells || selection.quadrics().is_some()
+    } else {
+        !paths.shown.is_of_images() && selection.geometry().is_some()
     };
     if lies_beside {
         let has_backs = paths.proposal == Proposal::Shells && surface.two_sided();

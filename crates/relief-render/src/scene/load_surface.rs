@@ -5,7 +5,7 @@ use super::error::{SceneError, ValueError, ValueProblem};
 use super::maps::{LoadedMesh, Maps};
 use super::metres::{MAX_METRES, check_metres};
 use super::surface_colors::{Drawn, DrawnMaterial};
-use super::surface_spec::ENVIRONMENT;
+use super::surface_spec::environment;
 use super::{Look, MeshChoice, ObjectProblem, SceneObject, Surface, SurfaceSpec};
 use crate::material::{Material, MaterialError};
 use crate::mesh::{Builtin, Mesh, Placement, UvProjection, square};
@@ -446,7 +446,7 @@ impl SurfaceSpec {
         }
         let sees_environment = around.has_environment || self.asks_for_environment();
         if sees_environment {
-            selection.choose(STAGES[AMBIENT].key, ENVIRONMENT).map_err(of_selection)?;
+            selection.choose(STAGES[AMBIENT].key, environment()).map_err(of_selection)?;
         }
         if self.is_mesh_alone() {
             selection.choose(STAGES[SHADOW].key, SHADOW_OF_MESHES).map_err(of_selection)?;
@@ -473,7 +473,7 @@ impl SurfaceSpec {
             }
         }
         if self.ior.is_some_and(|ior| ior != Material::default().ior()) && !selection.sees_environment() {
-            return Err(ValueProblem::Needs(SEEN).of("ior"));
+            return Err(ValueProblem::Needs(&SEEN).of("ior"));
         }
         if !selection.uses(SHADOW_SEARCH) {
             let search = STAGES[SHADOW_SEARCH].key;

@@ -6,8 +6,9 @@ use glam::{DVec3, Vec3};
 use relief_core::encoding::code::Codes;
 use relief_core::object::{FrameGrid, GridMapping, ImageObject, JumpCells, View};
 use relief_core::{BakedMap, HeightMap, MapFormat, MapIdentity, MapLayout, MapTexels, Wrap};
-use relief_shaders::Selection;
 use relief_shaders::object::{IMAGE_TEXELS, MAX_IMAGES};
+use relief_shaders::surface::AskedImages;
+use relief_shaders::{SURFACE, Selection, Variants};
 
 use super::Surface;
 use super::builder::DEFAULT_METHOD_OF_OBJECTS;
@@ -26,7 +27,8 @@ pub enum ObjectProblem {
     /// All of too many images would be asked at each step of a ray.
     #[error(
         "an object has at most {MAX_IMAGES} images where all of them are asked, this one {0}: capture fewer, \
-         or choose the surface 'frames' or the method 'impostor-blend' for a grid of them"
+         or choose the surface {grid} or the method 'impostor-blend' for a grid of them",
+        grid = Variants::of(SURFACE, |entry| entry.paths().images == Some(AskedImages::OfGrid)).or()
     )]
     TooMany(usize),
     /// The images make no grid of frames.

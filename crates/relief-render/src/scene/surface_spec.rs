@@ -7,7 +7,7 @@ use relief_core::Wrap;
 use relief_core::mesh::UvProjection;
 use relief_io::{GivenUnits, GreenSign, HeightRange, RawLayout, Up};
 use relief_shaders::{
-    AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES,
+    AMBIENT, DETAIL, Entry, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES,
 };
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -142,8 +142,10 @@ pub struct MaterialSpec {
     pub shininess: Option<u32>,
 }
 
-/// The ambient light of the surroundings.
-pub(super) const ENVIRONMENT: &str = relief_shaders::ambient::environment::ENTRY.name;
+/// The ambient light that shows the surroundings.
+pub(super) fn environment() -> &'static str {
+    STAGES[AMBIENT].first(Entry::sees_surroundings).map_or("", |(_, entry)| entry.name)
+}
 
 /// The key of the level of detail, of which objects have one alone.
 const DETAIL_KEY: &str = STAGES[DETAIL].key;
@@ -302,7 +304,7 @@ impl SurfaceSpec {
 
     /// Whether an ambient light is named that sees no surroundings.
     pub(super) fn names_other_ambient(&self) -> bool {
-        self.stages.get(STAGES[AMBIENT].key).is_some_and(|name| name != ENVIRONMENT)
+        self.stages.get(STAGES[AMBIENT].key).is_some_and(|name| name != environment())
     }
 
     /// Forgets an ambient light that sees no surroundings, and its settings.

@@ -1,7 +1,8 @@
 //! Registry entry of the ambient light `bent-normal`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, MapSetting, Publication};
+use relief_core::registry::{Guarantee, Guarantees, MapSetting, Publication};
 
+use crate::entry::{Entry, Role};
 use crate::scene_maps::{AZIMUTHS, scene_map};
 
 /// Bent normals.
@@ -20,4 +21,5 @@ pub const ENTRY: Entry = Entry {
     argument: "The vector is the sum of all directions to the sky, over pi. On a smooth surface all of them \
         lie before its normal, so the product of both is what arrives of a uniform sky. On edges, where some \
         lie behind it, it is too low. Between azimuths a mean stands for the horizon.",
+    role: Role::Plain,
 };

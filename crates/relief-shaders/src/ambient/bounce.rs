@@ -1,7 +1,8 @@
 //! Registry entry of the ambient light `bounce`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, MapSetting, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, MapSetting, Param, Publication};
 
+use crate::entry::{Entry, Role};
 use crate::scene_maps::{AZIMUTHS, ELEVATIONS, scene_map};
 
 /// Light that bounces within the relief.
@@ -50,4 +51,5 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "What a texel receives is a mean over fixed directions of what it sees there, about the base's \
         normal. All of the relief throws back the same part; the colours that light takes on are not known.",
+    role: Role::Plain,
 };

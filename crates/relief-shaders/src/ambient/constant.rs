@@ -1,8 +1,9 @@
 //! Registry entry of the ambient light `constant`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
 
 use crate::SURVEY;
+use crate::entry::{Entry, Role};
 
 /// The same light everywhere.
 pub const ENTRY: Entry = Entry {
@@ -15,4 +16,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "Right on ground as level as the base.",
+    role: Role::Plain,
 };

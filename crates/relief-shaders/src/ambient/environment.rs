@@ -1,6 +1,8 @@
 //! Registry entry of the ambient light `environment`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// The surroundings.
 pub const ENTRY: Entry = Entry {
@@ -23,4 +25,5 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "Right for a surface alone in its surroundings: the relief neither hides them nor is seen in \
         itself, and refracted light meets no second surface.",
+    role: Role::Surroundings,
 };

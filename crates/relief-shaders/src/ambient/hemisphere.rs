@@ -1,8 +1,9 @@
 //! Registry entry of the ambient light `hemisphere`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
 
 use super::GROUND;
+use crate::entry::{Entry, Role};
 
 /// A sky above and ground below.
 pub const ENTRY: Entry = Entry {
@@ -20,4 +21,5 @@ pub const ENTRY: Entry = Entry {
     argument: "Right for a surface that hides nothing of the sky and the ground, each of even radiance and \
         divided by the horizon. The light is linear in the normal: that of the mean normal in a footprint is \
         the mean of the light.",
+    role: Role::Plain,
 };

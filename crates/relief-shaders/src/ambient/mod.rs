@@ -1,12 +1,14 @@
 //! Light from all around: what of a uniform sky's light a hit reflects. A new one is a `.wesl` and a `.rs`
 //! file here and its name in the list below; the first is what is run where nothing is said.
 
-use relief_core::registry::{Entry, Param};
+use relief_core::registry::Param;
+
+use crate::entry::Entry;
 
 mod bent_normal;
 mod bounce;
 mod constant;
-pub mod environment;
+mod environment;
 mod hemisphere;
 mod occlusion;
 mod sky;

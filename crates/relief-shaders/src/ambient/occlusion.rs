@@ -1,7 +1,8 @@
 //! Registry entry of the ambient light `occlusion`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, MapSetting, Publication};
+use relief_core::registry::{Guarantee, Guarantees, MapSetting, Publication};
 
+use crate::entry::{Entry, Role};
 use crate::scene_maps::{AZIMUTHS, scene_map};
 
 /// Ambient occlusion.
@@ -19,4 +20,5 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "The part is that of a plane parallel to the base: slopes receive as much as level ground that \
         sees as much of the sky. Between azimuths a mean stands for the horizon.",
+    role: Role::Plain,
 };

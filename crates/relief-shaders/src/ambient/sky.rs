@@ -1,8 +1,9 @@
 //! Registry entry of the ambient light `sky`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, MapSetting, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, MapInput, MapSetting, Param, Publication};
 
 use super::GROUND;
+use crate::entry::{Entry, Role};
 use crate::scene_maps::{AZIMUTHS, scene_map};
 
 /// An occluded sky above and ground below.
@@ -37,4 +38,5 @@ pub const ENTRY: Entry = Entry {
     argument: "The part of the sky that arrives is that of bent-normal, of heights as fine as the baked \
         level. All of it has the radiance that planes across the mean open direction and across the normal \
         see on the mean: right where nothing is hidden. What the relief hides throws no light.",
+    role: Role::Plain,
 };

@@ -1,11 +1,10 @@
 //! Registry entry of the detail `fade`.
 
 use relief_core::encoding::seen_normal;
-use relief_core::registry::{
-    Entry, Guarantee, Guarantees, MapInput, MapLevels, MapSetting, Param, Publication,
-};
+use relief_core::registry::{Guarantee, Guarantees, MapInput, MapLevels, MapSetting, Param, Publication};
 
 use super::{ANISOTROPY, TEXELS};
+use crate::entry::{Entry, Role};
 use crate::scene_maps::scene_map;
 
 /// Flatter with distance, down to bump mapping.
@@ -60,4 +59,5 @@ pub const ENTRY: Entry = Entry {
         as it is. Where a footprint is wider than \
         four texels, what an eye sees of the normals is looked up by its direction, as baked from 32 \
         directions; elsewhere, and of a given normal map, it is made from the moments of the normals.",
+    role: Role::Flattened,
 };

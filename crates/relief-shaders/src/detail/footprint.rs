@@ -1,8 +1,9 @@
 //! Registry entry of the detail `footprint`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
 
 use super::{ANISOTROPY, TEXELS};
+use crate::entry::{Entry, Role};
 
 /// The level of which some texels lie beside each other in the pixel's footprint.
 pub const ENTRY: Entry = Entry {
@@ -21,4 +22,5 @@ pub const ENTRY: Entry = Entry {
     argument: "Each level is a bilinear surface of its own, with baked maps of its own heights: what a \
         search and a refinement promise holds for the surface of the level. That lies within the range of \
         the finest heights around it, and is another surface than the finest.",
+    role: Role::Plain,
 };

@@ -1,7 +1,9 @@
 //! Detail: in which level of its maps a pixel is seen. A new one is a `.wesl` and a `.rs` file here and its
 //! name in the list below.
 
-use relief_core::registry::{Entry, Param};
+use relief_core::registry::Param;
+
+use crate::entry::Entry;
 
 mod fade;
 mod footprint;
@@ -9,9 +11,6 @@ mod none;
 
 /// All of them.
 pub const ENTRIES: &[Entry] = &[none::ENTRY, footprint::ENTRY, fade::ENTRY];
-
-/// The one that sees everything in the finest level.
-pub(crate) const NONE: &str = none::ENTRY.name;
 
 /// How long a footprint may be beside its width.
 const ANISOTROPY: Param = Param {

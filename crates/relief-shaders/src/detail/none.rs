@@ -1,6 +1,8 @@
 //! Registry entry of the detail `none`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// The finest level of all maps.
 pub const ENTRY: Entry = Entry {
@@ -13,4 +15,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],
     argument: "What is traced is the surface of the height map itself.",
+    role: Role::Idle,
 };

@@ -2,9 +2,12 @@
 //! list below; what makes its triangles is the renderer's. No shader belongs to it: triangles that are
 //! displaced are shaded by the surface `facets`.
 
-use relief_core::registry::{Entry, Param};
+use relief_core::registry::{MAX_PARAMS, Param};
 
+use crate::Family;
+use crate::entry::{Companion, Entry};
 use crate::slice::Slices;
+use crate::surface::Shown;
 pub use tessellate::Tessellated;
 
 mod none;
@@ -26,26 +29,42 @@ pub const ENTRIES: &[Entry] = &[
     object_slices::ENTRY,
 ];
 
-/// The one that shows the base.
-pub const NONE: &str = none::ENTRY.name;
+/// The triangles for a geometry's parameters and those of the stage `slices`.
+pub type TrianglesOf = fn(params: [f32; MAX_PARAMS], slices: [f32; MAX_PARAMS]) -> Geometry;
 
-/// The one with a vertex every so many texels.
-pub(crate) const VERTEX: &str = vertex::ENTRY.name;
+/// The triangles that a geometry draws in place of the base's.
+#[derive(Clone, Copy, Debug)]
+pub struct GeometryRole {
+    /// The family of methods that it makes.
+    pub family: Family,
+    /// What the triangles show: surfaces that show the same go with it.
+    pub shown: Shown,
+    /// The triangles for its parameters and those of the stage `slices`; none where the mesh itself is drawn.
+    pub triangles: Option<TrianglesOf>,
+    /// The parameter that asks for a stencil buffer where it is not 0.
+    pub stencil: Option<&'static str>,
+    /// The variants of other stages that are chosen with it. Without any the surface is the first that shows
+    /// the same.
+    pub companions: &'static [Companion],
+}
 
-/// The one that is divided by the picture's pixels.
-pub(crate) const REMESH: &str = remesh::ENTRY.name;
+impl GeometryRole {
+    /// The base mesh, on which a relief lies.
+    pub const BASE: Self =
+        Self { family: Family::Ray, shown: Shown::Relief, triangles: None, stencil: None, companions: &[] };
 
-/// The one whose triangles are each cut by itself.
-pub(crate) const TESSELLATE: &str = tessellate::ENTRY.name;
-
-/// The one that is cut through the relief.
-pub const SLICES: &str = slices::ENTRY.name;
-
-/// The box around an object.
-pub(crate) const OBJECT: &str = object::ENTRY.name;
-
-/// Slices through that box.
-pub(crate) const OBJECT_SLICES: &str = object_slices::ENTRY.name;
+    /// Displaced triangles, of which nothing is searched. Lights see them, as no relief lies on them.
+    const DISPLACED: Self = Self {
+        shown: Shown::Triangles,
+        companions: &[
+            Companion::new("surface", "facets"),
+            Companion::new("search", "none"),
+            Companion::new("refine", "none"),
+            Companion::new("shadow", "map"),
+        ],
+        ..Self::BASE
+    };
+}
 
 /// Which triangles a selection shows in place of the base's.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,8 +77,19 @@ pub enum Geometry {
     Tessellated(Tessellated),
     /// Slices through the relief.
     Slices(Slices),
-    /// Slices through the box around an object, and whether its images are counted in a stencil buffer.
-    ObjectSlices(Slices, bool),
+    /// Slices through the box around an object.
+    ObjectSlices(Slices),
+}
+
+impl Geometry {
+    /// Why such triangles can't be made; none where they can.
+    pub(crate) fn refused(&self) -> Option<&'static str> {
+        match self {
+            Geometry::Tessellated(tessellated) => tessellated.refused(),
+            Geometry::Slices(slices) => slices.refused(),
+            Geometry::Texels(_) | Geometry::Pixels(_) | Geometry::ObjectSlices(_) => None,
+        }
+    }
 }
 
 /// How many texels or pixels lie between vertices.

@@ -1,6 +1,8 @@
 //! Registry entry of the geometry `none`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// The base mesh, under a relief that is found pixel by pixel.
 pub const ENTRY: Entry = Entry {
@@ -13,4 +15,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],
     argument: "Nothing is made of the mesh.",
+    role: Role::Idle,
 };

@@ -1,6 +1,12 @@
 //! Registry entry of the geometry `object-slices`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use super::{Geometry, GeometryRole};
+use crate::Family;
+use crate::entry::{Companion, Entry, Role};
+use crate::slice::Slices;
+use crate::surface::Shown;
 
 /// Polygons through the box around an object.
 pub const ENTRY: Entry = Entry {
@@ -20,4 +26,17 @@ pub const ENTRY: Entry = Entry {
     argument: "A slice is drawn where all images see something as high as it is. Between two slices there is \
         nothing, so that a ray sees the object as far behind it as slices are apart, and past what is \
         thinner.",
+    role: Role::Geometry(GeometryRole {
+        family: Family::Object,
+        shown: Shown::ObjectSlices,
+        triangles: Some(|_, slices| Geometry::ObjectSlices(Slices::of(slices, 0.0))),
+        stencil: Some("pass"),
+        companions: &[
+            Companion::new("surface", "object-slices"),
+            Companion::new("object", "depth"),
+            Companion::new("search", "none"),
+            Companion::new("refine", "none"),
+            Companion::new("shadow", "none"),
+        ],
+    }),
 };

@@ -1,6 +1,9 @@
 //! Registry entry of the geometry `remesh`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use super::{Geometry, GeometryRole};
+use crate::entry::{Entry, Role};
 
 /// A vertex every so many pixels of the picture, displaced.
 pub const ENTRY: Entry = Entry {
@@ -20,6 +23,10 @@ pub const ENTRY: Entry = Entry {
         nearer to the eye than the base, triangles are larger in the picture, and so they are where a pixel \
         is smaller than a quarter of a texel, finer than which no base is divided. Where levels of detail \
         are seen, a vertex has the height of the level whose texels are as wide as its voxel.",
+    role: Role::Geometry(GeometryRole {
+        triangles: Some(|[pixels, ..], _| Geometry::Pixels(pixels)),
+        ..GeometryRole::DISPLACED
+    }),
 };
 
 const PARAMS: &[Param] =

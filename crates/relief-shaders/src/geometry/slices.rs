@@ -1,6 +1,12 @@
 //! Registry entry of the geometry `slices`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use super::{Geometry, GeometryRole};
+use crate::Family;
+use crate::entry::{Companion, Entry, Role};
+use crate::slice::Slices;
+use crate::surface::Shown;
 
 /// Polygons through the space that the relief fills.
 pub const ENTRY: Entry = Entry {
@@ -19,4 +25,16 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "A slice is drawn where the relief is as high as it is. Between two slices there is nothing, \
         so that a ray sees the relief as far behind it as slices are apart, and past what is thinner.",
+    role: Role::Geometry(GeometryRole {
+        family: Family::Slices,
+        shown: Shown::Slices,
+        triangles: Some(|[clip, ..], slices| Geometry::Slices(Slices::of(slices, clip))),
+        stencil: None,
+        companions: &[
+            Companion::new("surface", "slices"),
+            Companion::new("search", "none"),
+            Companion::new("refine", "none"),
+            Companion::new("shadow", "ray"),
+        ],
+    }),
 };

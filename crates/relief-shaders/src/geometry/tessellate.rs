@@ -1,6 +1,9 @@
 //! Registry entry of the geometry `tessellate`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use super::{Geometry, GeometryRole};
+use crate::entry::{Entry, Role};
 
 /// How the triangles of a base are tessellated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,6 +48,10 @@ pub const ENTRY: Entry = Entry {
         corners: nothing is made one after the other. Where the picture would have more than eight triangles \
         for each of its voxels, voxels are twice as wide, or four times, until it has not. Base triangles \
         with more than 1,023 voxels along a side have the pattern in either case.",
+    role: Role::Geometry(GeometryRole {
+        triangles: Some(|params, _| Geometry::Tessellated(Tessellated::of(params))),
+        ..GeometryRole::DISPLACED
+    }),
 };
 
 const PARAMS: &[Param] = &[

@@ -1,6 +1,9 @@
 //! Registry entry of visual hulls.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
+
+use super::{ObjectRole, Solid};
+use crate::entry::{Companion, Entry, Role};
 
 /// What lies in all silhouettes.
 pub const ENTRY: Entry = Entry {
@@ -15,4 +18,8 @@ pub const ENTRY: Entry = Entry {
     argument: "As with depths a ray only goes on from a point that some silhouette does not hold. Along it \
         the mask of a cell is a quadratic, whose first place at a half is found without sampling. \
         Silhouettes know no depth: the hull ends where the images' heights do.",
+    role: Role::Object(ObjectRole {
+        solid: Solid::Hull,
+        companions: &[Companion::new("search", "cells"), Companion::new("refine", "patch")],
+    }),
 };

@@ -2,9 +2,9 @@
 //! `.rs` file here and its name in the list below.
 
 use relief_core::object::{DEFAULT_JUMP_TEXELS, JumpCells};
-use relief_core::registry::{Entry, Param};
+use relief_core::registry::Param;
 
-use crate::stages::entry_place;
+use crate::entry::{Companion, Entry};
 
 mod blend;
 mod depth;
@@ -70,6 +70,15 @@ const PARAMS: &[Param] = &[
     },
 ];
 
+/// The solid that an object makes of images.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ObjectRole {
+    /// What it is.
+    pub solid: Solid,
+    /// The variants of other stages that are chosen with it where those that are chosen do not serve it.
+    pub companions: &'static [Companion],
+}
+
 /// How the images of an object are read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObjectCells {
@@ -95,14 +104,9 @@ pub enum Solid {
 }
 
 impl ObjectCells {
-    /// Those of the settings, in the order of these.
-    pub(crate) fn of(name: &str, [cells, jump_texels, color, _]: [f32; 4]) -> Self {
+    /// Those of a solid with the settings of objects, in the order of these.
+    pub(crate) fn of(solid: Solid, [cells, jump_texels, color, _]: [f32; 4]) -> Self {
         let cells = JumpCells::ALL.get(cells as usize).copied().unwrap_or_default();
-        let solid = match name {
-            _ if name == hull::ENTRY.name => Solid::Hull,
-            _ if name == blend::ENTRY.name => Solid::Blend,
-            _ => Solid::Depth,
-        };
         Self { cells, jump_texels, solid, has_blended_colors: color == BLENDED_COLORS }
     }
 
@@ -114,17 +118,7 @@ impl ObjectCells {
 }
 
 /// The value of the setting `object.color` for those of blended frames.
-const BLENDED_COLORS: f32 = 3.0;
+pub(crate) const BLENDED_COLORS: f32 = 3.0;
 
 /// What the shaders call cells of silhouettes, after those of [`JumpCells`].
 pub const MASK_CELLS: u32 = JumpCells::ALL.len() as u32;
-
-/// The settings of visual hulls.
-pub(crate) const OF_SILHOUETTES: &[(&str, f32)] = &[("object.solid", entry_place(ENTRIES, "hull") as f32)];
-
-/// The settings of objects of images with depth.
-pub(crate) const OF_DEPTH: &[(&str, f32)] = &[("object.solid", entry_place(ENTRIES, "depth") as f32)];
-
-/// The settings of blended impostors.
-pub(crate) const OF_FRAMES: &[(&str, f32)] =
-    &[("object.solid", entry_place(ENTRIES, "blend") as f32), ("object.color", BLENDED_COLORS)];

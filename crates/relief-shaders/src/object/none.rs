@@ -1,6 +1,8 @@
 //! Registry entry of what is no object.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// A relief.
 pub const ENTRY: Entry = Entry {
@@ -14,4 +16,5 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "The segments follow each other along the ray, so that the first hit on any is the first of \
         all. In a shell that overlaps itself they do not, and the nearest of all hits is taken.",
+    role: Role::Idle,
 };

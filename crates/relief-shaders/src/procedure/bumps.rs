@@ -1,8 +1,9 @@
 //! Registry entry of the procedure `bumps`.
 
-use relief_core::registry::{Entry, Param};
+use relief_core::registry::Param;
 
 use super::{count, entry};
+use crate::entry::Entry;
 
 /// Round bumps.
 pub const ENTRY: Entry = entry(

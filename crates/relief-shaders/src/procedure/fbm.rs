@@ -1,8 +1,9 @@
 //! Registry entry of the procedure `fbm`.
 
-use relief_core::registry::{Entry, Param};
+use relief_core::registry::Param;
 
 use super::{count, entry};
+use crate::entry::Entry;
 
 /// Fractal ground.
 pub const ENTRY: Entry = entry(

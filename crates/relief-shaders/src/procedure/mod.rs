@@ -19,14 +19,13 @@
 #[cfg(feature = "cpu")]
 use std::ops::Range;
 
-use relief_core::registry::{
-    Entry, Guarantee, Guarantees, MAX_PARAMS, Param, Publication, UnknownName, find,
-};
+use relief_core::registry::{Guarantee, Guarantees, MAX_PARAMS, Param, Publication, UnknownName};
 
 #[cfg(feature = "cpu")]
 use relief_core::{HeightMap, HeightMapError, Wrap};
 
 use crate::SelectionError;
+use crate::entry::{Entry, Role, find};
 
 mod bumps;
 mod fbm;
@@ -165,6 +164,7 @@ const fn entry(name: &'static str, summary: &'static str, params: &'static [Para
         guarantee: Guarantees::all(Guarantee::Exact),
         weakened: &[],
         argument: "It is a formula.",
+        role: Role::Plain,
     }
 }
 

@@ -1,8 +1,9 @@
 //! Registry entry of the procedure `waves`.
 
-use relief_core::registry::{Entry, Param};
+use relief_core::registry::Param;
 
 use super::{count, entry};
+use crate::entry::Entry;
 
 /// Waves on water.
 pub const ENTRY: Entry = entry(

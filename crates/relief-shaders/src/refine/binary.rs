@@ -1,6 +1,8 @@
 //! Registry entry of the refinement `binary`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// The interval is halved.
 pub const ENTRY: Entry = Entry {
@@ -22,4 +24,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "Converges to a crossing in the interval, which is the first when the interval holds one.",
+    role: Role::Plain,
 };

@@ -1,7 +1,9 @@
 //! Registry entry of the refinement `half-texel`.
 
 use relief_core::FoundState;
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// Between half a texel before and behind the hit of a texel's column.
 pub const ENTRY: Entry = Entry {
@@ -18,4 +20,5 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "Right where the surface is a plane for a texel around; wrong where both places are on the \
         same side of it.",
+    role: Role::Plain,
 };

@@ -2,9 +2,9 @@
 //! its name in the list below.
 
 use relief_core::FoundState;
-use relief_core::registry::Entry;
 
 use crate::SURVEY;
+use crate::entry::Entry;
 
 mod binary;
 mod half_texel;

@@ -1,6 +1,8 @@
 //! Registry entry of the refinement `none`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// What the search found: the processed point, or the first sample below.
 pub const ENTRY: Entry = Entry {
@@ -13,4 +15,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "It adds nothing to what the search knows.",
+    role: Role::Idle,
 };

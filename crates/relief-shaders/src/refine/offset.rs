@@ -1,7 +1,9 @@
 //! Registry entry of the refinement `offset`.
 
 use relief_core::FoundState;
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// Parallax mapping: a level surface at the starting point's height.
 pub const ENTRY: Entry = Entry {
@@ -14,4 +16,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "Exact where the map is constant.",
+    role: Role::Plain,
 };

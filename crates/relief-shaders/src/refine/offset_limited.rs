@@ -1,7 +1,9 @@
 //! Registry entry of the refinement `offset-limited`.
 
 use relief_core::FoundState;
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// Parallax mapping with offset limiting: never farther than the height.
 pub const ENTRY: Entry = Entry {
@@ -14,4 +16,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "Never moves farther along the ray than the height difference; the point lies beside the ray.",
+    role: Role::Plain,
 };

@@ -1,6 +1,8 @@
 //! Registry entry of the refinement `patch`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use crate::entry::{Entry, Role, TracingRole};
 
 /// Ray against bilinear patch in closed form, cell by cell.
 pub const ENTRY: Entry = Entry {
@@ -24,4 +26,5 @@ pub const ENTRY: Entry = Entry {
     argument: "Each cell's gap is a quadratic solved in closed form with the stable formula; cells are \
         visited in order, so the first root is the first crossing of the interval. In f32 a root is known to \
         the gap's rounding over its slope.",
+    role: Role::Tracing(TracingRole { is_reference: true, serves_images: true, ..TracingRole::PLAIN }),
 };

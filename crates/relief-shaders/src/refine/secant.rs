@@ -1,6 +1,8 @@
 //! Registry entry of the refinement `secant`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use crate::entry::{Entry, Role, TracingRole};
 
 /// False position: the surface between the two ends is a plane.
 pub const ENTRY: Entry = Entry {
@@ -22,4 +24,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "Keeps a crossing enclosed; exact after one step where the gap is linear.",
+    role: Role::Tracing(TracingRole { joins_slices: true, ..TracingRole::PLAIN }),
 };

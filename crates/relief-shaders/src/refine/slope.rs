@@ -1,6 +1,8 @@
 //! Registry entry of the refinement `slope`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// The tangent plane at the starting point.
 pub const ENTRY: Entry = Entry {
@@ -22,4 +24,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "Exact where the map is a plane and `divide` is 1.",
+    role: Role::Plain,
 };

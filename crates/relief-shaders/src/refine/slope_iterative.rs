@@ -1,6 +1,8 @@
 //! Registry entry of the refinement `slope-iterative`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// Iterative parallax mapping: the slope correction, repeated.
 pub const ENTRY: Entry = Entry {
@@ -34,4 +36,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "Convergence is not guaranteed, nor is the first crossing.",
+    role: Role::Plain,
 };

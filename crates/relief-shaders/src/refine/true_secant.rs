@@ -1,6 +1,8 @@
 //! Registry entry of the refinement `true-secant`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// The secant method proper: the last two guesses.
 pub const ENTRY: Entry = Entry {
@@ -23,4 +25,5 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "Converges faster than false position near a simple crossing and may leave the bracket; \
         guesses are kept in the search's interval.",
+    role: Role::Plain,
 };

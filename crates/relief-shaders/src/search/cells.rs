@@ -1,7 +1,9 @@
 //! Registry entry of the search `cells`.
 
 use relief_core::FoundState;
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use crate::entry::{Entry, Role, TracingRole};
 
 /// Every dual cell along the path, in order.
 pub const ENTRY: Entry = Entry {
@@ -25,4 +27,5 @@ pub const ENTRY: Entry = Entry {
     argument: "Every cell on the path is visited and the gap, a quadratic there, is bounded below in closed \
         form, so the first cell that holds a crossing ends the walk. In f32 the gap of a cell is known to 8 \
         ulp of its terms: rays that clear the surface by less may be judged either way.",
+    role: Role::Tracing(TracingRole { is_reference: true, serves_images: true, ..TracingRole::PLAIN }),
 };

@@ -1,7 +1,9 @@
 //! Registry entry of the search `cone`.
 
 use relief_core::FoundState;
-use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, MapSetting, Publication};
+use relief_core::registry::{Guarantee, Guarantees, MapInput, MapSetting, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// Over the empty cone on the texel nearest to the path.
 pub const ENTRY: Entry = Entry {
@@ -21,4 +23,5 @@ pub const ENTRY: Entry = Entry {
         by 8 roundings of the heights and, times the slope, of the places. So the ray is known as well as to \
         `cells`: rays that clear the surface by less than 2 roundings of the path's heights and, times the \
         map's steepest slope, of its places in texels may be judged either way.",
+    role: Role::Plain,
 };

@@ -1,9 +1,9 @@
 //! Registry entry of the search `cone-moved`.
 
 use relief_core::FoundState;
-use relief_core::registry::{
-    Entry, Guarantee, Guarantees, MapInput, MapSetting, Param, Publication, Weakened,
-};
+use relief_core::registry::{Guarantee, Guarantees, MapInput, MapSetting, Param, Publication, Weakened};
+
+use crate::entry::{Entry, Role};
 
 /// Cone stepping as published.
 pub const ENTRY: Entry = Entry {
@@ -43,4 +43,5 @@ pub const ENTRY: Entry = Entry {
         the path leaves it passes nothing. Steps get shorter toward the surface, and after the last of them \
         the point that it reached is the answer. In f32 a step is shortened by 8 roundings of the heights \
         and, times the slope, of the places that it is computed from.",
+    role: Role::Plain,
 };

@@ -1,9 +1,9 @@
 //! Registry entry of the search `dilation-erosion`.
 
 use relief_core::FoundState;
-use relief_core::registry::{
-    Entry, Guarantee, Guarantees, MapInput, MapSetting, Param, Publication, Weakened,
-};
+use relief_core::registry::{Guarantee, Guarantees, MapInput, MapSetting, Param, Publication, Weakened};
+
+use crate::entry::{Entry, Role};
 
 /// Over the greatest height around each cell.
 pub const ENTRY: Entry = Entry {
@@ -35,4 +35,5 @@ pub const ENTRY: Entry = Entry {
         less than 2 roundings of the path's heights and, times the map's steepest slope, of its places in \
         texels may be judged either way. Without patches a bracket ends below the erosion and may hold \
         several crossings, and what dips less is passed.",
+    role: Role::Plain,
 };

@@ -1,7 +1,9 @@
 //! Registry entry of the search `frustum`.
 
 use relief_core::FoundState;
-use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, Publication};
+use relief_core::registry::{Guarantee, Guarantees, MapInput, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// Over the empty frustum of each cell that the path comes to.
 pub const ENTRY: Entry = Entry {
@@ -21,4 +23,5 @@ pub const ENTRY: Entry = Entry {
         from. So the ray is known as well as to `cells`: rays that clear the surface by less than 2 \
         roundings of the path's heights and, times the map's steepest slope, of its places in texels may be \
         judged either way.",
+    role: Role::Plain,
 };

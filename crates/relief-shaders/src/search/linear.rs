@@ -1,7 +1,9 @@
 //! Registry entry of the search `linear`.
 
 use relief_core::FoundState;
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use crate::entry::{Entry, Role, TracingRole};
 
 /// Equal steps until one is below the surface.
 pub const ENTRY: Entry = Entry {
@@ -36,4 +38,5 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "A bracket encloses a crossing, since the gap is read at both ends; a bump thinner than a step \
         is passed over.",
+    role: Role::Tracing(TracingRole { only_samples: true, ..TracingRole::PLAIN }),
 };

@@ -1,9 +1,10 @@
 //! Searches: what brackets the first hit. A new one is a `.wesl` and a `.rs` file here and its name in the
 //! list below; one that reads a baked map names it in its entry, and finds it bound.
 
-use relief_core::registry::{Entry, Param};
+use relief_core::registry::Param;
 
 use crate::SURVEY;
+use crate::entry::Entry;
 
 mod cells;
 mod cone;

@@ -1,7 +1,9 @@
 //! Registry entry of the search `none`.
 
 use relief_core::FoundState;
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// Nothing is searched: entry and exit.
 pub const ENTRY: Entry = Entry {
@@ -14,4 +16,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "It claims nothing: both ends are returned unbracketed.",
+    role: Role::Idle,
 };

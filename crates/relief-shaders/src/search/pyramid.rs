@@ -1,7 +1,9 @@
 //! Registry entry of the search `pyramid`.
 
 use relief_core::FoundState;
-use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, MapLevels, MapSetting, Publication};
+use relief_core::registry::{Guarantee, Guarantees, MapInput, MapLevels, MapSetting, Publication};
+
+use crate::entry::{Entry, Role, TracingRole};
 
 /// Over the nodes of the maximum pyramid that the path stays above.
 pub const ENTRY: Entry = Entry {
@@ -25,4 +27,5 @@ pub const ENTRY: Entry = Entry {
         stay above a node by 8 roundings of its heights. So the ray is known as well as to `cells`: rays \
         that clear the surface by less than 2 roundings of the path's heights and, times the map's steepest \
         slope, of its places in texels may be judged either way.",
+    role: Role::Tracing(TracingRole { serves_images: true, ..TracingRole::PLAIN }),
 };

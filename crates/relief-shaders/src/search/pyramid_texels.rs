@@ -1,9 +1,9 @@
 //! Registry entry of the search `pyramid-texels`.
 
 use relief_core::FoundState;
-use relief_core::registry::{
-    Entry, Guarantee, Guarantees, MapInput, MapLevels, MapSetting, Param, Publication,
-};
+use relief_core::registry::{Guarantee, Guarantees, MapInput, MapLevels, MapSetting, Param, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// The maximum pyramid of the texels, as published.
 pub const ENTRY: Entry = Entry {
@@ -37,4 +37,5 @@ pub const ENTRY: Entry = Entry {
     argument: "It is exact for the surface of level columns over texels, which is another one than the \
         bilinear surface: it is off by up to half a texel, and where the bilinear surface is steep by as \
         much in height. Above level 0 a column is as high as the highest texel in it.",
+    role: Role::Plain,
 };

@@ -1,7 +1,9 @@
 //! Registry entry of the search `relaxed-cone`.
 
 use relief_core::FoundState;
-use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, MapSetting, Publication, Weakened};
+use relief_core::registry::{Guarantee, Guarantees, MapInput, MapSetting, Publication, Weakened};
+
+use crate::entry::{Entry, Role};
 
 /// Over cones that a view ray leaves after at most one entry.
 pub const ENTRY: Entry = Entry {
@@ -34,4 +36,5 @@ pub const ENTRY: Entry = Entry {
         than 2 roundings of the path's heights and, times the map's steepest slope, of its places in texels \
         may be judged either way. Rays that rise or bend may enter several times. Without patches the search \
         may stop before the surface, where steps get no further.",
+    role: Role::Plain,
 };

@@ -1,7 +1,9 @@
 //! Registry entry of the search `relaxed-cone-resting`.
 
 use relief_core::FoundState;
-use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, MapSetting, Publication};
+use relief_core::registry::{Guarantee, Guarantees, MapInput, MapSetting, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// Over relaxed cones that rest on their texel.
 pub const ENTRY: Entry = Entry {
@@ -20,4 +22,5 @@ pub const ENTRY: Entry = Entry {
     argument: "The cones hold for rays over the centre of their texel. Beside it a ray may enter the surface \
         and come out again within a cone: measured on cobbles, up to 0.03 % of the hits are passed at 80 \
         degrees and more.",
+    role: Role::Plain,
 };

@@ -1,9 +1,9 @@
 //! Registry entry of the search `sphere`.
 
 use relief_core::FoundState;
-use relief_core::registry::{
-    Entry, Guarantee, Guarantees, MapInput, MapSetting, Param, Publication, Weakened,
-};
+use relief_core::registry::{Guarantee, Guarantees, MapInput, MapSetting, Param, Publication, Weakened};
+
+use crate::entry::{Entry, Role};
 
 /// As far as the distance field says that nothing is near.
 pub const ENTRY: Entry = Entry {
@@ -35,4 +35,5 @@ pub const ENTRY: Entry = Entry {
         the surface by less than 2 roundings of the path's heights and, times the map's steepest slope, of \
         its places in texels may be judged either way. Without patches the search stops before the surface \
         where the field allows no more way.",
+    role: Role::Plain,
 };

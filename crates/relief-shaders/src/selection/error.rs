@@ -4,6 +4,7 @@ use relief_core::FoundState;
 use relief_core::registry::UnknownName;
 
 use crate::stages::{DETAIL, STAGES, SURFACE, stage};
+use crate::{Entry, Variants};
 
 /// Why a selection cannot be made.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -86,7 +87,7 @@ pub enum SelectionError {
     /// A variant's baked map knows the finest level of detail alone.
     #[error(
         "the {stage} '{entry}' cannot be used with the detail '{detail}': the levels of its map are not \
-            levels of detail; choose another, or the detail '{none}'", none = crate::detail::NONE
+            levels of detail; choose another, or the detail {none}", none = Variants::of(DETAIL, Entry::is_idle).or()
     )]
     OneLevel {
         /// The title of the stage that reads the map.

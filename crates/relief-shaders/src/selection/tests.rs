@@ -1,6 +1,10 @@
+use relief_core::registry::{Guarantee, RayClass};
+
 use super::*;
-use crate::METHODS;
+use crate::geometry::Geometry;
 use crate::slice::{SliceDirection, Slices};
+use crate::surface::Shown;
+use crate::{AMBIENT, METHODS, REFINE, SURFACE};
 
 #[test]
 fn every_method_is_a_valid_selection() {

@@ -1,6 +1,8 @@
 //! Registry entry of the shading `blinn-phong`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// Diffuse, and a specular lobe around the half vector.
 pub const ENTRY: Entry = Entry {
@@ -13,4 +15,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "",
+    role: Role::Plain,
 };

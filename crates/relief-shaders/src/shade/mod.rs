@@ -1,9 +1,8 @@
 //! Shadings: what light makes of a hit. A new one is a `.wesl` and a `.rs` file here and its name in the list
 //! below.
 
-use relief_core::registry::Entry;
-
 use crate::SURVEY;
+use crate::entry::Entry;
 
 mod blinn_phong;
 

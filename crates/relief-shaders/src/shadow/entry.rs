@@ -1,6 +1,9 @@
 //! Registry entry of the shadow `entry`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use super::ShadowRole;
+use crate::entry::{Entry, Role};
 
 /// A ray from where the light enters the relief, down to the hit.
 pub const ENTRY: Entry = Entry {
@@ -28,4 +31,5 @@ pub const ENTRY: Entry = Entry {
         descends to the hit: search and refinement of the view serve it, with their map. Where it ends \
         within the tolerance of the hit nothing is taken to be in the way, though a thin ridge may be; where \
         light grazes the surface, rounding alone can be more than the tolerance.",
+    role: Role::Shadow(ShadowRole::FromEntry),
 };

@@ -1,6 +1,8 @@
 //! Registry entry of the shadow `heuristic`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// The heuristic of interactive engines.
 pub const ENTRY: Entry = Entry {
@@ -38,4 +40,5 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "It looks plausible, no more: what lies between two points is not seen, and the softness has \
         nothing to do with the size of the light.",
+    role: Role::Plain,
 };

@@ -1,7 +1,9 @@
 //! Registry entry of the shadow `horizon`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, MapSetting, Publication};
+use relief_core::registry::{Guarantee, Guarantees, MapSetting, Publication};
 
+use super::ShadowRole;
+use crate::entry::{Entry, Role};
 use crate::scene_maps::{AZIMUTHS, scene_map};
 
 /// Horizons, baked for some azimuths.
@@ -18,4 +20,5 @@ pub const ENTRY: Entry = Entry {
         it: more azimuths come nearer. The part of the disc above a straight horizon is known. Height and \
         texture coordinates along the light's direction tell the horizon in the hit's own frame, so that it \
         follows a curved mesh. A light at a point is taken to be behind all of the relief.",
+    role: Role::Shadow(ShadowRole::Discs),
 };

@@ -1,6 +1,9 @@
 //! Registry entry of the shadow `map`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use super::ShadowRole;
+use crate::entry::{Entry, Role};
 
 /// A picture of depths that the light sees.
 pub const ENTRY: Entry = Entry {
@@ -60,4 +63,5 @@ pub const ENTRY: Entry = Entry {
         surface's own search. A point is compared in the plane that touches the surface's patch, so that a \
         straight slope hides nothing of itself. What differs is what lies between two of the light's rays: \
         a shadow's edge is known to about a texel. What is outside of all pictures is lit.",
+    role: Role::Shadow(ShadowRole::LightViews { size: "size", cascades: "cascades" }),
 };

@@ -1,6 +1,8 @@
 //! Registry entry of the shadow `none`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// Nothing is in a light's way.
 pub const ENTRY: Entry = Entry {
@@ -13,4 +15,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "Right where the relief throws no shadow.",
+    role: Role::Idle,
 };

@@ -1,7 +1,10 @@
 //! Registry entry of the shadow `ray`.
 
 use relief_core::FoundState;
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
+
+use super::ShadowRole;
+use crate::entry::{Entry, Role};
 
 /// A ray from the hit to the light.
 pub const ENTRY: Entry = Entry {
@@ -20,4 +23,5 @@ pub const ENTRY: Entry = Entry {
         and with an exact search light is cut exactly where the surface is in its way, but for rays that \
         clear it, or are below it, by less than these roundings. A search that ends before the surface is \
         taken to have met it.",
+    role: Role::Shadow(ShadowRole::ToLights { rays: None }),
 };

@@ -1,6 +1,9 @@
 //! Registry entry of the shadow `scene`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use super::ShadowRole;
+use crate::entry::{Entry, Role};
 
 /// Rays through the whole scene.
 pub const ENTRY: Entry = Entry {
@@ -27,4 +30,5 @@ pub const ENTRY: Entry = Entry {
         thousandths of the displacement and the rounding of places are left, so that no point hides itself. \
         On the surface `plane` each polygon has a relief of its own: where polygons meet at an angle, rays \
         from elsewhere see another one.",
+    role: Role::Shadow(ShadowRole::ThroughScene { rays: "samples" }),
 };

@@ -1,7 +1,10 @@
 //! Registry entry of the shadow `soft`.
 
 use relief_core::FoundState;
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
+
+use super::ShadowRole;
+use crate::entry::{Entry, Role};
 
 /// Rays from the hit to points of the light's disc.
 pub const ENTRY: Entry = Entry {
@@ -26,4 +29,5 @@ pub const ENTRY: Entry = Entry {
         random in each and turned at random together, by the bits of the hit's texture coordinates: the \
         part that is free is the disc's visible part at the mean, and its squared error falls at least \
         as fast as the number of points grows.",
+    role: Role::Shadow(ShadowRole::ToLights { rays: Some("samples") }),
 };

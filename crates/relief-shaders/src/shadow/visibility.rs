@@ -1,7 +1,8 @@
 //! Registry entry of the shadow `visibility`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, MapSetting, Param, Publication};
+use relief_core::registry::{Guarantee, Guarantees, MapSetting, Param, Publication};
 
+use crate::entry::{Entry, Role};
 use crate::scene_maps::{AZIMUTHS, ELEVATIONS, scene_map};
 
 /// Precomputed visibility.
@@ -40,4 +41,5 @@ pub const ENTRY: Entry = Entry {
     argument: "The texels around a hit see the surface or the sky in each of the directions. The light's own \
         direction lies between them, and a mean of theirs stands for it. A light at a point is taken to be \
         behind all of the relief. A light below the lowest elevation is taken to be at it.",
+    role: Role::Plain,
 };

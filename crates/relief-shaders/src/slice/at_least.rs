@@ -1,6 +1,8 @@
 //! Registry entry of the slice test `at-least`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// What lies at most as high as the relief.
 pub const ENTRY: Entry = Entry {
@@ -14,4 +16,5 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "A point of the slice is drawn exactly where it lies on the relief or under it, to the \
         rounding of f32.",
+    role: Role::Plain,
 };

@@ -1,6 +1,8 @@
 //! Registry entry of the slice test `band`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// What lies nearer to the relief than to that of other slices.
 pub const ENTRY: Entry = Entry {
@@ -17,4 +19,5 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "Each point of the relief has a slice that is so near. Between neighbours of other heights \
         rays go through, as in warped pictures.",
+    role: Role::NearSurface,
 };

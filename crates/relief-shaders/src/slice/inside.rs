@@ -1,6 +1,8 @@
 //! Registry entry of the slice test `inside`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
+
+use crate::entry::{Entry, Role};
 
 /// What lies below the relief.
 pub const ENTRY: Entry = Entry {
@@ -13,4 +15,5 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "A point of the slice is drawn exactly where it lies under the relief, to the rounding of f32.",
+    role: Role::Plain,
 };

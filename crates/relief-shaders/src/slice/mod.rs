@@ -1,9 +1,9 @@
 //! Slices: what of a slice through the relief is drawn. A new test is a `.wesl` and a `.rs` file here and its
 //! name in the list below.
 
-use relief_core::registry::{Entry, Param};
+use relief_core::registry::Param;
 
-use crate::stages::entry_place;
+use crate::entry::Entry;
 
 mod at_least;
 mod band;
@@ -87,13 +87,10 @@ impl Slices {
         };
         Self { count: count as u32, direction, with_eye: anchor == 0.0, by_border: clip != 0.0 }
     }
+
+    /// Why such slices can't be made; none where they can.
+    pub(crate) fn refused(&self) -> Option<&'static str> {
+        let is_refused = self.by_border && self.direction != SliceDirection::Screen;
+        is_refused.then_some("a border clips slices at equal depths alone")
+    }
 }
-
-/// The settings of slices along the base, drawn down to their floor.
-pub(crate) const ALONG_SURFACE: &[(&str, f32)] = &[
-    ("slices.direction", SliceDirection::A as u32 as f32),
-    ("slices.test", entry_place(ENTRIES, "at-least") as f32),
-];
-
-/// The settings of slices at equal depths.
-pub(crate) const ALONG_SCREEN: &[(&str, f32)] = &[("slices.direction", SliceDirection::Screen as u32 as f32)];

@@ -1,8 +1,10 @@
 //! Registry entry of the surface `facets`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication, RayClass};
+use relief_core::registry::{Guarantee, Guarantees, Publication, RayClass};
 
-use super::{Names, Paths, Proposal, Refused, Shown};
+use super::{Paths, Proposal, Refused, Shown};
+use crate::Variants;
+use crate::entry::{Entry, Role};
 
 /// Triangles without relief, shaded by the normals of their vertices.
 pub const ENTRY: Entry = Entry {
@@ -16,35 +18,49 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "A ray ends where it meets the plane of its triangle, to the rounding of f32, and nowhere \
         else.",
+    role: Role::Surface(PATHS),
 };
 
 /// What it makes of rays.
-pub const PATHS: Paths = Paths {
+const PATHS: Paths = Paths {
     rays: &[RayClass::View],
     proposal: Proposal::Polygons,
     shown: Shown::Triangles,
+    images: None,
     refused: &[
-        Refused { stage: "search", names: Names::AllBut(&["none"]), reason: FOUND },
-        Refused { stage: "refine", names: Names::AllBut(&["none"]), reason: FOUND },
+        Refused { stage: "search", refuses: super::is_active, reason: is_found },
+        Refused { stage: "refine", refuses: super::is_active, reason: is_found },
         Refused {
             stage: "detail",
-            names: Names::These(&["fade"]),
-            reason: "no relief lies on the triangles there that could be made flatter",
+            refuses: Entry::flattens,
+            reason: |_| "no relief lies on the triangles there that could be made flatter".to_owned(),
         },
         Refused {
             stage: "shadow",
-            names: Names::AllBut(&["none", "map", "scene"]),
-            reason: "it looks for what is in a light's way in a relief, and none lies on the triangles \
-                there; 'map' and 'scene' see triangles",
+            refuses: super::is_shadow_of_one_surface,
+            reason: |others| {
+                format!(
+                    "it looks for what is in a light's way in a relief, and none lies on the triangles there; \
+                     {} see triangles",
+                    others.active().and()
+                )
+            },
         },
         Refused {
             stage: "ambient",
-            names: Names::Reading("bent-normal"),
-            reason: "its vectors are told beside the base, and vertices know the normals of the relief alone",
+            refuses: |entry| entry.reads("bent-normal"),
+            reason: |_| {
+                "its vectors are told beside the base, and vertices know the normals of the relief alone"
+                    .to_owned()
+            },
         },
     ],
 };
 
 /// Why nothing is searched.
-const FOUND: &str =
-    "a ray ends on the triangle that it meets, and nothing is left to be found: choose 'none'";
+fn is_found(others: &Variants) -> String {
+    format!(
+        "a ray ends on the triangle that it meets, and nothing is left to be found: choose {}",
+        others.or()
+    )
+}

@@ -1,8 +1,9 @@
 //! Registry entry of the surface `frames`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication, RayClass};
+use relief_core::registry::{Guarantee, Guarantees, Publication, RayClass};
 
-use super::{OF_IMAGES_REFUSE, Paths, Proposal, Shown};
+use super::{AskedImages, OF_IMAGES_REFUSE, Paths, Proposal, Shown};
+use crate::entry::{Entry, Role};
 
 /// Of the images of an object that make a grid the three that look along the ray most.
 pub const ENTRY: Entry = Entry {
@@ -16,12 +17,14 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "In each of the three rays are straight, as on the surface 'object'. What other images know of \
         the object is not asked, so that it may reach farther back than all of them say.",
+    role: Role::Surface(PATHS),
 };
 
 /// What it makes of rays.
-pub const PATHS: Paths = Paths {
+const PATHS: Paths = Paths {
     rays: &[RayClass::View, RayClass::Shadow],
     proposal: Proposal::Shells,
     shown: Shown::Object,
+    images: Some(AskedImages::OfGrid),
     refused: OF_IMAGES_REFUSE,
 };

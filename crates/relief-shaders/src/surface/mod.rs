@@ -1,9 +1,12 @@
 //! Surfaces: what turns a fragment into path segments. A new one is a `.wesl` and a `.rs` file here and its
-//! name in the two lists below.
+//! name in the list below.
 
-use relief_core::registry::{Entry, Param, RayClass};
+use relief_core::registry::{Param, RayClass};
 
-use crate::SURVEY;
+use crate::entry::Entry;
+use crate::shadow::ShadowRole;
+use crate::stages::{GEOMETRY, SURFACE};
+use crate::{SURVEY, Variants};
 
 mod facets;
 mod frames;
@@ -30,20 +33,6 @@ pub const ENTRIES: &[Entry] = &[
     object_slices::ENTRY,
 ];
 
-/// What each of them makes of rays, in the same order.
-pub const PATHS: &[Paths] = &[
-    plane::PATHS,
-    prism::PATHS,
-    quadric_perpendicular::PATHS,
-    quadric_vertical::PATHS,
-    tetrahedra::PATHS,
-    facets::PATHS,
-    slices::PATHS,
-    object::PATHS,
-    frames::PATHS,
-    object_slices::PATHS,
-];
-
 /// What is added to the order of a shell's corners where the shell overlaps itself.
 pub const FOLDED: u32 = 64;
 
@@ -63,10 +52,21 @@ pub struct Paths {
     pub rays: &'static [RayClass],
     /// Where its relief may be seen.
     pub proposal: Proposal,
-    /// What the triangles show.
+    /// What the triangles show: it goes with geometries that show the same.
     pub shown: Shown,
+    /// Which images of an object its rays ask; none where it shows no object.
+    pub images: Option<AskedImages>,
     /// The variants of other stages that make nothing of its segments.
     pub refused: &'static [Refused],
+}
+
+/// Which images of an object a ray asks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AskedImages {
+    /// All of them.
+    All,
+    /// Of images that make a grid the three that look along the ray most.
+    OfGrid,
 }
 
 /// What triangles show.
@@ -85,28 +85,53 @@ pub enum Shown {
 }
 
 impl Shown {
-    /// Which surfaces show such triangles, as the end of a sentence.
-    pub(crate) const fn needs(self) -> &'static str {
+    /// Whether triangles are slices, which have no back.
+    pub const fn is_sliced(self) -> bool {
+        matches!(self, Shown::Slices | Shown::ObjectSlices)
+    }
+
+    /// Whether what is seen is known from images with depth.
+    pub const fn is_of_images(self) -> bool {
+        matches!(self, Shown::Object | Shown::ObjectSlices)
+    }
+
+    /// Which surfaces show the triangles of a geometry, as the end of a sentence; `other` is what the chosen
+    /// surface shows instead.
+    pub(crate) fn needs(self, other: Self) -> String {
+        let surfaces = Variants::of(SURFACE, |entry| entry.paths().shown == self);
+        let [s, y] = if surfaces.are_several() { ["s", ""] } else { ["", "s"] };
+        let shown = format!("the surface{s} {} alone show{y}", surfaces.and());
         match self {
-            Shown::Relief => "only the surface 'slices' goes with the geometry 'slices'",
-            Shown::Slices => "its triangles run through the relief, which the surface 'slices' alone shows",
-            Shown::Object => {
-                "its box holds what images see, which the surfaces 'object' and 'frames' alone show"
+            Shown::Relief => {
+                let geometries = Variants::of(GEOMETRY, |entry| entry.geometry().shown == other);
+                let surfaces = Variants::of(SURFACE, |entry| entry.paths().shown == other);
+                let [s, goes] = if surfaces.are_several() { ["s", "go"] } else { ["", "goes"] };
+                format!("only the surface{s} {} {goes} with the geometry {}", surfaces.and(), geometries.or())
             }
-            Shown::ObjectSlices => {
-                "its triangles run through what images see, which the surface 'object-slices' alone shows"
-            }
-            Shown::Triangles => {
-                "its triangles are displaced already, and only the surface 'facets' shows them as they are"
-            }
+            Shown::Slices => format!("its triangles run through the relief, which {shown}"),
+            Shown::Object => format!("its box holds what images see, which {shown}"),
+            Shown::ObjectSlices => format!("its triangles run through what images see, which {shown}"),
+            Shown::Triangles => format!(
+                "its triangles are displaced already, and only the surface{s} {} show{y} them as they are",
+                surfaces.and()
+            ),
         }
     }
 }
 
 impl Paths {
+    /// One straight segment in a relief that lies on the triangles.
+    pub const STRAIGHT: Self = Self {
+        rays: &[RayClass::View],
+        proposal: Proposal::Polygons,
+        shown: Shown::Relief,
+        images: None,
+        refused: &[],
+    };
+
     /// Whether triangles are slices, which have no back.
     pub const fn is_sliced(&self) -> bool {
-        matches!(self.shown, Shown::Slices | Shown::ObjectSlices)
+        self.shown.is_sliced()
     }
 
     /// Whether the height map's relief lies on the triangles.
@@ -129,17 +154,30 @@ pub enum Proposal {
     Shells,
 }
 
+/// Variants of another stage that a surface cannot be used with.
+#[derive(Clone, Copy, Debug)]
+pub struct Refused {
+    /// The key of their stage.
+    pub stage: &'static str,
+    /// Whether a variant is one of them, by what its entry says.
+    pub refuses: fn(&Entry) -> bool,
+    /// Why, as the end of a sentence that may name the stage's other variants.
+    pub reason: fn(others: &Variants) -> String,
+}
+
 /// What surfaces refuse on which a ray has several segments.
 const SEGMENTS_REFUSE: &[Refused] = &[
     Refused {
         stage: "search",
-        names: Names::These(&["none"]),
-        reason: "a ray has several segments there, none of which begins at the base",
+        refuses: Entry::is_idle,
+        reason: |_| "a ray has several segments there, none of which begins at the base".to_owned(),
     },
     Refused {
         stage: "detail",
-        names: Names::These(&["fade"]),
-        reason: "a segment may begin anywhere in the relief there, and a flatter one may be above it",
+        refuses: Entry::flattens,
+        reason: |_| {
+            "a segment may begin anywhere in the relief there, and a flatter one may be above it".to_owned()
+        },
     },
     NO_ENTRY_OF_LIGHT,
 ];
@@ -147,27 +185,27 @@ const SEGMENTS_REFUSE: &[Refused] = &[
 /// What surfaces of slices refuse.
 const SLICES_ARE_SEARCHED: Refused = Refused {
     stage: "search",
-    names: Names::AllBut(&["none"]),
-    reason: "slices are what is searched: choose 'none'",
+    refuses: is_active,
+    reason: |others| format!("slices are what is searched: choose {}", others.or()),
 };
 
 /// What surfaces of an object's images refuse.
 const OF_IMAGES_REFUSE: &[Refused] = &[
     Refused {
         stage: "search",
-        names: Names::AllBut(&["cells", "pyramid", "none"]),
-        reason: "rays come into images from all sides: choose 'cells' or 'pyramid'",
+        refuses: serves_no_images,
+        reason: |others| format!("rays come into images from all sides: choose {}", others.active().or()),
     },
     Refused {
         stage: "refine",
-        names: Names::AllBut(&["patch", "none"]),
-        reason: "heights of images jump from cell to cell: choose 'patch'",
+        refuses: serves_no_images,
+        reason: |others| format!("heights of images jump from cell to cell: choose {}", others.active().or()),
     },
     IMAGES_HAVE_NO_LEVELS,
     Refused {
         stage: "shadow",
-        names: Names::AllBut(&["none", "map", "scene"]),
-        reason: "one image alone does not know the object: choose 'map', 'scene' or 'none'",
+        refuses: is_shadow_of_one_surface,
+        reason: |others| format!("one image alone does not know the object: choose {}", others.or()),
     },
     IMAGES_KNOW_NO_SURROUNDINGS,
 ];
@@ -175,23 +213,38 @@ const OF_IMAGES_REFUSE: &[Refused] = &[
 /// What all surfaces of images refuse.
 const IMAGES_HAVE_NO_LEVELS: Refused = Refused {
     stage: "detail",
-    names: Names::AllBut(&["none"]),
-    reason: "images lie side by side in one, and would be mixed in coarser levels",
+    refuses: is_active,
+    reason: |_| "images lie side by side in one, and would be mixed in coarser levels".to_owned(),
 };
 
 /// What all surfaces of images refuse.
 const IMAGES_KNOW_NO_SURROUNDINGS: Refused = Refused {
     stage: "ambient",
-    names: Names::ReadingMaps,
-    reason: "one image alone does not know what is around a point of the object",
+    refuses: |entry| !entry.maps.is_empty(),
+    reason: |_| "one image alone does not know what is around a point of the object".to_owned(),
 };
 
 /// What all surfaces refuse on which the relief bends with the mesh.
 const NO_ENTRY_OF_LIGHT: Refused = Refused {
     stage: "shadow",
-    names: Names::These(&["entry"]),
-    reason: "where a ray to a light enters the relief is not known there",
+    refuses: |entry| entry.shadow() == Some(ShadowRole::FromEntry),
+    reason: |_| "where a ray to a light enters the relief is not known there".to_owned(),
 };
+
+/// Whether a variant does something.
+fn is_active(entry: &Entry) -> bool {
+    !entry.is_idle()
+}
+
+/// Whether a search or a refinement does something, but not for the images of an object.
+fn serves_no_images(entry: &Entry) -> bool {
+    is_active(entry) && !entry.tracing().serves_images
+}
+
+/// Whether a shadow is one of a surface's own relief.
+fn is_shadow_of_one_surface(entry: &Entry) -> bool {
+    is_active(entry) && !entry.shadow().is_some_and(ShadowRole::sees_scene)
+}
 
 /// The settings of surfaces of quadrics. Hosts read them, too: see
 /// [`Selection::quadrics`](crate::Selection::quadrics).
@@ -220,39 +273,3 @@ const LIFT: Param = Param {
     integer: true,
     names: &[],
 };
-
-/// Variants that a surface cannot be used with.
-#[derive(Clone, Copy, Debug)]
-pub struct Refused {
-    /// The key of their stage.
-    pub stage: &'static str,
-    /// Which.
-    pub names: Names,
-    /// Why, as the end of a sentence.
-    pub reason: &'static str,
-}
-
-/// Some variants of a stage, by their names or by what they read.
-#[derive(Clone, Copy, Debug)]
-pub enum Names {
-    /// These.
-    These(&'static [&'static str]),
-    /// All others.
-    AllBut(&'static [&'static str]),
-    /// Those that read a baked map.
-    ReadingMaps,
-    /// Those that read a baked map of this kind.
-    Reading(&'static str),
-}
-
-impl Names {
-    /// Whether a variant is one of them.
-    pub fn contain(&self, entry: &Entry) -> bool {
-        match self {
-            Names::These(names) => names.contains(&entry.name),
-            Names::AllBut(names) => !names.contains(&entry.name),
-            Names::ReadingMaps => !entry.maps.is_empty(),
-            Names::Reading(kind) => entry.maps.iter().any(|map| map.kind == *kind),
-        }
-    }
-}

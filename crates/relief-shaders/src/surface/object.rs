@@ -1,8 +1,9 @@
 //! Registry entry of the surface `object`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication, RayClass};
+use relief_core::registry::{Guarantee, Guarantees, Publication, RayClass};
 
-use super::{OF_IMAGES_REFUSE, Paths, Proposal, Shown};
+use super::{AskedImages, OF_IMAGES_REFUSE, Paths, Proposal, Shown};
+use crate::entry::{Entry, Role};
 
 /// Images of an object, each of which is a relief on a plane of its own.
 pub const ENTRY: Entry = Entry {
@@ -17,12 +18,14 @@ pub const ENTRY: Entry = Entry {
     argument: "An image's texture coordinates and heights are linear in the place, so that rays are straight \
         in each. They are cut off where an image ends and just above its lowest height, where it sees \
         nothing.",
+    role: Role::Surface(PATHS),
 };
 
 /// What it makes of rays.
-pub const PATHS: Paths = Paths {
+const PATHS: Paths = Paths {
     rays: &[RayClass::View, RayClass::Shadow],
     proposal: Proposal::Shells,
     shown: Shown::Object,
+    images: Some(AskedImages::All),
     refused: OF_IMAGES_REFUSE,
 };

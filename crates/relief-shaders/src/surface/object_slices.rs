@@ -1,8 +1,9 @@
 //! Registry entry of the surface `object-slices`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication, RayClass};
+use relief_core::registry::{Guarantee, Guarantees, Publication, RayClass};
 
-use super::{Names, Paths, Proposal, Refused, Shown};
+use super::{AskedImages, Paths, Proposal, Refused, Shown};
+use crate::entry::{Entry, Role};
 
 /// Triangles through an object that is known from images.
 pub const ENTRY: Entry = Entry {
@@ -16,30 +17,41 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "A ray ends on the first slice at which it is in the solids of all images: the first hit lies \
         between that one and the one before where the object passed no slice in between.",
+    role: Role::Surface(PATHS),
 };
 
 /// What it makes of rays.
-pub const PATHS: Paths = Paths {
+const PATHS: Paths = Paths {
     rays: &[RayClass::View],
     proposal: Proposal::Polygons,
     shown: Shown::ObjectSlices,
+    images: Some(AskedImages::All),
     refused: &[
         Refused {
             stage: "slices",
-            names: Names::These(&["band"]),
-            reason: "what is near the surfaces of all images are only edges: choose 'inside' or 'at-least'",
+            refuses: Entry::is_near_surface,
+            reason: |others| {
+                format!("what is near the surfaces of all images are only edges: choose {}", others.or())
+            },
         },
         super::SLICES_ARE_SEARCHED,
         Refused {
             stage: "refine",
-            names: Names::AllBut(&["none"]),
-            reason: "between two slices any of the images may end the object: choose 'none', which \
-                'slices.refine' at 0 does",
+            refuses: super::is_active,
+            reason: |others| {
+                format!(
+                    "between two slices any of the images may end the object: choose {}, which \
+                     'slices.refine' at 0 does",
+                    others.or()
+                )
+            },
         },
         Refused {
             stage: "shadow",
-            names: Names::AllBut(&["none"]),
-            reason: "lights see between slices that stand as an eye sees them: choose 'none'",
+            refuses: super::is_active,
+            reason: |others| {
+                format!("lights see between slices that stand as an eye sees them: choose {}", others.or())
+            },
         },
         super::IMAGES_HAVE_NO_LEVELS,
         super::IMAGES_KNOW_NO_SURROUNDINGS,

@@ -1,8 +1,8 @@
 //! Registry entry of the flat base surface.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication, RayClass};
+use relief_core::registry::{Guarantee, Guarantees, Publication};
 
-use super::{Paths, Proposal, Shown};
+use crate::entry::{Entry, Role};
 
 /// The flat base surface.
 pub const ENTRY: Entry = Entry {
@@ -17,8 +17,5 @@ pub const ENTRY: Entry = Entry {
     argument: "A straight ray stays straight in texture space when the frame is constant along it, which holds on flat \
         polygons and is the approximation made on curved meshes. The entry lies at height 1 to a rounding of f32, the \
         exit a millionth of the relief below height 0, so that rounding cannot end a path above a floor.",
+    role: Role::Plain,
 };
-
-/// What it makes of rays.
-pub const PATHS: Paths =
-    Paths { rays: &[RayClass::View], proposal: Proposal::Polygons, shown: Shown::Relief, refused: &[] };

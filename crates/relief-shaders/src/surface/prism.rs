@@ -1,8 +1,9 @@
 //! Registry entry of shells as they are.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication, RayClass};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication, RayClass};
 
 use super::{LIFT, Paths, Proposal, SEGMENTS_REFUSE, Shown};
+use crate::entry::{Entry, Role};
 
 /// Shells with normals interpolated over the triangle.
 pub const ENTRY: Entry = Entry {
@@ -38,12 +39,14 @@ pub const ENTRY: Entry = Entry {
         point, whose weights are quotients of quadratics in the offset: all pieces of that curve that are \
         inside the triangle are cut into chords, and the nearest hit of all of them counts. Shadows go \
         straight through the relief in the frame of the hit, as on `plane`.",
+    role: Role::Surface(PATHS),
 };
 
 /// What it makes of rays.
-pub const PATHS: Paths = Paths {
+const PATHS: Paths = Paths {
     rays: &[RayClass::View, RayClass::Bent, RayClass::Shadow],
     proposal: Proposal::Shells,
     shown: Shown::Relief,
+    images: None,
     refused: SEGMENTS_REFUSE,
 };

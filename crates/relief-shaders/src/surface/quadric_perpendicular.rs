@@ -1,8 +1,9 @@
 //! Registry entry of quadrics from which distances are measured across the view.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication, RayClass};
+use relief_core::registry::{Guarantee, Guarantees, Param, Publication, RayClass};
 
-use super::{NO_ENTRY_OF_LIGHT, Names, Paths, Proposal, QUADRIC_PARAMS, Refused, Shown};
+use super::{NO_ENTRY_OF_LIGHT, Paths, Proposal, QUADRIC_PARAMS, Refused, Shown};
+use crate::entry::{Entry, Role};
 
 /// Quadrics, with distances at right angles to the ray.
 pub const ENTRY: Entry = Entry {
@@ -39,23 +40,29 @@ pub const ENTRY: Entry = Entry {
         ends and in their middle alone, which is where a search of twice as many steps looks. Seen \
         along its normal a relief is flat, as the distance across the view grows beyond all bounds \
         there.",
+    role: Role::Surface(PATHS),
 };
 
 /// What it makes of rays.
-pub const PATHS: Paths = Paths {
+const PATHS: Paths = Paths {
     rays: &[RayClass::Bent],
     proposal: Proposal::Polygons,
     shown: Shown::Relief,
+    images: None,
     refused: &[
         Refused {
             stage: "search",
-            names: Names::AllBut(&["linear"]),
-            reason: "the distance from the quadric jumps along a ray, which only samples are taken of",
+            refuses: |entry| !entry.tracing().only_samples,
+            reason: |_| {
+                "the distance from the quadric jumps along a ray, which only samples are taken of".to_owned()
+            },
         },
         Refused {
             stage: "detail",
-            names: Names::These(&["fade"]),
-            reason: "a chord may begin anywhere in the relief there, and a flatter one may be above it",
+            refuses: Entry::flattens,
+            reason: |_| {
+                "a chord may begin anywhere in the relief there, and a flatter one may be above it".to_owned()
+            },
         },
         NO_ENTRY_OF_LIGHT,
     ],

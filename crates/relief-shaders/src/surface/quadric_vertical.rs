@@ -1,8 +1,9 @@
 //! Registry entry of quadrics over which heights are measured along the normal.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication, RayClass};
+use relief_core::registry::{Guarantee, Guarantees, Publication, RayClass};
 
 use super::{NO_ENTRY_OF_LIGHT, Paths, Proposal, QUADRIC_PARAMS, Shown};
+use crate::entry::{Entry, Role};
 
 /// Quadrics, with heights along the normal of the base point.
 pub const ENTRY: Entry = Entry {
@@ -24,12 +25,14 @@ pub const ENTRY: Entry = Entry {
         approximate the base near the point, and the more the farther a ray runs. Relief is seen \
         where its triangle is. Where it would rise above the base, the base moves out along its \
         normals. Shadows are those of straight rays in the quadric's frame at the hit.",
+    role: Role::Surface(PATHS),
 };
 
 /// What it makes of rays.
-pub const PATHS: Paths = Paths {
+const PATHS: Paths = Paths {
     rays: &[RayClass::View, RayClass::Bent],
     proposal: Proposal::Polygons,
     shown: Shown::Relief,
+    images: None,
     refused: &[NO_ENTRY_OF_LIGHT],
 };

@@ -1,8 +1,9 @@
 //! Registry entry of the surface `slices`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication, RayClass};
+use relief_core::registry::{Guarantee, Guarantees, Publication, RayClass};
 
-use super::{Names, Paths, Proposal, Refused, Shown};
+use super::{Paths, Proposal, Refused, Shown};
+use crate::entry::{Entry, Role};
 
 /// Triangles through the relief, drawn where the stage `slices` says so.
 pub const ENTRY: Entry = Entry {
@@ -16,24 +17,33 @@ pub const ENTRY: Entry = Entry {
     weakened: &[],
     argument: "A ray ends on the first slice that passes the test, or by a refinement between that one and \
         the one before it: the first hit lies between both where the relief passed no slice in between.",
+    role: Role::Surface(PATHS),
 };
 
 /// What it makes of rays.
-pub const PATHS: Paths = Paths {
+const PATHS: Paths = Paths {
     rays: &[RayClass::View],
     proposal: Proposal::Polygons,
     shown: Shown::Slices,
+    images: None,
     refused: &[
         super::SLICES_ARE_SEARCHED,
         Refused {
             stage: "refine",
-            names: Names::AllBut(&["none", "secant"]),
-            reason: "what is known are a slice and the one before it: choose 'none', or set 'slices.refine'",
+            refuses: |entry| super::is_active(entry) && !entry.tracing().joins_slices,
+            reason: |others| {
+                format!(
+                    "what is known are a slice and the one before it: choose {}, or set 'slices.refine'",
+                    others.idle().or()
+                )
+            },
         },
         Refused {
             stage: "detail",
-            names: Names::These(&["fade"]),
-            reason: "slices are made for the whole displacement, and the relief would be flatter",
+            refuses: Entry::flattens,
+            reason: |_| {
+                "slices are made for the whole displacement, and the relief would be flatter".to_owned()
+            },
         },
         super::NO_ENTRY_OF_LIGHT,
     ],

@@ -1,8 +1,9 @@
 //! Registry entry of shells in tetrahedra.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication, RayClass};
+use relief_core::registry::{Guarantee, Guarantees, Publication, RayClass};
 
 use super::{Paths, Proposal, SEGMENTS_REFUSE, Shown};
+use crate::entry::{Entry, Role};
 
 /// Shells in tetrahedra.
 pub const ENTRY: Entry = Entry {
@@ -20,12 +21,14 @@ pub const ENTRY: Entry = Entry {
         the same diagonal, and reach beyond them by the rounding of where the ray is, so that nothing passes \
         between. A segment that begins under the surface by more than rounding begins where it comes out. \
         Shadows go straight through the relief in the frame of the hit, as on `plane`.",
+    role: Role::Surface(PATHS),
 };
 
 /// What it makes of rays.
-pub const PATHS: Paths = Paths {
+const PATHS: Paths = Paths {
     rays: &[RayClass::View, RayClass::Shadow],
     proposal: Proposal::Shells,
     shown: Shown::Relief,
+    images: None,
     refused: SEGMENTS_REFUSE,
 };

@@ -15,11 +15,10 @@ use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-use relief_core::registry::Entry;
 use relief_core::{MapFormat, Wrap};
 use relief_render::gpu::Prober;
 use relief_shaders::wgsl::Sampling;
-use relief_shaders::{Selection, detail, refine, search, shadow};
+use relief_shaders::{Entry, Selection, detail, refine, search, shadow};
 
 use crate::maps;
 use crate::rng::Rng;
@@ -67,7 +66,7 @@ impl Pair {
                 if pair.check_pair().is_err() {
                     continue;
                 }
-                let none = [&shadow::none::ENTRY, search];
+                let none = [shadow::ENTRIES.iter().find(|it| it.is_idle()).expect("no shadow"), search];
                 let shadow = shadows.get(pairs.len()).copied().unwrap_or(none);
                 // Every third in levels of detail, by turns in each way: most of the time goes into compiling
                 // programs, and this way a pair has one.

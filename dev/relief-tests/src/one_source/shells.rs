@@ -1,11 +1,10 @@
 //! Rays through the shells of triangles: slivers, twisted and nearly folded ones among them.
 
 use glam::{DVec2, DVec3};
-use relief_core::registry::Entry;
 use relief_core::{HeightMap, MapFormat, Wrap};
 use relief_shaders::cpu::{Corner, PixelIn, Shell};
 use relief_shaders::wgsl::Sampling;
-use relief_shaders::{Selection, detail, refine, search, shadow};
+use relief_shaders::{Entry, Selection, detail, refine, search, shadow};
 
 use super::adapter;
 use super::cases::{Draw, LEAST_SHELL_M};

@@ -11,7 +11,7 @@ use relief_shaders::cpu::{
     BLOCK, EnteredBlock, Frame, HitBlock, Light, LightPoint, PathBlock, PixelIn, PixelOutBlock, Program, Row,
     SurfaceSettings, Triangle, TriangleRays, Vec4,
 };
-use relief_shaders::surface::{PATHS, Proposal, Shown};
+use relief_shaders::surface::{ENTRIES, Proposal};
 use relief_shaders::{AMBIENT, DETAIL, MAX_LIGHTS, MapSlot, SHADOW, SLICES, STAGES, SURFACE, Selection};
 use relief_tests::baked::maps_in;
 use relief_tests::one_source::cases::bare_surface;
@@ -180,8 +180,7 @@ fn points() -> [Row<f32>; 2] {
 #[test]
 fn pixels_have_the_bits_of_one_by_one() {
     // Objects of images are asked for one ray at a time.
-    let of_images = [Shown::Object, Shown::ObjectSlices];
-    let of_meshes = PATHS.iter().enumerate().filter(|(_, paths)| !of_images.contains(&paths.shown));
+    let of_meshes = ENTRIES.iter().enumerate().filter(|(_, entry)| !entry.paths().shown.is_of_images());
     let of_meshes: Vec<usize> = of_meshes.map(|(place, _)| place).collect();
     let surfaces = of_meshes.len();
     let details = STAGES[DETAIL].entries.len();

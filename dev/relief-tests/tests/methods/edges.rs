@@ -3,7 +3,6 @@
 
 use std::collections::BTreeSet;
 
-use relief_core::registry::Entry;
 use relief_core::{HeightMap, TexelMask, Wrap};
 use relief_maps::Maps;
 use relief_render::Renderer;
@@ -13,7 +12,7 @@ use relief_render::gpu::AdapterChoice;
 use relief_render::mesh::{Mesh, Placement, square, torus};
 use relief_render::scene::{Sampling, Scene, SceneBuilder, Surface, View};
 use relief_shaders::cpu::PixelOut;
-use relief_shaders::{METHODS, Selection, surface};
+use relief_shaders::{Entry, METHODS, Selection, surface};
 use relief_tests::adapter::{Leeway, open};
 use relief_tests::maps;
 
@@ -87,11 +86,7 @@ fn wrong_pixel(map: &HeightMap, without: &[PixelOut], with: &[PixelOut]) -> Opti
 
 /// The surfaces on which a relief lies.
 fn under_relief() -> impl Iterator<Item = &'static Entry> {
-    surface::ENTRIES
-        .iter()
-        .zip(surface::PATHS)
-        .filter(|(_, paths)| paths.has_relief())
-        .map(|(entry, _)| entry)
+    surface::ENTRIES.iter().filter(|entry| entry.paths().has_relief())
 }
 
 #[test]

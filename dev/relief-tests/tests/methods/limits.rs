@@ -8,6 +8,7 @@ use relief_render::gpu::{Gpu, block_on};
 use relief_render::mesh::torus;
 use relief_render::scene::{Scene, Surface};
 use relief_render::wgpu::{DeviceDescriptor, Features, Instance, Limits, RequestAdapterOptions};
+use relief_shaders::shadow::ShadowRole;
 use relief_shaders::wgsl::Sampling;
 use relief_shaders::{METHODS, OBJECT, SLICES, Selection, ambient, detail, shadow, surface};
 use relief_tests::adapter::has_adapter;
@@ -47,7 +48,8 @@ fn selections() -> Vec<Selection> {
     let stages = [("shadow", shadow::ENTRIES), ("ambient", ambient::ENTRIES), ("detail", detail::ENTRIES)];
     let others = stages.into_iter().flat_map(|(stage, entries)| {
         // Rays through the whole scene are traced by the CPU alone.
-        let entries = entries.iter().filter(|entry| entry.name != "scene");
+        let entries =
+            entries.iter().filter(|it| !matches!(it.shadow(), Some(ShadowRole::ThroughScene { .. })));
         entries.map(move |entry| {
             let mut selection = Selection::method("cone").expect("a method");
             selection.choose(stage, entry.name).expect("a listed name");
@@ -55,8 +57,8 @@ fn selections() -> Vec<Selection> {
         })
     });
     // The method that every surface under a relief can be used with.
-    let under_relief = surface::ENTRIES.iter().zip(surface::PATHS).filter(|(_, paths)| paths.has_relief());
-    let surfaces = under_relief.map(|(entry, _)| {
+    let under_relief = surface::ENTRIES.iter().filter(|entry| entry.paths().has_relief());
+    let surfaces = under_relief.map(|entry| {
         let mut selection = Selection::method("relief").expect("a method");
         selection.choose("surface", entry.name).expect("a listed name");
         selection

@@ -63,9 +63,8 @@ fn every_surface_gives_the_same_picture() {
     ];
     for (meshes, eye, target) in &views {
         let mut before = Vec::new();
-        let under_relief =
-            surface::ENTRIES.iter().zip(surface::PATHS).filter(|(_, paths)| paths.has_relief());
-        for (entry, _) in under_relief {
+        let under_relief = surface::ENTRIES.iter().filter(|entry| entry.paths().has_relief());
+        for entry in under_relief {
             let [cpu, gpu] = [BackendChoice::Cpu, BackendChoice::Gpu]
                 .map(|backend| pixels(entry.name, meshes, *eye, *target, backend));
             let share = alike(&cpu, &gpu);

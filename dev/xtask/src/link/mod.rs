@@ -3,6 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use relief_shaders::shadow::ShadowRole;
+use relief_shaders::{Entry, SHADOW, STAGES};
 use wgsl_parse::syntax::TranslationUnit;
 
 use self::lanes::LaneText;
@@ -110,19 +112,24 @@ const PIXELS: LaneText = LaneText {
         ("PixelIn", "c"),
         ("PixelIn", "shell"),
     ],
-    one_by_one: &[
-        "folded_enter",
-        "folded_segment",
-        "is_in_hole",
-        "shadow_entry",
-        "shadow_map",
-        "shadow_ray",
-        "shadow_soft",
-    ],
+    one_by_one: is_one_by_one,
     by_hand: &[],
     levels_differ: true,
     blocks: &["Path", "Hit", "Entered", "PixelOut"],
 };
+
+/// Whether a function is called for each lane by itself: the rays of shadows go ways of their own, and so do
+/// look-ups in what lights see.
+fn is_one_by_one(name: &str) -> bool {
+    let stage = &STAGES[SHADOW];
+    let goes_alone = |entry: &&Entry| {
+        use ShadowRole::{FromEntry, LightViews, ToLights};
+        matches!(entry.shadow(), Some(FromEntry | ToLights { .. } | LightViews { .. }))
+    };
+    let mut alone = stage.entries.iter().filter(goes_alone);
+    ["folded_enter", "folded_segment", "is_in_hole"].contains(&name)
+        || alone.any(|entry| stage.calls.iter().any(|call| stage.function_of(call, entry) == name))
+}
 
 /// All generated files.
 pub fn files(workspace: &Path) -> Result<Vec<Generated>, String> {

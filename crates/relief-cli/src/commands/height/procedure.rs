@@ -8,9 +8,9 @@ use std::time::Instant;
 
 use clap::Args;
 use rayon::prelude::*;
-use relief_core::registry::Entry;
 use relief_core::{ByteSize, HeightMap, Wrap};
 use relief_io::{DEFAULT_MAX_BYTES, HeightNote};
+use relief_shaders::Entry;
 use relief_shaders::procedure::{ENTRIES, Procedure};
 use serde_json::json;
 

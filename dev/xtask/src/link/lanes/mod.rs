@@ -33,8 +33,8 @@ pub struct LaneText {
     /// Members that are the same in all lanes, because calls are made for what has them in common: struct
     /// and member.
     pub shared_members: &'static [(&'static str, &'static str)],
-    /// Functions that are called for each lane by itself, as single numbers have them.
-    pub one_by_one: &'static [&'static str],
+    /// Whether a function of that name is called for each lane by itself, as single numbers have it.
+    pub one_by_one: fn(&str) -> bool,
     /// Functions that the runtime has over lanes, since they can be had there in a better way than from their
     /// text.
     pub by_hand: &'static [&'static str],
@@ -50,7 +50,7 @@ impl LaneText {
         roots: &[],
         same_arguments: &[],
         shared_members: &[],
-        one_by_one: &[],
+        one_by_one: |_| false,
         by_hand: &[],
         levels_differ: false,
         blocks: &[],
@@ -181,7 +181,7 @@ mod tests {
                       return Both(atan2(y, x.angle), y);\n}\n\n\
                       fn trial(x: f32) -> f32 {\nreturn both(Both(x, x + 1.0)).angle;\n}\n";
         assert!(translated(source).is_err());
-        let text = LaneText { one_by_one: &["both"], ..TRIAL };
+        let text = LaneText { one_by_one: |name| name == "both", ..TRIAL };
         let written = in_text(source, &text).expect("a text");
         assert!(written.contains("r.both(") && written.contains("singles_both("), "{written}");
     }

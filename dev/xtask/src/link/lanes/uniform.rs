@@ -132,7 +132,7 @@ impl<'a> Program<'a> {
     /// Whether a function is called for each lane by itself.
     pub fn is_one_by_one(&self, variant: &Variant) -> bool {
         let name = self.module.functions[variant.function].name.as_deref().unwrap_or_default();
-        self.text.one_by_one.contains(&name)
+        (self.text.one_by_one)(name)
     }
 
     /// The variant that a call with these arguments calls.

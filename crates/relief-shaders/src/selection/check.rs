@@ -1,0 +1,176 @@
+//! Whether the chosen variants go together.
+
+use relief_core::registry::{Guarantee, MapInput, MapLevels, MapSetting, RayClass};
+
+use super::{Selection, SelectionError};
+use crate::Variants;
+use crate::entry::Entry;
+use crate::object::Solid;
+use crate::stages::{
+    DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, SURFACE, Stage,
+};
+use crate::surface::{AskedImages, Paths, Shown};
+
+impl Selection {
+    /// Whether every chosen variant can be used for the rays that its stage is given, and with the others.
+    ///
+    /// # Errors
+    ///
+    /// When one cannot.
+    pub fn check(&self) -> Result<(), SelectionError> {
+        let used = STAGES.iter().zip(&self.choices).enumerate().filter(|(place, _)| self.uses(*place));
+        for (_, (stage, choice)) in used {
+            let (entry, promises) = (choice.entry, choice.promises());
+            let impossible = |rays: &&RayClass| promises.of(**rays) == Guarantee::Impossible;
+            if let Some(rays) = stage.rays.iter().find(impossible) {
+                let (stage, key, entry, rays) = (stage.title, stage.key, entry.name, rays.name());
+                return Err(SelectionError::Impossible { stage, key, entry, rays });
+            }
+        }
+        self.check_pair()?;
+        self.check_levels()?;
+        self.check_surface()?;
+        if self.uses(SHADOW_SEARCH) { self.check_taken(SHADOW_SEARCH, SHADOW) } else { Ok(()) }
+    }
+
+    /// Whether a variant of a stage, with default parameters, goes with all that is chosen for the other
+    /// stages. Displaced triangles and objects, for example, read no bent normals: `sky` does not go with
+    /// them, `hemisphere` does.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such stage or no such variant.
+    pub fn goes_with(&self, key: &str, name: &str) -> Result<bool, SelectionError> {
+        let mut other = *self;
+        other.choose(key, name)?;
+        Ok(other.check().is_ok())
+    }
+
+    /// Whether all other stages make something of the surface's segments.
+    ///
+    /// # Errors
+    ///
+    /// When one does not.
+    fn check_surface(&self) -> Result<(), SelectionError> {
+        let Paths { rays, shown, refused, .. } = self.paths();
+        let surface = self.choices[SURFACE].entry.name;
+        let error = |place: usize, reason| {
+            let (Stage { title: stage, key, .. }, entry) = (&STAGES[place], self.choices[place].entry.name);
+            Err(SelectionError::Surface { stage, key, entry, surface, reason })
+        };
+        // Triangles may be displaced already where no geometry displaces them.
+        let of_geometry = self.shown_by_geometry();
+        if *shown != of_geometry && (*shown, of_geometry) != (Shown::Triangles, Shown::Relief) {
+            return error(GEOMETRY, of_geometry.needs(*shown));
+        }
+        if let Some(reason) = self.geometry().and_then(|geometry| geometry.refused()) {
+            return error(GEOMETRY, reason.to_owned());
+        }
+        match (self.is_of_images(), !self.choices[OBJECT].entry.is_idle()) {
+            (true, false) => return error(OBJECT, "choose what the object is of its images".to_owned()),
+            (false, true) => return error(OBJECT, "there are no images that it could be made of".to_owned()),
+            _ => {}
+        }
+        if let Some((place, reason)) = self.at_odds_with_object() {
+            return error(place, reason);
+        }
+        for (place, (stage, choice)) in STAGES.iter().zip(&self.choices).enumerate() {
+            let mut of_stage = refused.iter().filter(|refused| refused.stage == stage.key);
+            if let Some(refused) = of_stage.find(|refused| (refused.refuses)(choice.entry)) {
+                let others = Variants::of(place, |entry| !(refused.refuses)(entry));
+                return error(place, (refused.reason)(&others));
+            }
+        }
+        for place in [SEARCH, REFINE].into_iter().filter(|_| !self.blends_normals()) {
+            let promises = self.choices[place].promises();
+            let impossible = |rays: &&RayClass| promises.of(**rays) == Guarantee::Impossible;
+            if let Some(rays) = rays.iter().find(impossible) {
+                return error(place, format!("its segments include {} rays", rays.name()));
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether all baked maps that are read can have the levels of detail that are seen.
+    ///
+    /// # Errors
+    ///
+    /// When one cannot.
+    pub fn check_levels(&self) -> Result<(), SelectionError> {
+        let used = STAGES.iter().zip(&self.choices).enumerate().filter(|(place, _)| self.uses(*place));
+        for (_, (stage, choice)) in used {
+            let serves_all = |(_, value): &(_, MapSetting)| matches!(value, MapSetting::Levels(..));
+            let of_one = |map: &MapInput| {
+                matches!(map.levels, MapLevels::ChainFrom(_)) && !map.settings.iter().any(serves_all)
+            };
+            if self.has_levels() && choice.entry.maps.iter().any(of_one) {
+                let (stage, key, entry) = (stage.title, stage.key, choice.entry.name);
+                return Err(SelectionError::OneLevel {
+                    stage,
+                    key,
+                    entry,
+                    detail: self.choices[DETAIL].entry.name,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the refinement makes something of what the search gives.
+    ///
+    /// # Errors
+    ///
+    /// When it does not.
+    pub fn check_pair(&self) -> Result<(), SelectionError> {
+        self.check_taken(SEARCH, REFINE)
+    }
+
+    /// Whether the variant of the stage `taker` makes something of what the search of the stage `giver`
+    /// gives.
+    pub(super) fn check_taken(&self, giver: usize, taker: usize) -> Result<(), SelectionError> {
+        let [search, other] = [giver, taker].map(|place| self.choices[place].entry);
+        if search.states.iter().any(|state| other.states.contains(state)) {
+            return Ok(());
+        }
+        let [giver, taker] =
+            [(giver, search.name), (taker, other.name)].map(|(place, name)| (STAGES[place].key, name));
+        Err(SelectionError::Pair { giver, taker, gives: search.states, takes: other.states })
+    }
+
+    /// The stage that does not go with what is made of an object's images, and why.
+    fn at_odds_with_object(&self) -> Option<(usize, String)> {
+        let object = self.object_cells()?;
+        let [search, refine] = [self.search(), self.refine()];
+        let named = |place: usize, is_named: fn(&Entry) -> bool| Variants::of(place, is_named);
+        if object.solid == Solid::Blend {
+            let of_grid = |entry: &Entry| entry.paths().images == Some(AskedImages::OfGrid);
+            let needs_grid = || {
+                let surfaces = named(SURFACE, of_grid);
+                format!("only the surface {} has frames that can be blended", surfaces.or())
+            };
+            let blended = |place: usize| {
+                format!("frames are blended without one: choose {}", named(place, Entry::is_idle).or())
+            };
+            let first_active = [SEARCH, REFINE].into_iter().find(|at| !self.choices[*at].entry.is_idle());
+            return (self.paths().images != Some(AskedImages::OfGrid))
+                .then(|| (OBJECT, needs_grid()))
+                .or_else(|| first_active.map(|place| (place, blended(place))));
+        }
+        if self.paths().shown == Shown::ObjectSlices {
+            return None;
+        }
+        let serving = |place: usize| named(place, |entry| entry.tracing().serves_images);
+        if search.is_idle() {
+            return Some((SEARCH, format!("images are searched: choose {}", serving(SEARCH).or())));
+        }
+        if refine.is_idle() {
+            let reason = format!("heights jump from cell to cell: choose {}", serving(REFINE).or());
+            return Some((REFINE, reason));
+        }
+        self.searches_beyond_texels(&object).then(|| {
+            let others = named(SEARCH, |entry| entry.tracing().serves_images && entry.maps.is_empty());
+            let nodes = "its nodes bound heights between texels, not silhouettes or steps";
+            (SEARCH, format!("{nodes}: choose {}", others.or()))
+        })
+    }
+}

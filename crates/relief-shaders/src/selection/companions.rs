@@ -1,0 +1,111 @@
+//! What is chosen together with a variant.
+
+use super::{Choice, Selection, SelectionError};
+use crate::entry::{Companion, Entry, find};
+use crate::object::{ObjectCells, Solid};
+use crate::stages::{
+    GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, stage,
+};
+use relief_core::registry::Guarantee;
+
+impl Choice {
+    /// The first variant of a stage for which that holds, with its default parameters. The tests hold that
+    /// there is one for all that is asked here; without it the stage's first.
+    fn first(place: usize, holds: impl Fn(&Entry) -> bool) -> Self {
+        let number = STAGES[place].first(holds).map_or(0, |(number, _)| number);
+        Self::new(&STAGES[place], number)
+    }
+}
+
+impl Selection {
+    /// The same with the search and the refinement that have the exact answer without a baked map.
+    pub(super) fn with_reference(mut self) -> Self {
+        for place in [SEARCH, REFINE] {
+            self.choices[place] = Choice::first(place, |entry| entry.tracing().is_reference);
+        }
+        self
+    }
+
+    /// The same with the search for shadows that goes with the view's: that one with its parameters, or the
+    /// reference where it is of no use for shadows.
+    pub(super) fn with_search_for_shadows(mut self) -> Self {
+        self.choices[SHADOW_SEARCH] = self.choices[SEARCH];
+        let promised = self.choices[SEARCH].promises().shadow;
+        let is_taken = || self.check_taken(SHADOW_SEARCH, SHADOW).is_ok();
+        if promised == Guarantee::Impossible || (self.uses(SHADOW_SEARCH) && !is_taken()) {
+            self.choices[SHADOW_SEARCH] = Choice::first(SHADOW_SEARCH, |entry| entry.tracing().is_reference);
+        }
+        self
+    }
+
+    /// The same without shadows.
+    #[must_use]
+    pub fn without_shadows(&self) -> Self {
+        let mut without = *self;
+        without.choices[SHADOW] = Choice::first(SHADOW, Entry::is_idle);
+        without.with_search_for_shadows()
+    }
+
+    /// The same with variants that go with the geometry: its companions, or a surface that shows its
+    /// triangles.
+    pub(super) fn with_companions_of_geometry(mut self) -> Result<Self, SelectionError> {
+        let geometry = self.choices[GEOMETRY].entry.geometry();
+        self.choices[OBJECT] = Choice::first(OBJECT, Entry::is_idle);
+        if !geometry.companions.is_empty() {
+            return Ok(self.with_companions(geometry.companions)?.with_search_for_shadows());
+        }
+        if self.paths().shown != geometry.shown {
+            self.choices[SURFACE] = Choice::first(SURFACE, |entry| entry.paths().shown == geometry.shown);
+        }
+        Ok(self)
+    }
+
+    /// The same with variants that serve what is made of an object's images, where those that are chosen do
+    /// not.
+    pub(super) fn with_companions_of_object(self) -> Result<Self, SelectionError> {
+        let (Some(role), Some(object)) = (self.object_role(), self.object_cells()) else { return Ok(self) };
+        let is_searched = role.solid != Solid::Blend;
+        let is_served =
+            self.search().is_idle() != is_searched && !(is_searched && self.searches_beyond_texels(&object));
+        if is_served || self.shown_by_geometry().is_sliced() {
+            return Ok(self);
+        }
+        let mut with = self.with_companions(role.companions)?;
+        if is_searched && with.searches_beyond_texels(&object) {
+            with = with.with_reference();
+        }
+        Ok(with.with_search_for_shadows())
+    }
+
+    /// Whether the search's map bounds heights between texels, and the images of that object have others.
+    pub(super) fn searches_beyond_texels(&self, object: &ObjectCells) -> bool {
+        let search = self.search();
+        search.tracing().serves_images && !search.maps.is_empty() && !object.is_under_texels()
+    }
+
+    /// The same with the refinement that the slices ask for.
+    pub(super) fn with_refinement_of_slices(mut self) -> Self {
+        let steps = self.choices[SLICES].value("refine");
+        self.choices[REFINE] = if steps > 0.0 {
+            Choice::first(REFINE, |entry| entry.tracing().joins_slices)
+        } else {
+            Choice::first(REFINE, Entry::is_idle)
+        };
+        if let Some((place, _)) = self.choices[REFINE].entry.param("steps") {
+            self.choices[REFINE].params[place] = steps;
+        }
+        self
+    }
+
+    /// The same with variants by name.
+    fn with_companions(mut self, companions: &[Companion]) -> Result<Self, SelectionError> {
+        for Companion { stage: key, name, settings } in companions {
+            let (place, stage) = stage(key).ok_or_else(|| SelectionError::NoStage((*key).to_owned()))?;
+            self.choices[place] = Choice::new(stage, find(stage.title, stage.entries, name)?);
+            for (name, value) in *settings {
+                self.choices[place].set(stage, name, &format!("{key}.{name}"), f64::from(*value))?;
+            }
+        }
+        Ok(self)
+    }
+}

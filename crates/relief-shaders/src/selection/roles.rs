@@ -1,0 +1,209 @@
+//! What the chosen variants need and show, as their entries say.
+
+use relief_core::HeightMap;
+use relief_core::mesh::QuadricCoefficients;
+use relief_core::registry::{Guarantee, RayClass};
+
+use super::{Choice, Selection};
+use crate::entry::Entry;
+use crate::geometry::Geometry;
+use crate::object::{ObjectCells, ObjectRole, Solid};
+use crate::shadow::ShadowRole;
+use crate::stages::{
+    AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE,
+};
+use crate::surface::{AskedImages, Paths, Shown};
+
+impl Selection {
+    /// The triangles that are shown in place of the base's; none where the base's are.
+    pub fn geometry(&self) -> Option<Geometry> {
+        let [geometry, slices] = [GEOMETRY, SLICES].map(|place| &self.choices[place]);
+        let triangles = geometry.entry.geometry().triangles?;
+        Some(triangles(geometry.params, slices.params))
+    }
+
+    /// What the triangles of the geometry show.
+    pub(super) fn shown_by_geometry(&self) -> Shown {
+        self.choices[GEOMETRY].entry.geometry().shown
+    }
+
+    /// Whether the images of an object are counted in a stencil buffer, which GPUs alone have.
+    pub fn counts_in_stencil(&self) -> bool {
+        let geometry = &self.choices[GEOMETRY];
+        geometry.entry.geometry().stencil.is_some_and(|param| geometry.value(param) != 0.0)
+    }
+
+    /// What the chosen surface makes of rays.
+    pub fn paths(&self) -> &'static Paths {
+        self.choices[SURFACE].entry.paths()
+    }
+
+    /// Whether the relief lies on a smooth base in place of flat triangles.
+    pub fn has_smooth_base(&self) -> bool {
+        self.choices[SURFACE].value("lift") != 0.0
+    }
+
+    /// The same with segments that run at most so many texels beside their rays, on surfaces that know such a
+    /// tolerance.
+    #[must_use]
+    pub fn with_tolerance_within(mut self, texels: f32) -> Self {
+        let Choice { entry, params, .. } = &mut self.choices[SURFACE];
+        if let Some((place, _)) = entry.param("tolerance") {
+            params[place] = params[place].min(texels);
+        }
+        self
+    }
+
+    /// How far beside a shell its hits may lie, in texels: segments reach as far beyond its sides, so that
+    /// nothing passes between neighbours.
+    pub fn beside_shells_texels(&self) -> f32 {
+        2.0 * self.choices[SURFACE].value("tolerance")
+    }
+
+    /// Which quadrics the surface follows around the corners of its triangles, where it follows any. Its
+    /// triangles are moved out along their normals where relief would rise above them.
+    pub fn quadrics(&self) -> Option<QuadricCoefficients> {
+        let Choice { entry, params, .. } = &self.choices[SURFACE];
+        let (place, _) = entry.param("coefficients")?;
+        Some(if params[place] < 3.0 { QuadricCoefficients::Two } else { QuadricCoefficients::Three })
+    }
+
+    /// Whether normals are those of a relief, not of triangles or silhouettes.
+    pub fn has_normals_of_relief(&self) -> bool {
+        self.paths().has_normals_of_relief()
+            && !self.object_cells().is_some_and(|object| object.solid == Solid::Hull)
+    }
+
+    /// Whether the geometry is that of an object of images.
+    pub(super) fn is_of_images(&self) -> bool {
+        self.shown_by_geometry().is_of_images()
+    }
+
+    /// What is made of the images of an object, where one is shown: the first of the stage's list where
+    /// nothing is said.
+    pub(super) fn object_role(&self) -> Option<ObjectRole> {
+        let first = || STAGES[OBJECT].entries.iter().find_map(Entry::object);
+        self.choices[OBJECT].entry.object().or_else(first).filter(|_| self.is_of_images())
+    }
+
+    /// How the images of an object are read, where one is shown.
+    pub fn object_cells(&self) -> Option<ObjectCells> {
+        self.object_role().map(|role| ObjectCells::of(role.solid, self.choices[OBJECT].params))
+    }
+
+    /// Whether all images of an object are asked, and not only some of them that a grid tells.
+    pub fn asks_all_images(&self) -> bool {
+        self.is_of_images() && self.paths().images == Some(AskedImages::All)
+    }
+
+    /// Whether frames of a grid are asked, which an object's images must make.
+    pub fn needs_grid(&self) -> bool {
+        let is_of_frames = self.paths().images == Some(AskedImages::OfGrid);
+        self.object_cells().is_some_and(|object| is_of_frames || object.has_blended_colors)
+    }
+
+    /// Whether normals are blended of several images'.
+    pub fn blends_normals(&self) -> bool {
+        self.object_cells().is_some_and(|object| object.solid == Solid::Blend)
+    }
+
+    /// Whether pixels are seen in several levels of detail.
+    pub fn has_levels(&self) -> bool {
+        !self.choices[DETAIL].entry.is_idle()
+    }
+
+    /// How many levels of a height map are read.
+    pub fn levels_of(&self, map: &HeightMap) -> u32 {
+        if self.has_levels() { map.levels() } else { 1 }
+    }
+
+    /// Whether a stage is asked for anything: the search for shadows is not where no shadow sends rays,
+    /// and the test of slices where there are none.
+    pub fn uses(&self, stage: usize) -> bool {
+        match stage {
+            SHADOW_SEARCH => !self.choices[SHADOW].entry.states.is_empty(),
+            SLICES => self.shown_by_geometry().is_sliced(),
+            OBJECT => self.is_of_images(),
+            _ => true,
+        }
+    }
+
+    /// The chosen search.
+    pub fn search(&self) -> &'static Entry {
+        self.choices[SEARCH].entry
+    }
+
+    /// The chosen refinement.
+    pub fn refine(&self) -> &'static Entry {
+        self.choices[REFINE].entry
+    }
+
+    /// What search and refinement together promise for a class of rays: the weaker of the two promises.
+    pub fn guarantee(&self, rays: RayClass) -> Guarantee {
+        let [search, refine] = [SEARCH, REFINE].map(|stage| self.choices[stage].promises().of(rays));
+        search.min(refine)
+    }
+
+    /// Whether this is the pair that has the exact answer without a baked map, whatever its parameters.
+    pub fn is_exact(&self) -> bool {
+        self.search().tracing().is_reference && self.refine().tracing().is_reference && !self.uses(OBJECT)
+    }
+
+    /// Whether paths are searched, or what is found of them refined: of bump mapping and of surfaces without a
+    /// relief neither is.
+    pub fn is_traced(&self) -> bool {
+        self.paths().has_relief() && !(self.search().is_idle() && self.refine().is_idle())
+    }
+
+    /// Whether the relief casts shadows.
+    pub fn has_shadows(&self) -> bool {
+        !self.choices[SHADOW].entry.is_idle()
+    }
+
+    /// Whether shadows are those of rays through the exact search without a baked map.
+    pub fn has_exact_shadows(&self) -> bool {
+        self.sends_rays_to_lights() && self.choices[SHADOW_SEARCH].entry.tracing().is_reference
+    }
+
+    /// Whether shadows are those of rays from the hit to the light, or to points of its disc, through the
+    /// relief of the same surface.
+    pub fn sends_rays_to_lights(&self) -> bool {
+        matches!(self.choices[SHADOW].entry.shadow(), Some(ShadowRole::ToLights { .. }))
+    }
+
+    /// To how many points of a light's disc shadows send rays: 0 where they send one to its centre, or none.
+    pub fn points_of_lights(&self) -> u32 {
+        let shadow = &self.choices[SHADOW];
+        match shadow.entry.shadow() {
+            Some(ShadowRole::ToLights { rays: Some(rays) }) => shadow.value(rays) as u32,
+            _ => 0,
+        }
+    }
+
+    /// The sides, in texels, of what lights are to see, and how many pictures of it there are of a light that
+    /// is far away; none where shadows are not looked up there.
+    pub fn light_views(&self) -> Option<[u32; 2]> {
+        let shadow = &self.choices[SHADOW];
+        match shadow.entry.shadow() {
+            Some(ShadowRole::LightViews { size, cascades }) => {
+                Some([size, cascades].map(|name| shadow.value(name) as u32))
+            }
+            _ => None,
+        }
+    }
+
+    /// To how many points of a light's disc rays go through the whole scene; none where shadows are others.
+    /// Such rays no surface can trace alone, and no GPU.
+    pub fn rays_through_scene(&self) -> Option<u32> {
+        let shadow = &self.choices[SHADOW];
+        match shadow.entry.shadow() {
+            Some(ShadowRole::ThroughScene { rays }) => Some(shadow.value(rays) as u32),
+            _ => None,
+        }
+    }
+
+    /// Whether the surroundings are seen: in reflections, and through the surface.
+    pub fn sees_environment(&self) -> bool {
+        self.choices[AMBIENT].entry.sees_surroundings()
+    }
+}

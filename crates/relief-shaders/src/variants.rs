@@ -1,0 +1,59 @@
+//! Names of variants in messages.
+
+use crate::Entry;
+use crate::stages::STAGES;
+
+/// Some variants of a stage, as messages name them: in the order of the stage's list, one that does nothing
+/// last.
+#[derive(Clone, Debug)]
+pub struct Variants(Vec<&'static Entry>);
+
+impl Variants {
+    /// The variants of the stage at `place` in [`STAGES`] for which `is_named` holds.
+    ///
+    /// ```
+    /// use relief_shaders::{AMBIENT, Entry, Variants};
+    ///
+    /// assert_eq!(Variants::of(AMBIENT, Entry::sees_surroundings).or(), "'environment'");
+    /// ```
+    pub fn of(place: usize, is_named: impl Fn(&Entry) -> bool) -> Self {
+        let mut named: Vec<_> = STAGES[place].entries.iter().filter(|entry| is_named(entry)).collect();
+        named.sort_by_key(|entry| entry.is_idle());
+        Self(named)
+    }
+
+    /// The same without the one that does nothing.
+    #[must_use]
+    pub fn active(&self) -> Self {
+        Self(self.0.iter().filter(|entry| !entry.is_idle()).copied().collect())
+    }
+
+    /// The one that does nothing, if it is among them.
+    #[must_use]
+    pub fn idle(&self) -> Self {
+        Self(self.0.iter().filter(|entry| entry.is_idle()).copied().collect())
+    }
+
+    /// Whether there are several.
+    pub fn are_several(&self) -> bool {
+        self.0.len() > 1
+    }
+
+    /// The names as alternatives: `'a', 'b' or 'c'`.
+    pub fn or(&self) -> String {
+        self.listed("or")
+    }
+
+    /// The names together: `'a', 'b' and 'c'`.
+    pub fn and(&self) -> String {
+        self.listed("and")
+    }
+
+    fn listed(&self, word: &str) -> String {
+        let names: Vec<String> = self.0.iter().map(|entry| format!("'{}'", entry.name)).collect();
+        match names.split_last() {
+            Some((last, before)) if !before.is_empty() => format!("{} {word} {last}", before.join(", ")),
+            _ => names.concat(),
+        }
+    }
+}
