@@ -210,7 +210,7 @@ impl Highest {
 #[cfg(test)]
 mod tests {
     use relief_core::Wrap;
-    use relief_tests::maps;
+    use relief_testing::maps;
 
     use super::*;
 

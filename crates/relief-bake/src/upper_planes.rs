@@ -171,7 +171,7 @@ fn longest_edge(heights: &[f32], hull: &mut Vec<usize>) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use relief_tests::maps;
+    use relief_testing::maps;
 
     use super::*;
 

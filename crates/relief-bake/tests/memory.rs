@@ -5,7 +5,7 @@ use std::alloc::System;
 use peakmem_alloc::{PeakMemAlloc, PeakMemAllocTrait};
 use relief_bake::{KINDS, Kind, Progress, Sink, SinkError, Texture, bake_last};
 use relief_core::{HeightMap, Metric, Wrap};
-use relief_tests::maps::fractal;
+use relief_testing::maps::fractal;
 
 #[global_allocator]
 static ALLOCATOR: PeakMemAlloc<System> = PeakMemAlloc::system();

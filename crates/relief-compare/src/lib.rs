@@ -53,5 +53,4 @@ pub use record::{
     About, CostRecord, ErrorRecord, LeftOut, MachineRecord, MethodRecord, PictureRecord, RayRecord, Records,
     TimeRecord,
 };
-pub use relief_core::rng;
 pub use run::{Compared, Reference, Renderers, Shown};

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use relief_core::metrics::WAVE;
 use relief_core::{HeightMap, Metric, Path, PathMetric};
 
-use crate::rng::Rng;
+use relief_core::rng::Rng;
 
 /// View rays through a map at so many degrees from the normal, from height 1 down to 0, everywhere and in all
 /// directions, where a tile of the texture is so many metres large. They depend on the seed, the angle, these

@@ -41,7 +41,7 @@ impl Median {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rng::Rng;
+    use relief_core::rng::Rng;
 
     #[test]
     fn intervals_are_as_sure_as_they_say() {

@@ -5,10 +5,10 @@ use std::process::ExitCode;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use indicatif::ProgressBar;
+use relief_core::rng::Rng;
 use relief_render::Renderer;
 use relief_render::scene::{BackendChoice, Sampling};
 use relief_tests::curved::{Comparison, Curved, Drawn, Judged, Picture};
-use relief_tests::rng::Rng;
 
 use crate::surfaces::Lies;
 use crate::surfaces::bases::{Base, cobbles};

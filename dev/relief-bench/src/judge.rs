@@ -6,11 +6,11 @@ use std::time::Instant;
 use clap::Args;
 use indicatif::ProgressBar;
 use relief_core::exact::{DisplacedMesh, Sides};
-use relief_tests::displaced::rays::KINDS;
-use relief_tests::displaced::scenes::{self, Scene};
-use relief_tests::displaced::sheet::Sheet;
-use relief_tests::displaced::tessellation::tessellate;
-use relief_tests::displaced::{Counts, DIVISIONS, Tally, compare, first_hit, judge_of};
+use relief_testing::displaced::rays::KINDS;
+use relief_testing::displaced::scenes::{self, Scene};
+use relief_testing::displaced::sheet::Sheet;
+use relief_testing::displaced::tessellation::tessellate;
+use relief_testing::displaced::{Counts, DIVISIONS, Tally, compare, first_hit, judge_of};
 
 use crate::table::table;
 

@@ -10,7 +10,7 @@ use relief_bake::kind::filter_levels::difference_volume;
 use relief_bake::{Filter, Progress, filter_level, filter_levels};
 use relief_core::{HeightMap, Wrap};
 use relief_io::{HeightOptions, read_height};
-use relief_tests::maps::fractal;
+use relief_testing::maps::fractal;
 use relief_tests::{accuracy, data_dir};
 
 use crate::table::table;

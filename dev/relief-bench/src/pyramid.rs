@@ -13,7 +13,7 @@ use relief_render::mesh::square;
 use relief_render::scene::{Sampling, Scene, Surface};
 use relief_render::{Progress, Rendered, Renderer};
 use relief_shaders::Selection;
-use relief_tests::maps::fractal;
+use relief_testing::maps::fractal;
 
 use crate::samples::Samples;
 use crate::table::table;

@@ -8,7 +8,7 @@ use relief_core::mesh::Builtin;
 use relief_core::{HeightMap, TexelMask, Watch, Wrap};
 use relief_io::{MeshCounts, MeshFormat, write_mesh};
 use relief_mesh::{MeshSettings, Mesher, Part, Stream};
-use relief_tests::maps::fractal;
+use relief_testing::maps::fractal;
 use serde_json::Value;
 
 use crate::python::require;

@@ -12,7 +12,7 @@ use relief_shaders::cpu::MethodTracer;
 use relief_shaders::{Selection, SlotMaps};
 
 use crate::baked::{maps_for, slots};
-use crate::maps::fractal;
+use relief_testing::maps::fractal;
 
 /// Depth of the relief, in tiles: a tenth, which is deep.
 pub const SCALE_M: f64 = 0.1;

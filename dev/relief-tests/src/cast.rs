@@ -14,8 +14,8 @@ use relief_render::render;
 use relief_render::scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 
-use crate::maps;
-use crate::outline::Mask;
+use relief_testing::maps;
+use relief_testing::outline::Mask;
 
 /// Metres between a point and where a ray to it ends: less than counts, and more than rounding.
 const ON_SURFACE_M: f64 = 1e-6;

@@ -152,7 +152,7 @@ fn is_flat(search: &Search, seen: &Seen, best: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use pulp::{Scalar, WithSimd};
-    use relief_tests::maps;
+    use relief_testing::maps;
 
     use super::super::apexes::Region;
     use super::super::near::NearRow;

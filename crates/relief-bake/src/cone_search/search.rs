@@ -76,12 +76,19 @@ impl<'a> Search<'a> {
             let mut near = [NearRow::new(columns), NearRow::new(columns)];
             let top = (band * ROWS) as i64;
             if K::NEAR {
-                lanes.run(Above { search: self, row: top - 1, near: &mut near[1] });
+                lanes.run_up_to_eight(Above { search: self, row: top - 1, near: &mut near[1] });
             }
             for (row, ratios) in ratios.chunks_mut(width).enumerate() {
                 near.swap(0, 1);
                 let row = top + row as i64;
-                lanes.run(Row { search: self, sort, row, near: &mut near, state: &mut state, ratios });
+                lanes.run_up_to_eight(Row {
+                    search: self,
+                    sort,
+                    row,
+                    near: &mut near,
+                    state: &mut state,
+                    ratios,
+                });
                 let before = done.fetch_add(width, Ordering::Relaxed);
                 progress.at((before + width) as f32 / total)?;
             }

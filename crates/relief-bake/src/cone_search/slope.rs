@@ -216,7 +216,7 @@ fn falling_root(a: f64, b: f64, c: f64, d: f64) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use relief_tests::rng::Rng;
+    use relief_core::rng::Rng;
 
     use super::*;
 

@@ -6,13 +6,14 @@ use rayon::prelude::*;
 use relief_bake::Progress;
 use relief_bake::kind::cone::{ConeApex, KIND, cone_ratios};
 use relief_core::exact::least_gap;
+use relief_core::rng::Rng;
 use relief_core::{HeightMap, Metric, Path, Wrap};
-use relief_tests::maps::{self, fractal};
-use relief_tests::probes::cone::{Contact, Probes, attack};
+use relief_testing::brute;
+use relief_testing::maps::{self, fractal};
+use relief_testing::probes::cone::{Contact, Probes, attack};
+use relief_tests::accuracy;
 use relief_tests::probes::stored::at;
 use relief_tests::probes::{run, stored};
-use relief_tests::rng::Rng;
-use relief_tests::{accuracy, brute};
 
 /// Probes of each map in each form.
 const PROBES: usize = 100_000;

@@ -6,10 +6,11 @@ use relief_bake::kind::Reach;
 use relief_bake::kind::dilation_erosion::{KIND, window_bounds};
 use relief_bake::{Progress, quantise};
 use relief_core::{HeightMap, MaxPyramid, Metric, Wrap};
-use relief_tests::probes::place::Place;
-use relief_tests::probes::pyramid::holds;
-use relief_tests::probes::{dilation_erosion as probes, run, stored};
-use relief_tests::{brute, maps};
+use relief_testing::probes::dilation_erosion as probes;
+use relief_testing::probes::place::Place;
+use relief_testing::probes::pyramid::holds;
+use relief_testing::{brute, maps};
+use relief_tests::probes::{run, stored};
 
 /// Probes of each map, in each wrap.
 const PROBES: usize = 100_000;

@@ -2,12 +2,12 @@
 
 use relief_bake::kind::distance::{DistanceField, KIND};
 use relief_bake::{BakeError, Collected, Progress, bake};
+use relief_core::rng::Rng;
 use relief_core::{HeightMap, Metric, Wrap};
-use relief_tests::brute::distance::{boxes, to_surface};
-use relief_tests::maps;
-use relief_tests::probes::distance::Field;
+use relief_testing::brute::distance::{boxes, to_surface};
+use relief_testing::maps;
+use relief_testing::probes::distance::Field;
 use relief_tests::probes::{run, stored};
-use relief_tests::rng::Rng;
 
 /// Probes a map, wrap and number of bits.
 const PROBES: usize = 100_000;

@@ -4,10 +4,10 @@ use std::sync::atomic::AtomicBool;
 
 use relief_bake::kind::filter_levels::{KIND, difference_volume, difference_volume_gradient};
 use relief_bake::{BakeError, Filter, Progress, filter_level, filter_levels, quantise};
+use relief_core::rng::Rng;
 use relief_core::{HeightMap, Metric, Rounding, Wrap};
-use relief_tests::maps;
+use relief_testing::maps;
 use relief_tests::probes::stored;
-use relief_tests::rng::Rng;
 
 /// Points at which a level is compared with the map, of each map, wrap and level.
 const POINTS: usize = 4_000;

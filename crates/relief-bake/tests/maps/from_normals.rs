@@ -7,8 +7,8 @@ use relief_bake::from_normals::{
 use relief_bake::kind::normal::{Axes, Derivative, normals};
 use relief_bake::{Progress, quantise};
 use relief_core::{HeightMap, Metric, Wrap};
-use relief_tests::maps;
-use relief_tests::maps::fractal;
+use relief_testing::maps;
+use relief_testing::maps::fractal;
 
 fn metric(tile_m: [f64; 2], scale_m: f64) -> Metric {
     Metric::new(tile_m, scale_m).expect("positive lengths")
@@ -107,7 +107,7 @@ fn ground_comes_back_from_stored_normals_too() {
 #[test]
 fn slopes_that_fit_no_relief_give_the_nearest() {
     // What is minimised is convex: where no step in any texel lowers it, it is least.
-    let mut rng = relief_tests::rng::Rng::new(4);
+    let mut rng = relief_core::rng::Rng::new(4);
     for [width, height] in [[5u32, 4u32], [6, 8], [1, 7], [9, 1]] {
         for wrap in Wrap::ALL {
             for damping in [0.0, 0.3] {
@@ -253,7 +253,7 @@ fn natural_maps_say_which_way_green_points() {
 #[test]
 fn what_fits_either_way_is_not_told() {
     let metric = metric([1.0, 1.0], 0.2);
-    let mut rng = relief_tests::rng::Rng::new(8);
+    let mut rng = relief_core::rng::Rng::new(8);
     let furrows = HeightMap::from_fn(48, 30, Wrap::Repeat, |i, _| 0.5 + 0.5 * (i as f32 * 0.261_799).sin())
         .expect("a valid map");
     let noise: Vec<[f32; 3]> =

@@ -6,16 +6,16 @@ use rayon::prelude::*;
 use relief_bake::kind::frustum::{FrustumMap, FrustumMapError, KIND, frustum_map, quadrant};
 use relief_bake::{Collected, Progress, bake, quantise};
 use relief_core::exact::cell_walk;
+use relief_core::rng::Rng;
 use relief_core::{HeightMap, MaxPyramid, Metric, Path, Rounding, Wrap};
-use relief_tests::brute::frustum as brute;
-use relief_tests::judge::judge;
-use relief_tests::maps;
-use relief_tests::probes::frustum::{Frustum, attack};
+use relief_testing::brute::frustum as brute;
+use relief_testing::judge::judge;
+use relief_testing::maps;
+use relief_testing::probes::frustum::{Frustum, attack};
+use relief_testing::rays::{RayKind, Rays};
+use relief_testing::search::frustum::search;
+use relief_testing::search::pyramid::search as quadtree;
 use relief_tests::probes::{run, stored};
-use relief_tests::rays::{RayKind, Rays};
-use relief_tests::rng::Rng;
-use relief_tests::search::frustum::search;
-use relief_tests::search::pyramid::search as quadtree;
 
 /// Probes of each map, and rays through it, in each number of bits.
 const PROBES: usize = 100_000;

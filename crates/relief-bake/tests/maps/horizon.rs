@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use relief_bake::kind::horizon::{KIND, NEAR_STEPS, horizons};
 use relief_bake::{BakeError, Collected, Progress, bake};
 use relief_core::{HeightMap, Metric, Wrap};
-use relief_tests::brute::horizon as brute;
-use relief_tests::maps;
+use relief_testing::brute::horizon as brute;
+use relief_testing::maps;
 
 /// Every so many texels are judged on each map.
 const STRIDE: usize = 5;

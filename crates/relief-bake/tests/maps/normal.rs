@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use relief_bake::kind::normal::{Axes, Derivative, KIND, normals};
 use relief_bake::{BakeError, Collected, CollectedTexture, Progress, bake};
 use relief_core::{HeightMap, Metric, Wrap};
-use relief_tests::brute::normal as brute;
-use relief_tests::maps;
+use relief_testing::brute::normal as brute;
+use relief_testing::maps;
 
 fn metric(tile_m: [f64; 2], scale_m: f64) -> Metric {
     Metric::new(tile_m, scale_m).expect("positive lengths")

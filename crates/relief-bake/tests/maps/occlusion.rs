@@ -7,8 +7,8 @@ use relief_bake::kind::{bent_normal, occlusion};
 use relief_bake::{Collected, Progress, bake};
 use relief_core::exact::cell_walk;
 use relief_core::{HeightMap, Metric, Path, Wrap};
-use relief_tests::brute::sky::Sky;
-use relief_tests::maps;
+use relief_testing::brute::sky::Sky;
+use relief_testing::maps;
 
 /// Rays a texel: so many azimuths, and elevations in each.
 const RAYS: [u32; 2] = [64, 16];

@@ -6,8 +6,8 @@ use relief_bake::photometric::{
     ColourAlbedo, Exposure, Photo, PhotometricError, check_lights, normals_from_photos,
 };
 use relief_core::{HeightMap, Metric, Wrap};
-use relief_tests::brute::normal as brute;
-use relief_tests::maps::fractal;
+use relief_testing::brute::normal as brute;
+use relief_testing::maps::fractal;
 
 const SIDE: u32 = 96;
 const EXPOSURE: Exposure = Exposure { shadow: 0.02, overexposed: f32::INFINITY };

@@ -6,13 +6,14 @@ use relief_bake::kind::pyramid::{KIND, OVER_LEVELS, OVER_TEXELS, pyramids};
 use relief_bake::{BakeError, Collected, CollectedTexture, Progress, bake};
 use relief_core::exact::cell_walk;
 use relief_core::{HeightMap, MaxPyramid, Metric, Wrap};
-use relief_tests::judge::judge;
-use relief_tests::probes::place::Place;
+use relief_testing::judge::judge;
+use relief_testing::probes::place::Place;
+use relief_testing::probes::pyramid as probes;
+use relief_testing::rays::{RayKind, Rays};
+use relief_testing::search::pyramid::search;
+use relief_testing::{brute, maps};
+use relief_tests::probes::run;
 use relief_tests::probes::stored::{self, pair as node};
-use relief_tests::probes::{pyramid as probes, run};
-use relief_tests::rays::{RayKind, Rays};
-use relief_tests::search::pyramid::search;
-use relief_tests::{brute, maps};
 
 /// Probes of each map in each wrap and number of bits.
 const PROBES: usize = 100_000;

@@ -4,13 +4,13 @@ use rayon::prelude::*;
 use relief_bake::Progress;
 use relief_bake::kind::cone::{ConeApex, cone_ratios};
 use relief_bake::kind::relaxed_cone::{KIND, RelaxedApex, relaxed_cone_ratios};
+use relief_core::rng::Rng;
 use relief_core::{HeightMap, Metric, Wrap};
-use relief_tests::brute::relaxed_cone as brute;
-use relief_tests::maps;
-use relief_tests::probes::relaxed_cone::{Exit, Probes, attack};
+use relief_testing::brute::relaxed_cone as brute;
+use relief_testing::maps;
+use relief_testing::probes::relaxed_cone::{Exit, Probes, attack};
 use relief_tests::probes::stored::at;
 use relief_tests::probes::{run, stored};
-use relief_tests::rng::Rng;
 
 /// Probes of each map in each form.
 const PROBES: usize = 100_000;

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use relief_bake::kind::seen_normal::KIND;
 use relief_core::exact::cell_walk;
 use relief_core::{HeightMap, Metric, Path, PathMetric, Wrap};
-use relief_tests::maps;
+use relief_testing::maps;
 use relief_tests::probes::stored;
 
 const AZIMUTHS: u32 = 5;

@@ -5,9 +5,9 @@ use rayon::prelude::*;
 use relief_bake::Progress;
 use relief_bake::kind::cone::{ConeApex, cone_ratios};
 use relief_bake::kind::frustum::frustum_map;
+use relief_core::rng::Rng;
 use relief_core::{HeightMap, Metric, Wrap};
-use relief_tests::brute;
-use relief_tests::rng::Rng;
+use relief_testing::brute;
 
 /// Texels of each map that brute force is run on.
 const TEXELS: usize = 8;

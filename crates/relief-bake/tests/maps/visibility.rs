@@ -3,8 +3,8 @@
 use relief_bake::kind::visibility::{KIND, Visibility, views};
 use relief_bake::{Collected, Progress, bake};
 use relief_core::{HeightMap, Metric, Wrap};
-use relief_tests::brute::visibility as brute;
-use relief_tests::maps;
+use relief_testing::brute::visibility as brute;
+use relief_testing::maps;
 
 /// Every so many texels are judged on each map.
 const STRIDE: usize = 7;

@@ -222,7 +222,7 @@ mod tests {
     use relief_io::srgb_to_linear;
 
     use super::*;
-    use crate::rng::Rng;
+    use relief_core::rng::Rng;
 
     const SIZE: [u32; 2] = [61, 47];
 

@@ -93,7 +93,7 @@ impl<'a> TileCaster<'a> {
     /// Sorts what an area of the picture may show into its tiles; all that the bins held is dropped.
     /// `offsets` are the least and the greatest of those that its rays will have.
     pub fn bin(&self, area: Area, offsets: [[f32; 2]; 2], bins: &mut Bins) {
-        self.lanes.run(bins::Binning { tiles: self, area, offsets, bins });
+        self.lanes.run_up_to_eight(bins::Binning { tiles: self, area, offsets, bins });
     }
 
     /// Casts the rays of a tile, by its number along the columns and the rows of the area that was binned,
@@ -110,7 +110,7 @@ impl<'a> TileCaster<'a> {
             hits.count = [0.0; TILE_POINTS];
             return;
         }
-        self.lanes.run(lanes::Casting { tiles: self, view, entries, hits });
+        self.lanes.run_up_to_eight(lanes::Casting { tiles: self, view, entries, hits });
     }
 
     /// What a ray of a tile that was cast meets, in the order of `(t, triangle)`. `point` is its number in the

@@ -5,10 +5,10 @@ use relief_core::Wrap;
 use relief_core::exact::DisplacedMesh;
 use relief_core::mesh::square;
 
-use relief_tests::displaced::scenes::{self, Heights, map};
-use relief_tests::displaced::tessellation::tessellate;
-use relief_tests::displaced::{judge_of, rays_of};
-use relief_tests::rng::Rng;
+use relief_core::rng::Rng;
+use relief_testing::displaced::scenes::{self, Heights, map};
+use relief_testing::displaced::tessellation::tessellate;
+use relief_testing::displaced::{judge_of, rays_of};
 
 #[test]
 fn level_rays_above_a_level_plane_are_as_far_as_they_are_high() {

@@ -5,9 +5,9 @@ use relief_core::exact::{DisplacedMesh, DisplacedMeshError, DisplacedTrace, Side
 use relief_core::mesh::{Mesh, Vertex, square, torus};
 use relief_core::{HeightMap, Wrap};
 
-use relief_tests::displaced::scenes::{self, Heights, map};
-use relief_tests::displaced::{judge_of, rays_of};
-use relief_tests::rng::Rng;
+use relief_core::rng::Rng;
+use relief_testing::displaced::scenes::{self, Heights, map};
+use relief_testing::displaced::{judge_of, rays_of};
 
 fn noise() -> HeightMap {
     map(Heights::Noise, [16, 16], Wrap::Repeat)

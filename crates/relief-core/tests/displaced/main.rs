@@ -6,8 +6,8 @@ mod mutations;
 mod plane;
 mod rates;
 
-use relief_tests::displaced::tessellation::tessellate;
-use relief_tests::displaced::{DIVISIONS, compare, first_hit, judge_of, scenes};
+use relief_testing::displaced::tessellation::tessellate;
+use relief_testing::displaced::{DIVISIONS, compare, first_hit, judge_of, scenes};
 
 /// Rays of each scene.
 const RAYS: usize = 4_500;

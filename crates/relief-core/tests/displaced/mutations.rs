@@ -4,11 +4,11 @@ use glam::{DMat3, DVec3};
 use relief_core::Wrap;
 use relief_core::exact::{DisplacedHit, DisplacedMesh, Sides};
 
-use relief_tests::displaced::rays::Ray;
-use relief_tests::displaced::scenes::{self, Scene};
-use relief_tests::displaced::sheet::Sheet;
-use relief_tests::displaced::tessellation::tessellate;
-use relief_tests::displaced::{DIVISIONS, Judge, compare, first_hit, judge_of};
+use relief_testing::displaced::rays::Ray;
+use relief_testing::displaced::scenes::{self, Scene};
+use relief_testing::displaced::sheet::Sheet;
+use relief_testing::displaced::tessellation::tessellate;
+use relief_testing::displaced::{DIVISIONS, Judge, compare, first_hit, judge_of};
 
 const RAYS: usize = 4_500;
 

@@ -5,8 +5,8 @@ use relief_core::exact::{DisplacedMesh, FastTracer, PyramidTracer, Sides};
 use relief_core::mesh::{Mesh, Vertex, square};
 use relief_core::{Path, PathMetric, Wrap};
 
-use relief_tests::displaced::scenes::{Heights, map};
-use relief_tests::rng::Rng;
+use relief_core::rng::Rng;
+use relief_testing::displaced::scenes::{Heights, map};
 
 const RAYS: usize = 4_000;
 

@@ -6,7 +6,7 @@ use relief_core::exact::{DisplacedMesh, Sides};
 use relief_core::mesh::torus;
 use relief_core::{HeightMap, Wrap};
 
-use relief_tests::rng::Rng;
+use relief_core::rng::Rng;
 
 /// Round stones of several sizes in no order.
 fn cobbles(side: u32) -> HeightMap {

@@ -229,7 +229,7 @@ impl Mesher {
                 points: &mut points,
             };
             // Compiled for the vectors that the machine has; the bits are the same.
-            let own = Lanes::Eight.run(placing);
+            let own = Lanes::Eight.run_up_to_eight(placing);
             if let Some((sight, cull)) = &self.unseen {
                 // Those without all of their corners were left out when they were counted.
                 cut.triangles.retain(|corners| {
@@ -259,7 +259,7 @@ impl Mesher {
         }
         // Directions between are sums of the corners'. Nearly always that is all.
         let directions = base.directions(patch);
-        if !Lanes::Eight.run(Folding { triangles: &cut.triangles, points, directions }) {
+        if !Lanes::Eight.run_up_to_eight(Folding { triangles: &cut.triangles, points, directions }) {
             return None;
         }
         let is_folded = |corners: &&[u32; 3]| {
@@ -339,7 +339,8 @@ impl Mesher {
             // A grid has lines alone.
             PatchPoint::Inner { .. } => [f64::NAN; 2],
         });
-        let points = Lanes::Eight.run(Tiling { cut: &cut, plane, tile, relief: &self.relief, making });
+        let points =
+            Lanes::Eight.run_up_to_eight(Tiling { cut: &cut, plane, tile, relief: &self.relief, making });
         making.triangles(&cut.triangles, &points, plane.is_turned());
     }
 }

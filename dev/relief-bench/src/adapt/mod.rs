@@ -12,7 +12,7 @@ use relief_core::{HeightMap, Watch, Wrap};
 use relief_io::{Fill, HeightOptions, read_height};
 use relief_mesh::{Fit, Judge, MeshSettings, Mesher};
 use relief_render::mesh::{Mesh, Vertex, rectangle};
-use relief_tests::maps::fractal;
+use relief_testing::maps::fractal;
 use relief_tests::{accuracy, data_dir};
 
 use self::distance::{Piece, distance};

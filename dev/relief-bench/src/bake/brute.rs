@@ -6,9 +6,9 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 use relief_bake::Settings;
+use relief_core::rng::Rng;
 use relief_core::{HeightMap, Metric};
-use relief_tests::brute;
-use relief_tests::rng::Rng;
+use relief_testing::brute;
 
 /// Samples along either side of a patch in the brute force of relaxed cones.
 const SAMPLES: usize = 4;

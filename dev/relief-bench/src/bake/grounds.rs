@@ -3,7 +3,7 @@
 
 use clap::ValueEnum;
 use relief_core::{HeightMap, Wrap};
-use relief_tests::maps::fractal;
+use relief_testing::maps::fractal;
 
 use super::{Arguments, SCALE_M, Variant, measure, metric, pool, slope, table};
 

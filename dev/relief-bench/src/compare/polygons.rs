@@ -7,7 +7,7 @@ use relief_render::Renderer;
 use relief_render::gpu::{AdapterChoice, Gpu};
 use relief_render::scene::{Sampling, Scene};
 use relief_shaders::{SHADOW, STAGES};
-use relief_tests::maps::fractal;
+use relief_testing::maps::fractal;
 
 use super::{Arguments, compared, contender, on_square};
 use crate::table::table;

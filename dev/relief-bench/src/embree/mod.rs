@@ -9,10 +9,10 @@ use std::path::PathBuf;
 use clap::Args;
 use glam::DVec3;
 use relief_core::HeightMap;
+use relief_core::rng::Rng;
 use relief_render::camera::Ray;
 use relief_render::mesh::{Mesh, torus};
 use relief_tests::curved::{Curved, quantile};
-use relief_tests::rng::Rng;
 
 use crate::python::require;
 use crate::surfaces::Lies;

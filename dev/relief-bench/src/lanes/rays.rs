@@ -1,9 +1,9 @@
 //! The rays that searches and the exact tracer are measured with.
 
 use relief_core::exact::FastTracer;
+use relief_core::rng::Rng;
 use relief_core::{HeightMap, Path, Wrap};
-use relief_tests::maps::fractal;
-use relief_tests::rng::Rng;
+use relief_testing::maps::fractal;
 
 use crate::trace::view::{Ground, SIZE, camera, sun};
 

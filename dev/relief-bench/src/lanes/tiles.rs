@@ -13,7 +13,7 @@ use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::scene::{Scene, Surface};
 use relief_shaders::Selection;
-use relief_tests::maps;
+use relief_testing::maps;
 
 use super::frames::{camera, fastest, scene};
 use crate::table::table;

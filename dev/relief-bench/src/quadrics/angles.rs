@@ -3,11 +3,11 @@
 use comfy_table::Table;
 use glam::DVec3;
 use indicatif::ProgressBar;
+use relief_core::rng::Rng;
 use relief_render::Renderer;
 use relief_render::mesh::{Mesh, MeshError, sphere, torus};
 use relief_render::scene::BackendChoice;
 use relief_tests::curved::{Curved, Drawn, Judged, Picture, quantile};
-use relief_tests::rng::Rng;
 
 use crate::surfaces::bases::{TILES, cobbles};
 use crate::table::table;

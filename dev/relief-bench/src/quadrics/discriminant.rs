@@ -2,8 +2,8 @@
 
 use comfy_table::Table;
 use glam::DVec3;
+use relief_core::rng::Rng;
 use relief_tests::curved::quantile;
-use relief_tests::rng::Rng;
 
 use crate::table::table;
 

@@ -2,9 +2,9 @@
 
 use comfy_table::Table;
 use glam::{DMat2, DVec2, DVec3};
+use relief_core::rng::Rng;
 use relief_render::mesh::{Mesh, QuadricCoefficients, Vertex};
 use relief_tests::curved::quantile;
-use relief_tests::rng::Rng;
 
 use crate::surfaces::bases::{Base, NAMES};
 use crate::table::table;

@@ -1,7 +1,7 @@
 //! Claims about triangles in grid space.
 
 use comfy_table::Table;
-use relief_tests::rng::Rng;
+use relief_core::rng::Rng;
 
 /// The camera of the paper's figure 7: near 1, 90 degrees, 300 pixels.
 const VOXEL: f64 = 2.0 / 300.0;

@@ -9,7 +9,7 @@ use relief_core::mesh::{Mesh, square};
 use relief_core::{HeightMap, Watch};
 use relief_mesh::{MeshSettings, Mesher, View};
 use relief_render::raycast::{RayCaster, Sides};
-use relief_tests::outline::{Mask, distances, overlap};
+use relief_testing::outline::{Mask, distances, overlap};
 
 use crate::surfaces::bases::{Base, cobbles};
 

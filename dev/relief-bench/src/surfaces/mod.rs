@@ -7,10 +7,10 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use indicatif::ProgressBar;
 use relief_core::HeightMap;
+use relief_core::rng::Rng;
 use relief_render::Renderer;
 use relief_render::scene::BackendChoice;
 use relief_tests::curved::{Comparison, Curved, Drawn, Judged, Picture, quantile};
-use relief_tests::rng::Rng;
 
 use crate::table::table;
 use bases::{Base, NAMES, cobbles};

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 use relief_render::camera::Camera;
+use relief_testing::outline::places_and_distances;
 use relief_tests::curved::Picture;
-use relief_tests::outline::places_and_distances;
 
 /// Radius of the built-in cylinder, and half of its height.
 const HALF_M: f64 = 0.5;

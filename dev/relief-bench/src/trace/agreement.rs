@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 use relief_core::HeightMap;
 use relief_core::exact::{FastTracer, cell_walk};
-use relief_tests::judge::judge;
+use relief_testing::judge::judge;
 
 use super::tracers::{Contest, Rays, Tracer};
 

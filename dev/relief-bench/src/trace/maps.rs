@@ -2,8 +2,8 @@
 
 use relief_core::{HeightMap, Wrap};
 use relief_io::{HeightOptions, read_height};
+use relief_testing::maps::fractal;
 use relief_tests::accuracy::sample_maps;
-use relief_tests::maps::fractal;
 
 use super::view::SCALE_M;
 

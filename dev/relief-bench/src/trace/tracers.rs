@@ -9,10 +9,10 @@ use parry3d::query::{Ray, RayCast};
 use parry3d::shape::HeightField;
 use parry3d::utils::Array2;
 use relief_core::exact::{FastTracer, cell_walk};
+use relief_core::rng::Rng;
 use relief_core::{HeightMap, Path};
 use relief_shaders::cpu::MethodTracer;
 use relief_shaders::{Selection, SlotMaps};
-use relief_tests::rng::Rng;
 
 use super::view::{Ground, SCALE_M, SIZE, camera, sun};
 

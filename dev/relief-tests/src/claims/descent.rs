@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use relief_compare::Case;
 use relief_core::{Cost, HeightMap, Hit, Path, Wrap};
 
-use crate::brute::pyramid::level;
+use relief_testing::brute::pyramid::level;
 
 /// The greatest height over each node, from the finest level on.
 struct Pyramid<'a> {

@@ -1,7 +1,7 @@
 //! How pictures of curved surfaces differ from what the judge sees.
 
 use super::{Curved, Judged, Met, Picture};
-use crate::outline::{distances, overlap};
+use relief_testing::outline::{distances, overlap};
 
 /// Hits that differ by so many texels or more are looked at more closely: whether they lie at a silhouette.
 const LOOKED_AT_TEXELS: f64 = 0.05;

@@ -16,8 +16,8 @@ use relief_render::mesh::Mesh;
 use relief_render::scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 
-use crate::outline::Mask;
-use crate::rng::Rng;
+use relief_core::rng::Rng;
+use relief_testing::outline::Mask;
 
 pub use comparison::{Comparison, Differences, quantile};
 

@@ -14,9 +14,9 @@ use relief_core::object::{EMPTY_HEIGHT, ImageObject, JumpCells, ObjectHit, View}
 use relief_core::raycast::Ray;
 use relief_core::{HeightMap, Wrap};
 
-use crate::maps::{self, NamedMap};
-use crate::rng::Rng;
 use crate::spheres::{CUBE, RADIUS, map_of_spheres};
+use relief_core::rng::Rng;
+use relief_testing::maps::{self, NamedMap};
 
 /// How far beside, as a part of the radius of what images show, and how much later, as a part of the way
 /// there, an answer may be.

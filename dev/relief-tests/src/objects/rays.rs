@@ -5,9 +5,9 @@ use relief_core::object::EMPTY_HEIGHT;
 use relief_core::raycast::Ray;
 
 use super::Subject;
-use crate::rays::{RayKind, Rays};
-use crate::rng::Rng;
 use crate::spheres::CUBE;
+use relief_core::rng::Rng;
+use relief_testing::rays::{RayKind, Rays};
 
 /// An endless, deterministic stream of adversarial rays at an object.
 #[derive(Debug)]

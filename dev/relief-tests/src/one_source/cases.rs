@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use crate::baked::{in_slots, maps_in, slots};
-use crate::maps::NamedMap;
-use crate::rng::Rng;
+use relief_core::rng::Rng;
 use relief_core::{BakedMap, HeightMap, MapFormat, Wrap};
 use relief_render::job::JobSurface;
 use relief_shaders::cpu::{Entered, Frame, Path, PixelIn, Probe, Program, Shared, SurfaceSettings};
 use relief_shaders::{DETAIL, Entry, SHADOW, SHADOW_SEARCH, STAGES, Selection, surface};
+use relief_testing::maps::NamedMap;
 
 /// The most cells or steps that a stage may take in these tests. A software adapter (Mesa's llvmpipe) leaves
 /// a shader's loops after 65,535 turns, all loops counted together; search and refinement must stay below

@@ -20,10 +20,10 @@ use relief_render::gpu::Prober;
 use relief_shaders::wgsl::Sampling;
 use relief_shaders::{Entry, Selection, detail, refine, search, shadow};
 
-use crate::maps;
-use crate::rng::Rng;
 use cases::Draw;
 use compare::Comparison;
+use relief_core::rng::Rng;
+use relief_testing::maps;
 
 /// Rays over all legal pairs of search and refinement together. Times scale with it.
 const RAYS: usize = 1_000_000;

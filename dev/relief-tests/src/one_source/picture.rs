@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use crate::baked::{in_slots, maps_for};
-use crate::maps;
 use glam::{DVec3, Vec3};
 use relief_core::{Metric, Wrap};
 use relief_render::camera::Camera;
@@ -12,6 +11,7 @@ use relief_render::job::{Job, JobSurface, LightViews, Rendering, uncovered};
 use relief_render::mipmaps::Mipmaps;
 use relief_shaders::cpu::{Corner, Frame, Light, PixelOut, Program, Shell, SurfaceSettings, Triangle};
 use relief_shaders::{MapSlot, Selection};
+use relief_testing::maps;
 
 /// How near to a triangle's edge, in barycentric coordinates, either side may count: the rasteriser rounds
 /// corners to a 256th of a pixel, which on the small triangles here is less than this. Larger would excuse

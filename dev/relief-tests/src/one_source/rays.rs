@@ -1,10 +1,10 @@
 //! Adversarial rays, in the world and each with a base triangle of its own, as the shaders take them.
 
-use crate::rays::{RayKind, Rays};
-use crate::rng::Rng;
 use glam::{DMat3, DQuat, DVec2, DVec3, Vec3};
+use relief_core::rng::Rng;
 use relief_core::{HeightMap, Path, SliceAxis};
 use relief_shaders::cpu::{Corner, PixelIn, Shell};
+use relief_testing::rays::{RayKind, Rays};
 
 /// The kinds of paths that can be view rays; those that do not descend are left out one by one.
 const KINDS: [RayKind; 7] = [

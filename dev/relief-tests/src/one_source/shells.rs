@@ -9,8 +9,8 @@ use relief_shaders::{Entry, Selection, detail, refine, search, shadow};
 use super::adapter;
 use super::cases::{Draw, LEAST_SHELL_M};
 use super::compare::Comparison;
-use crate::maps;
-use crate::rng::Rng;
+use relief_core::rng::Rng;
+use relief_testing::maps;
 
 /// Rays for a surface.
 const RAYS: usize = 1_000_000;

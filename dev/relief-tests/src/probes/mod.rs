@@ -1,14 +1,4 @@
-//! Probes that attack the guarantees of baked maps.
+//! Probes of [`relief_testing::probes`] over what is baked.
 
-pub mod cone;
-pub mod dilation_erosion;
-pub mod distance;
-mod found;
-pub mod frustum;
-pub mod place;
-pub mod pyramid;
-pub mod relaxed_cone;
 pub mod run;
 pub mod stored;
-
-pub use found::Found;

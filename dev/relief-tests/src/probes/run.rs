@@ -7,10 +7,10 @@ use relief_bake::BakeError;
 use relief_bake::kind::{cone, dilation_erosion, distance, frustum, pyramid, relaxed_cone};
 use relief_core::{HeightMap, MaxPyramid, Metric, Wrap};
 
-use super::Found;
-use super::distance::Field;
 use super::stored;
-use crate::maps;
+use relief_testing::maps;
+use relief_testing::probes::Found;
+use relief_testing::probes::distance::Field;
 
 /// The kinds that are attacked.
 pub const KINDS: [&str; 6] = ["cone", "relaxed-cone", "frustum", "distance", "pyramid", "dilation-erosion"];
@@ -96,9 +96,11 @@ pub fn run(case: &Case, count: usize, done: &(dyn Fn(usize) + Sync)) -> Result<O
             let textures = stored::textures(&cone::KIND, &map, metric, &set("apex", apex))?;
             let ratios = stored::ratios(&textures[0]);
             Ok(attack(count, done, RATIO, |count, seed| {
-                let probes = super::cone::Probes::new(&heights, texel_m, apex == 1, seed);
-                let ratio = |contact: &super::cone::Contact| stored::at(&heights, &ratios, contact.texel);
-                let (violations, tightest) = super::cone::attack(probes, count, ratio);
+                let probes = relief_testing::probes::cone::Probes::new(&heights, texel_m, apex == 1, seed);
+                let ratio = |contact: &relief_testing::probes::cone::Contact| {
+                    stored::at(&heights, &ratios, contact.texel)
+                };
+                let (violations, tightest) = relief_testing::probes::cone::attack(probes, count, ratio);
                 Found { violations, tightest: tightest.map(|at| (at.limit / ratio(&at), at)) }
             }))
         }
@@ -106,9 +108,13 @@ pub fn run(case: &Case, count: usize, done: &(dyn Fn(usize) + Sync)) -> Result<O
             let textures = stored::textures(&relaxed_cone::KIND, &map, metric, &set("apex", apex))?;
             let ratios = stored::ratios(&textures[0]);
             Ok(attack(count, done, RATIO, |count, seed| {
-                let probes = super::relaxed_cone::Probes::new(&heights, texel_m, apex == 1, seed);
-                let ratio = |exit: &super::relaxed_cone::Exit| stored::at(&heights, &ratios, exit.texel);
-                let (violations, tightest) = super::relaxed_cone::attack(probes, count, ratio);
+                let probes =
+                    relief_testing::probes::relaxed_cone::Probes::new(&heights, texel_m, apex == 1, seed);
+                let ratio = |exit: &relief_testing::probes::relaxed_cone::Exit| {
+                    stored::at(&heights, &ratios, exit.texel)
+                };
+                let (violations, tightest) =
+                    relief_testing::probes::relaxed_cone::attack(probes, count, ratio);
                 Found { violations, tightest: tightest.map(|at| (at.limit / ratio(&at), at)) }
             }))
         }
@@ -117,7 +123,7 @@ pub fn run(case: &Case, count: usize, done: &(dyn Fn(usize) + Sync)) -> Result<O
             let frusta = stored::frustum_map(&map, &textures);
             Ok(attack(count, done, "heights", |count, seed| {
                 let read = |cell, forward| stored::frustum(&frusta, cell, forward);
-                super::frustum::attack(&heights, read, count, seed)
+                relief_testing::probes::frustum::attack(&heights, read, count, seed)
             }))
         }
         "distance" => {
@@ -135,7 +141,7 @@ pub fn run(case: &Case, count: usize, done: &(dyn Fn(usize) + Sync)) -> Result<O
                     let (column, row) = (folding.column(cell[0]) >> level, folding.row(cell[1]) >> level);
                     stored::pair(&textures[0], level, column, row)
                 };
-                super::pyramid::attack(&heights, levels, bounds, count, seed)
+                relief_testing::probes::pyramid::attack(&heights, levels, bounds, count, seed)
             }))
         }
         "dilation-erosion" => {
@@ -145,7 +151,7 @@ pub fn run(case: &Case, count: usize, done: &(dyn Fn(usize) + Sync)) -> Result<O
                 let bounds = |cell: [i64; 2]| {
                     stored::pair(&textures[0], 0, folding.column(cell[0]), folding.row(cell[1]))
                 };
-                super::dilation_erosion::attack(&heights, radius, bounds, count, seed)
+                relief_testing::probes::dilation_erosion::attack(&heights, radius, bounds, count, seed)
             }))
         }
         _ => panic!("'{kind}' is none of the kinds that are attacked"),

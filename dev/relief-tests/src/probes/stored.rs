@@ -5,7 +5,7 @@ use relief_bake::{BakeError, Collected, CollectedTexture, Kind, Progress, bake, 
 use relief_core::encoding;
 use relief_core::{HeightMap, Metric};
 
-use super::frustum::Frustum;
+use relief_testing::probes::frustum::Frustum;
 
 /// The textures of a kind, baked with those settings.
 ///

@@ -4,6 +4,7 @@ use std::fmt::Debug;
 use std::sync::Arc;
 
 use rayon::prelude::*;
+use relief_core::rng::Rng;
 use relief_core::{HeightMap, Lanes, MapFormat, TexelMask, Wrap};
 use relief_render::environment::Environment;
 use relief_render::job::JobSurface;
@@ -13,10 +14,10 @@ use relief_shaders::cpu::{
 };
 use relief_shaders::surface::{ENTRIES, Proposal};
 use relief_shaders::{AMBIENT, DETAIL, MAX_LIGHTS, MapSlot, SHADOW, SLICES, STAGES, SURFACE, Selection};
+use relief_testing::maps;
 use relief_tests::baked::maps_in;
 use relief_tests::one_source::cases::bare_surface;
 use relief_tests::one_source::rays;
-use relief_tests::{maps, rng::Rng};
 
 /// Triangles of a surface, a detail and a map, each seen by a block of rays.
 const TRIANGLES: usize = 40;

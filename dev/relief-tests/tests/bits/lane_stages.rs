@@ -4,9 +4,10 @@ use rayon::prelude::*;
 use relief_core::{Cost, HeightMap, Hit, Lanes, MapFormat, Path, Wrap};
 use relief_shaders::Selection;
 use relief_shaders::cpu::MethodTracer;
+use relief_testing::maps;
+use relief_testing::rays::{RayKind, Rays};
 use relief_tests::baked::{maps_in, slots};
-use relief_tests::rays::{RayKind, Rays};
-use relief_tests::{maps, pairs};
+use relief_tests::pairs;
 
 /// Paths of a pair, map, wrap and format.
 const PATHS: usize = 160;

@@ -14,7 +14,7 @@ use relief_render::light::Light;
 use relief_render::scene::{Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
-use relief_tests::maps;
+use relief_testing::maps;
 
 fn map(way: usize) -> HeightMap {
     let named = maps::ALL.iter().find(|map| map.name == "natural 101x67").expect("it is listed");

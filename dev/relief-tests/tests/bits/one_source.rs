@@ -3,7 +3,7 @@
 use relief_core::{HeightMap, Wrap};
 use relief_shaders::cpu::{PixelIn, Probe, Shared, write_all};
 use relief_shaders::wgsl::Sampling;
-use relief_tests::maps::{self, NamedMap};
+use relief_testing::maps::{self, NamedMap};
 use relief_tests::one_source::cases::{Case, probe};
 use relief_tests::one_source::compare::Comparison;
 use relief_tests::one_source::{adapter, rays};

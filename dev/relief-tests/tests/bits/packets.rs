@@ -3,8 +3,8 @@
 use rayon::prelude::*;
 use relief_core::exact::{ExactHit, FastTracer};
 use relief_core::{Cost, HeightMap, Lanes, Path, Wrap};
-use relief_tests::maps;
-use relief_tests::rays::Rays;
+use relief_testing::maps;
+use relief_testing::rays::Rays;
 
 /// Paths of a map, width and wrap.
 const PATHS: usize = 6_000;

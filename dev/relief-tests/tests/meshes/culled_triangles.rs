@@ -16,8 +16,8 @@ use relief_render::light::Light;
 use relief_render::scene::{Sampling, Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
+use relief_testing::maps;
 use relief_tests::adapter::open;
-use relief_tests::maps;
 
 const SIZE: [u32; 2] = [120, 90];
 

@@ -10,7 +10,7 @@ use relief_core::{HeightMap, TexelMask, Wrap};
 use relief_mesh::{
     BaseSurface, CrackTest, Directions, Fit, Judge, MeshSettings, Mesher, MesherError, Seams, Side,
 };
-use relief_tests::smooth_base::{curved_point, lift_m};
+use relief_testing::smooth_base::{curved_point, lift_m};
 
 /// How many bases are made. Twenty thousand were, once.
 const ROUNDS: u64 = 800;

@@ -7,7 +7,7 @@ use relief_mesh::{
     BaseSurface, CrackTest, Directions, EDGE_RULES, INTERIORS, MeshSettings, Mesher, Seams, Spacing,
     check_pair,
 };
-use relief_tests::maps;
+use relief_testing::maps;
 
 /// All pairs of an edge rule and an interior that make sense on any mesh, with a point every so many texels.
 fn settings(texels: u32) -> Vec<MeshSettings> {

@@ -9,8 +9,8 @@ use relief_core::{HeightMap, Watch, Wrap};
 use relief_mesh::{
     BaseSurface, Directions, MeshSettings, Mesher, MesherError, Seams, Shading, Stream, StreamError,
 };
-use relief_tests::maps;
-use relief_tests::smooth_base::{curved_point, lift_m, mean_on_sphere};
+use relief_testing::maps;
+use relief_testing::smooth_base::{curved_point, lift_m, mean_on_sphere};
 
 /// The bilinear height, written down from the conventions alone.
 fn height(map: &HeightMap, uv: DVec2) -> f64 {
@@ -121,7 +121,7 @@ fn vertices_are_where_an_evaluation_of_its_own_says() {
                     let expected = base + metres * normal;
                     let error = (vertex.position.as_dvec3() - expected).length();
                     // Texture coordinates are rounded, and steep maps show it.
-                    let steep = relief_tests::steepest(&map) * 0.06 * 64.0 * 2e-7;
+                    let steep = relief_testing::steepest(&map) * 0.06 * 64.0 * 2e-7;
                     assert!(error < 1.5e-7 + steep, "{} {wrap}: {error:e}", named.name);
                 }
             }

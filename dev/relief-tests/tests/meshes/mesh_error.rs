@@ -10,7 +10,7 @@ use relief_core::{HeightMap, Watch, Wrap};
 use relief_mesh::{
     Certificate, CrackTest, Fit, Judge, MeshSettings, Mesher, MesherError, Part, Shading, Side,
 };
-use relief_tests::maps;
+use relief_testing::maps;
 
 /// Metres of displacement between heights 0 and 1.
 const SCALE_M: f64 = 0.08;

@@ -12,8 +12,8 @@ use relief_mesh::{
     BaseSurface, Certificate, CrackTest, Directions, Fit, Judge, MeshSettings, Mesher, MesherError, Seams,
     Shading, Side,
 };
-use relief_tests::maps;
-use relief_tests::smooth_base::{curved_point, lift_m};
+use relief_testing::maps;
+use relief_testing::smooth_base::{curved_point, lift_m};
 
 /// Metres of displacement between heights 0 and 1.
 const SCALE_M: f64 = 0.04;

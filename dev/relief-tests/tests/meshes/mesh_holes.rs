@@ -9,7 +9,7 @@ use relief_core::{HeightMap, TexelMask, Watch, Wrap};
 use relief_mesh::{
     CrackTest, Directions, Judge, MeshSettings, Mesher, MesherError, Part, Shading, Stream, View,
 };
-use relief_tests::maps;
+use relief_testing::maps;
 
 const SCALE_M: f64 = 0.05;
 

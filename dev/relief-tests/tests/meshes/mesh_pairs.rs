@@ -12,7 +12,7 @@ use relief_core::mesh::{BasePoint, Mesh, Placement, Vertex, cylinder, sphere, sq
 use relief_core::raycast::RayCaster;
 use relief_core::{HeightMap, Wrap};
 use relief_mesh::{MeshSettings, Mesher, Seams};
-use relief_tests::mesh_distance::{apart, corners_of};
+use relief_testing::mesh_distance::{apart, corners_of};
 
 /// A height in metres at a place on the map.
 type Known = fn(DVec2) -> f64;

@@ -9,7 +9,7 @@ use relief_core::{HeightMap, Watch, Wrap};
 use relief_mesh::{
     BaseSurface, CrackTest, Directions, MeshSettings, Mesher, MesherError, Seams, Shading, Stream,
 };
-use relief_tests::maps;
+use relief_testing::maps;
 
 const SOLID_M: f64 = 0.05;
 

@@ -7,7 +7,8 @@ use relief_core::mesh::{Mesh, MeshBlock, PositionGrid, cube, rectangle, torus};
 use relief_core::{HeightMap, Watch, Wrap};
 use relief_io::{GlbLayout, GlbLevel, GlbNode, MeshCounts, Quantization, read_raw_mesh, write_glb};
 use relief_mesh::{MeshSettings, Mesher, Stream, View};
-use relief_tests::{glb, maps};
+use relief_testing::maps;
+use relief_tests::glb;
 
 /// Triangles with their least corner first, in order.
 fn sorted(triangles: impl IntoIterator<Item = [u32; 3]>) -> Vec<[u32; 3]> {

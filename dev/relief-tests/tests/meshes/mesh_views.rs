@@ -10,7 +10,7 @@ use relief_mesh::{
     BaseSurface, CrackTest, Cracks, EDGE_RULES, INTERIORS, Interior, MeshSettings, Mesher, MesherError, Part,
     Seams, Spacing, View, Weights, check_pair,
 };
-use relief_tests::maps;
+use relief_testing::maps;
 
 /// Views from all around.
 const VIEWS: usize = 200;

@@ -9,8 +9,8 @@ use relief_render::mesh::{Mesh, square, torus};
 use relief_render::scene::{Sampling, Scene, SceneBuilder, Surface, View};
 use relief_render::{Renderer, Wire};
 use relief_shaders::cpu::PixelOut;
+use relief_testing::maps;
 use relief_tests::adapter::open;
-use relief_tests::maps;
 
 const SIZE: [u32; 2] = [160, 120];
 

@@ -5,14 +5,14 @@ use std::sync::OnceLock;
 
 use glam::{DVec3, Vec2, Vec3};
 use relief_core::HeightMap;
+use relief_core::rng::Rng;
 use relief_render::Renderer;
 use relief_render::mesh::{Mesh, Vertex, cylinder, sphere, torus};
 use relief_render::scene::{BackendChoice, Sampling};
+use relief_testing::outline::distances;
 use relief_tests::accuracy::maps;
 use relief_tests::adapter::has_adapter;
 use relief_tests::curved::{Comparison, Curved, Drawn, Judged, Picture};
-use relief_tests::outline::distances;
-use relief_tests::rng::Rng;
 
 /// Metres between the heights 0 and 1: a tenth of a tile, a fifth of the torus' tube.
 const SCALE_M: f64 = 0.03;

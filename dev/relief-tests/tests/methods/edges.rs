@@ -13,8 +13,8 @@ use relief_render::mesh::{Mesh, Placement, square, torus};
 use relief_render::scene::{Sampling, Scene, SceneBuilder, Surface, View};
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::{Entry, METHODS, Selection, surface};
+use relief_testing::maps;
 use relief_tests::adapter::{Leeway, open};
-use relief_tests::maps;
 
 const SIZE: [u32; 2] = [120, 90];
 

@@ -3,9 +3,9 @@
 use rayon::prelude::*;
 use relief_core::exact::{ExactHit, FastTracer, PyramidTracer, cell_walk, least_gap};
 use relief_core::{Cost, HeightMap, Path, Wrap};
-use relief_tests::judge::{Tally, Verdict, judge};
-use relief_tests::rays::{RayKind, Rays};
-use relief_tests::{RAYS_PER_MAP, maps};
+use relief_testing::judge::{Tally, Verdict, judge};
+use relief_testing::rays::{RayKind, Rays};
+use relief_testing::{RAYS_PER_MAP, maps};
 
 /// Height residual allowed to the two tracers in `f64`.
 const EXACT: f64 = 1e-12;

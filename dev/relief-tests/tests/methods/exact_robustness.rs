@@ -2,10 +2,10 @@
 
 use rayon::prelude::*;
 use relief_core::exact::{ExactHit, FastTracer, MAX_START, MAX_TRAVEL, PyramidTracer, cell_walk, least_gap};
+use relief_core::rng::Rng;
 use relief_core::{Cost, HeightMap, Path, PathMetric, Wrap};
-use relief_tests::judge::judge;
-use relief_tests::maps;
-use relief_tests::rng::Rng;
+use relief_testing::judge::judge;
+use relief_testing::maps;
 
 /// No path may cost more reads: a pyramid tracer reads some tens of nodes for each cell that it comes down
 /// to.
@@ -189,7 +189,7 @@ fn answers_are_deterministic() {
             rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started");
         pool.install(|| {
             let fast = FastTracer::new(&map);
-            let rays = relief_tests::rays::Rays::new(&map, 6).take(2000);
+            let rays = relief_testing::rays::Rays::new(&map, 6).take(2000);
             rays.map(|(_, path)| fast.trace(&path)).collect::<Vec<_>>()
         })
     };

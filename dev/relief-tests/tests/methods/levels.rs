@@ -9,12 +9,12 @@ use relief_render::mesh::Builtin;
 use relief_render::scene::{BackendChoice, Surface, View};
 use relief_shaders::Selection;
 use relief_shaders::cpu::{MethodTracer, PixelOut};
+use relief_testing::maps;
+use relief_testing::rays::Rays;
 use relief_tests::accuracy;
 use relief_tests::baked::{maps_in, slots};
 use relief_tests::detail::Seen;
-use relief_tests::maps;
 use relief_tests::pairs;
-use relief_tests::rays::Rays;
 use relief_tests::shadows;
 
 /// Rays over each map in each level, for each pair.

@@ -11,8 +11,8 @@ use relief_render::wgpu::{DeviceDescriptor, Features, Instance, Limits, RequestA
 use relief_shaders::shadow::ShadowRole;
 use relief_shaders::wgsl::Sampling;
 use relief_shaders::{METHODS, OBJECT, SLICES, Selection, ambient, detail, shadow, surface};
+use relief_testing::maps;
 use relief_tests::adapter::has_adapter;
-use relief_tests::maps;
 use relief_tests::spheres::grid_of_spheres;
 
 /// A device of exactly those limits, and no feature.

@@ -3,15 +3,16 @@
 
 use glam::{DMat3, DVec2, DVec3, Vec3};
 use relief_core::registry::RayClass;
+use relief_core::rng::Rng;
 use relief_core::{HeightMap, Path, Wrap};
 use relief_shaders::cpu::{Corner, PixelIn, Probe};
 use relief_shaders::wgsl::Sampling;
 use relief_shaders::{Selection, refine, search};
+use relief_testing::maps;
 use relief_tests::one_source::cases::Case;
 use relief_tests::one_source::compare::Comparison;
 use relief_tests::one_source::{adapter, rays};
-use relief_tests::rng::Rng;
-use relief_tests::{maps, pairs};
+use relief_tests::pairs;
 
 /// Rays a map and a displacement. All times scale with it.
 const RAYS: usize = 3_000;

@@ -7,11 +7,11 @@ use relief_core::registry::{Guarantee, RayClass};
 use relief_core::{BakedMap, Cost, HeightMap, MapFormat, MapTexels, Path, Wrap};
 use relief_shaders::cpu::MethodTracer;
 use relief_shaders::{MapSlot, Selection, SlotMaps};
+use relief_testing::judge::{Tally, Verdict, judge};
+use relief_testing::rays::{RayKind, Rays};
+use relief_testing::{RAYS_PER_MAP, maps, steepest};
 use relief_tests::baked::{maps_for, maps_in, slots};
-use relief_tests::judge::{Tally, Verdict, judge};
 use relief_tests::pairs::{self, class_of};
-use relief_tests::rays::{RayKind, Rays};
-use relief_tests::{RAYS_PER_MAP, maps, steepest};
 
 /// Roundings that an answer may be off by, of the terms in [`slack`].
 const ROUNDINGS: f64 = 2.0;

@@ -1,7 +1,7 @@
 //! What the survey claims about the methods' order, and that more steps come nearer the truth.
 
 use relief_core::registry::RayClass;
-use relief_tests::RAYS_PER_MAP;
+use relief_testing::RAYS_PER_MAP;
 use relief_tests::accuracy::{case, maps, mean_error, report_with};
 use relief_tests::baked::{maps_for, slots};
 use relief_tests::claims::verdicts;

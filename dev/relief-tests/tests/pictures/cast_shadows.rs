@@ -4,9 +4,9 @@
 use glam::DVec3;
 use relief_render::light::Light;
 use relief_render::scene::BackendChoice;
+use relief_testing::outline::{distances_of_lines, overlap};
 use relief_tests::adapter::has_adapter;
 use relief_tests::cast::{Meeting, Shown, agreement, mask};
-use relief_tests::outline::{distances_of_lines, overlap};
 
 /// The picture's size; a texel of what the light sees is as large beside a pixel as 2048 are in one of
 /// 800x600.

@@ -9,8 +9,9 @@ use relief_render::mesh::square;
 use relief_render::scene::{BackendChoice, Surface, View};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
+use relief_testing::{maps, steepest};
 use relief_tests::adapter::has_adapter;
-use relief_tests::{maps, shadows, steepest};
+use relief_tests::shadows;
 
 /// The relief's depth on the unit square, in metres.
 const SCALE_M: f64 = 0.15;

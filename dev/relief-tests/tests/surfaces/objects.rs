@@ -4,10 +4,10 @@ use glam::DVec3;
 use rayon::prelude::*;
 use relief_core::object::{ImageObject, JumpCells, SilhouetteError, View};
 use relief_core::raycast::Ray;
+use relief_core::rng::Rng;
 use relief_core::{HeightMap, Wrap};
-use relief_tests::RAYS_PER_MAP;
+use relief_testing::RAYS_PER_MAP;
 use relief_tests::objects::{Asked, NEAR, ObjectRays, Subject, Verdict, subjects};
-use relief_tests::rng::Rng;
 use relief_tests::spheres::{CUBE, RADIUS, map_of_spheres};
 
 /// Judges the images in turn by the lists of intervals; how many rays hit, miss and graze.

@@ -14,14 +14,15 @@ use relief_render::scene::{Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::wgsl::Sampling;
+use relief_testing::maps;
+use relief_testing::maps::fractal;
+use relief_tests::accuracy;
 use relief_tests::adapter::has_adapter;
 use relief_tests::claims::picture_verdicts;
-use relief_tests::maps::fractal;
 use relief_tests::one_source::cases::Case;
 use relief_tests::one_source::compare::Comparison;
 use relief_tests::one_source::{adapter, rays};
 use relief_tests::slices::{PlaneView, is_in_middle};
-use relief_tests::{accuracy, maps};
 
 const SIZE: u32 = 160;
 

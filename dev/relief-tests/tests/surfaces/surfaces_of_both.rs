@@ -10,8 +10,8 @@ use relief_render::render;
 use relief_render::scene::{BackendChoice, Scene, Surface};
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::{Selection, surface};
+use relief_testing::maps;
 use relief_tests::adapter::{Leeway, has_adapter};
-use relief_tests::maps;
 
 /// The share of covered pixels that must agree: on edges of polygons rasterisers may choose the other one.
 const ALIKE: f64 = 0.999;

@@ -17,8 +17,8 @@ use relief_render::scene::{Sampling, Scene, SceneBuilder, Surface};
 use relief_render::{GeometryError, RenderError, Renderer};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
+use relief_testing::outline::{Mask, distances};
 use relief_tests::adapter::{Leeway, open};
-use relief_tests::outline::{Mask, distances};
 
 const SIZE: [u32; 2] = [200, 150];
 

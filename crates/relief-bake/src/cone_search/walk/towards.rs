@@ -145,8 +145,8 @@ impl Walk<'_> {
 #[cfg(test)]
 mod tests {
     use pulp::Scalar;
+    use relief_core::rng::Rng;
     use relief_core::{HeightMap, Wrap};
-    use relief_tests::rng::Rng;
 
     use super::super::super::apexes::{Apexes, Region};
     use super::super::super::tie::raised;

@@ -40,7 +40,7 @@ pub fn slope(k: i64, near: f64, mean: f64, far: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use relief_tests::rng::Rng;
+    use relief_core::rng::Rng;
 
     /// The greatest gap by which the diagonal passes a frustum, and where.
     fn excess(slope: f64, k: i64, near: f64, mean: f64, far: f64) -> f64 {

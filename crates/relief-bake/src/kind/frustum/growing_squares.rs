@@ -142,7 +142,7 @@ fn grow(
                     }
                     let squares = squares_of;
                     let row = Row { ground, pass, squares, row, larger, scratch, slopes, patience };
-                    relief_core::Lanes::Eight.run(row)
+                    relief_core::Lanes::Eight.run_up_to_eight(row)
                 },
             )
             .reduce(|| false, |one, other| one | other);
@@ -404,8 +404,8 @@ impl Squares<'_> {
 mod tests {
     use super::*;
     use relief_core::MaxPyramid;
-    use relief_tests::brute::frustum as brute;
-    use relief_tests::maps;
+    use relief_testing::brute::frustum as brute;
+    use relief_testing::maps;
 
     const QUADRANTS: [[bool; 2]; 4] = [[true, true], [false, true], [true, false], [false, false]];
 

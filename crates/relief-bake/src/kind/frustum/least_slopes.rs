@@ -72,7 +72,7 @@ pub fn least_slopes(
             let rows = [row, (row + ROWS).min(height) - 1].map(|row| row as u32);
             let mut search = Search::new(map, tops, nodes, (&slopes, &patience), forward, columns);
             // Not wider ones: eight cells are searched for together.
-            let found = relief_core::Lanes::Eight.run(Rows { search: &mut search, rows });
+            let found = relief_core::Lanes::Eight.run_up_to_eight(Rows { search: &mut search, rows });
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
             progress.at(done as f32 / tiles as f32).map(|()| (columns, rows, found))
         };

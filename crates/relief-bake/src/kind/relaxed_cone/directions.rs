@@ -225,7 +225,7 @@ fn octants_of([x0, y0]: [f32; 2], [x1, y1]: [f32; 2]) -> u8 {
 #[cfg(test)]
 mod tests {
     use relief_core::Wrap;
-    use relief_tests::rng::Rng;
+    use relief_core::rng::Rng;
 
     use super::*;
 

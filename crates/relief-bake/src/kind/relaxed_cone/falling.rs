@@ -121,7 +121,7 @@ fn real_roots([k0, k1, k2, k3]: [f64; 4]) -> [Option<f64>; 3] {
 
 #[cfg(test)]
 mod tests {
-    use relief_tests::rng::Rng;
+    use relief_core::rng::Rng;
 
     use super::*;
 

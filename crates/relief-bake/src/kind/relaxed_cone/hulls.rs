@@ -87,7 +87,7 @@ fn upper_hull(profile: &[f32]) -> Vec<ProfileVertex> {
 #[cfg(test)]
 mod tests {
     use relief_core::Wrap;
-    use relief_tests::maps;
+    use relief_testing::maps;
 
     use super::*;
 

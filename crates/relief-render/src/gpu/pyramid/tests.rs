@@ -5,7 +5,7 @@ use relief_core::{BakedMap, ByteSize, Wrap};
 use relief_maps::{Cache, DEFAULT_LIMIT, Maps, Origin};
 use relief_shaders::Selection;
 use relief_shaders::wgsl::Sampling;
-use relief_tests::maps;
+use relief_testing::maps;
 use wgpu::{Limits, TexelCopyBufferInfo, TexelCopyBufferLayout};
 
 use super::*;

@@ -5,7 +5,7 @@ use relief_core::HeightMap;
 use super::Found;
 use super::place::{Place, ROUNDING};
 use super::pyramid::room;
-use crate::rng::Rng;
+use relief_core::rng::Rng;
 
 /// Probes so many pairs of places; `bounds` is the least and the greatest height that a cell, not wrapped,
 /// has for the surface within `radius` texels. Finds room in heights, for a cell at a place.

@@ -4,7 +4,7 @@ use relief_core::HeightMap;
 
 use super::Found;
 use super::place::{Place, ROUNDING};
-use crate::rng::Rng;
+use relief_core::rng::Rng;
 
 /// The empty space over a rectangle of cells in one quadrant: `top`, and from the rectangle's edges on
 /// `slope` heights a texel of Chebyshev distance.

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::sheet::Sheet;
-use crate::rng::Rng;
+use relief_core::rng::Rng;
 
 /// A ray, and what is known of it.
 pub struct Ray {

@@ -5,7 +5,7 @@ use relief_core::mesh::{Mesh, MeshError, cylinder, sphere, square, torus};
 use relief_core::{HeightMap, Wrap};
 
 use super::sheet::Sheet;
-use crate::rng::Rng;
+use relief_core::rng::Rng;
 
 /// A named sheet.
 pub struct Scene {

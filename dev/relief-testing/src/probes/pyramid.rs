@@ -4,7 +4,7 @@ use relief_core::HeightMap;
 
 use super::Found;
 use super::place::{Place, ROUNDING};
-use crate::rng::Rng;
+use relief_core::rng::Rng;
 
 /// Whether the surface at a place is within what is said of it.
 pub fn holds(map: &HeightMap, place: &Place, bounds: [f32; 2]) -> bool {

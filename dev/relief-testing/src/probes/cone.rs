@@ -2,7 +2,7 @@
 
 use relief_core::HeightMap;
 
-use crate::rng::Rng;
+use relief_core::rng::Rng;
 
 /// An apex, and a point of the surface that limits the cone there.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,7 @@
 
 use relief_core::{HeightMap, Wrap};
 
-use crate::rng::Rng;
+use relief_core::rng::Rng;
 
 /// An adversarial map: its name, and its texels in any wrap.
 #[derive(Clone, Copy, Debug)]

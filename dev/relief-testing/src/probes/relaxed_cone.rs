@@ -2,7 +2,7 @@
 
 use relief_core::HeightMap;
 
-use crate::rng::Rng;
+use relief_core::rng::Rng;
 
 /// A ray over an apex, and where it comes out of the surface for the first time.
 #[derive(Clone, Copy, Debug)]

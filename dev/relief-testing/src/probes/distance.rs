@@ -4,7 +4,7 @@
 use relief_core::HeightMap;
 
 use super::Found;
-use crate::rng::Rng;
+use relief_core::rng::Rng;
 
 /// A stored distance field: `size[0] x size[1]` texels by `size[2]` slices, in metres of a metric.
 #[derive(Clone, Copy, Debug)]

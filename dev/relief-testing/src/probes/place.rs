@@ -2,7 +2,7 @@
 
 use relief_core::HeightMap;
 
-use crate::rng::Rng;
+use relief_core::rng::Rng;
 
 /// By how much the surface may seem to pass a bound that it touches, in heights: a bilinear height in `f64`
 /// goes through six roundings of numbers of at most 1.

@@ -2,7 +2,7 @@
 
 use relief_core::{HeightMap, Path, Wrap};
 
-use crate::rng::Rng;
+use relief_core::rng::Rng;
 
 /// A kind of adversarial path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

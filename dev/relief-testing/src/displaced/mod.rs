@@ -9,9 +9,9 @@ pub mod tessellation;
 use rayon::prelude::*;
 use relief_core::exact::{DisplacedHit, DisplacedMesh, Sides};
 
-use crate::rng::Rng;
 use compare::{Fault, crossings, fault};
 use rays::{KINDS, Ray, ray};
+use relief_core::rng::Rng;
 use scenes::Scene;
 use sheet::Sheet;
 use tessellation::Group;
