@@ -3,8 +3,8 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use relief_bake::{Collected, KINDS, Progress, bake};
-use relief_core::{HeightMap, Metric, Wrap};
+use relief_bake::{Collected, KINDS, bake};
+use relief_core::{HeightMap, Metric, Watch, Wrap};
 
 /// The longest side, in texels: every wrap and padding shows on small maps, and large ones only cost time.
 const MOST: u32 = 24;
@@ -27,7 +27,7 @@ fuzz_target!(|bytes: &[u8]| {
         let _ = settings.set(param.name, f64::from(param.min) + f64::from(value % 24));
     }
     let mut collected = Collected::default();
-    if bake(kind, &map, metric, &settings, &Progress::none(), &mut collected).is_ok() {
+    if bake(kind, &map, metric, &settings, &Watch::none(), &mut collected).is_ok() {
         let levels = collected.textures.iter().flat_map(|texture| &texture.levels);
         assert!(levels.flatten().flatten().all(|value| value.is_finite()));
     }

@@ -1,9 +1,9 @@
 //! A kind's bake, with what is the same for all of them.
 
-use relief_core::{HeightMap, Metric};
+use relief_core::{HeightMap, Metric, Watch};
 
 use crate::kind::BITS;
-use crate::{BakeError, BakeInput, Kind, Progress, Settings, Sink, quantise};
+use crate::{BakeError, BakeInput, Kind, Settings, Sink, quantise};
 
 /// Bakes a map of that kind into a sink. Kinds with the parameter [`BITS`] are baked from heights of so many
 /// bits, for which a copy of the map is made: see [`bake_last`].
@@ -16,13 +16,13 @@ pub fn bake(
     map: &HeightMap,
     metric: Metric,
     settings: &Settings,
-    progress: &Progress,
+    watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let bits = bits_of_heights(kind, settings);
     let decoded = if bits == 0 { None } else { Some(quantise::heights(map, bits)?) };
     let source = BakeInput { map: decoded.as_ref().unwrap_or(map), metric };
-    (kind.bake)(&source, settings, progress, sink)
+    (kind.bake)(&source, settings, watch, sink)
 }
 
 /// [`bake`] of a map that is not needed afterwards, so that no copy of it is made. Every 2-D kind then takes
@@ -37,12 +37,12 @@ pub fn bake_last(
     map: HeightMap,
     metric: Metric,
     settings: &Settings,
-    progress: &Progress,
+    watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let bits = bits_of_heights(kind, settings);
     let map = if bits == 0 { map } else { quantise::heights_in_place(map, bits)? };
-    (kind.bake)(&BakeInput { map: &map, metric }, settings, progress, sink)
+    (kind.bake)(&BakeInput { map: &map, metric }, settings, watch, sink)
 }
 
 /// To how many bits a bake of that kind rounds heights first; 0 for none. What the kind promises holds for the

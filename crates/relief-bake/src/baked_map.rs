@@ -4,9 +4,9 @@ use rayon::prelude::*;
 use relief_core::area_mean::{coarser_size, level_count};
 use relief_core::encoding::{code::Codes, half};
 use relief_core::registry::MapLevels;
-use relief_core::{BakedMap, HeightMap, MapFormat, MapIdentity, MapLayout, MapTexels, Metric};
+use relief_core::{BakedMap, HeightMap, MapFormat, MapIdentity, MapLayout, MapTexels, Metric, Watch};
 
-use crate::{BakeError, Channel, Kind, Progress, Settings, Shape, Sink, SinkError, Texture, bake};
+use crate::{BakeError, Channel, Kind, Settings, Shape, Sink, SinkError, Texture, bake};
 
 /// Which map is wanted.
 #[derive(Clone)]
@@ -95,16 +95,16 @@ impl WantedMap<'_> {
 ///
 /// As [`bake`](crate::bake), and when the kind has no texture of that name, no map has its shape, or a value
 /// has no stored value on its safe side.
-pub fn baked_map(map: &HeightMap, wanted: &WantedMap, progress: &Progress) -> Result<BakedMap, BakeError> {
+pub fn baked_map(map: &HeightMap, wanted: &WantedMap, watch: &Watch) -> Result<BakedMap, BakeError> {
     let layout = wanted.layout([map.width(), map.height()])?;
     let impossible = |reason: String| BakeError::Impossible { kind: wanted.kind.name, reason };
     let identity = wanted.identity(map);
     let map = &map.level(wanted.height_level);
     let kept = if wanted.levels == MapLevels::EachDetail {
-        bake_details(map, wanted, layout, progress)?
+        bake_details(map, wanted, layout, watch)?
     } else {
         let mut kept = Kept::new(wanted.texture, wanted.first_level(), layout).map_err(impossible)?;
-        bake(wanted.kind, map, wanted.metric, &wanted.settings, progress, &mut kept)?;
+        bake(wanted.kind, map, wanted.metric, &wanted.settings, watch, &mut kept)?;
         kept
     };
     BakedMap::new(identity, layout, kept.codes, kept.texels).map_err(|error| impossible(error.to_string()))
@@ -115,7 +115,7 @@ fn bake_details<'a>(
     map: &HeightMap,
     wanted: &WantedMap<'a>,
     layout: MapLayout,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<Kept<'a>, BakeError> {
     let impossible = |reason: String| BakeError::Impossible { kind: wanted.kind.name, reason };
     // Levels may have other ranges each, and codes are of the range of all: they are made last.
@@ -128,8 +128,8 @@ fn bake_details<'a>(
     for level in 0..layout.levels {
         let part = texels(level) / whole;
         kept.detail = Some(level);
-        let (heights, progress) = (map.level(level), progress.piece(done, done + part));
-        bake(wanted.kind, &heights, wanted.metric, &wanted.settings, &progress, &mut kept)?;
+        let (heights, watch) = (map.level(level), watch.piece(done, done + part));
+        bake(wanted.kind, &heights, wanted.metric, &wanted.settings, &watch, &mut kept)?;
         done += part;
     }
     if layout.format == MapFormat::Unorm8 { kept.coded().map_err(impossible) } else { Ok(kept) }
@@ -323,13 +323,13 @@ mod tests {
 
     fn collected(map: &HeightMap, wanted: &WantedMap) -> CollectedTexture {
         let mut all = Collected::default();
-        bake(wanted.kind, map, wanted.metric, &wanted.settings, &Progress::none(), &mut all).expect("a bake");
+        bake(wanted.kind, map, wanted.metric, &wanted.settings, &Watch::none(), &mut all).expect("a bake");
         all.textures.into_iter().find(|found| found.texture.name == wanted.texture).expect("the texture")
     }
 
     /// Every value of the map beside that of the bake, with the channel's rounding.
     fn compare(map: &HeightMap, wanted: &WantedMap, each: impl Fn(f32, f32, Rounding)) {
-        let baked = baked_map(map, wanted, &Progress::none()).expect("a bake");
+        let baked = baked_map(map, wanted, &Watch::none()).expect("a bake");
         let found = collected(map, wanted);
         // A single texel has no level above it.
         let first = wanted.first_level().min(found.texture.mips.len() as u32);
@@ -405,7 +405,7 @@ mod tests {
                 let mut settings = kind.defaults();
                 for _ in 0..2 {
                     let mut all = Collected::default();
-                    bake(kind, &map, Metric::UNIT, &settings, &Progress::none(), &mut all).expect("a bake");
+                    bake(kind, &map, Metric::UNIT, &settings, &Watch::none(), &mut all).expect("a bake");
                     let baked: Vec<Shape> = all.textures.iter().map(|found| found.texture.shape()).collect();
                     assert_eq!((kind.shapes)(size, &settings), baked, "{} {size:?}", kind.name);
                     let values: usize =

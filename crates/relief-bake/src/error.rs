@@ -1,8 +1,8 @@
 //! Why a bake fails.
 
-use relief_core::HeightMapError;
+use relief_core::{Cancelled, HeightMapError};
 
-use crate::{Cancelled, SinkError};
+use crate::SinkError;
 
 /// Why there is no baked map.
 #[derive(Debug, thiserror::Error)]

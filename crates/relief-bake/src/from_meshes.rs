@@ -53,7 +53,7 @@ use rayon::prelude::*;
 use relief_core::mesh::Mesh;
 use relief_core::raycast::RayCaster;
 use relief_core::registry::UnknownName;
-use relief_core::{HeightMap, HeightMapError, Wrap};
+use relief_core::{HeightMap, HeightMapError, Watch, Wrap};
 use std::fmt;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -62,7 +62,6 @@ use self::charts::{Charts, OFF_BORDER, Owner};
 pub use self::error::{FromMeshesError, MAX_TILES};
 use self::look::{Line, Seen};
 pub use self::normals::normals_from_meshes;
-use crate::Progress;
 use crate::fill::fill;
 
 /// How far is looked unless something else is asked for, as a part of the diagonal of the simple mesh's box.
@@ -205,14 +204,14 @@ impl PairedHeights {
 /// The heights that take a simple mesh to a detailed one.
 ///
 /// ```
-/// use relief_bake::Progress;
+/// use relief_core::Watch;
 /// use relief_bake::from_meshes::{MeshPair, heights_from_meshes};
 /// use relief_core::mesh::sphere;
 /// use relief_core::raycast::RayCaster;
 ///
 /// let (low, high) = (sphere(16, 8)?, sphere(256, 128)?);
 /// let pair = MeshPair::new([64, 32]);
-/// let heights = heights_from_meshes(&low, &RayCaster::new(&high), &pair, &Progress::none())?;
+/// let heights = heights_from_meshes(&low, &RayCaster::new(&high), &pair, &Watch::none())?;
 /// // At the poles of a sphere triangles leave corners of the map bare.
 /// assert_eq!((heights.covered, heights.holes), (64 * 28, 0));
 /// // The facets lie inside of the sphere of half a metre, by less than 4 cm.
@@ -231,11 +230,11 @@ pub fn heights_from_meshes(
     low: &Mesh,
     high: &RayCaster,
     pair: &MeshPair,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<PairedHeights, FromMeshesError> {
-    let (charts, line) = prepare(low, high, pair, &progress.piece(0.0, CHARTED))?;
+    let (charts, line) = prepare(low, high, pair, &watch.piece(0.0, CHARTED))?;
     let cage_m = line.cage_m;
-    let texels = cast(low, &charts, &line, &progress.piece(CHARTED, CAST))?;
+    let texels = cast(low, &charts, &line, &watch.piece(CHARTED, CAST))?;
     let found = Found::of(&charts, &texels);
     if found.heights == 0 {
         let Found { holes: texels, behind, .. } = found;
@@ -251,7 +250,7 @@ pub fn heights_from_meshes(
         Some(gutter) => gutter::leave_out(&mut metres, &charts, gutter),
         None => 0,
     };
-    progress.at(1.0)?;
+    watch.at(1.0)?;
     Ok(PairedHeights {
         size: pair.size,
         metres,
@@ -272,7 +271,7 @@ fn prepare<'a>(
     low: &Mesh,
     high: &'a RayCaster,
     pair: &MeshPair,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<(Charts, Line<'a>), FromMeshesError> {
     HeightMap::check_size(pair.size[0], pair.size[1])?;
     if low.triangles().is_empty() {
@@ -286,7 +285,7 @@ fn prepare<'a>(
     if pair.cage_m.is_some() && !(cage_m > 0.0 && cage_m.is_finite()) {
         return Err(FromMeshesError::BadCage(cage_m));
     }
-    let charts = Charts::new(low, pair, diagonal, progress)?;
+    let charts = Charts::new(low, pair, diagonal, watch)?;
     let (layer, two_sided) = (pair.layer, pair.two_sided);
     Ok((charts, Line { high, cage_m, layer, two_sided, rounding: ROUNDING * farthest }))
 }
@@ -304,7 +303,7 @@ fn extents_m(mesh: &Mesh) -> (f64, f64) {
 }
 
 /// What the lines through all texels see, row by row.
-fn cast(low: &Mesh, charts: &Charts, line: &Line, progress: &Progress) -> Result<Vec<Seen>, FromMeshesError> {
+fn cast(low: &Mesh, charts: &Charts, line: &Line, watch: &Watch) -> Result<Vec<Seen>, FromMeshesError> {
     let width = charts.size[0] as usize;
     let rows = charts.owners.len() / width;
     let mut texels = vec![Seen::Nothing; charts.owners.len()];
@@ -320,7 +319,7 @@ fn cast(low: &Mesh, charts: &Charts, line: &Line, progress: &Progress) -> Result
             }
         }
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-        progress.at(done as f32 / rows as f32)
+        watch.at(done as f32 / rows as f32)
     })?;
     Ok(texels)
 }

@@ -60,6 +60,7 @@ mod slopes;
 mod spectrum;
 
 use rayon::prelude::*;
+use relief_core::Watch;
 
 pub use self::error::{FromNormalsError, SHORTEST};
 pub use self::evidence::{Evidence, NormalSource};
@@ -67,7 +68,6 @@ pub use self::green::{GreenFit, heights_from_either_green};
 pub use self::integrate::{IntegratedHeights, Integration, heights_from_slopes};
 pub use self::known::heights_from_known_slopes;
 pub use self::slopes::{NormalFaults, NormalSlopes, UNIT_TOLERANCE};
-use crate::Progress;
 
 /// Heights from normals of any length, given as planes of `x`, `y` and `z`, row by row from the top.
 ///
@@ -78,7 +78,7 @@ pub fn heights_from_normals(
     size: [u32; 2],
     normals: [&[f32]; 3],
     how: &Integration,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<IntegratedHeights, FromNormalsError> {
     integrate::check(size, &normals, how)?;
     let texels = normals[0].len();
@@ -93,7 +93,7 @@ pub fn heights_from_normals(
             usize::from(fault.is_some())
         })
         .sum();
-    let mut integrated = heights_from_slopes(size, [&along_u, &along_v], how, progress)?;
+    let mut integrated = heights_from_slopes(size, [&along_u, &along_v], how, watch)?;
     integrated.too_steep = too_steep;
     Ok(integrated)
 }

@@ -3,8 +3,8 @@
 use std::alloc::System;
 
 use peakmem_alloc::{PeakMemAlloc, PeakMemAllocTrait};
-use relief_bake::{KINDS, Kind, Progress, Sink, SinkError, Texture, bake_last};
-use relief_core::{HeightMap, Metric, Wrap};
+use relief_bake::{KINDS, Kind, Sink, SinkError, Texture, bake_last};
+use relief_core::{HeightMap, Metric, Watch, Wrap};
 use relief_testing::maps::fractal;
 
 #[global_allocator]
@@ -51,7 +51,7 @@ fn measure(kind: &Kind, map: HeightMap, bits: u32) -> (f64, Counted) {
     let (texels, mut sink) = (map.texels().len(), Counted::default());
     pool.install(|| {
         ALLOCATOR.reset_peak_memory();
-        bake_last(kind, map, metric, &settings, &Progress::none(), &mut sink)
+        bake_last(kind, map, metric, &settings, &Watch::none(), &mut sink)
     })
     .expect("a bake");
     (ALLOCATOR.get_peak_memory() as f64 / (4 * texels) as f64, sink)

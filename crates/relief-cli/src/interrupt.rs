@@ -3,6 +3,8 @@
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use relief_core::Cancelled;
+
 use crate::failure::Failure;
 
 /// Set while there is something to clean up.
@@ -23,4 +25,10 @@ pub fn catch() -> Result<&'static AtomicBool, Failure> {
 /// What is said of work that was ended.
 pub fn cancelled() -> Failure {
     Failure::Work("cancelled: no file was written".to_owned())
+}
+
+impl From<Cancelled> for Failure {
+    fn from(_: Cancelled) -> Self {
+        cancelled()
+    }
 }

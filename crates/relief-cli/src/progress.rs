@@ -4,7 +4,6 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use relief_render::Task;
 
 use crate::say::{self, Loudness};
 
@@ -17,30 +16,30 @@ const TICK: Duration = Duration::from_millis(200);
 /// What is shown of one piece of work, until it is dropped.
 pub struct Progress {
     bar: ProgressBar,
-    what: &'static str,
+    what: String,
     started: Instant,
 }
 
 impl Progress {
     /// A bar that says what is done; hidden with `quiet`, and where the standard error is no terminal.
-    pub fn bar(what: &'static str, quiet: bool) -> Self {
+    pub fn bar(what: &str, quiet: bool) -> Self {
         Self::styled(what, quiet, Some(STEPS), "{msg} {wide_bar} {percent:>3} % {eta} left")
     }
 
     /// The same for work of which nobody knows how much is done.
-    pub fn spinner(what: &'static str, quiet: bool) -> Self {
+    pub fn spinner(what: &str, quiet: bool) -> Self {
         Self::styled(what, quiet, None, "{msg} {spinner} {elapsed}")
     }
 
-    fn styled(what: &'static str, quiet: bool, steps: Option<u64>, template: &str) -> Self {
+    fn styled(what: &str, quiet: bool, steps: Option<u64>, template: &str) -> Self {
         let quiet = quiet || say::loudness() == Loudness::Quiet;
         let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-        let bar = ProgressBar::with_draw_target(steps, target).with_message(what);
+        let bar = ProgressBar::with_draw_target(steps, target).with_message(what.to_owned());
         if let Ok(style) = ProgressStyle::with_template(template) {
             bar.set_style(style);
         }
         bar.enable_steady_tick(TICK);
-        Self { bar, what, started: Instant::now() }
+        Self { bar, what: what.to_owned(), started: Instant::now() }
     }
 
     /// Shows the finished part, from 0 to 1; it never goes back.
@@ -60,7 +59,7 @@ impl Progress {
 /// The bars of a renderer's tasks, one after the other.
 pub struct TaskProgress {
     quiet: bool,
-    shown: Mutex<Option<(Task, Progress)>>,
+    shown: Mutex<Option<Progress>>,
 }
 
 impl TaskProgress {
@@ -70,18 +69,14 @@ impl TaskProgress {
     }
 
     /// Shows what is done of a task, in place of the task before.
-    pub fn show(&self, task: Task, part: f32) {
+    pub fn show(&self, task: &str, part: f32) {
         let mut shown = self.shown.lock().unwrap_or_else(PoisonError::into_inner);
-        if shown.as_ref().is_none_or(|(before, _)| *before != task) {
+        if shown.as_ref().is_none_or(|before| before.what != task) {
             // The bar of the task before goes first.
             *shown = None;
-            let what = match task {
-                Task::Baking(kind) => kind,
-                Task::Rendering => "rendering",
-            };
-            *shown = Some((task, Progress::bar(what, self.quiet)));
+            *shown = Some(Progress::bar(task, self.quiet));
         }
-        if let Some((_, bar)) = &*shown {
+        if let Some(bar) = &*shown {
             bar.show(part);
         }
     }

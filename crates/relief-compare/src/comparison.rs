@@ -1,7 +1,5 @@
 //! What is to be compared, and whether it can be.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use relief_core::{ByteSize, HeightMap, Lanes, MapFormat};
 use relief_render::scene::{BackendChoice, DEFAULT_MAX_MEMORY, Look, Sampling, Scene};
 use relief_shaders::Choice;
@@ -114,29 +112,6 @@ pub struct Timing {
     pub warm: u32,
     /// How many times as many pixels as its pictures they have.
     pub pixels: u32,
-}
-
-/// How a comparison is watched and ended.
-#[derive(Clone, Copy)]
-pub struct Watch<'a> {
-    /// Is told what is compared, and the part of the work that is done, from 0 to 1.
-    pub progress: &'a (dyn Fn(&str, f32) + Sync),
-    /// Ends the work once it is set.
-    pub cancel: &'a AtomicBool,
-}
-
-/// Never set: the flag of those whom nobody cancels.
-static NEVER: AtomicBool = AtomicBool::new(false);
-
-impl Watch<'_> {
-    /// Tells nobody and is never cancelled.
-    pub fn none() -> Watch<'static> {
-        Watch { progress: &|_, _| {}, cancel: &NEVER }
-    }
-
-    pub(crate) fn check(&self) -> Result<(), CompareError> {
-        if self.cancel.load(Ordering::Relaxed) { Err(CompareError::Stopped) } else { Ok(()) }
-    }
 }
 
 /// The angles that are compared when nothing else is said.

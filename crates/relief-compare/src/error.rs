@@ -2,7 +2,7 @@
 
 use relief_core::camera::CameraError;
 use relief_core::exact::DisplacedMeshError;
-use relief_core::{ByteSize, HeightMapError};
+use relief_core::{ByteSize, Cancelled, HeightMapError};
 use relief_maps::MapsError;
 use relief_render::RenderError;
 use relief_render::scene::ValueError;
@@ -66,7 +66,7 @@ pub enum CompareError {
     Heights(#[from] HeightMapError),
     /// A baked map cannot be provided.
     #[error(transparent)]
-    Maps(#[from] MapsError),
+    Maps(MapsError),
     /// A picture cannot be made.
     #[error("{method}: {source}")]
     Render {
@@ -87,9 +87,28 @@ pub enum CompareError {
     /// Pictures cannot be compared.
     #[error(transparent)]
     Image(#[from] ImageError),
-    /// Nobody wants the rest.
-    #[error("the comparison was stopped")]
-    Stopped,
+    /// The comparison was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
+impl CompareError {
+    /// The error of a method's picture.
+    pub(crate) fn of_picture(method: &str, error: RenderError) -> Self {
+        match error {
+            RenderError::Cancelled(cancelled) => cancelled.into(),
+            source => Self::Render { method: method.to_owned(), source: Box::new(source) },
+        }
+    }
+}
+
+impl From<MapsError> for CompareError {
+    fn from(error: MapsError) -> Self {
+        match error {
+            MapsError::Cancelled(cancelled) => cancelled.into(),
+            other => Self::Maps(other),
+        }
+    }
 }
 
 fn listed(sides: &[u32]) -> String {

@@ -16,7 +16,7 @@
 //! comparison.contenders = vec![Contender::named("relief")?, Contender::named("cone")?];
 //! comparison.rays = 500;
 //! (comparison.flicker_samples, comparison.timing) = (None, None);
-//! let compared = comparison.run(&relief_compare::Watch::none())?;
+//! let compared = comparison.run(&relief_core::Watch::none())?;
 //! let p99 = |method: &str| {
 //!     let of_method = compared.records.rays.iter().filter(|record| record.method.method == method);
 //!     of_method.map(|record| record.error.p99_texels).fold(0.0, f64::max)
@@ -44,7 +44,7 @@ pub const COBBLES_PNG: &[u8] = include_bytes!("../data/cobbles.png");
 
 pub use case::{Case, cost, hits, judged};
 pub use choose::{Candidate, Goal, Tried, choose, with_other_steps};
-pub use comparison::{Comparison, Machine, MachineBackend, Timing, Watch};
+pub use comparison::{Comparison, Machine, MachineBackend, Timing};
 pub use contender::{Contender, shadow};
 pub use csv::csv;
 pub use error::CompareError;

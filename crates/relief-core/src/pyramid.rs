@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use crate::{HeightMap, Wrap};
+use crate::{Cancelled, HeightMap, Watch, Wrap};
 
 /// Upper bounds of the bilinear surface over squares of `2^k` by `2^k` dual cells.
 ///
@@ -49,18 +49,17 @@ struct PyramidLevel {
 impl MaxPyramid {
     /// The pyramid of a map. Rows are built in parallel; the result does not depend on the number of threads.
     pub fn new(map: &HeightMap) -> Self {
-        let Ok(pyramid) = Self::try_new(map, |_| Ok::<(), Infallible>(()));
-        pyramid
+        let Ok(levels) = levels(map, higher, |_| Ok::<(), Infallible>(()));
+        Self { wrap: map.wrap(), levels }
     }
 
-    /// The pyramid of a map, unless `at`, which is told the finished part from any thread every few
-    /// milliseconds, wants to stop.
+    /// The same as [`new`](Self::new), watched.
     ///
     /// # Errors
     ///
-    /// The first error of `at`.
-    pub fn try_new<E: Send>(map: &HeightMap, at: impl Fn(f32) -> Result<(), E> + Sync) -> Result<Self, E> {
-        Ok(Self { wrap: map.wrap(), levels: levels(map, higher, at)? })
+    /// When it is cancelled.
+    pub fn watched(map: &HeightMap, watch: &Watch) -> Result<Self, Cancelled> {
+        Ok(Self { wrap: map.wrap(), levels: levels(map, higher, |part| watch.at(part))? })
     }
 
     /// The same pyramid, whose nodes bound the coarser [levels](HeightMap::level) of the map, too. Of the
@@ -121,17 +120,17 @@ impl MaxPyramid {
 impl MinPyramid {
     /// The pyramid of a map. Rows are built in parallel; the result does not depend on the number of threads.
     pub fn new(map: &HeightMap) -> Self {
-        let Ok(pyramid) = Self::try_new(map, |_| Ok::<(), Infallible>(()));
-        pyramid
+        let Ok(levels) = levels(map, lower, |_| Ok::<(), Infallible>(()));
+        Self { wrap: map.wrap(), levels }
     }
 
-    /// The pyramid of a map, unless `at` wants to stop: see [`MaxPyramid::try_new`].
+    /// The same as [`new`](Self::new), watched.
     ///
     /// # Errors
     ///
-    /// The first error of `at`.
-    pub fn try_new<E: Send>(map: &HeightMap, at: impl Fn(f32) -> Result<(), E> + Sync) -> Result<Self, E> {
-        Ok(Self { wrap: map.wrap(), levels: levels(map, lower, at)? })
+    /// When it is cancelled.
+    pub fn watched(map: &HeightMap, watch: &Watch) -> Result<Self, Cancelled> {
+        Ok(Self { wrap: map.wrap(), levels: levels(map, lower, |part| watch.at(part))? })
     }
 
     /// The same pyramid, whose nodes bound the coarser levels of the map, too: see
@@ -375,6 +374,8 @@ fn folded_ranges(wrap: Wrap, first: i64, last: i64, size: u32) -> [Option<[u32; 
 
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::AtomicBool;
+
     use super::*;
 
     /// Uneven heights without a pattern that wrapping could hide.
@@ -459,13 +460,12 @@ mod tests {
     }
 
     #[test]
-    fn a_build_that_is_not_wanted_ends_with_the_error() {
+    fn a_cancelled_build_ends() {
         let map = rough(600, 700, Wrap::Repeat);
-        assert_eq!(
-            MaxPyramid::try_new(&map, |part| if part > 0.5 { Err("stop") } else { Ok(()) }),
-            Err("stop")
-        );
-        assert!(MinPyramid::try_new(&map, |_| Ok::<(), ()>(())).is_ok());
+        let cancel = AtomicBool::new(false);
+        let tell = |_: &str, part: f32| cancel.store(part > 0.5, Ordering::Relaxed);
+        assert_eq!(MaxPyramid::watched(&map, &Watch::new(&tell, &cancel)), Err(Cancelled));
+        assert_eq!(MinPyramid::watched(&map, &Watch::none()), Ok(MinPyramid::new(&map)));
     }
 
     #[test]

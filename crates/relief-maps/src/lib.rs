@@ -2,8 +2,8 @@
 //! them from run to run, baked where they are not there, and kept.
 //!
 //! ```
-//! use relief_core::{HeightMap, Metric, Wrap};
-//! use relief_maps::{Maps, Watch};
+//! use relief_core::{HeightMap, Metric, Watch, Wrap};
+//! use relief_maps::Maps;
 //! use relief_shaders::{MapSlot, Selection};
 //!
 //! let heights = HeightMap::from_fn(64, 64, Wrap::Repeat, |i, j| (i * j % 64) as f32 / 63.0)?;
@@ -20,4 +20,4 @@ mod key;
 mod maps;
 
 pub use cache::{Cache, CacheError, DEFAULT_LIMIT, FOLDER_VARIABLE, LIMIT_VARIABLE};
-pub use maps::{Account, Maps, MapsError, Origin, Provided, Watch};
+pub use maps::{Account, Maps, MapsError, Origin, Provided};

@@ -2,12 +2,13 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
-use relief_bake::{BakeError, Progress, SettingsError, WantedMap, baked_map};
+use relief_bake::{BakeError, SettingsError, WantedMap, baked_map};
 use relief_core::registry::UnknownName;
-use relief_core::{BakedMap, ByteSize, HeightMap, MapFormat, MapIdentity, MapLayout, Metric};
+use relief_core::{
+    BakedMap, ByteSize, Cancelled, HeightMap, MapFormat, MapIdentity, MapLayout, Metric, Watch,
+};
 use relief_shaders::{MapNeed, MapSlot, Selection, SlotMaps};
 use web_time::Instant;
 
@@ -28,25 +29,6 @@ pub struct Maps {
     kept: Vec<Arc<BakedMap>>,
 }
 
-/// What is told of a bake while it goes on, and how it is ended.
-#[derive(Clone, Copy)]
-pub struct Watch<'a> {
-    /// Is told the kind that is baked and the part done, from 0 to 1, from any thread.
-    pub baking: &'a (dyn Fn(&'static str, f32) + Sync),
-    /// Ends the bake once it is set.
-    pub cancel: &'a AtomicBool,
-}
-
-/// Never set: the flag of those whom nobody cancels.
-static NEVER: AtomicBool = AtomicBool::new(false);
-
-impl Watch<'_> {
-    /// Tells nobody and is never cancelled.
-    pub fn none() -> Watch<'static> {
-        Watch { baking: &|_, _| {}, cancel: &NEVER }
-    }
-}
-
 /// Why there is no map.
 #[derive(Debug, thiserror::Error)]
 pub enum MapsError {
@@ -56,9 +38,21 @@ pub enum MapsError {
     /// The registry names a setting that does not exist.
     #[error(transparent)]
     Settings(#[from] SettingsError),
-    /// It cannot be baked, or the bake was cancelled.
+    /// It cannot be baked.
     #[error(transparent)]
-    Bake(#[from] BakeError),
+    Bake(BakeError),
+    /// The bake was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
+impl From<BakeError> for MapsError {
+    fn from(error: BakeError) -> Self {
+        match error {
+            BakeError::Cancelled(cancelled) => cancelled.into(),
+            other => Self::Bake(other),
+        }
+    }
 }
 
 /// Where a map came from.
@@ -155,7 +149,8 @@ impl Maps {
 
     /// The baked maps that a selection reads over that height map, on a surface of that metric.
     ///
-    /// A folder that cannot be used is noted in the map's account; the map is there all the same.
+    /// A folder that cannot be used is noted in the map's account; the map is there all the same. The watch's
+    /// tasks are the kinds that are baked, each from 0 to 1.
     ///
     /// # Errors
     ///
@@ -318,9 +313,7 @@ impl Maps {
             }
         }
         account.origin = Origin::Bake;
-        let name = wanted.kind.name;
-        let report = |part: f32| (watch.baking)(name, part);
-        let map = baked_map(heights, wanted, &Progress::new(&report, watch.cancel))?;
+        let map = baked_map(heights, wanted, &watch.task(wanted.kind.name))?;
         match self.cache.as_ref().map(|cache| cache.write(&map)) {
             Some(Ok(path)) => account.file = Some(path),
             Some(Err(error)) => account.not_kept = Some(error),

@@ -1,12 +1,11 @@
 //! Displaced triangles: the meshes that geometries make of base meshes and height maps.
 
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use relief_core::camera::Camera;
 use relief_core::mesh::{Mesh, Vertex};
 use relief_core::object::ImageObject;
-use relief_core::{HeightMap, Watch};
+use relief_core::{Cancelled, HeightMap, Watch};
 use relief_mesh::{
     Cull, MeshSettings, Mesher, MesherError, Outside, SliceError, SliceSettings, Stream, StreamError, View,
 };
@@ -62,6 +61,9 @@ pub enum GeometryError {
     /// A vertex lies too far away.
     #[error("a vertex is displaced beyond what 32-bit numbers hold: choose a smaller displacement or mesh")]
     NotFinite,
+    /// The work was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 /// What displaced triangles are made of.
@@ -144,9 +146,12 @@ impl DisplacedOf {
         (1..levels).map(|level| self.map.level(level)).collect()
     }
 
-    /// The error where they cannot be made; none where it was cancelled.
-    fn error(&self, error: MesherError) -> Option<GeometryError> {
-        (!matches!(error, MesherError::Cancelled(_))).then(|| GeometryError::Mesh(error, self.setting()))
+    /// The error where they cannot be made.
+    fn error(&self, error: MesherError) -> GeometryError {
+        match error {
+            MesherError::Cancelled(cancelled) => cancelled.into(),
+            error => GeometryError::Mesh(error, self.setting()),
+        }
     }
 }
 
@@ -229,8 +234,9 @@ impl Displaced {
     pub fn of_scene(
         &mut self,
         scene: &Scene,
-        cancel: &AtomicBool,
+        watch: &Watch,
     ) -> Result<Vec<Option<Arc<Triangles>>>, RenderError> {
+        let watch = watch.quiet();
         let asked: Vec<Option<DisplacedOf>> =
             scene.surfaces().iter().map(|surface| DisplacedOf::of(surface, scene)).collect();
         self.known.retain(|known| asked.iter().flatten().any(|of| of.is(&known.of)));
@@ -242,7 +248,6 @@ impl Displaced {
             }
             let taken = self.known.iter().map(|known| known.bytes).sum::<u64>();
             let left = scene.geometry_memory().0.saturating_sub(taken);
-            let watch = Watch::cancelled_by(cancel);
             let made = match of.cut {
                 Cut::Texels(texels) => {
                     let settings = MeshSettings { texels, ..MeshSettings::default() };
@@ -260,7 +265,7 @@ impl Displaced {
                     Some(object) => {
                         sliced::triangles_of_object(&of.mesh, object, (settings, camera), left, &watch)
                     }
-                    None => Err(Some(GeometryError::Slices(SliceError::Together))),
+                    None => Err(GeometryError::Slices(SliceError::Together)),
                 },
                 Cut::Tessellated(view, levels, cull, by) => {
                     let known = self.bases.iter().find(|known| known.of.has_base_of(&of));
@@ -279,8 +284,8 @@ impl Displaced {
                 }
             };
             let (triangles, bytes) = made.map_err(|why| match why {
-                Some(source) => RenderError::Geometry { surface, source },
-                None => RenderError::Stopped,
+                GeometryError::Cancelled(cancelled) => cancelled.into(),
+                source => RenderError::Geometry { surface, source },
             })?;
             self.known.push(Known { of, triangles: Arc::clone(&triangles), bytes });
             Ok(Some(triangles))
@@ -297,7 +302,7 @@ fn to_be_made(
     (view, levels, cull): (&View, u32, &Cull),
     by: Tessellated,
     left: u64,
-) -> Result<(Arc<Triangles>, u64), Option<GeometryError>> {
+) -> Result<(Arc<Triangles>, u64), GeometryError> {
     let of_base = base.vertices.len() as u64 * BYTES_PER_VERTEX;
     let parts_of_uv = by.texels.map(|texels| {
         let size = [of.map.width(), of.map.height()];
@@ -311,7 +316,7 @@ fn to_be_made(
     let (patches, memory) = (base.patches.len() as u64, left.saturating_sub(of_base));
     if memory / each < patches {
         let needed = of_base.saturating_add(patches.saturating_mul(each));
-        return Err(Some(GeometryError::Memory { triangles: patches, needed, left, setting: of.setting() }));
+        return Err(GeometryError::Memory { triangles: patches, needed, left, setting: of.setting() });
     }
     // The numbers of three corners each fit 32 bits.
     let most = u64::from(u32::MAX / 3);
@@ -327,22 +332,22 @@ fn to_be_made(
     Ok((Arc::new(triangles), of_base + bytes(room)))
 }
 
-/// Displaced triangles and the memory that they take; the error is none where it was cancelled.
+/// Displaced triangles and the memory that they take.
 fn made(
     of: &DisplacedOf,
     mesher: &Mesher,
     left: u64,
     watch: Watch,
-) -> Result<(Arc<Triangles>, u64), Option<GeometryError>> {
+) -> Result<(Arc<Triangles>, u64), GeometryError> {
     let bytes = mesher.vertices() * BYTES_PER_VERTEX + mesher.triangles() * BYTES_PER_TRIANGLE;
     let needed = bytes.saturating_add(mesher.bytes());
     if needed > left {
-        return Err(Some(GeometryError::Memory {
+        return Err(GeometryError::Memory {
             triangles: mesher.triangles(),
             needed,
             left,
             setting: of.setting(),
-        }));
+        });
     }
     let mut corners: Vec<Corner> = Vec::with_capacity(mesher.vertices() as usize);
     let mut faces: Vec<[u32; 3]> = Vec::with_capacity(mesher.triangles() as usize);
@@ -354,8 +359,8 @@ fn made(
     });
     match streamed {
         Ok(_) => {}
-        Err(StreamError::Cancelled(_)) => return Err(None),
-        Err(_) => return Err(Some(GeometryError::NotFinite)),
+        Err(StreamError::Cancelled(cancelled)) => return Err(cancelled.into()),
+        Err(_) => return Err(GeometryError::NotFinite),
     }
     let faces = faces.into_iter().zip(std::iter::repeat(Shell::whole()));
     Ok((Arc::new(Triangles::new(corners, faces).among(mesher.everything().cloned())), bytes))
@@ -375,6 +380,8 @@ pub fn corner(vertex: &Vertex) -> Corner {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::AtomicBool;
+
     use glam::DVec3;
     use relief_core::Wrap;
     use relief_core::camera::Camera;
@@ -395,8 +402,8 @@ mod tests {
         let camera = |x: f64| Camera::new(DVec3::new(x, 1.0, 1.0), DVec3::ZERO, 40.0).expect("a camera");
         let scene = Scene::builder(of("exact")).surfaces(surfaces).size(90, 60).camera(camera(0.5));
         let mut scene = scene.build().expect("a scene");
-        let (mut displaced, never) = (Displaced::default(), AtomicBool::new(false));
-        let mut made = |scene: &Scene| displaced.of_scene(scene, &never).expect("triangles");
+        let mut displaced = Displaced::default();
+        let mut made = |scene: &Scene| displaced.of_scene(scene, &Watch::none()).expect("triangles");
         let is_same = |a: &Option<Arc<Triangles>>, b: &Option<Arc<Triangles>>| {
             a.as_ref().zip(b.as_ref()).is_some_and(|(a, b)| Arc::ptr_eq(a, b))
         };
@@ -421,7 +428,8 @@ mod tests {
         let surface = of("vertex").with_height_map(map);
         let other = scene.to_builder().surfaces(vec![surface]).build().expect("a scene");
         assert!(!is_same(&first[0], &made(&other)[0]));
-        let stopped = displaced.of_scene(&scene, &AtomicBool::new(true));
-        assert!(matches!(stopped, Err(RenderError::Stopped)));
+        let cancel = AtomicBool::new(true);
+        let stopped = displaced.of_scene(&scene, &Watch::cancelled_by(&cancel));
+        assert!(matches!(stopped, Err(RenderError::Cancelled(_))));
     }
 }

@@ -39,7 +39,7 @@ pub use frame_time::{FrameTime, PassTimes};
 pub use glam;
 /// Cameras, base meshes of which scenes are made, and rays against them; they are the core's.
 pub use relief_core::{camera, mesh, raycast};
-pub use renderer::{Bands, Made, Progress, Reason, RenderError, Rendered, Renderer, Task, render};
+pub use renderer::{Bands, Made, RENDERING, Reason, RenderError, Rendered, Renderer, render};
 #[cfg(feature = "gpu")]
 pub use wgpu;
 pub use wire::Wire;

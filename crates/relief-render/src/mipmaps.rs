@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use relief_bake::kind::normal::{Axes, Derivative, normals};
 use relief_core::area_mean::{coarser, coarser_of, coarser_size, level_count};
-use relief_core::{HeightMap, Metric};
+use relief_core::{HeightMap, Metric, Watch};
 use relief_io::Picture;
 
 /// The least part of a normal that stands upright when slopes are made of it: they are 20 at most, as steep
@@ -88,8 +88,8 @@ impl Mipmaps {
         if size == [1, 1] {
             return None;
         }
-        let progress = relief_bake::Progress::none();
-        let (planes, _) = normals(map, metric, Derivative::Central, Axes::Tangent, &progress).ok()?;
+        let watch = Watch::none();
+        let (planes, _) = normals(map, metric, Derivative::Central, Axes::Tangent, &watch).ok()?;
         let second = coarser_of(|at| moments(std::array::from_fn(|part| planes[part][at])), size);
         drop(planes);
         let size = coarser_size(size);

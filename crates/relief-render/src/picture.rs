@@ -105,7 +105,7 @@ pub fn linear(rendering: &Rendering, scene: &Scene) -> Vec<[f32; 3]> {
 /// let heights = relief_core::HeightMap::new(1, 1, vec![1.0], relief_core::Wrap::Repeat)?;
 /// let surface = Surface::new(square(2)?, heights.with_displacement(0.1, -0.1)?);
 /// let scene = Scene::builder(surface).look(Look::Studio).size(64, 48).build()?;
-/// let rendered = render(&scene, &mut relief_maps::Maps::in_memory(), &|_, _| {})?;
+/// let rendered = render(&scene, &mut relief_maps::Maps::in_memory(), &relief_core::Watch::none())?;
 /// assert_eq!(picture::srgb8(&rendered.rendering, &scene).len(), 64 * 48 * 3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -1,13 +1,12 @@
 //! Scenes to jobs: the shaders' settings, the triangles in the world and the camera's matrix.
 
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use glam::{DMat4, DVec3, Vec3};
-use relief_core::BakedMap;
 use relief_core::object::JumpCells;
+use relief_core::{BakedMap, Watch};
 use relief_io::Picture;
-use relief_maps::{Account, Maps, MapsError, Watch};
+use relief_maps::{Account, Maps, MapsError};
 use relief_shaders::cpu::{Frame, Light as ShaderLight, SurfaceSettings};
 use relief_shaders::object::{MASK_CELLS, ObjectCells, Solid};
 use relief_shaders::{MapNeed, MapSlot, SlotMaps};
@@ -111,7 +110,7 @@ impl Job {
     pub fn of_scene(scene: &Scene, maps: &mut Maps, watch: &Watch) -> Result<Self, RenderError> {
         let mut preparer = Preparer::default();
         preparer.provide(scene, maps, &|_| false, watch)?;
-        preparer.job(scene, watch.cancel)
+        preparer.job(scene, watch)
     }
 }
 
@@ -146,8 +145,8 @@ impl Preparer {
     /// # Errors
     ///
     /// When the displaced triangles of a surface cannot be made, or it was cancelled meanwhile.
-    pub fn job(&mut self, scene: &Scene, cancel: &AtomicBool) -> Result<Job, RenderError> {
-        let displaced = self.displaced.of_scene(scene, cancel)?;
+    pub fn job(&mut self, scene: &Scene, watch: &Watch) -> Result<Job, RenderError> {
+        let displaced = self.displaced.of_scene(scene, watch)?;
         let mut making = Making {
             scene,
             before: self,

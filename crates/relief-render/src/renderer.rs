@@ -1,20 +1,16 @@
 //! Scenes to pictures, on the backend that was asked for.
 
-use std::ops::ControlFlow;
-use std::sync::atomic::AtomicBool;
-#[cfg(feature = "gpu")]
-use std::sync::atomic::Ordering;
 use std::time::Duration;
 
-use relief_core::Lanes;
-use relief_maps::{Account, Maps, MapsError, Watch};
+use relief_core::{Cancelled, Lanes, Watch};
+use relief_maps::{Account, Maps, MapsError};
 #[cfg(feature = "gpu")]
 use relief_shaders::MapNeed;
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::wgsl::Sampling;
 use web_time::Instant;
 
-use crate::cpu::CpuRenderer;
+use crate::cpu::{CpuError, CpuRenderer};
 use crate::displaced::GeometryError;
 use crate::frame_time::FrameTime;
 #[cfg(feature = "gpu")]
@@ -73,7 +69,7 @@ pub enum Reason {
 pub enum RenderError {
     /// A baked map that a method reads cannot be provided.
     #[error(transparent)]
-    Maps(#[from] MapsError),
+    Maps(MapsError),
     /// A surface has no displaced triangles.
     #[error("surface {}: {source}", surface + 1)]
     Geometry {
@@ -97,9 +93,9 @@ pub enum RenderError {
         /// The surface's number in the scene.
         surface: usize,
     },
-    /// Nobody wants the rest.
-    #[error("the rendering was stopped")]
-    Stopped,
+    /// The rendering was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// The memory for the picture cannot be had.
     #[error("there is no memory for a picture of {width}x{height} pixels")]
     OutOfMemory {
@@ -114,24 +110,45 @@ pub enum RenderError {
     /// The GPU failed.
     #[cfg(feature = "gpu")]
     #[error(transparent)]
-    Gpu(#[from] GpuError),
+    Gpu(GpuError),
 }
 
-/// What a renderer is at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Task {
-    /// It bakes a map of that kind.
-    Baking(&'static str),
-    /// It makes the picture.
-    Rendering,
+impl From<MapsError> for RenderError {
+    fn from(error: MapsError) -> Self {
+        match error {
+            MapsError::Cancelled(cancelled) => cancelled.into(),
+            other => Self::Maps(other),
+        }
+    }
 }
 
-/// Takes the pixels of a band of whole rows, from the top of the picture to its bottom, and says whether to
-/// go on.
-pub type Bands<'a> = dyn FnMut(&[PixelOut]) -> ControlFlow<()> + 'a;
+impl RenderError {
+    /// The error of a CPU that renders a job.
+    fn of_cpu(error: CpuError, job: &Job) -> Self {
+        match error {
+            CpuError::OutOfMemory => Self::OutOfMemory { width: job.width, height: job.height },
+            CpuError::Cancelled(cancelled) => cancelled.into(),
+        }
+    }
+}
 
-/// Is told what a renderer is at, and the part of it that is done, from 0 to 1, from any thread.
-pub type Progress<'a> = dyn Fn(Task, f32) + Sync + 'a;
+#[cfg(feature = "gpu")]
+impl From<GpuError> for RenderError {
+    fn from(error: GpuError) -> Self {
+        match error {
+            GpuError::Cancelled(cancelled) => cancelled.into(),
+            other => Self::Gpu(other),
+        }
+    }
+}
+
+/// The [task](Watch::task) in which a renderer makes the picture. Before it, each kind of map that is baked is
+/// a task of that kind's name.
+pub const RENDERING: &str = "rendering";
+
+/// Takes the pixels of a band of whole rows, from the top of the picture to its bottom. Its error cancels the
+/// rendering.
+pub type Bands<'a> = dyn FnMut(&[PixelOut]) -> Result<(), Cancelled> + 'a;
 
 /// Renders scenes, and keeps what they have in common from one to the next: a second frame costs its pixels.
 #[derive(Debug)]
@@ -188,64 +205,52 @@ impl Renderer {
     }
 
     /// Renders a scene; its choice of backend and sampling was made when the renderer was. The baked maps
-    /// that its methods read are those of the provider.
+    /// that its methods read are those of the provider. The watch's tasks are the kinds of maps that are
+    /// baked, then [`RENDERING`], each from 0 to 1.
     ///
     /// # Errors
     ///
-    /// When a baked map cannot be provided, or the backend fails.
-    pub fn render(
-        &mut self,
-        scene: &Scene,
-        maps: &mut Maps,
-        progress: &Progress,
-    ) -> Result<Rendered, RenderError> {
-        let baking = |kind, part| progress(Task::Baking(kind), part);
-        let (job, accounts, started) =
-            self.prepare(scene, maps, &Watch { baking: &baking, ..Watch::none() })?;
-        let rendering = |part| progress(Task::Rendering, part);
+    /// When a baked map cannot be provided, the backend fails, or the work is cancelled.
+    pub fn render(&mut self, scene: &Scene, maps: &mut Maps, watch: &Watch) -> Result<Rendered, RenderError> {
+        let (job, accounts, started) = self.prepare(scene, maps, watch)?;
+        let watch = watch.task(RENDERING);
         let rendering = match &mut self.backend {
             #[cfg(feature = "gpu")]
-            Backend::Gpu(renderer, sampling) => renderer.render(&job, *sampling, &rendering)?,
-            Backend::Cpu(renderer) => renderer
-                .render(&job, &rendering)
-                .ok_or(RenderError::OutOfMemory { width: job.width, height: job.height })?,
+            Backend::Gpu(renderer, sampling) => renderer.render(&job, *sampling, &watch)?,
+            Backend::Cpu(renderer) => {
+                renderer.render(&job, &watch).map_err(|error| RenderError::of_cpu(error, &job))?
+            }
         };
         Ok(Rendered { rendering, made: self.made(accounts, started) })
     }
 
     /// As [`Self::render`], for pictures that no memory need hold: each band of rows is handed over when it
-    /// is done, until the sink says that it wants no more, or `cancel` is set. With `numbers` all numbers of
-    /// a pixel are as in a [`Rendering`]; else its colour is, and the rest are those of one of its samples,
-    /// which takes less time.
+    /// is done. With `numbers` all numbers of a pixel are as in a [`Rendering`]; else its colour is, and the
+    /// rest are those of one of its samples, which takes less time.
     ///
     /// # Errors
     ///
-    /// As [`Self::render`], and when it was stopped.
+    /// As [`Self::render`], and when the sink cancels the rendering.
     pub fn render_bands(
         &mut self,
         scene: &Scene,
         maps: &mut Maps,
         numbers: bool,
-        progress: &Progress,
-        cancel: &AtomicBool,
+        watch: &Watch,
         sink: &mut Bands,
     ) -> Result<Made, RenderError> {
-        let baking = |kind, part| progress(Task::Baking(kind), part);
-        let (job, accounts, started) = self.prepare(scene, maps, &Watch { baking: &baking, cancel })?;
-        let rendering = |part| progress(Task::Rendering, part);
-        let ended = match &mut self.backend {
+        let (job, accounts, started) = self.prepare(scene, maps, watch)?;
+        let watch = watch.task(RENDERING);
+        match &mut self.backend {
             #[cfg(feature = "gpu")]
             Backend::Gpu(renderer, sampling) => {
-                let mut sink = |band: &[PixelOut]| {
-                    if cancel.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { sink(band) }
-                };
-                renderer.render_bands(&job, *sampling, numbers, &rendering, &mut sink)?
+                renderer.render_bands(&job, *sampling, numbers, &watch, sink)?;
             }
             Backend::Cpu(renderer) => renderer
-                .render_bands(&job, numbers, &rendering, cancel, sink)
-                .ok_or(RenderError::OutOfMemory { width: job.width, height: job.height })?,
-        };
-        if ended.is_break() { Err(RenderError::Stopped) } else { Ok(self.made(accounts, started)) }
+                .render_bands(&job, numbers, &watch, sink)
+                .map_err(|error| RenderError::of_cpu(error, &job))?,
+        }
+        Ok(self.made(accounts, started))
     }
 
     /// Draws a scene, keeps nothing of it, and says how long that took. On the CPU a first frame of a scene
@@ -253,24 +258,16 @@ impl Renderer {
     ///
     /// # Errors
     ///
-    /// As [`Self::render`], and when it was stopped.
-    pub fn time(
-        &mut self,
-        scene: &Scene,
-        maps: &mut Maps,
-        cancel: &AtomicBool,
-    ) -> Result<FrameTime, RenderError> {
-        let (job, _, started) = self.prepare(scene, maps, &Watch { cancel, ..Watch::none() })?;
+    /// As [`Self::render`].
+    pub fn time(&mut self, scene: &Scene, maps: &mut Maps, watch: &Watch) -> Result<FrameTime, RenderError> {
+        let (job, _, started) = self.prepare(scene, maps, watch)?;
         match &mut self.backend {
             #[cfg(feature = "gpu")]
             Backend::Gpu(renderer, sampling) => Ok(renderer.time(&job, *sampling)?),
             Backend::Cpu(renderer) => {
-                let ended = renderer
-                    .render_bands(&job, false, &|_| {}, cancel, &mut |_| ControlFlow::Continue(()))
-                    .ok_or(RenderError::OutOfMemory { width: job.width, height: job.height })?;
-                if ended.is_break() {
-                    return Err(RenderError::Stopped);
-                }
+                renderer
+                    .render_bands(&job, false, &watch.task(RENDERING), &mut |_| Ok(()))
+                    .map_err(|error| RenderError::of_cpu(error, &job))?;
                 Ok(FrameTime { elapsed: started.elapsed(), ..FrameTime::default() })
             }
         }
@@ -318,10 +315,9 @@ impl Renderer {
         &mut self,
         scene: &Scene,
         maps: &mut Maps,
-        progress: &Progress<'_>,
+        watch: &Watch<'_>,
     ) -> Result<Option<&wgpu::Texture>, RenderError> {
-        let baking = |kind, part| progress(Task::Baking(kind), part);
-        let (job, ..) = self.prepare(scene, maps, &Watch { baking: &baking, ..Watch::none() })?;
+        let (job, ..) = self.prepare(scene, maps, watch)?;
         match &mut self.backend {
             Backend::Gpu(renderer, sampling) => Ok(Some(renderer.draw(&job, *sampling).await?)),
             Backend::Cpu(_) => Ok(None),
@@ -358,7 +354,7 @@ impl Renderer {
             }
         };
         let started = Instant::now();
-        Ok((self.preparer.job(scene, watch.cancel)?, accounts, started))
+        Ok((self.preparer.job(scene, watch)?, accounts, started))
     }
 }
 
@@ -367,9 +363,9 @@ impl Renderer {
 ///
 /// # Errors
 ///
-/// When a baked map cannot be provided, the backend is not available, or the backend fails.
-pub fn render(scene: &Scene, maps: &mut Maps, progress: &Progress) -> Result<Rendered, RenderError> {
-    Renderer::new(scene.backend(), scene.sampling())?.render(scene, maps, progress)
+/// When a baked map cannot be provided, the backend is not available or fails, or the work is cancelled.
+pub fn render(scene: &Scene, maps: &mut Maps, watch: &Watch) -> Result<Rendered, RenderError> {
+    Renderer::new(scene.backend(), scene.sampling())?.render(scene, maps, watch)
 }
 
 #[cfg(feature = "gpu")]

@@ -41,15 +41,14 @@ pub fn settings(slices: Slices, scene: &Scene) -> SliceSettings {
     SliceSettings { count, direction }
 }
 
-/// Slices through a relief and the memory that they take, of which there are so many bytes left; the error is
-/// none where it was cancelled.
+/// Slices through a relief and the memory that they take, of which there are so many bytes left.
 pub fn triangles(
     mesh: &Mesh,
     map: &HeightMap,
     settings: SliceSettings,
     left: u64,
     watch: &Watch,
-) -> Result<(Arc<Triangles>, u64), Option<GeometryError>> {
+) -> Result<(Arc<Triangles>, u64), GeometryError> {
     let slicer = Slicer::new(mesh, map, settings).map_err(error)?;
     let mut room = Room::of(slicer.vertices(), slicer.triangles(), left)?;
     let made = slicer.each(watch, |block| {
@@ -67,7 +66,7 @@ pub fn triangles_of_object(
     (SliceSettings { count, direction }, camera): (SliceSettings, Option<Camera>),
     left: u64,
     watch: &Watch,
-) -> Result<(Arc<Triangles>, u64), Option<GeometryError>> {
+) -> Result<(Arc<Triangles>, u64), GeometryError> {
     let ball_m = 2.0 * object.views().first().map_or(0.0, |view| view.ball().1);
     let spacing_m = if count == 0 { object.jump_of(1.0) * ball_m } else { ball_m / f64::from(count) };
     let places = || mesh.vertices().iter().map(|vertex| vertex.position.as_dvec3());
@@ -98,11 +97,11 @@ pub fn triangles_of_object(
     Ok((Arc::new(triangles.in_slices(ends)), needed))
 }
 
-fn error(error: SliceError) -> Option<GeometryError> {
+fn error(error: SliceError) -> GeometryError {
     match error {
-        SliceError::Cancelled(_) => None,
-        SliceError::NotFinite => Some(GeometryError::NotFinite),
-        error => Some(GeometryError::Slices(error)),
+        SliceError::Cancelled(cancelled) => cancelled.into(),
+        SliceError::NotFinite => GeometryError::NotFinite,
+        error => GeometryError::Slices(error),
     }
 }
 
@@ -115,13 +114,13 @@ struct Room {
 
 impl Room {
     /// Room for so many at most, where there is so much memory left.
-    fn of(vertices: u64, triangles: u64, left: u64) -> Result<Self, Option<GeometryError>> {
+    fn of(vertices: u64, triangles: u64, left: u64) -> Result<Self, GeometryError> {
         let [corners, faces] = [(vertices, BYTES_PER_VERTEX), (triangles, BYTES_PER_TRIANGLE)]
             .map(|(count, bytes)| count.saturating_mul(bytes));
         let needed = corners.saturating_add(faces);
         // The numbers of corners fit 32 bits.
         if needed > left || vertices > u64::from(u32::MAX) {
-            return Err(Some(GeometryError::Memory { triangles, needed, left, setting: FEWER }));
+            return Err(GeometryError::Memory { triangles, needed, left, setting: FEWER });
         }
         let (corners, faces) =
             (Vec::with_capacity(vertices as usize), Vec::with_capacity(triangles as usize));

@@ -41,7 +41,8 @@ const BESIDE: f64 = 2.0;
 /// let heights = relief_core::HeightMap::new(1, 1, vec![1.0], relief_core::Wrap::Repeat)?;
 /// let heights = heights.with_displacement(0.1, -0.1)?;
 /// let scene = Scene::builder(Surface::new(square(2)?, heights)).size(64, 48).build()?;
-/// let picture = render(&scene, &mut relief_maps::Maps::in_memory(), &|_, _| {})?.rendering;
+/// let mut maps = relief_maps::Maps::in_memory();
+/// let picture = render(&scene, &mut maps, &relief_core::Watch::none())?.rendering;
 /// let mut wire = Wire::new(&scene);
 /// let display = Display::of(&scene);
 /// for (row, pixels) in (0..).zip(picture.pixels.chunks(64)) {

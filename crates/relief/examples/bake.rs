@@ -2,9 +2,9 @@
 
 use std::error::Error;
 
-use relief::bake::{Collected, Progress, bake, kind};
+use relief::bake::{Collected, bake, kind};
 use relief::io::write_exr;
-use relief::{HeightMap, Metric, Wrap};
+use relief::{HeightMap, Metric, Watch, Wrap};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let wave = |i: u32, j: u32| 0.5 + 0.3 * (i as f32 * 0.2).sin() * (j as f32 * 0.1).cos();
@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut settings = cone.defaults();
     settings.set("apex", 1.0)?;
     let mut baked = Collected::default();
-    bake(cone, &heights, metric, &settings, &Progress::none(), &mut baked)?;
+    bake(cone, &heights, metric, &settings, &Watch::none(), &mut baked)?;
 
     for map in &baked.textures {
         let [width, height, _] = map.texture.size;

@@ -3,7 +3,7 @@
 
 use std::error::Error;
 
-use relief::bake::Progress;
+use relief::Watch;
 use relief::bake::from_meshes::{MeshPair, heights_from_meshes};
 use relief::io::{HeightNote, HeightOptions, read_height, write_exr_rows};
 use relief::mesh::{BasePoint, sphere};
@@ -12,7 +12,7 @@ use relief::raycast::RayCaster;
 fn main() -> Result<(), Box<dyn Error>> {
     let (low, high) = (sphere(16, 8)?, sphere(256, 128)?);
     let pair = MeshPair::new([128, 64]);
-    let heights = heights_from_meshes(&low, &RayCaster::new(&high), &pair, &Progress::none())?;
+    let heights = heights_from_meshes(&low, &RayCaster::new(&high), &pair, &Watch::none())?;
     println!("{} texels, {} holes, {:?} m", heights.covered, heights.holes, heights.range_m);
 
     // The middle of a triangle is displaced onto the round one.

@@ -7,7 +7,7 @@ use relief::render::gpu::{Gpu, block_on};
 use relief::render::mesh::square;
 use relief::render::scene::{Look, Sampling, Scene, Surface};
 use relief::render::{Renderer, wgpu};
-use relief::{HeightMap, Wrap};
+use relief::{HeightMap, Watch, Wrap};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let instance = wgpu::Instance::default();
@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let scene = Scene::builder(surface).look(Look::Studio).size(320, 240).build()?;
     let mut renderer = Renderer::on_gpu(Gpu::of_device(device, queue, "ours"), Sampling::Exact);
     let mut maps = Maps::in_memory();
-    let Some(texture) = block_on(renderer.draw(&scene, &mut maps, &|_task, _part| {}))? else {
+    let Some(texture) = block_on(renderer.draw(&scene, &mut maps, &Watch::none()))? else {
         return Err("a renderer on a GPU draws there".into());
     };
     println!("{}x{} pixels of {:?} to show", texture.width(), texture.height(), texture.format());

@@ -9,7 +9,7 @@ use relief::render::glam::DVec3;
 use relief::render::mesh::{Placement, cube, square};
 use relief::render::scene::{BackendChoice, Look, Sampling, Scene, Surface};
 use relief::shaders::Selection;
-use relief::{HeightMap, Wrap};
+use relief::{HeightMap, Watch, Wrap};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let wave = |i: u32, j: u32| 0.5 + 0.5 * (i as f32 * 0.1).sin() * (j as f32 * 0.1).sin();
@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for frame in 0..3 {
         let (sin, cos) = (0.3 * f64::from(frame)).sin_cos();
         scene.set_camera(Camera::new(DVec3::new(1.5 * sin, 1.0, 1.5 * cos), DVec3::ZERO, 40.0)?);
-        let rendered = renderer.render(&scene, &mut maps, &|_task, _part| {})?;
+        let rendered = renderer.render(&scene, &mut maps, &Watch::none())?;
         println!("frame {frame}: {:.1} ms", 1e3 * rendered.made.elapsed.as_secs_f64());
     }
     Ok(())

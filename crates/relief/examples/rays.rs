@@ -3,10 +3,10 @@
 use std::error::Error;
 
 use relief::exact::FastTracer;
-use relief::maps::{Maps, Watch};
+use relief::maps::Maps;
 use relief::shaders::Selection;
 use relief::shaders::cpu::MethodTracer;
-use relief::{HeightMap, Metric, Path, Wrap};
+use relief::{HeightMap, Metric, Path, Watch, Wrap};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let wave = |i: u32, j: u32| 0.5 + 0.4 * (i as f32 * 0.3).sin() * (j as f32 * 0.2).cos();

@@ -7,7 +7,7 @@ use relief::render::mesh::torus;
 use relief::render::scene::{Look, Scene, Surface};
 use relief::render::{picture, render};
 use relief::shaders::Selection;
-use relief::{HeightMap, Wrap};
+use relief::{HeightMap, Watch, Wrap};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let bumps = |i: u32, j: u32| (i as f32 * 0.2).sin().abs() * (j as f32 * 0.2).sin().abs();
@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let surface = Surface::new(torus(96, 48)?, heights).with_selection(Selection::method("cone")?);
     let scene = Scene::builder(surface).look(Look::Studio).size(320, 240).build()?;
 
-    let rendered = render(&scene, &mut Maps::in_memory(), &|_task, _part| {})?;
+    let rendered = render(&scene, &mut Maps::in_memory(), &Watch::none())?;
     let rgb = picture::srgb8(&rendered.rendering, &scene);
     println!("{} bytes of sRGB on the {}, {}", rgb.len(), rendered.made.backend, rendered.made.device);
 

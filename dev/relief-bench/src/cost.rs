@@ -1,12 +1,11 @@
 //! `cost`: the time of a frame of every surface, beside one of `plane`.
 
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use clap::Args;
 use cpu_time::ProcessTime;
 use glam::{DVec3, Vec3};
-use relief_core::HeightMap;
+use relief_core::{HeightMap, Watch};
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::gpu::{AdapterChoice, Gpu};
@@ -229,13 +228,12 @@ fn measured(
     for round in 0..=rounds {
         for runner in &mut runners {
             let (start, cpu) = (Instant::now(), ProcessTime::now());
-            let rendered = runner.renderer.render(&runner.scene, &mut runner.maps, &|_, _| {});
+            let rendered = runner.renderer.render(&runner.scene, &mut runner.maps, &Watch::none());
             let (wall_ms, cpu_ms) = (1e3 * start.elapsed().as_secs_f64(), 1e3 * cpu.elapsed().as_secs_f64());
             let rendered = rendered.map_err(|error| error.to_string())?;
             let wall_ms = match on_hardware {
                 true => {
-                    let never = AtomicBool::new(false);
-                    let time = runner.renderer.time(&runner.scene, &mut runner.maps, &never);
+                    let time = runner.renderer.time(&runner.scene, &mut runner.maps, &Watch::none());
                     1e3 * time.map_err(|error| error.to_string())?.elapsed.as_secs_f64()
                 }
                 false => wall_ms,

@@ -2,15 +2,15 @@
 //! files.
 
 use std::path::PathBuf;
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use clap::Args;
 use glam::DQuat;
+use relief_core::Watch;
 use relief_maps::{Cache, DEFAULT_LIMIT, Maps};
 use relief_render::gpu::Work;
 use relief_render::scene::{BackendChoice, Sampling, Scene, SceneSpec, read_scene};
-use relief_render::{Progress, Rendered, Renderer, render};
+use relief_render::{Rendered, Renderer, render};
 
 use crate::samples::Samples;
 use crate::table::table;
@@ -130,7 +130,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
 }
 
 fn measure(spec: &SceneSpec, cache: &Cache, rounds: u16) -> Result<Measured, String> {
-    let quiet: &Progress = &|_, _| {};
+    let quiet = &Watch::none();
     let scene = spec.load().map_err(|error| error.to_string())?;
     let mut maps = Maps::with_cache(cache.clone());
     let mut renderer = Renderer::new(scene.backend(), Sampling::Exact).map_err(|error| error.to_string())?;
@@ -159,8 +159,7 @@ fn measure(spec: &SceneSpec, cache: &Cache, rounds: u16) -> Result<Measured, Str
         work.compiled = work.compiled.max(last.compiled);
         check_same(&fresh, &again)?;
         if renderer.backend() == "gpu" {
-            let never = AtomicBool::new(false);
-            let time = renderer.time(&seen, &mut maps, &never).map_err(|error| error.to_string())?;
+            let time = renderer.time(&seen, &mut maps, quiet).map_err(|error| error.to_string())?;
             drawn.push(1e3 * time.elapsed.as_secs_f64());
         }
     }

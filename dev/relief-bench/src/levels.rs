@@ -7,8 +7,8 @@ use clap::Args;
 use comfy_table::Table;
 use rayon::prelude::*;
 use relief_bake::kind::filter_levels::difference_volume;
-use relief_bake::{Filter, Progress, filter_level, filter_levels};
-use relief_core::{HeightMap, Wrap};
+use relief_bake::{Filter, filter_level, filter_levels};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_io::{HeightOptions, read_height};
 use relief_testing::maps::fractal;
 use relief_tests::{accuracy, data_dir};
@@ -83,7 +83,7 @@ fn maps(side: u32) -> Result<Vec<(String, HeightMap)>, String> {
 }
 
 fn made(map: &HeightMap, level: u32, filter: Filter) -> Result<HeightMap, String> {
-    filter_level(map, level, filter, &Progress::none()).map_err(|error| error.to_string())
+    filter_level(map, level, filter, &Watch::none()).map_err(|error| error.to_string())
 }
 
 fn volumes(maps: &[(String, HeightMap)]) -> Result<Table, String> {
@@ -229,7 +229,7 @@ fn times(sides: &[u32]) -> Result<Table, String> {
                 let map = HeightMap::new(side, side, fractal(7, side, side, 0.5), Wrap::Repeat);
                 let map = map.map_err(|error| error.to_string())?;
                 let started = Instant::now();
-                pool.install(|| filter_levels(&map, filter, &Progress::none()))
+                pool.install(|| filter_levels(&map, filter, &Watch::none()))
                     .map_err(|error| error.to_string())?;
                 cells.push(format!("{:.3}", started.elapsed().as_secs_f64()));
             }

@@ -81,7 +81,7 @@ impl Shot<'_> {
     fn pixels(&self, method: &str, set: &[(&str, f64)]) -> Result<Vec<PixelOut>, String> {
         let scene = self.scene(method, set, BackendChoice::Cpu)?;
         let rendered =
-            render(&scene, &mut Maps::in_memory(), &|_, _| {}).map_err(|error| error.to_string())?;
+            render(&scene, &mut Maps::in_memory(), &Watch::none()).map_err(|error| error.to_string())?;
         Ok(rendered.rendering.pixels)
     }
 

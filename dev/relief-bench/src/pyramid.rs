@@ -5,13 +5,13 @@ use std::time::Instant;
 
 use clap::Args;
 use glam::DVec3;
-use relief_core::{HeightMap, Wrap};
-use relief_maps::{Maps, Watch};
+use relief_core::{HeightMap, Watch, Wrap};
+use relief_maps::Maps;
 use relief_render::camera::Camera;
 use relief_render::gpu::{AdapterChoice, Gpu};
 use relief_render::mesh::square;
 use relief_render::scene::{Sampling, Scene, Surface};
-use relief_render::{Progress, Rendered, Renderer};
+use relief_render::{Rendered, Renderer};
 use relief_shaders::Selection;
 use relief_testing::maps::fractal;
 
@@ -134,8 +134,7 @@ fn scene(map: &HeightMap, selection: Selection) -> Result<Scene, String> {
 }
 
 fn picture(renderer: &mut Renderer, scene: &Scene, maps: &mut Maps) -> Result<Rendered, String> {
-    let quiet: &Progress = &|_, _| {};
-    renderer.render(scene, maps, quiet).map_err(|error| error.to_string())
+    renderer.render(scene, maps, &Watch::none()).map_err(|error| error.to_string())
 }
 
 /// What was made, and in how many milliseconds.

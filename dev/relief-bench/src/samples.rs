@@ -1,8 +1,8 @@
 //! Repeated measurements, with the median and the extremes, because the machine may be shared.
 
 use std::fmt;
-use std::sync::atomic::AtomicBool;
 
+use relief_core::Watch;
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::scene::{BackendChoice, Sampling, Scene};
@@ -15,10 +15,10 @@ impl Samples {
     /// Milliseconds of pictures, after one that is not counted.
     pub fn of_pictures(scene: &Scene, backend: BackendChoice, rounds: u32) -> Result<Self, String> {
         let mut renderer = Renderer::new(backend, Sampling::Exact).map_err(|error| error.to_string())?;
-        let (mut maps, never) = (Maps::in_memory(), AtomicBool::new(false));
+        let mut maps = Maps::in_memory();
         let mut samples = Self::default();
         for round in 0..=rounds {
-            let time = renderer.time(scene, &mut maps, &never).map_err(|error| error.to_string())?;
+            let time = renderer.time(scene, &mut maps, &Watch::none()).map_err(|error| error.to_string())?;
             if round > 0 {
                 samples.push(time.elapsed.as_secs_f64() * 1e3);
             }

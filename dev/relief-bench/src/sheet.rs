@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use relief_core::Watch;
 use relief_io::{PictureFormat, write_picture};
 use relief_maps::Maps;
 use relief_render::picture::{linear, srgb};
@@ -104,7 +105,8 @@ fn show(file: &Path) -> Result<Shown, String> {
         ..SceneSpec::of_surface(surface)
     };
     let scene = spec.load().map_err(|error| error.to_string())?;
-    let rendered = render(&scene, &mut Maps::in_memory(), &|_, _| {}).map_err(|error| error.to_string())?;
+    let rendered =
+        render(&scene, &mut Maps::in_memory(), &Watch::none()).map_err(|error| error.to_string())?;
     let pixels = &rendered.rendering.pixels;
     let colours: Vec<[f32; 3]> = linear(&rendered.rendering, &scene).into_iter().map(srgb).collect();
     let (mut sum, mut covered) = (0.0, 0usize);

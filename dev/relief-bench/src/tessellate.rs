@@ -1,10 +1,8 @@
 //! `tessellate`: triangles a second that a GPU makes of a height map for a camera that moves.
 
-use std::sync::atomic::AtomicBool;
-
 use clap::Args;
 use glam::{DQuat, DVec3, Vec2};
-use relief_core::ByteSize;
+use relief_core::{ByteSize, Watch};
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::camera::{Camera, Projection};
@@ -65,7 +63,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
             let eye = camera.target() + turn * (camera.eye() - camera.target());
             let mut seen = scene.clone();
             seen.set_camera(camera.moved(eye, camera.target()).map_err(|error| error.to_string())?);
-            let time = renderer.time(&seen, &mut Maps::in_memory(), &AtomicBool::new(false));
+            let time = renderer.time(&seen, &mut Maps::in_memory(), &Watch::none());
             let time = time.map_err(|error| error.to_string())?;
             let Some(passes) = time.passes else { return Err(format!("{device} has no clock")) };
             if round > 0 {

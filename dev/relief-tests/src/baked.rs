@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use relief_bake::{Progress, WantedMap, baked_map, kind};
-use relief_core::{BakedMap, HeightMap, MapFormat, Metric};
+use relief_bake::{WantedMap, baked_map, kind};
+use relief_core::{BakedMap, HeightMap, MapFormat, Metric, Watch};
 use relief_shaders::{MapNeed, MapSlot, Selection, SlotMaps};
 
 /// The maps that a selection reads over that height map, on a surface of the unit metric. One that it reads
@@ -33,7 +33,7 @@ pub fn maps_in(format: MapFormat, map: &HeightMap, selection: &Selection) -> Vec
         let (metric, size) = (need.metric(Metric::UNIT), [map.width(), map.height()]);
         let height_level = need.height_level(size);
         let wanted = WantedMap { kind, texture, settings, metric, levels, height_level, format };
-        baked_map(map, &wanted, &Progress::none()).unwrap_or_else(|error| panic!("{error}"))
+        baked_map(map, &wanted, &Watch::none()).unwrap_or_else(|error| panic!("{error}"))
     });
     baked.collect()
 }

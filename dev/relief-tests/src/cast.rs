@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DVec3, Vec2};
 use rayon::prelude::*;
 use relief_core::exact::{DisplacedMesh, Sides};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::camera::{Camera, Ray};
 use relief_render::light::Light;
@@ -107,7 +107,7 @@ impl Meeting {
         let builder = Scene::builder(surfaces[0].clone()).surfaces(surfaces);
         let builder = builder.camera(self.camera).lights(vec![light]).samples(1);
         let scene = builder.size(size[0], size[1]).backend(backend).build().expect("a scene");
-        let picture = render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering;
+        let picture = render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering;
         let shown = |pixel: &relief_shaders::cpu::PixelOut| {
             (pixel.hit == 1).then_some(Shown { surface: pixel.surface, lit: pixel.lit > 0.5 })
         };

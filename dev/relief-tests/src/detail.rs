@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{DVec3, Vec2};
-use relief_core::HeightMap;
+use relief_core::{HeightMap, Watch};
 use relief_maps::Maps;
 use relief_render::camera::{Camera, Projection};
 use relief_render::light::Light;
@@ -126,7 +126,7 @@ impl Seen<'_> {
         let scene = Scene::builder(Surface::new(Arc::new(mesh), map).with_selection(selection));
         let scene = scene.camera(camera).lights(vec![light]).samples(samples).size(self.side, self.side);
         let scene = scene.backend(BackendChoice::Cpu).build().expect("a scene");
-        render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+        render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
     }
 }
 

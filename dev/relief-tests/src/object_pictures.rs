@@ -1,5 +1,6 @@
 //! Pictures of objects of images that look at the spheres, on both backends.
 
+use relief_core::Watch;
 use relief_core::camera::Ray;
 use relief_core::object::ImageObject;
 use relief_maps::Maps;
@@ -56,7 +57,7 @@ pub fn pixels(
     backend: BackendChoice,
 ) -> Vec<PixelOut> {
     let scene = scene(object, selection, eye, backend);
-    render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+    render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
 }
 
 /// The rays of all pixels.

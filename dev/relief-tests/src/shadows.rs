@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use glam::{DVec3, Vec2, Vec3};
-use relief_core::HeightMap;
+use relief_core::{HeightMap, Watch};
 use relief_maps::Maps;
 use relief_render::light::Light;
 use relief_render::material::Material;
@@ -109,7 +109,7 @@ impl Lit<'_> {
                 let light = Light::directional(toward + (right * cos + up * sin) * far, Vec3::ONE);
                 let scene =
                     scene.to_builder().lights(vec![light.expect("a light")]).build().expect("a scene");
-                let rendered = renderer.render(&scene, &mut maps, &|_, _| {}).expect("a picture");
+                let rendered = renderer.render(&scene, &mut maps, &Watch::none()).expect("a picture");
                 for (sum, pixel) in sums.iter_mut().zip(&rendered.rendering.pixels) {
                     *sum += u32::from(pixel.lit > 0.5);
                 }
@@ -136,7 +136,7 @@ pub fn under_one_light(
 
 /// The pixels of a scene.
 pub fn pixels(scene: &Scene) -> Vec<PixelOut> {
-    render(scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+    render(scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
 }
 
 /// The share of pixels on which one says lit and the other dark.

@@ -68,7 +68,7 @@ impl PlaneView<'_> {
         let surface = Surface::new(Arc::<Mesh>::new(square(1).expect("a mesh")), Arc::clone(self.map));
         let scene = Scene::builder(surface.with_selection(selection)).size(self.size, self.size).samples(1);
         let scene = scene.camera(self.camera()).backend(backend).build().expect("a scene");
-        render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+        render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
     }
 
     /// The slices of so many over the displacement.

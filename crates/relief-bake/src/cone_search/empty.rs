@@ -151,6 +151,8 @@ fn is_flat(search: &Search, seen: &Seen, best: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use relief_core::Watch;
+
     use pulp::{Scalar, WithSimd};
     use relief_testing::maps;
 
@@ -158,7 +160,6 @@ mod tests {
     use super::super::near::NearRow;
     use super::super::search::{Above, Row};
     use super::*;
-    use crate::Progress;
 
     /// The ratios without any vectors.
     fn scalar_ratios(search: &Search) -> Vec<f32> {
@@ -181,7 +182,7 @@ mod tests {
             let map = map.build(Wrap::ALL[k % Wrap::ALL.len()]);
             for region in [Region::Centre, Region::Footprint] {
                 let search = Search::new(&map, [0.02, 0.03], region);
-                let ratios = search.ratios(&Empty, &Progress::none()).expect("nobody cancels");
+                let ratios = search.ratios(&Empty, &Watch::none()).expect("nobody cancels");
                 assert_eq!(ratios, scalar_ratios(&search), "{}", maps::ALL[k].name);
             }
         }

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
-use relief_core::HeightMap;
+use relief_core::{Cancelled, HeightMap, Watch};
 
 use super::apexes::{APEXES, Apexes, PerApex, Places, Region, most};
 use super::encoding::ratio;
@@ -12,7 +12,6 @@ use super::field::{Field, Seen};
 use super::lanes::{LANES, Lanes, bits_of};
 use super::near::{Near, NearRow};
 use super::walk::{Group, Walk};
-use crate::{Cancelled, Progress};
 
 /// Rows that one task goes down: what was steepest for a texel is mostly steepest, or nearly, below it.
 const ROWS: usize = 32;
@@ -64,7 +63,7 @@ impl<'a> Search<'a> {
     }
 
     /// The ratio of every texel for a sort of cone.
-    pub fn ratios<K: Sort>(&self, sort: &K, progress: &Progress) -> Result<Vec<f32>, Cancelled> {
+    pub fn ratios<K: Sort>(&self, sort: &K, watch: &Watch) -> Result<Vec<f32>, Cancelled> {
         let width = self.field.map.width() as usize;
         let mut ratios = vec![0.0f32; self.field.map.texels().len()];
         let (total, done) = (ratios.len() as f32, AtomicUsize::new(0));
@@ -90,7 +89,7 @@ impl<'a> Search<'a> {
                     ratios,
                 });
                 let before = done.fetch_add(width, Ordering::Relaxed);
-                progress.at((before + width) as f32 / total)?;
+                watch.at((before + width) as f32 / total)?;
             }
             Ok(())
         })?;

@@ -4,11 +4,10 @@
 //! is moved by whole tiles so that it begins near the map, and reaches beyond the map's edges as its texture
 //! coordinates do; the wrap says which texels lie there.
 
-use relief_core::Wrap;
 use relief_core::mesh::{BasePoint, Mesh};
+use relief_core::{Watch, Wrap};
 
 use super::{FromMeshesError, MAX_TILES, MeshPair};
-use crate::Progress;
 
 /// How far texture coordinates may lie outside of a clamped map, in tiles: rounding.
 const OUTSIDE: f64 = 1e-5;
@@ -97,7 +96,7 @@ impl Charts {
         mesh: &Mesh,
         pair: &MeshPair,
         diagonal_m: f64,
-        progress: &Progress,
+        watch: &Watch,
     ) -> Result<Self, FromMeshesError> {
         let [width, height] = pair.size;
         let texels = width as usize * height as usize;
@@ -115,7 +114,7 @@ impl Charts {
             let [columns, rows] = [0, 1].map(|axis| chart.span(axis));
             for row in rows[0]..=rows[1] {
                 if row % 64 == 0 || row == rows[0] && triangle % 1024 == 0 {
-                    progress.at(triangle as f32 / count as f32)?;
+                    watch.at(triangle as f32 / count as f32)?;
                 }
                 for column in columns[0]..=columns[1] {
                     let Some(at) = charts.texel([column, row]) else { continue };

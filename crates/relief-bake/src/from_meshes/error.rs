@@ -1,8 +1,6 @@
 //! Why there are no heights between two meshes.
 
-use relief_core::HeightMapError;
-
-use crate::Cancelled;
+use relief_core::{Cancelled, HeightMapError};
 
 /// The most tiles that a triangle may lie over along an axis: with more the map has hardly a place for each
 /// of its points.

@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
+use relief_core::Watch;
 use relief_core::mesh::Mesh;
 use relief_core::raycast::RayCaster;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -9,7 +10,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use super::charts::{Charts, OFF_BORDER, Owner};
 use super::look::Line;
 use super::{CAST, CHARTED, FromMeshesError, MeshPair, prepare};
-use crate::Progress;
 use crate::fill::fill;
 
 /// The tangent-space normal map of a detailed mesh on a simple one: planes of `x` along growing `u`, `y` up
@@ -32,10 +32,10 @@ pub fn normals_from_meshes(
     high: &Mesh,
     caster: &RayCaster,
     pair: &MeshPair,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<[Vec<f32>; 3], FromMeshesError> {
-    let (charts, line) = prepare(low, caster, pair, &progress.piece(0.0, CHARTED))?;
-    let progress = progress.piece(CHARTED, CAST);
+    let (charts, line) = prepare(low, caster, pair, &watch.piece(0.0, CHARTED))?;
+    let watch = watch.piece(CHARTED, CAST);
     let width = charts.size[0] as usize;
     let rows = charts.owners.len() / width;
     let mut found: Vec<Option<[f32; 3]>> = vec![None; charts.owners.len()];
@@ -46,7 +46,7 @@ pub fn normals_from_meshes(
             *texel = normal.map(|normal| normal.as_vec3().to_array());
         }
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-        progress.at(done as f32 / rows as f32)
+        watch.at(done as f32 / rows as f32)
     })?;
     let known: Vec<bool> = found.iter().map(Option::is_some).collect();
     if !known.contains(&true) {

@@ -1,5 +1,5 @@
 use super::*;
-use crate::Progress;
+use relief_core::Watch;
 use relief_core::mesh::{sphere, square};
 
 #[test]
@@ -15,8 +15,7 @@ fn layers_have_names() {
 fn texels_are_fractions_of_what_they_displace() {
     let (low, high) = (square(1).expect("a mesh"), sphere(24, 12).expect("a mesh"));
     let how = MeshPair { cage_m: Some(1.0), wrap: Wrap::Clamp, ..MeshPair::new([40, 40]) };
-    let heights =
-        heights_from_meshes(&low, &RayCaster::new(&high), &how, &Progress::none()).expect("heights");
+    let heights = heights_from_meshes(&low, &RayCaster::new(&high), &how, &Watch::none()).expect("heights");
     // A disc of the square lies under the sphere.
     let part = heights.holes as f64 / heights.covered as f64;
     assert!((0.15..0.3).contains(&part), "{part}");
@@ -30,7 +29,6 @@ fn texels_are_fractions_of_what_they_displace() {
     // Beyond a gutter there is no map.
     let low = low.tiled([0.25, 0.25].into()).expect("a mesh");
     let how = MeshPair { gutter: Some(1), ..how };
-    let heights =
-        heights_from_meshes(&low, &RayCaster::new(&high), &how, &Progress::none()).expect("heights");
+    let heights = heights_from_meshes(&low, &RayCaster::new(&high), &how, &Watch::none()).expect("heights");
     assert!(heights.without_value > 1000 && heights.to_map(Wrap::Clamp).is_err());
 }

@@ -1,8 +1,6 @@
 //! Why normals give no heights, and the limits that decide.
 
-use relief_core::HeightMapError;
-
-use crate::Cancelled;
+use relief_core::{Cancelled, HeightMapError};
 
 /// A normal shorter than this has lost its direction: rounding to 8 bit alone moves its end by up to 0.007.
 pub const SHORTEST: f32 = 0.1;

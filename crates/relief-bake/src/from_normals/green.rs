@@ -1,10 +1,11 @@
 //! Which way green points, by which of both ways the normals are more nearly a relief's.
 
+use relief_core::Watch;
+
 use super::error::FromNormalsError;
 use super::integrate::{IntegratedHeights, Integration};
 use super::known::{heights_from_known_slopes, roughly};
 use super::slopes::NormalSlopes;
-use crate::Progress;
 
 /// Below this confidence the ways are told apart by chance; white noise reaches a hundredth of it or so.
 const UNSURE: f64 = 0.05;
@@ -52,19 +53,19 @@ impl GreenFit {
 pub fn heights_from_either_green(
     slopes: NormalSlopes,
     how: &Integration,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<(IntegratedHeights, NormalSlopes, GreenFit), FromNormalsError> {
     let has_holes = slopes.known.is_some();
     let ends = if has_holes { [0.2, 0.4] } else { [0.5, 1.0] };
-    let up = roughly(&slopes, how, &progress.piece(0.0, ends[0]))?;
+    let up = roughly(&slopes, how, &watch.piece(0.0, ends[0]))?;
     let slopes = slopes.turned_over();
-    let down = roughly(&slopes, how, &progress.piece(ends[0], ends[1]))?;
+    let down = roughly(&slopes, how, &watch.piece(ends[0], ends[1]))?;
     let fit = GreenFit::new([up.misfit, down.misfit], slopes.steepness());
     let (heights, slopes) = if fit.is_down { (down, slopes) } else { (up, slopes.turned_over()) };
     if !has_holes {
         return Ok((heights, slopes, fit));
     }
     drop(heights);
-    let heights = heights_from_known_slopes(&slopes, how, &progress.piece(ends[1], 1.0))?;
+    let heights = heights_from_known_slopes(&slopes, how, &watch.piece(ends[1], 1.0))?;
     Ok((heights, slopes, fit))
 }

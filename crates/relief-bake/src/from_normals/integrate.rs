@@ -1,11 +1,10 @@
 //! Slopes integrated to heights by least squares.
 
 use rayon::prelude::*;
-use relief_core::{HeightMap, HeightMapError, Wrap};
+use relief_core::{HeightMap, HeightMapError, Watch, Wrap};
 
 use super::error::{FromNormalsError, check_steepest};
 use super::spectrum::{Border, LineTransform};
-use crate::Progress;
 use crate::kind::normal::Axes;
 use crate::transpose::transpose;
 
@@ -73,13 +72,13 @@ pub fn heights_from_slopes(
     size: [u32; 2],
     slopes: [&[f32]; 2],
     how: &Integration,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<IntegratedHeights, FromNormalsError> {
     check(size, &slopes, how)?;
     let width = size[0] as usize;
     let mut plane = divergence(slopes, width, how);
     let mut turned = vec![0.0; plane.len()];
-    Waves::new(size, how).solve(&mut plane, &mut turned, progress)?;
+    Waves::new(size, how).solve(&mut plane, &mut turned, watch)?;
     drop(turned);
     let heights_m: Vec<f32> = plane.par_iter().map(|&h| h as f32).collect();
     drop(plane);
@@ -108,13 +107,13 @@ impl Waves {
         &self,
         plane: &mut [f64],
         turned: &mut [f64],
-        progress: &Progress,
+        watch: &Watch,
     ) -> Result<(), FromNormalsError> {
         let Self { transforms, eigenvalues: [along_u, along_v], damping } = self;
         let [width, height] = [along_u.len(), along_v.len()];
-        transforms[0].lines(plane, false, &progress.piece(0.0, 0.25))?;
+        transforms[0].lines(plane, false, &watch.piece(0.0, 0.25))?;
         transpose(plane, width, turned);
-        transforms[1].lines(turned, false, &progress.piece(0.25, 0.5))?;
+        transforms[1].lines(turned, false, &watch.piece(0.25, 0.5))?;
         turned.par_chunks_mut(height).zip(along_u).for_each(|(column, u)| {
             for (wave, v) in column.iter_mut().zip(along_v) {
                 let seen = u.seen + v.seen;
@@ -123,9 +122,9 @@ impl Waves {
                     if seen > 0.0 { *wave / (seen + damping.powi(2) * (u.damped + v.damped)) } else { 0.0 };
             }
         });
-        transforms[1].lines(turned, true, &progress.piece(0.5, 0.75))?;
+        transforms[1].lines(turned, true, &watch.piece(0.5, 0.75))?;
         transpose(turned, height, plane);
-        transforms[0].lines(plane, true, &progress.piece(0.75, 1.0))?;
+        transforms[0].lines(plane, true, &watch.piece(0.75, 1.0))?;
         Ok(())
     }
 }

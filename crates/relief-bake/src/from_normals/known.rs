@@ -1,7 +1,7 @@
 //! Slopes integrated where only some texels have one.
 
 use rayon::prelude::*;
-use relief_core::Wrap;
+use relief_core::{Watch, Wrap};
 
 use super::error::FromNormalsError;
 use super::integrate::{
@@ -9,7 +9,6 @@ use super::integrate::{
     neighbours,
 };
 use super::slopes::NormalSlopes;
-use crate::Progress;
 
 /// The error of the start, in root mean square of slopes, is reduced to this part.
 const REDUCED: f64 = 1e-5;
@@ -34,29 +33,29 @@ const MOST_STEPS: usize = 100;
 pub fn heights_from_known_slopes(
     slopes: &NormalSlopes,
     how: &Integration,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<IntegratedHeights, FromNormalsError> {
-    solved(slopes, how, REDUCED, progress)
+    solved(slopes, how, REDUCED, watch)
 }
 
 /// The same, only as exact as shows which slopes fit a relief better.
 pub(super) fn roughly(
     slopes: &NormalSlopes,
     how: &Integration,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<IntegratedHeights, FromNormalsError> {
-    solved(slopes, how, ROUGHLY, progress)
+    solved(slopes, how, ROUGHLY, watch)
 }
 
 fn solved(
     slopes: &NormalSlopes,
     how: &Integration,
     reduced: f64,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<IntegratedHeights, FromNormalsError> {
     let NormalSlopes { size, along: [along_u, along_v], known, .. } = slopes;
     let along = [&along_u[..], along_v];
-    let Some(known) = known else { return heights_from_slopes(*size, along, how, progress) };
+    let Some(known) = known else { return heights_from_slopes(*size, along, how, watch) };
     check(*size, &along, how)?;
     let width = size[0] as usize;
     let waves = Waves::new(*size, how);
@@ -65,7 +64,7 @@ fn solved(
     let mut scratch = vec![0.0; heights.len()];
     let piece = |step: usize| {
         let part = |step: usize| step as f32 / (MOST_STEPS + 2) as f32;
-        progress.piece(part(step), part(step + 1))
+        watch.piece(part(step), part(step + 1))
     };
     waves.solve(&mut heights, &mut scratch, &piece(0))?;
     // What is left of the right-hand side.

@@ -6,8 +6,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-
-use crate::{Cancelled, Progress};
+use relief_core::{Cancelled, Watch};
 
 /// Lines that a thread transforms together.
 const LINES: usize = 16;
@@ -60,7 +59,7 @@ impl LineTransform {
     }
 
     /// Transforms every line of a plane, or back.
-    pub fn lines(&self, plane: &mut [f64], back: bool, progress: &Progress) -> Result<(), Cancelled> {
+    pub fn lines(&self, plane: &mut [f64], back: bool, watch: &Watch) -> Result<(), Cancelled> {
         let room = || Room {
             line: vec![0.0; self.length],
             spectrum: self.forward.make_output_vec(),
@@ -73,7 +72,7 @@ impl LineTransform {
         plane.par_chunks_mut(self.length * LINES).enumerate().try_for_each_init(
             room,
             |room, (block, lines)| {
-                progress.at(block as f32 / blocks)?;
+                watch.at(block as f32 / blocks)?;
                 for line in lines.chunks_mut(self.length) {
                     match (self.border, back) {
                         (Border::Tiled, false) => self.hartley(line, 1.0, room),
@@ -151,7 +150,7 @@ mod tests {
                 let line: Vec<f64> = (0..length).map(|n| ((n * n * 7 + 3) % 11) as f64 - 4.0).collect();
                 let transform = LineTransform::new(length, border);
                 let mut waves = line.clone();
-                transform.lines(&mut waves, false, &Progress::none()).expect("nobody cancels");
+                transform.lines(&mut waves, false, &Watch::none()).expect("nobody cancels");
                 for (k, wave) in waves.iter().enumerate() {
                     let basis = |n: usize| match border {
                         Border::Tiled => {
@@ -163,7 +162,7 @@ mod tests {
                     let sum: f64 = line.iter().enumerate().map(|(n, x)| x * basis(n)).sum();
                     assert!((wave - sum).abs() < 1e-10, "{border:?} {length}: wave {k} is {wave}, not {sum}");
                 }
-                transform.lines(&mut waves, true, &Progress::none()).expect("nobody cancels");
+                transform.lines(&mut waves, true, &Watch::none()).expect("nobody cancels");
                 assert!(line.iter().zip(&waves).all(|(a, b)| (a - b).abs() < 1e-12), "{border:?} {length}");
             }
         }

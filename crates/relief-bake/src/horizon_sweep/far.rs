@@ -3,9 +3,9 @@
 use std::ops::Range;
 
 use rayon::prelude::*;
+use relief_core::{Cancelled, Watch};
 
 use crate::sheared_lines::{Lines, SKEW, Slab, Stretch};
-use crate::{Cancelled, Progress};
 
 /// A vertex of the hull.
 #[derive(Clone, Copy, Debug)]
@@ -69,17 +69,12 @@ struct Scratch {
 
 /// Fills the slab with the greatest slope, in heights a step, under which each texel sees the line that
 /// passes it, from `nearest` steps away on.
-pub(super) fn slopes(
-    lines: &Lines,
-    nearest: usize,
-    slab: &mut Slab,
-    progress: &Progress,
-) -> Result<(), Cancelled> {
+pub(super) fn slopes(lines: &Lines, nearest: usize, slab: &mut Slab, watch: &Watch) -> Result<(), Cancelled> {
     let (first, count) = (slab.slots.start, slab.slots.len());
     let blocks = slab.values.par_chunks_mut(LANES * slab.stride).enumerate();
     blocks.try_for_each_init(Scratch::default, |scratch, (block, slopes)| {
         let slot = block * LANES;
-        progress.at(0.5 * slot as f32 / count as f32)?;
+        watch.at(0.5 * slot as f32 / count as f32)?;
         let lanes = LANES.min(count - slot);
         along_lines(lines, nearest, first + slot..first + slot + lanes, scratch, slopes, slab.stride);
         Ok(())

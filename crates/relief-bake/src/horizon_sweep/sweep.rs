@@ -3,13 +3,12 @@
 use std::ops::Range;
 
 use rayon::prelude::*;
-use relief_core::{HeightMap, Metric};
+use relief_core::{Cancelled, HeightMap, Metric, Watch};
 
 use super::far;
 use super::near::{self, NEAR_STEPS};
 use crate::azimuths::Direction;
 use crate::sheared_lines::{Band, Lines, Plane, Rows, SKEW, Slab};
-use crate::{Cancelled, Progress};
 
 /// Parts into which the lines are divided, worked on one after the other. More of them take less memory.
 const SLABS: usize = 4;
@@ -49,11 +48,11 @@ impl<'a> Sweep<'a> {
         &mut self,
         azimuth: u32,
         mut planes: [&mut [f32]; N],
-        progress: &Progress,
+        watch: &Watch,
         add: impl Fn([&mut [f32]; N], &[f32]) + Sync,
     ) -> Result<(), Cancelled> {
         let part = |azimuth: u32| azimuth as f32 / self.azimuths as f32;
-        let progress = progress.piece(part(azimuth), part(azimuth + 1));
+        let watch = watch.piece(part(azimuth), part(azimuth + 1));
         let direction = Direction::azimuth(azimuth, self.azimuths, self.metric.texel_m(self.map));
         let lines = self.rows.lines(&direction, self.rows.reach(&direction, self.tiles));
         let aim = Aim {
@@ -67,7 +66,7 @@ impl<'a> Sweep<'a> {
         for first in (0..lines.count).step_by(most) {
             let slots = first..(first + most).min(lines.count);
             let part = |slot: usize| slot as f32 / lines.count as f32;
-            let progress = progress.piece(part(slots.start), part(slots.end));
+            let watch = watch.piece(part(slots.start), part(slots.end));
             // Every value that is read has been written, whatever was there.
             let values = slots.len() * stride;
             self.slab.reserve_exact(values.saturating_sub(self.slab.len()));
@@ -76,10 +75,10 @@ impl<'a> Sweep<'a> {
                 &lines,
                 NEAR_STEPS,
                 &mut Slab { slots: slots.clone(), stride, values: &mut self.slab },
-                &progress,
+                &watch,
             )?;
             let plane = Plane { texels: &self.slab, stride, offset: 0, slots };
-            aim.finish(&plane, planes.each_mut().map(|plane| &mut **plane), &progress, &add)?;
+            aim.finish(&plane, planes.each_mut().map(|plane| &mut **plane), &watch, &add)?;
         }
         Ok(())
     }
@@ -99,7 +98,7 @@ impl Aim<'_> {
         &self,
         far: &Plane,
         planes: [&mut [f32]; N],
-        progress: &Progress,
+        watch: &Watch,
         add: &(impl Fn([&mut [f32]; N], &[f32]) + Sync),
     ) -> Result<(), Cancelled> {
         let (width, height) = (self.map.width() as usize, self.map.height() as usize);
@@ -109,7 +108,7 @@ impl Aim<'_> {
             .collect();
         bands.into_par_iter().enumerate().try_for_each(|(number, mut planes)| {
             let top = number * BAND;
-            progress.at(0.5 + 0.5 * top as f32 / height as f32)?;
+            watch.at(0.5 + 0.5 * top as f32 / height as f32)?;
             let rows = top..(top + BAND).min(height);
             let Some(mut band) = Band::new(self.lines, rows.clone(), &far.slots) else { return Ok(()) };
             band.unshear(self.lines, far);

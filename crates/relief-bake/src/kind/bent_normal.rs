@@ -24,12 +24,12 @@
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
-use relief_core::{HeightMap, Metric, Rounding};
+use relief_core::{Cancelled, HeightMap, Metric, Rounding, Watch};
 
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
 use crate::azimuths::{AZIMUTHS, TILES, texture, unit_vector};
 use crate::horizon_sweep::Sweep;
-use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink};
+use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink};
 
 /// The kind.
 pub const KIND: Kind = Kind {
@@ -71,9 +71,9 @@ pub fn bent_normals(
     metric: Metric,
     azimuths: u32,
     tiles: u32,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<[Vec<f32>; 3], Cancelled> {
-    let mut planes = sums(map, metric, azimuths, tiles, progress)?;
+    let mut planes = sums(map, metric, azimuths, tiles, watch)?;
     let [x, y, z] = &mut planes;
     x.par_iter_mut().zip(y).zip(z).for_each(|((x, y), z)| [*x, *y, *z] = unit([*x, *y, *z]));
     Ok(planes)
@@ -89,9 +89,9 @@ pub fn skies(
     metric: Metric,
     azimuths: u32,
     tiles: u32,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<[Vec<f32>; 3], Cancelled> {
-    let mut planes = sums(map, metric, azimuths, tiles, progress)?;
+    let mut planes = sums(map, metric, azimuths, tiles, watch)?;
     let part = 1.0 / azimuths as f32;
     planes.iter_mut().for_each(|plane| plane.par_iter_mut().for_each(|value| *value *= part));
     Ok(planes)
@@ -103,14 +103,14 @@ fn sums(
     metric: Metric,
     azimuths: u32,
     tiles: u32,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<[Vec<f32>; 3], Cancelled> {
     let mut sweep = Sweep::new(map, metric, azimuths, tiles);
     let mut planes = [0; 3].map(|_| vec![0.0f32; map.texels().len()]);
     for azimuth in 0..azimuths {
         let [cos, sin] = unit_vector(azimuth, azimuths).map(|x| x as f32);
         let sums = planes.each_mut().map(Vec::as_mut_slice);
-        sweep.azimuth(azimuth, sums, progress, |[x, y, z], sines| {
+        sweep.azimuth(azimuth, sums, watch, |[x, y, z], sines| {
             for (((x, y), z), &sine) in x.iter_mut().zip(y).zip(z).zip(sines) {
                 let open = 1.0 - sine * sine;
                 let aside = std::f32::consts::FRAC_PI_2 - sine.min(1.0).asin() - sine * open.max(0.0).sqrt();
@@ -132,12 +132,12 @@ fn unit([x, y, z]: [f32; 3]) -> [f32; 3] {
 fn bake(
     source: &BakeInput,
     settings: &Settings,
-    progress: &Progress,
+    watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let (azimuths, tiles, bits) = (settings.count(0), settings.count(1), settings.count(2));
     let vectors = if settings.count(SCALED_PLACE) == 0 { bent_normals } else { skies };
-    let mut planes = vectors(source.map, source.metric, azimuths, tiles, progress)?;
+    let mut planes = vectors(source.map, source.metric, azimuths, tiles, watch)?;
     let channels = ["x", "y", "z"].map(|name| Channel {
         name,
         unit: "1",

@@ -18,12 +18,12 @@
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
-use relief_core::{HeightMap, Metric, Rounding};
+use relief_core::{HeightMap, Metric, Rounding, Watch};
 
 use super::visibility::{self, ELEVATIONS};
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
 use crate::azimuths::{AZIMUTHS, texture};
-use crate::{BakeError, BakeInput, Channel, Progress, Settings, Shape, Sink};
+use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink};
 
 /// The kind.
 pub const KIND: Kind = Kind {
@@ -87,7 +87,7 @@ pub fn light(
     directions: [u32; 2],
     tiles: u32,
     (albedo, bounces): (f32, u32),
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<Vec<f32>, BakeError> {
     let part = 1.0 / (directions[0] as f32 * directions[1] as f32);
     let width = map.width() as usize;
@@ -95,7 +95,7 @@ pub fn light(
     let mut received = Vec::new();
     for bounce in 0..=bounces {
         let of_all = (bounces + 1) as f32;
-        let piece = progress.piece(bounce as f32 / of_all, (bounce + 1) as f32 / of_all);
+        let piece = watch.piece(bounce as f32 / of_all, (bounce + 1) as f32 / of_all);
         received.clear();
         received.resize(sent.len(), 0.0f32);
         visibility::views(map, metric, directions, tiles, &piece, &mut |view| {
@@ -136,7 +136,7 @@ fn check_looks(texels: usize, [azimuths, elevations]: [u32; 2], bounces: u32) ->
 fn bake(
     source: &BakeInput,
     settings: &Settings,
-    progress: &Progress,
+    watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let [azimuths, elevations, tiles] = [0, 1, 2].map(|place| settings.count(place));
@@ -149,7 +149,7 @@ fn bake(
     texture.notes.push(("bounces", bounces.to_string()));
     sink.begin(&texture)?;
     let directions = [azimuths, elevations];
-    let mut light = light(source.map, source.metric, directions, tiles, (albedo, bounces), progress)?;
+    let mut light = light(source.map, source.metric, directions, tiles, (albedo, bounces), watch)?;
     Ok(to_nearest(sink, &channels, bits, &mut [&mut light])?)
 }
 
@@ -169,11 +169,11 @@ mod tests {
     /// The light, and how often progress was told.
     fn of(map: &HeightMap, albedo: f32, bounces: u32) -> (Vec<f32>, usize) {
         let (told, cancel) = (AtomicUsize::new(0), AtomicBool::new(false));
-        let report = |_: f32| {
+        let report = |_: &str, _: f32| {
             told.fetch_add(1, Ordering::Relaxed);
         };
-        let progress = Progress::new(&report, &cancel);
-        let light = light(map, Metric::UNIT, [8, 2], 1, (albedo, bounces), &progress);
+        let watch = Watch::new(&report, &cancel);
+        let light = light(map, Metric::UNIT, [8, 2], 1, (albedo, bounces), &watch);
         (light.expect("memory"), told.into_inner())
     }
 

@@ -10,11 +10,11 @@
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
-use relief_core::{HeightMap, Metric};
+use relief_core::{Cancelled, HeightMap, Metric, Watch};
 
 use super::{BITS, Kind, Reach};
 use crate::cone_search::{Empty, Region, Search, texture};
-use crate::{BakeError, BakeInput, Cancelled, Progress, Settings, Shape, Sink};
+use crate::{BakeError, BakeInput, Settings, Shape, Sink};
 
 /// From where the cones of a map are safe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -125,11 +125,11 @@ pub fn cone_ratios(
     map: &HeightMap,
     metric: &Metric,
     apex: ConeApex,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<Vec<f32>, Cancelled> {
     let region = if apex == ConeApex::Centre { Region::Centre } else { Region::Footprint };
     let search = Search::new(map, metric.texel_m(map), region);
-    let ratios = search.ratios(&Empty, progress)?;
+    let ratios = search.ratios(&Empty, watch)?;
     Ok(if apex == ConeApex::Filtered { least_around(map, &ratios) } else { ratios })
 }
 
@@ -151,10 +151,10 @@ fn least_around(map: &HeightMap, values: &[f32]) -> Vec<f32> {
 fn bake(
     source: &BakeInput,
     settings: &Settings,
-    progress: &Progress,
+    watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let (apex, bits) = (ConeApex::ALL[settings.count(0) as usize], settings.count(1));
-    let ratios = cone_ratios(source.map, &source.metric, apex, progress)?;
+    let ratios = cone_ratios(source.map, &source.metric, apex, watch)?;
     texture(&source.metric, source.map, "cone", ratios, bits, sink)
 }

@@ -24,10 +24,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
-use relief_core::{HeightMap, MAX_SIDE, Rounding, Wrap};
+use relief_core::{Cancelled, HeightMap, MAX_SIDE, Rounding, Watch, Wrap};
 
 use super::{BITS, Kind, Reach, to_nearest};
-use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink, Texture};
+use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink, Texture};
 
 /// The kind `dilation-erosion`.
 pub const KIND: Kind = Kind {
@@ -87,11 +87,11 @@ pub struct WindowBounds {
 /// # Errors
 ///
 /// When it is cancelled.
-pub fn window_bounds(map: &HeightMap, radius: u32, progress: &Progress) -> Result<WindowBounds, Cancelled> {
+pub fn window_bounds(map: &HeightMap, radius: u32, watch: &Watch) -> Result<WindowBounds, Cancelled> {
     let lower = |a: f32, b: f32| if a < b { a } else { b };
     let higher = |a: f32, b: f32| if a > b { a } else { b };
     let mut along_rows = vec![0.0; map.texels().len()];
-    let (first, second) = (progress.piece(0.0, 0.5), progress.piece(0.5, 1.0));
+    let (first, second) = (watch.piece(0.0, 0.5), watch.piece(0.5, 1.0));
     Ok(WindowBounds {
         min: extremes(map, radius, lower, f32::INFINITY, &mut along_rows, &first)?,
         max: extremes(map, radius, higher, f32::NEG_INFINITY, &mut along_rows, &second)?,
@@ -101,11 +101,11 @@ pub fn window_bounds(map: &HeightMap, radius: u32, progress: &Progress) -> Resul
 fn bake(
     source: &BakeInput,
     settings: &Settings,
-    progress: &Progress,
+    watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let radius = settings.count(RADIUS);
-    let mut bounds = window_bounds(source.map, radius, progress)?;
+    let mut bounds = window_bounds(source.map, radius, watch)?;
     let channels = [
         Channel { name: "erosion", unit: "heights", range: [0.0, 1.0], rounding: Rounding::Down },
         Channel { name: "dilation", unit: "heights", range: [0.0, 1.0], rounding: Rounding::Up },
@@ -140,7 +140,7 @@ fn extremes(
     pick: impl Fn(f32, f32) -> f32 + Copy + Sync,
     worst: f32,
     along_rows: &mut [f32],
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<Vec<f32>, Cancelled> {
     let (width, height) = (map.width() as usize, map.height() as usize);
     let columns = Windows::new(map.wrap(), map.width(), radius);
@@ -148,7 +148,7 @@ fn extremes(
     let done = AtomicUsize::new(0);
     let at = |texels: usize| {
         let done = done.fetch_add(texels, Ordering::Relaxed) + texels;
-        progress.at(done as f32 / (2 * width * height) as f32)
+        watch.at(done as f32 / (2 * width * height) as f32)
     };
 
     let band = width * BATCH.div_ceil(width);

@@ -57,12 +57,12 @@ mod window;
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
-use relief_core::{HeightMap, Metric, Rounding, Wrap};
+use relief_core::{Cancelled, HeightMap, Metric, Rounding, Watch, Wrap};
 
 use self::line::Line;
 use super::{BITS, Kind, Reach};
 use crate::quantise::unorm;
-use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink, Texture};
+use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink, Texture};
 
 /// The kind.
 pub const KIND: Kind = Kind {
@@ -166,37 +166,37 @@ impl DistanceField {
     /// When the bake is cancelled, or what `each` returns.
     pub fn slices(
         &self,
-        progress: &Progress,
+        watch: &Watch,
         mut each: impl FnMut(&mut [f32]) -> Result<(), BakeError>,
     ) -> Result<(), BakeError> {
         let texels = self.size[0] as usize * self.size[1] as usize;
         let (mut columns, mut slice) = (vec![0.0; texels], vec![0.0; texels]);
         let count = self.size[2];
         for k in 0..count {
-            let progress = progress.piece(k as f32 / count as f32, (k + 1) as f32 / count as f32);
-            progress.at(0.0)?;
+            let watch = watch.piece(k as f32 / count as f32, (k + 1) as f32 / count as f32);
+            watch.at(0.0)?;
             if k == 0 {
                 slice.fill(self.metres(0.0));
             } else {
                 let level = (f64::from(k) + 0.5) / f64::from(count);
-                self.along_columns(level, &mut columns, &progress.piece(0.0, 0.5))?;
-                self.along_rows(&columns, &mut slice, &progress.piece(0.5, 1.0))?;
+                self.along_columns(level, &mut columns, &watch.piece(0.0, 0.5))?;
+                self.along_rows(&columns, &mut slice, &watch.piece(0.5, 1.0))?;
             }
             each(&mut slice)?;
         }
-        Ok(progress.at(1.0)?)
+        Ok(watch.at(1.0)?)
     }
 
     /// Squared distances within each column at that height. [`LINES`] columns lie together, and within them
     /// as many rows, column by column: what [`Self::along_rows`] reads at once.
-    fn along_columns(&self, level: f64, columns: &mut [f32], progress: &Progress) -> Result<(), Cancelled> {
+    fn along_columns(&self, level: f64, columns: &mut [f32], watch: &Watch) -> Result<(), Cancelled> {
         let height = self.size[1] as usize;
         let blocks = self.size[0].div_ceil(LINES as u32) as f32;
         let chunk = height * LINES;
         columns.par_chunks_mut(chunk).zip(self.tops.par_chunks(chunk)).enumerate().try_for_each_init(
             || (Line::new(height, self.texel[1], self.reach[1], self.repeats), vec![0.0f32; height]),
             |(line, distances), (block, (columns, tops))| {
-                progress.at(block as f32 / blocks)?;
+                watch.at(block as f32 / blocks)?;
                 let count = tops.len() / height;
                 for (i, tops) in tops.chunks(height).enumerate() {
                     for (sample, &top) in line.samples().iter_mut().zip(tops) {
@@ -214,7 +214,7 @@ impl DistanceField {
     }
 
     /// The slice's values from the squared distances within columns.
-    fn along_rows(&self, columns: &[f32], slice: &mut [f32], progress: &Progress) -> Result<(), Cancelled> {
+    fn along_rows(&self, columns: &[f32], slice: &mut [f32], watch: &Watch) -> Result<(), Cancelled> {
         let [width, height] = [self.size[0] as usize, self.size[1] as usize];
         let blocks = self.size[1].div_ceil(LINES as u32) as f32;
         let line = || Line::new(width, self.texel[0], self.reach[0], self.repeats);
@@ -223,7 +223,7 @@ impl DistanceField {
         slice.par_chunks_mut(width * LINES).enumerate().try_for_each_init(
             || (line(), vec![0.0f32; stride * LINES]),
             |(line, across), (block, rows)| {
-                progress.at(block as f32 / blocks)?;
+                watch.at(block as f32 / blocks)?;
                 let count = rows.len() / width;
                 for (group, columns) in columns.chunks(height * LINES).enumerate() {
                     let all = columns.len() / height;
@@ -295,7 +295,7 @@ fn dilated_columns(map: &HeightMap) -> Vec<f32> {
 fn bake(
     source: &BakeInput,
     settings: &Settings,
-    progress: &Progress,
+    watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let (slices, bits) = (settings.count(0), settings.count(1));
@@ -317,7 +317,7 @@ fn bake(
             ("half diagonal of a voxel", format!("{} m", field.half_diagonal_m())),
         ],
     })?;
-    field.slices(progress, |slice| {
+    field.slices(watch, |slice| {
         if bits != 0 {
             let span = high - low;
             slice.par_iter_mut().for_each(|value| {

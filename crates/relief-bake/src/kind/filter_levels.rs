@@ -52,12 +52,12 @@ use std::str::FromStr;
 
 use relief_core::area_mean::coarser_size;
 use relief_core::registry::{Param, Publication, UnknownName};
-use relief_core::{HeightMap, Rounding};
+use relief_core::{HeightMap, Rounding, Watch};
 
 use self::extremes::Side;
 pub use self::volume::{difference_volume, difference_volume_gradient};
 use super::{BITS, Kind, Reach};
-use crate::{BakeError, BakeInput, Channel, Progress, Settings, Shape, Sink, Texture, quantise};
+use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink, Texture, quantise};
 
 /// The kind `filter-levels`.
 pub const KIND: Kind = Kind {
@@ -164,7 +164,7 @@ pub fn filter_level(
     map: &HeightMap,
     level: u32,
     filter: Filter,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<HeightMap, BakeError> {
     let average = map.level(level);
     if level == 0 {
@@ -173,15 +173,15 @@ pub fn filter_level(
     let size = [average.width(), average.height()];
     let texels = match filter {
         Filter::Average => return Ok(average),
-        Filter::Max => extremes::level(map, size, Side::Above, progress)?,
-        Filter::Min => extremes::level(map, size, Side::Below, progress)?,
-        Filter::LeastSquares => least_squares::level(map, size, average.texels(), progress)?,
+        Filter::Max => extremes::level(map, size, Side::Above, watch)?,
+        Filter::Min => extremes::level(map, size, Side::Below, watch)?,
+        Filter::LeastSquares => least_squares::level(map, size, average.texels(), watch)?,
         Filter::Variational => {
-            let squares = least_squares::level(map, size, average.texels(), &progress.piece(0.0, 0.2))?;
-            variational::level(map, size, [average.texels(), &squares], &progress.piece(0.2, 1.0))?
+            let squares = least_squares::level(map, size, average.texels(), &watch.piece(0.0, 0.2))?;
+            variational::level(map, size, [average.texels(), &squares], &watch.piece(0.2, 1.0))?
         }
     };
-    progress.at(1.0)?;
+    watch.at(1.0)?;
     let made = HeightMap::new(size[0], size[1], texels, map.wrap())?;
     Ok(made.with_displacement(map.scale_m(), map.bias_m())?)
 }
@@ -191,25 +191,21 @@ pub fn filter_level(
 /// # Errors
 ///
 /// When it is cancelled.
-pub fn filter_levels(
-    map: &HeightMap,
-    filter: Filter,
-    progress: &Progress,
-) -> Result<Vec<HeightMap>, BakeError> {
+pub fn filter_levels(map: &HeightMap, filter: Filter, watch: &Watch) -> Result<Vec<HeightMap>, BakeError> {
     let count = map.levels();
-    (0..count).map(|level| filter_level(map, level, filter, &part(progress, level, count))).collect()
+    (0..count).map(|level| filter_level(map, level, filter, &part(watch, level, count))).collect()
 }
 
-/// The progress of one of so many levels: each but the first, which is there, looks at the whole map.
-fn part<'a>(progress: &Progress<'a>, level: u32, count: u32) -> Progress<'a> {
+/// The watch of one of so many levels: each but the first, which is there, looks at the whole map.
+fn part<'a>(watch: &Watch<'a>, level: u32, count: u32) -> Watch<'a> {
     let made = (count - 1).max(1) as f32;
-    progress.piece(level.saturating_sub(1) as f32 / made, (level as f32 / made).min(1.0))
+    watch.piece(level.saturating_sub(1) as f32 / made, (level as f32 / made).min(1.0))
 }
 
 fn bake(
     source: &BakeInput,
     settings: &Settings,
-    progress: &Progress,
+    watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let (map, bits) = (source.map, settings.count(1));
@@ -224,7 +220,7 @@ fn bake(
     sink.slice(&[map.texels()])?;
     let count = map.levels();
     for level in 1..count {
-        let made = filter_level(map, level, filter, &part(progress, level, count))?;
+        let made = filter_level(map, level, filter, &part(watch, level, count))?;
         let mut texels = made.into_texels();
         if bits != 0 {
             texels.iter_mut().for_each(|texel| *texel = quantise::unorm(*texel, bits, filter.rounding()));

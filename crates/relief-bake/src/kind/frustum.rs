@@ -90,12 +90,12 @@ use std::sync::LazyLock;
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
-use relief_core::{HeightMap, MaxPyramid, Rounding};
+use relief_core::{Cancelled, HeightMap, MaxPyramid, Rounding, Watch};
 
 use self::growing_squares::slopes_by_squares;
 use self::least_slopes::{Nodes, least_slopes};
 use super::{BITS, Kind, Reach};
-use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink, Texture, quantise};
+use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink, Texture, quantise};
 
 pub use map::{Frustum, FrustumMap, FrustumMapError, quadrant};
 
@@ -128,19 +128,18 @@ const QUADRANTS: [[bool; 2]; 4] = [[true, true], [false, true], [true, false], [
 /// # Errors
 ///
 /// When it is cancelled.
-pub fn frustum_map(map: &HeightMap, progress: &Progress) -> Result<FrustumMap, Cancelled> {
-    let begin = progress.piece(0.0, 0.02);
-    let top = MaxPyramid::try_new(map, |part| begin.at(part))?.nodes(0).to_vec();
-    let found = slopes_by_squares(map, &top, QUADRANTS, &progress.piece(0.02, 0.5))?;
+pub fn frustum_map(map: &HeightMap, watch: &Watch) -> Result<FrustumMap, Cancelled> {
+    let top = MaxPyramid::watched(map, &watch.piece(0.0, 0.02))?.nodes(0).to_vec();
+    let found = slopes_by_squares(map, &top, QUADRANTS, &watch.piece(0.02, 0.5))?;
     let nodes = LazyLock::new(|| Nodes::new(map));
     let mut slopes = [const { Vec::new() }; 4];
     for (place, (slopes, found)) in slopes.iter_mut().zip(found).enumerate() {
         let part = |place: usize| 0.5 + 0.125 * place as f32;
-        let progress = progress.piece(part(place), part(place + 1));
+        let watch = watch.piece(part(place), part(place + 1));
         *slopes = if found.patience.is_empty() {
             found.slopes
         } else {
-            least_slopes(map, &top, &nodes, QUADRANTS[place], found, &progress)?
+            least_slopes(map, &top, &nodes, QUADRANTS[place], found, &watch)?
         };
     }
     Ok(FrustumMap::of_map(map, top, slopes))
@@ -149,11 +148,11 @@ pub fn frustum_map(map: &HeightMap, progress: &Progress) -> Result<FrustumMap, C
 fn bake(
     source: &BakeInput,
     settings: &Settings,
-    progress: &Progress,
+    watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let bits = settings.count(BITS_PLACE);
-    let (top, mut slopes) = frustum_map(source.map, progress)?.into_planes();
+    let (top, mut slopes) = frustum_map(source.map, watch)?.into_planes();
     let steepest = slopes.iter().flatten().copied().fold(0.0, f32::max);
     let range = range_for(steepest);
     if bits > 0 {

@@ -56,13 +56,13 @@
 //! lone spikes a texel wide.
 
 use relief_core::registry::Publication;
-use relief_core::{HeightMap, Metric, Rounding};
+use relief_core::{HeightMap, Metric, Rounding, Watch};
 
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
 use crate::azimuths::{AZIMUTHS, TILES, texture};
 pub use crate::horizon_sweep::NEAR_STEPS;
 use crate::horizon_sweep::Sweep;
-use crate::{BakeError, BakeInput, Channel, Progress, Settings, Shape, Sink};
+use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink};
 
 /// The kind.
 pub const KIND: Kind = Kind {
@@ -102,14 +102,14 @@ pub fn horizons(
     metric: Metric,
     azimuths: u32,
     tiles: u32,
-    progress: &Progress,
+    watch: &Watch,
     take: &mut Take,
 ) -> Result<(), BakeError> {
     let mut sweep = Sweep::new(map, metric, azimuths, tiles);
     let mut sines = vec![0.0; map.texels().len()];
     for azimuth in 0..azimuths {
         let copy = |[plane]: [&mut [f32]; 1], sines: &[f32]| plane.copy_from_slice(sines);
-        sweep.azimuth(azimuth, [&mut sines], progress, copy)?;
+        sweep.azimuth(azimuth, [&mut sines], watch, copy)?;
         take(azimuth, &mut sines)?;
     }
     Ok(())
@@ -118,13 +118,13 @@ pub fn horizons(
 fn bake(
     source: &BakeInput,
     settings: &Settings,
-    progress: &Progress,
+    watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let (azimuths, tiles, bits) = (settings.count(0), settings.count(1), settings.count(2));
     let channels = [Channel { name: "sine", unit: "1", range: [0.0, 1.0], rounding: Rounding::Nearest }];
     sink.begin(&texture(source, azimuths, azimuths, channels.to_vec()))?;
-    horizons(source.map, source.metric, azimuths, tiles, progress, &mut |_, sines| {
+    horizons(source.map, source.metric, azimuths, tiles, watch, &mut |_, sines| {
         Ok(to_nearest(sink, &channels, bits, &mut [sines])?)
     })
 }

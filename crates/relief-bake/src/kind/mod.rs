@@ -16,9 +16,10 @@ pub mod relaxed_cone;
 pub mod seen_normal;
 pub mod visibility;
 
+use relief_core::Watch;
 use relief_core::registry::{Param, Publication, UnknownName};
 
-use crate::{BakeError, BakeInput, Channel, Progress, Settings, Shape, Sink, SinkError, quantise};
+use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink, SinkError, quantise};
 
 /// Which texels a baked texel depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +57,7 @@ pub struct Kind {
     /// the height map's size.
     pub working_maps: fn(&Settings) -> f32,
     /// Bakes it.
-    pub bake: fn(&BakeInput, &Settings, &Progress, &mut dyn Sink) -> Result<(), BakeError>,
+    pub bake: fn(&BakeInput, &Settings, &Watch, &mut dyn Sink) -> Result<(), BakeError>,
 }
 
 impl Kind {

@@ -48,13 +48,13 @@ mod slopes;
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
-use relief_core::{HeightMap, Metric, Rounding};
+use relief_core::{Cancelled, HeightMap, Metric, Rounding, Watch};
 
 pub use self::moments::Moments;
 use self::moments::next_size;
 pub use self::slopes::{Derivative, Slopes};
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
-use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink, Texture};
+use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink, Texture};
 
 /// The kind.
 pub const KIND: Kind = Kind {
@@ -128,7 +128,7 @@ pub fn normals(
     metric: Metric,
     derivative: Derivative,
     axes: Axes,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<(Planes, [[f32; 2]; 2]), Cancelled> {
     let slopes = Slopes::new(map, metric, derivative);
     let width = map.width() as usize;
@@ -145,7 +145,7 @@ pub fn normals(
         .map_init(
             || [vec![0.0f32; width], vec![0.0f32; width]],
             |[along_u, along_v], (block, ((x, y), z))| {
-                progress.at(block as f32 / blocks)?;
+                watch.at(block as f32 / blocks)?;
                 let mut extremes = nothing;
                 let rows = x.chunks_mut(width).zip(y.chunks_mut(width)).zip(z.chunks_mut(width));
                 for (row, ((x, y), z)) in rows.enumerate() {
@@ -199,7 +199,7 @@ fn channels(extremes: [[f32; 2]; 2], mips: bool) -> Vec<Channel> {
 fn bake(
     source: &BakeInput,
     settings: &Settings,
-    progress: &Progress,
+    watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let [patches, world, green_down, mips] = [0, 1, 2, MIPS_PLACE].map(|place| settings.count(place) != 0);
@@ -212,7 +212,7 @@ fn bake(
     };
     let map = source.map;
     let size = [map.width() as usize, map.height() as usize];
-    let (planes, extremes) = normals(map, source.metric, derivative, axes, &progress.piece(0.0, 0.5))?;
+    let (planes, extremes) = normals(map, source.metric, derivative, axes, &watch.piece(0.0, 0.5))?;
     let channels = channels(extremes, mips);
     sink.begin(&texture(map, axes, channels.clone()))?;
     let [mut x, mut y, mut z] = planes;
@@ -227,9 +227,9 @@ fn bake(
         return Ok(());
     }
     let slopes = Slopes::new(map, source.metric, derivative);
-    let mut level = Moments::of_slopes(&slopes, size, &progress.piece(0.5, 0.9))?;
+    let mut level = Moments::of_slopes(&slopes, size, &watch.piece(0.5, 0.9))?;
     loop {
-        let next = if level.size == [1, 1] { None } else { Some(level.halved(&progress.piece(0.9, 1.0))?) };
+        let next = if level.size == [1, 1] { None } else { Some(level.halved(&watch.piece(0.9, 1.0))?) };
         let [u, v] = &mut level.mean;
         let mut upright = vec![0.0; u.len()];
         for ((u, v), upright) in u.iter_mut().zip(v.iter_mut()).zip(&mut upright) {

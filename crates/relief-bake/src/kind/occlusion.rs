@@ -18,12 +18,12 @@
 //! moves the visibility by at most `ε`, since `|d sin² H / dH| = |sin 2H| <= 1`.
 
 use relief_core::registry::Publication;
-use relief_core::{HeightMap, Metric, Rounding};
+use relief_core::{Cancelled, HeightMap, Metric, Rounding, Watch};
 
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
 use crate::azimuths::{AZIMUTHS, TILES, texture};
 use crate::horizon_sweep::Sweep;
-use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink};
+use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink};
 
 /// The kind.
 pub const KIND: Kind = Kind {
@@ -55,13 +55,13 @@ pub fn visibility(
     metric: Metric,
     azimuths: u32,
     tiles: u32,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<Vec<f32>, Cancelled> {
     let part = 1.0 / azimuths as f32;
     let mut sweep = Sweep::new(map, metric, azimuths, tiles);
     let mut hidden = vec![0.0f32; map.texels().len()];
     for azimuth in 0..azimuths {
-        sweep.azimuth(azimuth, [&mut hidden], progress, |[hidden], sines| {
+        sweep.azimuth(azimuth, [&mut hidden], watch, |[hidden], sines| {
             hidden.iter_mut().zip(sines).for_each(|(hidden, sine)| *hidden += sine * sine);
         })?;
     }
@@ -72,11 +72,11 @@ pub fn visibility(
 fn bake(
     source: &BakeInput,
     settings: &Settings,
-    progress: &Progress,
+    watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let (azimuths, tiles, bits) = (settings.count(0), settings.count(1), settings.count(2));
-    let mut open = visibility(source.map, source.metric, azimuths, tiles, progress)?;
+    let mut open = visibility(source.map, source.metric, azimuths, tiles, watch)?;
     let channels =
         [Channel { name: "visibility", unit: "1", range: [0.0, 1.0], rounding: Rounding::Nearest }];
     sink.begin(&texture(source, azimuths, 1, channels.to_vec()))?;

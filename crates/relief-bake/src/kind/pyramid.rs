@@ -28,10 +28,10 @@
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
-use relief_core::{HeightMap, MaxPyramid, MinPyramid, Rounding};
+use relief_core::{Cancelled, HeightMap, MaxPyramid, MinPyramid, Rounding, Watch};
 
 use super::{BITS, Kind, Reach};
-use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink, Texture};
+use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink, Texture};
 
 /// The kind `pyramid`.
 pub const KIND: Kind = Kind {
@@ -86,10 +86,9 @@ const OVER: Param = Param {
 /// # Errors
 ///
 /// When it is cancelled.
-pub fn pyramids(map: &HeightMap, progress: &Progress) -> Result<(MinPyramid, MaxPyramid), Cancelled> {
-    let (first, second) = (progress.piece(0.0, 0.5), progress.piece(0.5, 1.0));
-    let min = MinPyramid::try_new(map, |part| first.at(part))?;
-    let max = MaxPyramid::try_new(map, |part| second.at(part))?;
+pub fn pyramids(map: &HeightMap, watch: &Watch) -> Result<(MinPyramid, MaxPyramid), Cancelled> {
+    let min = MinPyramid::watched(map, &watch.piece(0.0, 0.5))?;
+    let max = MaxPyramid::watched(map, &watch.piece(0.5, 1.0))?;
     Ok((min, max))
 }
 
@@ -134,7 +133,7 @@ impl TexelLevel {
 }
 
 /// The texels and the extremes of their squares, level by level.
-fn bake_over_texels(map: &HeightMap, progress: &Progress, sink: &mut dyn Sink) -> Result<(), BakeError> {
+fn bake_over_texels(map: &HeightMap, watch: &Watch, sink: &mut dyn Sink) -> Result<(), BakeError> {
     sink.begin(&texture(
         map,
         "texels: texel (i, j) of level 0 is the height (i, j), and does not bound the surface",
@@ -147,21 +146,21 @@ fn bake_over_texels(map: &HeightMap, progress: &Progress, sink: &mut dyn Sink) -
             return Ok(());
         }
         level = level.halved();
-        progress.at(1.0 - level.least.len() as f32 / map.texels().len() as f32)?;
+        watch.at(1.0 - level.least.len() as f32 / map.texels().len() as f32)?;
     }
 }
 
 fn bake(
     source: &BakeInput,
     settings: &Settings,
-    progress: &Progress,
+    watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let over = settings.count(OVER_PLACE);
     if over == OVER_TEXELS {
-        return bake_over_texels(source.map, progress, sink);
+        return bake_over_texels(source.map, watch, sink);
     }
-    let (mut min, mut max) = pyramids(source.map, progress)?;
+    let (mut min, mut max) = pyramids(source.map, watch)?;
     if over == OVER_LEVELS {
         (min, max) = (min.over_levels(source.map), max.over_levels(source.map));
     }

@@ -16,12 +16,12 @@ mod own;
 mod search;
 
 use relief_core::registry::{Param, Publication};
-use relief_core::{HeightMap, Metric};
+use relief_core::{Cancelled, HeightMap, Metric, Watch};
 
 use self::search::Relaxed;
 use super::{BITS, Kind, Reach};
 use crate::cone_search::{Empty, Region, Search, texture};
-use crate::{BakeError, BakeInput, Cancelled, Progress, Settings, Shape, Sink};
+use crate::{BakeError, BakeInput, Settings, Shape, Sink};
 
 /// From where the relaxed cones of a map hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -135,7 +135,7 @@ pub fn relaxed_cone_ratios(
     map: &HeightMap,
     metric: &Metric,
     apex: RelaxedApex,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<Vec<f32>, Cancelled> {
     let region = match apex {
         RelaxedApex::Centre => Region::Centre,
@@ -144,19 +144,19 @@ pub fn relaxed_cone_ratios(
     let texel_m = metric.texel_m(map);
     let search = Search::new(map, texel_m, region);
     match Relaxed::new(map, texel_m) {
-        Some(relaxed) => search.ratios(&relaxed, progress),
+        Some(relaxed) => search.ratios(&relaxed, watch),
         // A cone that holds no surface is left after no entry at all, and for it the nearest images suffice.
-        None => search.ratios(&Empty, progress),
+        None => search.ratios(&Empty, watch),
     }
 }
 
 fn bake(
     source: &BakeInput,
     settings: &Settings,
-    progress: &Progress,
+    watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let (apex, bits) = (RelaxedApex::ALL[settings.count(0) as usize], settings.count(1));
-    let ratios = relaxed_cone_ratios(source.map, &source.metric, apex, progress)?;
+    let ratios = relaxed_cone_ratios(source.map, &source.metric, apex, watch)?;
     texture(&source.metric, source.map, "relaxed_cone", ratios, bits, sink)
 }

@@ -27,12 +27,12 @@ use relief_core::area_mean::{coarser, coarser_of, coarser_size, level_count};
 use relief_core::encoding::seen_normal::{self, FIRST_LEVEL};
 use relief_core::exact::FastTracer;
 use relief_core::registry::{Param, Publication};
-use relief_core::{HeightMap, Metric, Path, PathMetric, Rounding};
+use relief_core::{HeightMap, Metric, Path, PathMetric, Rounding, Watch};
 
 use super::visibility::ELEVATIONS;
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
 use crate::azimuths::{self, unit_vector};
-use crate::{BakeError, BakeInput, Channel, Progress, Settings, Shape, Sink, Texture};
+use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink, Texture};
 
 /// Numbers of a direction: the means of a normal's parts and of their products.
 const MEANS: usize = 8;
@@ -127,7 +127,7 @@ impl Eye<'_> {
 fn bake(
     source: &BakeInput,
     settings: &Settings,
-    progress: &Progress,
+    watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let (azimuths, elevations, bits) = (settings.count(0), settings.count(1), settings.count(2));
@@ -150,7 +150,7 @@ fn bake(
     let mut size = [texture.size[0], texture.size[1]];
     let mut level = Vec::new();
     for direction in 0..directions {
-        progress.at(direction as f32 / directions as f32)?;
+        watch.at(direction as f32 / directions as f32)?;
         let (azimuth, elevation) = (direction / elevations, direction % elevations);
         let up = f64::from(elevation + 1) / f64::from(elevations);
         let flat = (1.0 - up * up).max(0.0).sqrt() / up;

@@ -36,14 +36,14 @@ mod rays;
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
-use relief_core::{HeightMap, Metric, Rounding, Wrap};
+use relief_core::{HeightMap, Metric, Rounding, Watch, Wrap};
 
 pub use gather::Visibility;
 
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
 use crate::azimuths::{self, Direction, unit_vector};
 use crate::sheared_lines::{Band, Plane, Rows};
-use crate::{BakeError, BakeInput, Channel, Progress, Settings, Shape, Sink};
+use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink};
 
 pub(super) const ELEVATIONS: Param = Param {
     name: "elevations",
@@ -129,7 +129,7 @@ pub fn views(
     metric: Metric,
     [azimuths, elevations]: [u32; 2],
     tiles: u32,
-    progress: &Progress,
+    watch: &Watch,
     take: &mut dyn FnMut(&View) -> Result<(), BakeError>,
 ) -> Result<(), BakeError> {
     let rows = Rows::with_transpose(map);
@@ -144,7 +144,7 @@ pub fn views(
     let mut steps = vec![0.0; texels];
     let (low, high) = map.texels().iter().fold((1.0f32, 0.0f32), |(low, high), &x| (low.min(x), high.max(x)));
     for azimuth in 0..azimuths {
-        let piece = progress.piece(azimuth as f32 / azimuths as f32, (azimuth + 1) as f32 / azimuths as f32);
+        let piece = watch.piece(azimuth as f32 / azimuths as f32, (azimuth + 1) as f32 / azimuths as f32);
         let direction = Direction::azimuth(azimuth, azimuths, metric.texel_m(map));
         let limit = rows.reach(&direction, tiles.max(1));
         let squares: Vec<f64> =
@@ -198,7 +198,7 @@ pub fn views(
 fn bake(
     source: &BakeInput,
     settings: &Settings,
-    progress: &Progress,
+    watch: &Watch,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let (azimuths, elevations) = (settings.count(0), settings.count(1));
@@ -210,7 +210,7 @@ fn bake(
     texture.notes.push(("elevations", format!("{elevations}: sin^2 = (e + 0.5) / {elevations}")));
     sink.begin(&texture)?;
     let mut planes = [0; 3].map(|_| vec![0.0f32; map.texels().len()]);
-    views(map, source.metric, [azimuths, elevations], tiles, progress, &mut |view| {
+    views(map, source.metric, [azimuths, elevations], tiles, watch, &mut |view| {
         let width = map.width() as usize;
         let [u, v, seen] = planes.each_mut().map(|plane| plane.par_chunks_mut(width));
         u.zip(v).zip(seen).enumerate().for_each(|(row, ((u, v), seen))| {

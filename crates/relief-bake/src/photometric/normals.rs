@@ -1,10 +1,10 @@
 //! Normals and albedo, pixel by pixel.
 
 use rayon::prelude::*;
-use relief_core::{HeightMap, HeightMapError};
+use relief_core::{Cancelled, HeightMap, HeightMapError, Watch};
 
+use crate::fill;
 use crate::kind::normal::{Axes, Planes};
-use crate::{Cancelled, Progress, fill};
 
 /// The least determinant of the lights' second moments, in parts of what three lights at right angles have.
 /// With it, noise is amplified fifty times at most. Smaller, it would be more; larger, pixels that few lights
@@ -115,7 +115,7 @@ pub fn normals_from_photos(
     size: [u32; 2],
     photos: &[Photo],
     exposure: Exposure,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<Photometry, PhotometricError> {
     let lights = check(size, photos)?;
     let width = size[0] as usize;
@@ -135,7 +135,7 @@ pub fn normals_from_photos(
         .map_init(
             || Vec::with_capacity(photos.len()),
             |samples, (block, (((along_u, along_v), albedo), known))| {
-                progress.piece(0.0, 0.9).at(block as f32 / blocks)?;
+                watch.piece(0.0, 0.9).at(block as f32 / blocks)?;
                 let mut misfit = [0.0; 2];
                 for at in 0..known.len() {
                     samples.clear();
@@ -160,7 +160,7 @@ pub fn normals_from_photos(
         return Err(PhotometricError::NothingKnown);
     }
     for (part, plane) in planes.iter_mut().enumerate() {
-        progress.at(0.9 + 0.03 * part as f32)?;
+        watch.at(0.9 + 0.03 * part as f32)?;
         fill::fill(size.map(|side| side as usize), plane, &known);
     }
     let [mut x, mut y, albedo] = planes;

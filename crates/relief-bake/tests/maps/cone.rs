@@ -3,11 +3,10 @@
 use std::sync::atomic::AtomicBool;
 
 use rayon::prelude::*;
-use relief_bake::Progress;
 use relief_bake::kind::cone::{ConeApex, KIND, cone_ratios};
 use relief_core::exact::least_gap;
 use relief_core::rng::Rng;
-use relief_core::{HeightMap, Metric, Path, Wrap};
+use relief_core::{HeightMap, Metric, Path, Watch, Wrap};
 use relief_testing::brute;
 use relief_testing::maps::{self, fractal};
 use relief_testing::probes::cone::{Contact, Probes, attack};
@@ -30,7 +29,7 @@ fn metric(k: usize) -> Metric {
 }
 
 fn ratios(map: &HeightMap, metric: &Metric, apex: ConeApex) -> Vec<f32> {
-    cone_ratios(map, metric, apex, &Progress::none()).expect("nobody cancels")
+    cone_ratios(map, metric, apex, &Watch::none()).expect("nobody cancels")
 }
 
 #[test]
@@ -285,5 +284,5 @@ fn bakes_the_same_on_any_number_of_threads_and_ends_when_cancelled() {
     };
     assert_eq!(bake_on(1), bake_on(3));
     let cancel = AtomicBool::new(true);
-    assert!(cone_ratios(map, &metric, ConeApex::Centre, &Progress::new(&|_| {}, &cancel)).is_err());
+    assert!(cone_ratios(map, &metric, ConeApex::Centre, &Watch::cancelled_by(&cancel)).is_err());
 }

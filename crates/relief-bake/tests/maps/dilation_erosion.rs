@@ -4,8 +4,8 @@ use std::sync::atomic::AtomicBool;
 
 use relief_bake::kind::Reach;
 use relief_bake::kind::dilation_erosion::{KIND, window_bounds};
-use relief_bake::{Progress, quantise};
-use relief_core::{HeightMap, MaxPyramid, Metric, Wrap};
+use relief_bake::quantise;
+use relief_core::{HeightMap, MaxPyramid, Metric, Watch, Wrap};
 use relief_testing::probes::dilation_erosion as probes;
 use relief_testing::probes::place::Place;
 use relief_testing::probes::pyramid::holds;
@@ -123,5 +123,5 @@ fn the_reach_is_the_radius_and_the_cell() {
 fn a_cancelled_bake_ends() {
     let map = maps::ALL[1].build(Wrap::Clamp);
     let cancel = AtomicBool::new(true);
-    assert!(window_bounds(&map, 3, &Progress::new(&|_| {}, &cancel)).is_err());
+    assert!(window_bounds(&map, 3, &Watch::cancelled_by(&cancel)).is_err());
 }

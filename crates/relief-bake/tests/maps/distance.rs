@@ -1,9 +1,9 @@
 //! The distance field against a search, and its bound under attack.
 
 use relief_bake::kind::distance::{DistanceField, KIND};
-use relief_bake::{BakeError, Collected, Progress, bake};
+use relief_bake::{BakeError, Collected, bake};
 use relief_core::rng::Rng;
-use relief_core::{HeightMap, Metric, Wrap};
+use relief_core::{HeightMap, Metric, Watch, Wrap};
 use relief_testing::brute::distance::{boxes, to_surface};
 use relief_testing::maps;
 use relief_testing::probes::distance::Field;
@@ -146,14 +146,8 @@ fn threads_do_not_change_a_bit_and_cancelling_ends_it() {
     let one = pool(1).install(|| baked(&map, metric, 9, 0));
     assert_eq!(one, pool(3).install(|| baked(&map, metric, 9, 0)));
     let flag = std::sync::atomic::AtomicBool::new(true);
-    let ended = bake(
-        &KIND,
-        &map,
-        metric,
-        &KIND.defaults(),
-        &Progress::new(&|_| {}, &flag),
-        &mut Collected::default(),
-    );
+    let ended =
+        bake(&KIND, &map, metric, &KIND.defaults(), &Watch::cancelled_by(&flag), &mut Collected::default());
     assert!(matches!(ended, Err(BakeError::Cancelled(_))));
 }
 
@@ -162,8 +156,7 @@ fn lengths_beyond_floats_are_refused() {
     let map = maps::ALL[0].build(Wrap::Clamp);
     for scale in [1e-60, 1e60] {
         let metric = Metric { tile_m: [scale; 2], scale_m: scale };
-        let refused =
-            bake(&KIND, &map, metric, &KIND.defaults(), &Progress::none(), &mut Collected::default());
+        let refused = bake(&KIND, &map, metric, &KIND.defaults(), &Watch::none(), &mut Collected::default());
         assert!(matches!(refused, Err(BakeError::Impossible { .. })));
     }
 }

@@ -3,9 +3,9 @@
 use std::sync::atomic::AtomicBool;
 
 use relief_bake::kind::filter_levels::{KIND, difference_volume, difference_volume_gradient};
-use relief_bake::{BakeError, Filter, Progress, filter_level, filter_levels, quantise};
+use relief_bake::{BakeError, Filter, filter_level, filter_levels, quantise};
 use relief_core::rng::Rng;
-use relief_core::{HeightMap, Metric, Rounding, Wrap};
+use relief_core::{HeightMap, Metric, Rounding, Watch, Wrap};
 use relief_testing::maps;
 use relief_tests::probes::stored;
 
@@ -17,11 +17,11 @@ const ROUNDED: f64 = 1e-13;
 
 /// The levels of a map, made with no settings but the filter.
 fn levels(map: &HeightMap, filter: Filter) -> Vec<HeightMap> {
-    filter_levels(map, filter, &Progress::none()).expect("not cancelled")
+    filter_levels(map, filter, &Watch::none()).expect("not cancelled")
 }
 
 fn level(map: &HeightMap, level: u32, filter: Filter) -> HeightMap {
-    filter_level(map, level, filter, &Progress::none()).expect("not cancelled")
+    filter_level(map, level, filter, &Watch::none()).expect("not cancelled")
 }
 
 /// Every adversarial map in every wrap.
@@ -386,17 +386,15 @@ fn levels_are_the_same_bits_with_any_number_of_threads() {
 fn a_cancelled_bake_ends_and_progress_rises_to_the_end() {
     let map = HeightMap::new(64, 48, maps::fractal(3, 64, 48, 0.6), Wrap::Clamp).expect("a valid map");
     for filter in Filter::ALL.into_iter().filter(|filter| *filter != Filter::Average) {
-        let report = |_: f32| {};
         let cancel = AtomicBool::new(true);
-        let cancelled = filter_levels(&map, filter, &Progress::new(&report, &cancel));
+        let cancelled = filter_levels(&map, filter, &Watch::cancelled_by(&cancel));
         assert!(matches!(cancelled, Err(BakeError::Cancelled(_))), "{filter}");
         let last = std::sync::Mutex::new(0.0f32);
-        let keep = |part: f32| {
+        let keep = |_: &str, part: f32| {
             let mut last = last.lock().expect("no panic while it is held");
             *last = last.max(part);
         };
-        let never = AtomicBool::new(false);
-        filter_levels(&map, filter, &Progress::new(&keep, &never)).expect("not cancelled");
+        filter_levels(&map, filter, &Watch::telling(&keep)).expect("not cancelled");
         let last = *last.lock().expect("no panic while it was held");
         assert!((last - 1.0).abs() < 1e-5, "{filter}: {last}");
     }

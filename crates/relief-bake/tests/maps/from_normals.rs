@@ -5,8 +5,8 @@ use relief_bake::from_normals::{
     heights_from_normals, heights_from_slopes,
 };
 use relief_bake::kind::normal::{Axes, Derivative, normals};
-use relief_bake::{Progress, quantise};
-use relief_core::{HeightMap, Metric, Wrap};
+use relief_bake::quantise;
+use relief_core::{HeightMap, Metric, Watch, Wrap};
 use relief_testing::maps;
 use relief_testing::maps::fractal;
 
@@ -49,7 +49,7 @@ fn integration(map: &HeightMap, metric: Metric) -> Integration {
 /// Root mean square error of the round trip in parts of the relief, with normals stored in so many bits.
 fn round_trip(map: &HeightMap, metric: Metric, axes: Axes, bits: u32) -> f64 {
     let (planes, _) =
-        normals(map, metric, Derivative::Central, axes, &Progress::none()).expect("nobody cancels");
+        normals(map, metric, Derivative::Central, axes, &Watch::none()).expect("nobody cancels");
     let planes = planes.map(|plane| {
         let stored =
             |n: f32| 2.0 * quantise::unorm(0.5 * n + 0.5, bits, relief_core::Rounding::Nearest) - 1.0;
@@ -57,7 +57,7 @@ fn round_trip(map: &HeightMap, metric: Metric, axes: Axes, bits: u32) -> f64 {
     });
     let how = Integration { axes, ..integration(map, metric) };
     let size = [map.width(), map.height()];
-    let back = heights_from_normals(size, [&planes[0], &planes[1], &planes[2]], &how, &Progress::none())
+    let back = heights_from_normals(size, [&planes[0], &planes[1], &planes[2]], &how, &Watch::none())
         .expect("they are normals");
     root_mean_square(&back.heights_m, &visible(map, metric)) / metric.scale_m
 }
@@ -89,14 +89,13 @@ fn ground_comes_back_from_stored_normals_too() {
             assert!(error < most, "{wrap} {bits} bits: {error} of the relief");
         }
         // The comparison notices the other sign of green.
-        let (planes, _) =
-            normals(&map, metric, Derivative::Central, Axes::TangentGreenDown, &Progress::none())
-                .expect("nobody cancels");
+        let (planes, _) = normals(&map, metric, Derivative::Central, Axes::TangentGreenDown, &Watch::none())
+            .expect("nobody cancels");
         let wrong = heights_from_normals(
             [512, 512],
             [&planes[0], &planes[1], &planes[2]],
             &integration(&map, metric),
-            &Progress::none(),
+            &Watch::none(),
         )
         .expect("they are normals");
         assert!(root_mean_square(&wrong.heights_m, &visible(&map, metric)) / metric.scale_m > 0.02);
@@ -116,7 +115,7 @@ fn slopes_that_fit_no_relief_give_the_nearest() {
                 let slopes = [noise(), noise()];
                 let how = Integration { texel_m: [0.5, 0.8], wrap, damping, ..Integration::default() };
                 let fit =
-                    heights_from_slopes([width, height], [&slopes[0], &slopes[1]], &how, &Progress::none())
+                    heights_from_slopes([width, height], [&slopes[0], &slopes[1]], &how, &Watch::none())
                         .expect("they are slopes");
                 let cost = |heights: &[f64]| cost(heights, [width, height], &slopes, &how);
                 let best: Vec<f64> = fit.heights_m.iter().map(|&h| f64::from(h)).collect();
@@ -172,10 +171,10 @@ fn heights_become_a_map_and_back() {
     let map = maps::ALL[3].build(Wrap::Clamp);
     let metric = metric([1.0, 1.0], 0.25);
     let (planes, _) =
-        normals(&map, metric, Derivative::Central, Axes::Tangent, &Progress::none()).expect("nobody cancels");
+        normals(&map, metric, Derivative::Central, Axes::Tangent, &Watch::none()).expect("nobody cancels");
     let size = [map.width(), map.height()];
     let planes = [&planes[0][..], &planes[1], &planes[2]];
-    let back = heights_from_normals(size, planes, &integration(&map, metric), &Progress::none())
+    let back = heights_from_normals(size, planes, &integration(&map, metric), &Watch::none())
         .expect("they are normals");
     assert_eq!(back.too_steep, 0);
     let again = back.to_map(Wrap::Clamp).expect("a valid map");
@@ -188,7 +187,7 @@ fn heights_become_a_map_and_back() {
 fn what_is_no_normal_map_is_refused_or_counted() {
     let level = ([0.0f32; 12], [1.0f32; 12]);
     let how = Integration::default();
-    let none = Progress::none();
+    let none = Watch::none();
     let run =
         |size, x: &[f32], how: &Integration| heights_from_normals(size, [x, &level.0, &level.1], how, &none);
     assert!(matches!(run([0, 4], &level.0, &how), Err(FromNormalsError::Size(_))));
@@ -204,14 +203,14 @@ fn what_is_no_normal_map_is_refused_or_counted() {
     assert!(nothing.expect("they are counted").heights_m.iter().all(|&h| h == 0.0));
     let flag = std::sync::atomic::AtomicBool::new(true);
     let cancelled =
-        heights_from_normals([4, 3], [&level.0, &level.0, &level.1], &how, &Progress::new(&|_| {}, &flag));
+        heights_from_normals([4, 3], [&level.0, &level.0, &level.1], &how, &Watch::cancelled_by(&flag));
     assert!(matches!(cancelled, Err(FromNormalsError::Cancelled(_))));
 }
 
 /// The normals of a map, one vector a texel.
 fn vectors(map: &HeightMap, metric: Metric, axes: Axes) -> Vec<[f32; 3]> {
     let ([x, y, z], _) =
-        normals(map, metric, Derivative::Central, axes, &Progress::none()).expect("nobody cancels");
+        normals(map, metric, Derivative::Central, axes, &Watch::none()).expect("nobody cancels");
     x.iter().zip(&y).zip(&z).map(|((&x, &y), &z)| [x, y, z]).collect()
 }
 
@@ -220,11 +219,10 @@ fn of_either_green(map: &HeightMap, normals: &[[f32; 3]], metric: Metric) -> (Ve
     let size = [map.width(), map.height()];
     let slopes = NormalSlopes::of_normals(size, normals, Axes::Tangent, 1e6).expect("they have directions");
     let (heights, slopes, fit) =
-        heights_from_either_green(slopes, &integration(map, metric), &Progress::none()).expect("slopes");
+        heights_from_either_green(slopes, &integration(map, metric), &Watch::none()).expect("slopes");
     // The slopes that come back are those that the heights were made of.
     let planes = [&slopes.along[0][..], &slopes.along[1]];
-    let again =
-        heights_from_slopes(size, planes, &integration(map, metric), &Progress::none()).expect("slopes");
+    let again = heights_from_slopes(size, planes, &integration(map, metric), &Watch::none()).expect("slopes");
     assert_eq!(again.heights_m, heights.heights_m);
     (heights.heights_m, fit)
 }

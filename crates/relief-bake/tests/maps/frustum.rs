@@ -4,10 +4,10 @@ use std::sync::atomic::AtomicBool;
 
 use rayon::prelude::*;
 use relief_bake::kind::frustum::{FrustumMap, FrustumMapError, KIND, frustum_map, quadrant};
-use relief_bake::{Collected, Progress, bake, quantise};
+use relief_bake::{Collected, bake, quantise};
 use relief_core::exact::cell_walk;
 use relief_core::rng::Rng;
-use relief_core::{HeightMap, MaxPyramid, Metric, Path, Rounding, Wrap};
+use relief_core::{HeightMap, MaxPyramid, Metric, Path, Rounding, Watch, Wrap};
 use relief_testing::brute::frustum as brute;
 use relief_testing::judge::judge;
 use relief_testing::maps;
@@ -48,7 +48,7 @@ fn every_slope_is_the_brute_forces_rounded_up() {
     for named in maps::ALL {
         for wrap in Wrap::ALL {
             let map = named.build(wrap);
-            let frusta = frustum_map(&map, &Progress::none()).expect("not cancelled");
+            let frusta = frustum_map(&map, &Watch::none()).expect("not cancelled");
             let (width, most) = (map.width(), 2 * i64::from(map.width().max(map.height())) + 4);
             (0..map.texels().len()).into_par_iter().for_each(|at| {
                 let cell = [(at as u32 % width).into(), (at as u32 / width).into()];
@@ -136,7 +136,7 @@ fn a_slope_one_step_too_low_is_caught_where_it_touches() {
 #[test]
 fn rays_catch_a_map_that_is_too_low() {
     let map = maps::ALL[0].build(Wrap::Repeat);
-    let (top, slopes) = frustum_map(&map, &Progress::none()).expect("not cancelled").into_planes();
+    let (top, slopes) = frustum_map(&map, &Watch::none()).expect("not cancelled").into_planes();
     let lowered = slopes.map(|plane| plane.into_iter().map(|slope| slope * 0.9).collect());
     let frusta = FrustumMap::new([map.width(), map.height()], map.wrap(), top, lowered).expect("planes");
     let wrong =
@@ -150,7 +150,7 @@ fn rays_catch_a_map_that_is_too_low() {
 /// Steps a ray of the frustum search, the quadtree search and the cell walk: mean over rays from the top of a
 /// relief a tenth of the tile deep, at elevations from 5 to 85 degrees.
 fn steps(map: &HeightMap) -> [f64; 3] {
-    let frusta = frustum_map(map, &Progress::none()).expect("not cancelled");
+    let frusta = frustum_map(map, &Watch::none()).expect("not cancelled");
     let pyramid = MaxPyramid::new(map);
     let mut rng = Rng::new(1);
     let count = 20_000;
@@ -192,7 +192,7 @@ fn the_metric_and_the_threads_do_not_matter() {
     let on = |threads: usize, metric: Metric| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         let mut collected = Collected::default();
-        pool.install(|| bake(&KIND, &map, metric, &KIND.defaults(), &Progress::none(), &mut collected))
+        pool.install(|| bake(&KIND, &map, metric, &KIND.defaults(), &Watch::none(), &mut collected))
             .expect("a bake");
         collected
     };
@@ -212,7 +212,7 @@ fn stored_slopes_need_no_rounding() {
         settings.set("bits", f64::from(bits)).expect("a known number of bits");
         let mut collected = Collected::default();
         let metric = Metric::unit_tile(1.0).expect("a length");
-        bake(&KIND, &map, metric, &settings, &Progress::none(), &mut collected).expect("a bake");
+        bake(&KIND, &map, metric, &settings, &Watch::none(), &mut collected).expect("a bake");
         for texture in &collected.textures {
             for (channel, plane) in texture.texture.channels.iter().zip(&texture.levels[0]) {
                 let [low, high] = channel.range;
@@ -241,5 +241,5 @@ fn wrong_planes_are_refused() {
 fn a_cancelled_bake_ends() {
     let map = maps::ALL[1].build(Wrap::Clamp);
     let cancel = AtomicBool::new(true);
-    assert!(frustum_map(&map, &Progress::new(&|_| {}, &cancel)).is_err());
+    assert!(frustum_map(&map, &Watch::cancelled_by(&cancel)).is_err());
 }

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use relief_bake::kind::horizon::{KIND, NEAR_STEPS, horizons};
-use relief_bake::{BakeError, Collected, Progress, bake};
-use relief_core::{HeightMap, Metric, Wrap};
+use relief_bake::{BakeError, Collected, bake};
+use relief_core::{HeightMap, Metric, Watch, Wrap};
 use relief_testing::brute::horizon as brute;
 use relief_testing::maps;
 
@@ -41,7 +41,7 @@ struct Bounds {
 /// the bounds of the kind.
 fn each_horizon(map: &HeightMap, metric: Metric, mut judge: impl FnMut(u32, f64, f64, Bounds)) {
     let highest = f64::from(map.texels().iter().copied().fold(0.0, f32::max));
-    horizons(map, metric, AZIMUTHS, 1, &Progress::none(), &mut |azimuth, sines| {
+    horizons(map, metric, AZIMUTHS, 1, &Watch::none(), &mut |azimuth, sines| {
         let ray = brute::HorizonRay::new(TAU * f64::from(azimuth) / f64::from(AZIMUTHS), metric.texel_m(map));
         let [x, y] = ray.step.map(f64::abs);
         let (side, across) = if y > x { (map.height(), x) } else { (map.width(), y) };
@@ -112,7 +112,7 @@ fn an_even_slope_has_its_own_horizon_in_every_azimuth() {
         let metric = Metric::new([f64::from(SIDE); 2], 256.0).expect("a valid metric");
         let highest = f64::from(map.texels().iter().copied().fold(0.0, f32::max));
         let (mut slices, mut judged) = (Vec::new(), 0);
-        horizons(&map, metric, MANY, 1, &Progress::none(), &mut |azimuth, sines| {
+        horizons(&map, metric, MANY, 1, &Watch::none(), &mut |azimuth, sines| {
             let angle = TAU * f64::from(azimuth) / f64::from(MANY);
             let ray = brute::HorizonRay::new(angle, metric.texel_m(&map));
             for at in 0..sines.len() as u32 {
@@ -173,7 +173,7 @@ fn a_wall_stands_where_it_is() {
     let map = HeightMap::from_fn(32, 16, Wrap::Clamp, wall).expect("a valid map");
     let metric = Metric::new([4.0, 2.0], 0.5).expect("a valid metric");
     let mut slices = Vec::new();
-    horizons(&map, metric, 8, 1, &Progress::none(), &mut |_, sines| {
+    horizons(&map, metric, 8, 1, &Watch::none(), &mut |_, sines| {
         slices.push(sines.to_vec());
         Ok(())
     })
@@ -197,7 +197,7 @@ fn stored_values_are_deterministic_and_rounded_to_the_nearest() {
         let mut settings = KIND.defaults();
         settings.set("bits", bits).expect("in range");
         let mut sink = Collected::default();
-        pool.install(|| bake(&KIND, &map, metrics()[1], &settings, &Progress::none(), &mut sink))
+        pool.install(|| bake(&KIND, &map, metrics()[1], &settings, &Watch::none(), &mut sink))
             .expect("not cancelled");
         sink.textures.remove(0)
     };
@@ -220,14 +220,14 @@ fn stored_values_are_deterministic_and_rounded_to_the_nearest() {
 fn a_cancelled_bake_ends() {
     let map = maps::ALL[1].build(Wrap::Repeat);
     let (cancel, reports) = (AtomicBool::new(false), AtomicUsize::new(0));
-    let report = |part: f32| {
+    let report = |_: &str, part: f32| {
         assert!((0.0..=1.0).contains(&part));
         if reports.fetch_add(1, Ordering::Relaxed) == 20 {
             cancel.store(true, Ordering::Relaxed);
         }
     };
     let mut slices = 0;
-    let ended = horizons(&map, metrics()[0], 16, 1, &Progress::new(&report, &cancel), &mut |_, _| {
+    let ended = horizons(&map, metrics()[0], 16, 1, &Watch::new(&report, &cancel), &mut |_, _| {
         slices += 1;
         Ok(())
     });

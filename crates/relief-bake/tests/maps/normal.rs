@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use relief_bake::kind::normal::{Axes, Derivative, KIND, normals};
-use relief_bake::{BakeError, Collected, CollectedTexture, Progress, bake};
-use relief_core::{HeightMap, Metric, Wrap};
+use relief_bake::{BakeError, Collected, CollectedTexture, bake};
+use relief_core::{HeightMap, Metric, Watch, Wrap};
 use relief_testing::brute::normal as brute;
 use relief_testing::maps;
 
@@ -18,7 +18,7 @@ fn baked(map: &HeightMap, metric: Metric, set: &[(&str, f64)]) -> CollectedTextu
         settings.set(name, value).expect("an accepted value");
     }
     let mut out = Collected::default();
-    bake(&KIND, map, metric, &settings, &Progress::none(), &mut out).expect("nothing cancels it");
+    bake(&KIND, map, metric, &settings, &Watch::none(), &mut out).expect("nothing cancels it");
     out.textures.remove(0)
 }
 
@@ -144,7 +144,7 @@ fn the_angle_to_the_true_normal_falls_with_the_square_of_the_texel() {
         })
         .expect("a valid map");
         let (planes, _) =
-            normals(&map, metric, derivative, Axes::Tangent, &Progress::none()).expect("nobody cancels");
+            normals(&map, metric, derivative, Axes::Tangent, &Watch::none()).expect("nobody cancels");
         places(&map).fold(0.0f64, |worst, (texel, [i, j])| {
             let [u, v] = uv(i as u32, j as u32);
             let slope = waves(u, v).1;
@@ -301,7 +301,7 @@ fn threads_do_not_change_a_bit_and_cancelling_ends_it() {
     let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
     assert_eq!(pool(1).install(|| baked(&map, metric, &[])), pool(3).install(|| baked(&map, metric, &[])));
     let flag = std::sync::atomic::AtomicBool::new(true);
-    let progress = Progress::new(&|_| {}, &flag);
-    let ended = bake(&KIND, &map, metric, &KIND.defaults(), &progress, &mut Collected::default());
+    let watch = Watch::cancelled_by(&flag);
+    let ended = bake(&KIND, &map, metric, &KIND.defaults(), &watch, &mut Collected::default());
     assert!(matches!(ended, Err(BakeError::Cancelled(_))));
 }

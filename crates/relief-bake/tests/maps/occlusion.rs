@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use rayon::prelude::*;
 use relief_bake::kind::{bent_normal, occlusion};
-use relief_bake::{Collected, Progress, bake};
+use relief_bake::{Collected, bake};
 use relief_core::exact::cell_walk;
-use relief_core::{HeightMap, Metric, Path, Wrap};
+use relief_core::{HeightMap, Metric, Path, Watch, Wrap};
 use relief_testing::brute::sky::Sky;
 use relief_testing::maps;
 
@@ -71,9 +71,9 @@ fn errors(map: &HeightMap, open: &[f32], normals: &[Vec<f32>; 3]) -> [f64; 2] {
 #[test]
 fn closed_forms_agree_with_a_thousand_rays() {
     for map in small_maps() {
-        let progress = Progress::none();
-        let open = occlusion::visibility(&map, metric(), 32, 4, &progress).expect("not cancelled");
-        let normals = bent_normal::bent_normals(&map, metric(), 32, 4, &progress).expect("not cancelled");
+        let watch = Watch::none();
+        let open = occlusion::visibility(&map, metric(), 32, 4, &watch).expect("not cancelled");
+        let normals = bent_normal::bent_normals(&map, metric(), 32, 4, &watch).expect("not cancelled");
         let [visibility, degrees] = errors(&map, &open, &normals);
         println!("{}x{} {}: {visibility}, {degrees} degrees", map.width(), map.height(), map.wrap());
         assert!(visibility < 0.02 && degrees < 1.5, "{visibility}, {degrees} degrees");
@@ -95,9 +95,9 @@ fn a_sum_over_the_same_horizons_is_the_same() {
         let highest = f64::from(map.texels().iter().copied().fold(0.0, f32::max));
         let (texel_m, reach) = (metric.texel_m(&map), f64::from(map.width().max(map.height()).max(64)));
         let sky = Sky { texel_m, scale_m: metric.scale_m, azimuths: 16, reach, highest };
-        let progress = Progress::none();
-        let open = occlusion::visibility(&map, metric, 16, 1, &progress).expect("not cancelled");
-        let normals = bent_normal::bent_normals(&map, metric, 16, 1, &progress).expect("not cancelled");
+        let watch = Watch::none();
+        let open = occlusion::visibility(&map, metric, 16, 1, &watch).expect("not cancelled");
+        let normals = bent_normal::bent_normals(&map, metric, 16, 1, &watch).expect("not cancelled");
         let (mut off, mut turned) = (0.0f64, 0.0f64);
         for texel in (0..map.texels().len()).step_by(7) {
             let place = [texel as u32 % map.width(), texel as u32 / map.width()];
@@ -119,7 +119,7 @@ fn an_open_plain_is_open() {
             let mut settings = kind.defaults();
             settings.set("bits", bits).expect("in range");
             let mut sink = Collected::default();
-            bake(kind, &map, metric(), &settings, &Progress::none(), &mut sink).expect("not cancelled");
+            bake(kind, &map, metric(), &settings, &Watch::none(), &mut sink).expect("not cancelled");
             let planes = &sink.textures[0].levels[0];
             let last = planes.last().expect("a channel");
             assert!(last.iter().all(|x| *x == 1.0), "{}", kind.name);
@@ -135,8 +135,8 @@ fn a_pit_is_dark_and_its_walls_turn_light_inward() {
     let pit = |i: u32, j: u32| if (5..11).contains(&i) && (5..11).contains(&j) { 0.0 } else { 1.0 };
     let map = HeightMap::from_fn(16, 16, Wrap::Clamp, pit).expect("a valid map");
     let metric = Metric::unit_tile(0.5).expect("a valid metric");
-    let open = occlusion::visibility(&map, metric, 16, 1, &Progress::none()).expect("not cancelled");
-    let normals = bent_normal::bent_normals(&map, metric, 16, 1, &Progress::none()).expect("not cancelled");
+    let open = occlusion::visibility(&map, metric, 16, 1, &Watch::none()).expect("not cancelled");
+    let normals = bent_normal::bent_normals(&map, metric, 16, 1, &Watch::none()).expect("not cancelled");
     assert_eq!(open[0], 1.0);
     assert!(open[8 * 16 + 8] < 0.3 && open[5 * 16 + 5] < open[8 * 16 + 8]);
     let normal = |texel: usize| normals.each_ref().map(|plane| plane[texel]);

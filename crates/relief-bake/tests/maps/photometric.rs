@@ -1,11 +1,10 @@
 //! Normals from rendered photographs, with attached and cast shadows.
 
-use relief_bake::Progress;
 use relief_bake::from_normals::{Integration, heights_from_normals};
 use relief_bake::photometric::{
     ColourAlbedo, Exposure, Photo, PhotometricError, check_lights, normals_from_photos,
 };
-use relief_core::{HeightMap, Metric, Wrap};
+use relief_core::{HeightMap, Metric, Watch, Wrap};
 use relief_testing::brute::normal as brute;
 use relief_testing::maps::fractal;
 
@@ -92,7 +91,7 @@ fn normals_and_albedo_come_back_where_three_lights_reach() {
     let pixels = scene.photos();
     let dark = pixels.iter().flatten().filter(|&&pixel| pixel <= EXPOSURE.shadow).count();
     assert!(dark > pixels.len() * 300, "the scene has too few shadows to be a test: {dark}");
-    let found = normals_from_photos([SIDE; 2], &scene.with_lights(&pixels), EXPOSURE, &Progress::none())
+    let found = normals_from_photos([SIDE; 2], &scene.with_lights(&pixels), EXPOSURE, &Watch::none())
         .expect("the photographs are good");
     let known = found.known.iter().filter(|&&known| known).count();
     assert!(known * 10 > found.known.len() * 9, "only {known} known");
@@ -110,7 +109,7 @@ fn normals_and_albedo_come_back_where_three_lights_reach() {
     assert!(found.misfit < 1e-6);
     // Shadows that are taken for dark ground spoil the fit: the threshold is what keeps them out.
     let all = Exposure { shadow: -1.0, ..EXPOSURE };
-    let spoilt = normals_from_photos([SIDE; 2], &scene.with_lights(&pixels), all, &Progress::none())
+    let spoilt = normals_from_photos([SIDE; 2], &scene.with_lights(&pixels), all, &Watch::none())
         .expect("there are known pixels");
     assert!(spoilt.misfit > 1e-3, "{}", spoilt.misfit);
 }
@@ -119,11 +118,11 @@ fn normals_and_albedo_come_back_where_three_lights_reach() {
 fn heights_come_back_from_photographs() {
     let scene = Scene::ring(8, 0.9, 0.15);
     let pixels = scene.photos();
-    let found = normals_from_photos([SIDE; 2], &scene.with_lights(&pixels), EXPOSURE, &Progress::none())
+    let found = normals_from_photos([SIDE; 2], &scene.with_lights(&pixels), EXPOSURE, &Watch::none())
         .expect("the photographs are good");
     let how = Integration { texel_m: scene.metric.texel_m(&scene.map), ..Integration::default() };
     let [x, y, z] = &found.normals;
-    let heights = heights_from_normals([SIDE; 2], [x, y, z], &how, &Progress::none()).expect("normals");
+    let heights = heights_from_normals([SIDE; 2], [x, y, z], &how, &Watch::none()).expect("normals");
     let mean = scene.map.texels().iter().map(|&h| f64::from(h)).sum::<f64>() / f64::from(SIDE * SIDE);
     let error = scene
         .map
@@ -140,8 +139,7 @@ fn colours_come_back_without_light_and_shadow() {
     let scene = Scene::ring(6, 0.7, 0.25);
     let pixels = scene.photos();
     let photos = scene.with_lights(&pixels);
-    let found =
-        normals_from_photos([SIDE; 2], &photos, EXPOSURE, &Progress::none()).expect("good photographs");
+    let found = normals_from_photos([SIDE; 2], &photos, EXPOSURE, &Watch::none()).expect("good photographs");
     // Red reflects as much as the brightness says, green half of it, blue none; the last is opacity.
     let coloured =
         |pixels: &[f32]| -> Vec<[f32; 4]> { pixels.iter().map(|&p| [p, 0.5 * p, 0.0, 1.0]).collect() };
@@ -176,7 +174,7 @@ fn overexposed_samples_are_left_out() {
     pixels.iter_mut().flatten().for_each(|pixel| *pixel = pixel.min(limit));
     let run = |overexposed| {
         let exposure = Exposure { overexposed, ..EXPOSURE };
-        normals_from_photos([SIDE; 2], &scene.with_lights(&pixels), exposure, &Progress::none())
+        normals_from_photos([SIDE; 2], &scene.with_lights(&pixels), exposure, &Watch::none())
             .expect("there are known pixels")
     };
     assert!(run(limit).misfit < 1e-6);
@@ -188,7 +186,7 @@ fn what_cannot_be_solved_is_refused() {
     let scene = Scene::ring(3, 0.9, 0.1);
     let pixels = scene.photos();
     let good = scene.with_lights(&pixels);
-    let run = |photos: &[Photo]| normals_from_photos([SIDE; 2], photos, EXPOSURE, &Progress::none());
+    let run = |photos: &[Photo]| normals_from_photos([SIDE; 2], photos, EXPOSURE, &Watch::none());
     assert!(run(&good).is_ok());
     assert!(matches!(run(&good[..2]), Err(PhotometricError::TooFew(2))));
     let mut photos = good.clone();
@@ -217,6 +215,6 @@ fn what_cannot_be_solved_is_refused() {
     photos.iter_mut().for_each(|photo| photo.pixels = &night);
     assert!(matches!(run(&photos), Err(PhotometricError::NothingKnown)));
     let flag = std::sync::atomic::AtomicBool::new(true);
-    let cancelled = normals_from_photos([SIDE; 2], &good, EXPOSURE, &Progress::new(&|_| {}, &flag));
+    let cancelled = normals_from_photos([SIDE; 2], &good, EXPOSURE, &Watch::cancelled_by(&flag));
     assert!(matches!(cancelled, Err(PhotometricError::Cancelled(_))));
 }

@@ -3,9 +3,9 @@
 use std::sync::atomic::AtomicBool;
 
 use relief_bake::kind::pyramid::{KIND, OVER_LEVELS, OVER_TEXELS, pyramids};
-use relief_bake::{BakeError, Collected, CollectedTexture, Progress, bake};
+use relief_bake::{BakeError, Collected, CollectedTexture, bake};
 use relief_core::exact::cell_walk;
-use relief_core::{HeightMap, MaxPyramid, Metric, Wrap};
+use relief_core::{HeightMap, MaxPyramid, Metric, Watch, Wrap};
 use relief_testing::judge::judge;
 use relief_testing::probes::place::Place;
 use relief_testing::probes::pyramid as probes;
@@ -164,25 +164,17 @@ fn a_node_one_step_too_tight_is_caught_where_it_touches() {
 #[test]
 fn a_cancelled_bake_ends_and_progress_reaches_the_end() {
     let map = maps::ALL[1].build(Wrap::Mirror);
-    let report = |_: f32| {};
     let cancel = AtomicBool::new(true);
-    assert!(pyramids(&map, &Progress::new(&report, &cancel)).is_err());
+    assert!(pyramids(&map, &Watch::cancelled_by(&cancel)).is_err());
     let metric = Metric::unit_tile(1.0).expect("a length");
-    let cancelled = bake(
-        &KIND,
-        &map,
-        metric,
-        &KIND.defaults(),
-        &Progress::new(&report, &cancel),
-        &mut Collected::default(),
-    );
+    let cancelled =
+        bake(&KIND, &map, metric, &KIND.defaults(), &Watch::cancelled_by(&cancel), &mut Collected::default());
     assert!(matches!(cancelled, Err(BakeError::Cancelled(_))));
     let last = std::sync::Mutex::new(0.0f32);
-    let keep = |part: f32| {
+    let keep = |_: &str, part: f32| {
         let mut last = last.lock().expect("no panic while it is held");
         *last = last.max(part);
     };
-    let never = AtomicBool::new(false);
-    pyramids(&map, &Progress::new(&keep, &never)).expect("not cancelled");
+    pyramids(&map, &Watch::telling(&keep)).expect("not cancelled");
     assert_eq!(*last.lock().expect("no panic while it was held"), 1.0);
 }

@@ -1,11 +1,10 @@
 //! The kind `relaxed-cone`: no falling ray comes out inside a cone, and cones are wider than those of `cone`.
 
 use rayon::prelude::*;
-use relief_bake::Progress;
 use relief_bake::kind::cone::{ConeApex, cone_ratios};
 use relief_bake::kind::relaxed_cone::{KIND, RelaxedApex, relaxed_cone_ratios};
 use relief_core::rng::Rng;
-use relief_core::{HeightMap, Metric, Wrap};
+use relief_core::{HeightMap, Metric, Watch, Wrap};
 use relief_testing::brute::relaxed_cone as brute;
 use relief_testing::maps;
 use relief_testing::probes::relaxed_cone::{Exit, Probes, attack};
@@ -29,7 +28,7 @@ fn metric(k: usize) -> Metric {
 }
 
 fn relaxed(map: &HeightMap, metric: &Metric, apex: RelaxedApex) -> Vec<f32> {
-    relaxed_cone_ratios(map, metric, apex, &Progress::none()).expect("nobody cancels")
+    relaxed_cone_ratios(map, metric, apex, &Watch::none()).expect("nobody cancels")
 }
 
 fn slope(ratios: &[f32], place: usize) -> f64 {
@@ -72,7 +71,7 @@ fn compare(name: &str, map: &HeightMap, metric: &Metric, seed: u64, samples: [us
     let lost = sum / slow_sum.max(1e-9);
     assert!(sum <= TEXELS as f64 * least || lost < 1.02, "{name}: {lost} of what brute force finds");
     for (ratios, apex) in [(from_centre, ConeApex::Centre), (from_square, ConeApex::Footprint)] {
-        let cones = cone_ratios(map, metric, apex, &Progress::none()).expect("nobody cancels");
+        let cones = cone_ratios(map, metric, apex, &Watch::none()).expect("nobody cancels");
         for place in 0..cones.len() {
             let (relaxed, cone) = (slope(&ratios, place), slope(&cones, place));
             assert!(
@@ -154,7 +153,7 @@ fn what_rounding_makes_of_a_rise_is_no_fall() {
     let map = HeightMap::from_fn(3, 3, Wrap::Clamp, |i, j| if (i, j) == (0, 0) { height } else { 0.0 });
     let (map, metric) = (map.expect("a valid map"), Metric::new([4.23, 1.0], 0.1).expect("lengths"));
     let ratios = relaxed(&map, &metric, RelaxedApex::Centre);
-    let cones = cone_ratios(&map, &metric, ConeApex::Centre, &Progress::none()).expect("nobody cancels");
+    let cones = cone_ratios(&map, &metric, ConeApex::Centre, &Watch::none()).expect("nobody cancels");
     // Seen from the middle the patch beside the peak only rises.
     assert!(cones[4] > 3.44 && ratios[4] >= cones[4], "{} and {} of a cone", ratios[4], cones[4]);
 }
@@ -205,7 +204,7 @@ fn relaxed_cones_are_wider() {
             (RelaxedApex::Footprint, ConeApex::Footprint, 0.999),
         ] {
             let wide = relaxed(&map, &metric, region);
-            let narrow = cone_ratios(&map, &metric, apex, &Progress::none()).expect("nobody cancels");
+            let narrow = cone_ratios(&map, &metric, apex, &Watch::none()).expect("nobody cancels");
             let mean = |ratios: &[f32]| {
                 ratios.iter().map(|&m| 1.0 / f64::from(m)).sum::<f64>() / ratios.len() as f64
             };
@@ -225,8 +224,8 @@ fn tiles_very_much_longer_than_wide_get_plain_cones() {
     for wrap in [Wrap::Repeat, Wrap::Mirror] {
         for map in [HeightMap::from_fn(16, 16, wrap, rough), HeightMap::from_fn(13, 16, wrap, nearly_level)] {
             let map = map.expect("a valid map");
-            let relaxed = relaxed_cone_ratios(&map, &metric, RelaxedApex::Footprint, &Progress::none());
-            let plain = cone_ratios(&map, &metric, ConeApex::Footprint, &Progress::none());
+            let relaxed = relaxed_cone_ratios(&map, &metric, RelaxedApex::Footprint, &Watch::none());
+            let plain = cone_ratios(&map, &metric, ConeApex::Footprint, &Watch::none());
             assert_eq!(relaxed.expect("a bake"), plain.expect("a bake"));
         }
     }

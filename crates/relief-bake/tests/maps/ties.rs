@@ -2,11 +2,10 @@
 //! it.
 
 use rayon::prelude::*;
-use relief_bake::Progress;
 use relief_bake::kind::cone::{ConeApex, cone_ratios};
 use relief_bake::kind::frustum::frustum_map;
 use relief_core::rng::Rng;
-use relief_core::{HeightMap, Metric, Wrap};
+use relief_core::{HeightMap, Metric, Watch, Wrap};
 use relief_testing::brute;
 
 /// Texels of each map that brute force is run on.
@@ -63,7 +62,7 @@ fn cones_are_those_of_brute_force() {
             let texel_m = metric.texel_m(&map);
             let highest = brute::frustum::highest(&map);
             for apex in [ConeApex::Centre, ConeApex::Footprint] {
-                let ratios = cone_ratios(&map, &metric, apex, &Progress::none()).expect("nobody cancels");
+                let ratios = cone_ratios(&map, &metric, apex, &Watch::none()).expect("nobody cancels");
                 for [i, j] in texels() {
                     let (texel, footprint) = ([i, j].map(i64::from), apex == ConeApex::Footprint);
                     let slow = brute::cone::slope(&map, texel_m, footprint, texel, highest);
@@ -82,7 +81,7 @@ fn cones_are_those_of_brute_force() {
 #[test]
 fn frusta_are_those_of_brute_force() {
     maps().for_each(|(name, map)| {
-        let frusta = frustum_map(&map, &Progress::none()).expect("nobody cancels");
+        let frusta = frustum_map(&map, &Watch::none()).expect("nobody cancels");
         let (highest, most) = (brute::frustum::highest(&map), 2 * i64::from(SIZE[0]) + 4);
         for [i, j] in texels() {
             for forward in [[true, true], [false, true], [true, false], [false, false]] {

@@ -1,8 +1,8 @@
 //! Precomputed visibility against the exact tracer, and light that bounces through it.
 
 use relief_bake::kind::visibility::{KIND, Visibility, views};
-use relief_bake::{Collected, Progress, bake};
-use relief_core::{HeightMap, Metric, Wrap};
+use relief_bake::{Collected, bake};
+use relief_core::{HeightMap, Metric, Watch, Wrap};
 use relief_testing::brute::visibility as brute;
 use relief_testing::maps;
 
@@ -15,7 +15,7 @@ fn metrics() -> [Metric; 2] {
 
 /// Calls `judge` with each judged texel's path and its baked hit in steps.
 fn each_ray(map: &HeightMap, metric: Metric, mut judge: impl FnMut(&relief_core::Path, Option<f64>)) {
-    views(map, metric, [10, 3], 4, &Progress::none(), &mut |view| {
+    views(map, metric, [10, 3], 4, &Watch::none(), &mut |view| {
         let [x, y, z] = view.direction;
         assert!((x * x + y * y + z * z - 1.0).abs() < 1e-12);
         let step = [0, 1].map(|axis| view.step_uv[axis] * metric.tile_m[axis]);
@@ -95,7 +95,7 @@ fn nothing_depends_on_the_number_of_threads() {
     let bake_with = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
         let mut sink = Collected::default();
-        pool.install(|| bake(&KIND, &map, metrics()[1], &KIND.defaults(), &Progress::none(), &mut sink))
+        pool.install(|| bake(&KIND, &map, metrics()[1], &KIND.defaults(), &Watch::none(), &mut sink))
             .expect("not cancelled");
         sink
     };
@@ -116,10 +116,10 @@ fn stored_coordinates_are_those_of_the_hit() {
             settings.set(name, value).expect("in range");
         }
         let mut sink = Collected::default();
-        bake(&KIND, &map, metrics()[0], &settings, &Progress::none(), &mut sink).expect("not cancelled");
+        bake(&KIND, &map, metrics()[0], &settings, &Watch::none(), &mut sink).expect("not cancelled");
         let planes = &sink.textures[0].levels[0];
         let mut slice = 0;
-        views(&map, metrics()[0], [10, 3], 4, &Progress::none(), &mut |view| {
+        views(&map, metrics()[0], [10, 3], 4, &Watch::none(), &mut |view| {
             for texel in 0..map.texels().len() {
                 let [u, v, hit] = [0, 1, 2].map(|k| f64::from(planes[k][slice * map.texels().len() + texel]));
                 let seen = view.hit(texel as u32 % 37, texel as u32 / 37);
@@ -142,7 +142,7 @@ fn stored_coordinates_are_those_of_the_hit() {
 fn a_furnace_stays_as_bright_as_it_is() {
     for named in &maps::ALL[..6] {
         let map = named.build(Wrap::Repeat);
-        let seen = Visibility::bake(&map, metrics()[1], [8, 4], 2, &Progress::none()).expect("enough memory");
+        let seen = Visibility::bake(&map, metrics()[1], [8, 4], 2, &Watch::none()).expect("enough memory");
         let (sky, texels) = (vec![1.0; 32], map.texels().len());
         let white = vec![1.0; texels];
         assert_eq!(seen.gather(&sky, &white).expect("the right sizes"), white, "{}", named.name);
@@ -161,7 +161,7 @@ fn light_comes_from_where_it_is_seen() {
     let wall = |i, _| if i < 4 { 1.0 } else { 0.0 };
     let map = HeightMap::from_fn(32, 8, Wrap::Repeat, wall).expect("a valid map");
     let metric = Metric::unit_tile(0.2).expect("a valid metric");
-    let seen = Visibility::bake(&map, metric, [4, 16], 2, &Progress::none()).expect("enough memory");
+    let seen = Visibility::bake(&map, metric, [4, 16], 2, &Watch::none()).expect("enough memory");
     let dark = [0.0; 64];
     let glow: Vec<f32> = map.texels().iter().map(|&height| if height > 0.5 { 1.0 } else { 0.0 }).collect();
     let lit = seen.gather(&dark, &glow).expect("the right sizes");

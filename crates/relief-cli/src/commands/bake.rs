@@ -22,9 +22,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use clap::Args;
-use relief_bake::{BakeError, KINDS, Kind, Progress as BakeProgress, Settings, Shape, Texture};
+use relief_bake::{BakeError, KINDS, Kind, Settings, Shape, Texture};
 use relief_core::registry::UnknownName;
-use relief_core::{ByteSize, HeightMap, Metric, Wrap};
+use relief_core::{ByteSize, HeightMap, Metric, Watch, Wrap};
 use relief_io::file_set::is_same_file;
 use relief_io::read_height_file;
 
@@ -451,13 +451,12 @@ impl<'a> Job<'a> {
         let bar = Progress::bar(kind.name, *json);
         let check = |texture: &Texture| packing.storage.check(packing.format, texture, *lossy_heights);
         let mut spool = Spool::new(outputs.room(), &check).map_err(in_folder)?;
-        let report = |part: f32| bar.show(part * BAKING_PART);
-        let progress = BakeProgress::new(&report, cancel);
+        let tell = |_: &str, part: f32| bar.show(part);
+        let whole = Watch::new(&tell, cancel);
+        let watch = whole.piece(0.0, BAKING_PART);
         let done = match map {
-            Cow::Borrowed(map) => relief_bake::bake(kind, map, self.metric, settings, &progress, &mut spool),
-            Cow::Owned(map) => {
-                relief_bake::bake_last(kind, map, self.metric, settings, &progress, &mut spool)
-            }
+            Cow::Borrowed(map) => relief_bake::bake(kind, map, self.metric, settings, &watch, &mut spool),
+            Cow::Owned(map) => relief_bake::bake_last(kind, map, self.metric, settings, &watch, &mut spool),
         };
         done.map_err(|error| match error {
             BakeError::Cancelled(_) => cancelled(),
@@ -467,13 +466,10 @@ impl<'a> Job<'a> {
         let shapes: Vec<Shape> = textures.iter().map(|spooled| spooled.texture.shape()).collect();
         let plans = self.plans(base, packing.format, &shapes);
         let places = plans.iter().map(|plan| outputs.place(&plan.name)).collect::<Result<Vec<_>, _>>()?;
-        let mut at = |part: f32| {
-            bar.show(BAKING_PART + part * (1.0 - BAKING_PART));
-            !cancel.load(Ordering::Relaxed)
-        };
-        let written = files::write(&plans, &places, *packing, &textures, &mut reader, identity, &mut at);
+        let watch = whole.piece(BAKING_PART, 1.0);
+        let written = files::write(&plans, &places, *packing, &textures, &mut reader, identity, &watch);
         written.map_err(|error| match error {
-            FilesError::Cancelled => cancelled(),
+            FilesError::Cancelled(_) => cancelled(),
             FilesError::Write { name, problem } => {
                 Failure::Work(format!("{}: {problem}", output.join(name).display()))
             }

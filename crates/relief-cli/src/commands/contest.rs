@@ -6,8 +6,9 @@ use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 use relief_compare::{
-    COBBLES_PNG, CompareError, Compared, Comparison, Contender, Goal, LeftOut, Machine, Records, Watch,
+    COBBLES_PNG, CompareError, Compared, Comparison, Contender, Goal, LeftOut, Machine, Records,
 };
+use relief_core::Watch;
 use relief_core::registry::UnknownName;
 use relief_render::scene::{BackendChoice, Look, Sampling, SceneSpec};
 use relief_render::{RenderError, Renderer};
@@ -269,7 +270,7 @@ pub fn compared(
 ) -> Result<Compared, Failure> {
     let progress = Progress::bar(what, quiet);
     let told = |_: &str, part: f32| progress.show(part);
-    let mut compared = comparison.run(&Watch { progress: &told, cancel }).map_err(of_comparison)?;
+    let mut compared = comparison.run(&Watch::new(&told, cancel)).map_err(of_comparison)?;
     drop(progress);
     for LeftOut { what, reason } in compared.records.left_out.iter().filter(|_| !quiet) {
         say::note(format_args!("{what} is left out: {reason}"));
@@ -295,7 +296,7 @@ pub fn look_again(
 ) -> Result<(), Failure> {
     let progress = Progress::bar(what, quiet);
     let told = |_: &str, part: f32| progress.show(part);
-    let looked = comparison.look_again(records, goal, &Watch { progress: &told, cancel });
+    let looked = comparison.look_again(records, goal, &Watch::new(&told, cancel));
     looked.map(|_| ()).map_err(of_comparison)
 }
 
@@ -319,7 +320,7 @@ pub fn of_comparison(error: CompareError) -> Failure {
         CompareError::TooMuchMemory { .. } => Failure::Work(format!(
             "{error}: --max-memory raises it; fewer --rays, a smaller --size and fewer --methods need less"
         )),
-        CompareError::Stopped => interrupt::cancelled(),
+        CompareError::Cancelled(_) => interrupt::cancelled(),
         CompareError::Render { source, .. } => of_render(*source),
         other => Failure::work(other),
     }

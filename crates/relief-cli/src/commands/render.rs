@@ -10,6 +10,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
+use relief_core::Watch;
 use relief_maps::Maps;
 use relief_render::scene::{BackendChoice, Sampling, Scene, SceneSpec};
 use relief_render::{Made, RenderError, Renderer};
@@ -124,7 +125,7 @@ impl<'a> PictureRenderer<'a> {
         &mut self,
         scene: &Scene,
         outputs: &Outputs,
-        told: &relief_render::Progress,
+        tell: &(dyn Fn(&str, f32) + Sync),
     ) -> Result<(Counts, Made), Failure> {
         let Self { arguments, kept, renderer, .. } = self;
         let (backend, sampling) = (scene.backend(), scene.sampling());
@@ -143,7 +144,7 @@ impl<'a> PictureRenderer<'a> {
         // Until here nothing exists that an interrupted program would leave behind.
         let cancel = interrupt::catch()?;
         let written = outputs.write(scene, cancel, arguments.json, &mut |numbers, sink| {
-            renderer.render_bands(scene, kept, numbers, told, cancel, sink)
+            renderer.render_bands(scene, kept, numbers, &Watch::new(tell, cancel), sink)
         });
         written.map_err(|error| match error {
             output::Error::Render(error) => arguments.of_render(error),

@@ -1,7 +1,9 @@
 //! A second look at methods between which the first times decide by too little.
 
+use relief_core::Watch;
+
 use crate::choose::undecided;
-use crate::comparison::{Comparison, Timing, Watch};
+use crate::comparison::{Comparison, Timing};
 use crate::error::CompareError;
 use crate::record::{PictureRecord, Records, TimeRecord};
 use crate::{Contender, Goal};

@@ -9,14 +9,14 @@ mod subject;
 mod times;
 
 use relief_core::registry::RayClass;
-use relief_core::{MapFormat, MapIdentity};
-use relief_maps::{Maps, Origin, Provided, Watch as MapWatch};
+use relief_core::{Cancelled, MapFormat, MapIdentity, Watch};
+use relief_maps::{Maps, Origin, Provided};
 use relief_render::scene::{Look, Surface};
 use relief_render::{RenderError, Renderer};
 use relief_shaders::{GEOMETRY, REFINE, SEARCH, Selection};
 
 use self::subject::Subject;
-use crate::comparison::{Comparison, Machine, Watch};
+use crate::comparison::{Comparison, Machine};
 use crate::contender::Contender;
 use crate::error::CompareError;
 use crate::picture::{Flip, Image};
@@ -104,11 +104,8 @@ impl Baked {
         watch: &Watch,
     ) -> Result<Provided, CompareError> {
         watch.check()?;
-        let map_watch = MapWatch { cancel: watch.cancel, ..MapWatch::none() };
         let maps = self.maps(format);
-        let provided = maps.provide(selection, surface.height_map(), surface.metric(), &map_watch);
-        // A bake that was ended is no bake that failed.
-        let provided = provided.map_err(|error| watch.check().err().unwrap_or(error.into()))?;
+        let provided = maps.provide(selection, surface.height_map(), surface.metric(), &watch.quiet())?;
         let mut different: Vec<(&MapIdentity, u64)> = Vec::new();
         for (_, map) in provided.maps() {
             if !different.iter().any(|(known, _)| *known == map.identity()) {
@@ -133,12 +130,12 @@ impl Baked {
 }
 
 impl Comparison {
-    /// Compares.
+    /// Compares. The watch's tasks are the methods that are compared; parts are those of the whole.
     ///
     /// # Errors
     ///
     /// When a number is not possible, there is nothing to compare, a map cannot be baked, a picture cannot be
-    /// made, or the work was ended. Methods that cannot be used on the surfaces are
+    /// made, or the work was cancelled. Methods that cannot be used on the surfaces are
     /// [left out](Records::left_out), with the reason.
     pub fn run(&self, watch: &Watch) -> Result<Compared, CompareError> {
         self.run_on(&|machine| Renderer::new(machine.backend_choice(), machine.sampling), watch)
@@ -238,9 +235,10 @@ struct Work<'a> {
 
 impl Work<'_> {
     /// Says what comes next.
-    fn next(&mut self, what: &str) {
-        (self.watch.progress)(what, self.done as f32 / self.parts.max(1) as f32);
+    fn next(&mut self, what: &str) -> Result<(), Cancelled> {
+        self.watch.task(what).at(self.done as f32 / self.parts.max(1) as f32)?;
         self.done += 1;
+        Ok(())
     }
 }
 

@@ -2,7 +2,7 @@
 
 use relief_core::exact::ExactHit;
 use relief_core::metrics::CostReport;
-use relief_core::{Hit, MapFormat};
+use relief_core::{Hit, MapFormat, Watch};
 use relief_maps::Maps;
 use relief_render::camera::Camera;
 use relief_render::scene::{Scene, Surface};
@@ -14,7 +14,7 @@ use super::shadow::{has_disc, true_shadow, with_samples};
 use super::subject::{Subject, with_selections};
 use super::{Compared, MapsOf, Reference, Renderers, Shown, Station, Work};
 use crate::case::judged;
-use crate::comparison::{Comparison, Machine, MachineBackend, Watch};
+use crate::comparison::{Comparison, Machine, MachineBackend};
 use crate::contender::Contender;
 use crate::error::CompareError;
 use crate::picture::{
@@ -96,7 +96,7 @@ impl Comparison {
             for contender in contenders {
                 let shadows = true_shadows(&shot, contender)?;
                 if shot.truth(&shadows).is_none() {
-                    work.next(EXACT);
+                    work.next(EXACT)?;
                     let truth = self.truth(&shot, shadows, &mut own.renderer, work)?;
                     shot.truths.push(truth);
                 }
@@ -119,12 +119,12 @@ impl Comparison {
         let first = work.compared.records.pictures.len();
         let mut shown = Vec::new();
         for contender in contenders {
-            work.next(&contender.name);
+            work.next(&contender.name)?;
             if self.picture(shot, contender, station, work)? {
                 shown.push(contender.clone());
             }
         }
-        work.next("times");
+        work.next("times")?;
         let times = self.times(shot, &shown, &mut station.renderer, work)?;
         if self.timing.is_some() && !times.is_empty() && times.iter().all(Option::is_none) {
             let reason = "frames are timed beside bump mapping, of which this surface has none";
@@ -138,7 +138,7 @@ impl Comparison {
 
     /// A machine, and what its device is called.
     fn station(&self, make: &Renderers, machine: Machine) -> Result<(Station, String), CompareError> {
-        let mut renderer = make(machine).map_err(|source| of(machine.name(), source))?;
+        let mut renderer = make(machine).map_err(|error| CompareError::of_picture(machine.name(), error))?;
         renderer.set_lanes(self.lanes);
         let device = renderer.device();
         Ok((Station { machine, renderer }, device))
@@ -356,11 +356,7 @@ fn rendered(
     watch: &Watch,
 ) -> Result<Rendered, CompareError> {
     watch.check()?;
-    renderer.render(scene, maps, &|_, _| {}).map_err(|source| of(method, source))
-}
-
-pub(super) fn of(method: &str, source: RenderError) -> CompareError {
-    CompareError::Render { method: method.to_owned(), source: Box::new(source) }
+    renderer.render(scene, maps, &watch.quiet()).map_err(|error| CompareError::of_picture(method, error))
 }
 
 /// The scene as it is seen a little more from the right.

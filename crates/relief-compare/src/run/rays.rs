@@ -26,7 +26,7 @@ impl Comparison {
         let case = |&degrees: &f64| Case::new(heights, tile_m, degrees, self.rays as usize);
         let cases: Vec<Case> = self.angles_deg.iter().map(case).collect();
         for contender in contenders {
-            work.next(&contender.name);
+            work.next(&contender.name)?;
             if !contender.is_of_rays() {
                 continue;
             }

@@ -9,7 +9,7 @@ use relief_render::{FrameTime, PassTimes, Renderer};
 use relief_shaders::Selection;
 
 use super::Work;
-use super::pictures::{Shot, of};
+use super::pictures::Shot;
 use super::subject::with_selections;
 use crate::comparison::{Comparison, Timing};
 use crate::contender::Contender;
@@ -107,9 +107,8 @@ impl Comparison {
             for timed in &mut all {
                 watch.check()?;
                 let mut frame = || {
-                    let time = renderer.time(&timed.scene, baked.maps(timed.format), watch.cancel);
-                    // What was stopped did not fail.
-                    time.map_err(|source| watch.check().err().unwrap_or_else(|| of(&timed.name, source)))
+                    let time = renderer.time(&timed.scene, baked.maps(timed.format), &watch.quiet());
+                    time.map_err(|error| CompareError::of_picture(&timed.name, error))
                 };
                 // The first frame of another scene makes it ready; a GPU has been idle meanwhile.
                 frame()?;

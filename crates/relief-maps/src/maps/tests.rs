@@ -1,5 +1,7 @@
 use relief_core::Wrap;
 
+use std::sync::atomic::AtomicBool;
+
 use super::*;
 
 fn heights(step: u32) -> HeightMap {
@@ -89,11 +91,10 @@ fn a_map_of_the_callers_own_is_taken() {
 fn a_cancelled_bake_is_an_error_and_keeps_nothing() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut maps = Maps::with_cache(Cache::new(folder.path(), ByteSize(1 << 20)));
-    let (report, cancel) = (|_: &'static str, _: f32| {}, AtomicBool::new(true));
-    let watch = Watch { baking: &report, cancel: &cancel };
+    let cancel = AtomicBool::new(true);
     let selection = Selection::method("cone").expect("a method");
-    let refused = maps.provide(&selection, &heights(5), Metric::UNIT, &watch);
-    assert!(matches!(refused, Err(MapsError::Bake(BakeError::Cancelled(_)))), "{refused:?}");
+    let refused = maps.provide(&selection, &heights(5), Metric::UNIT, &Watch::cancelled_by(&cancel));
+    assert!(matches!(refused, Err(MapsError::Cancelled(_))), "{refused:?}");
     assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 0);
 }
 

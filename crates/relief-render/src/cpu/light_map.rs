@@ -1,13 +1,12 @@
 //! What lights see, rendered: a layer for each view, whose texels hold the keys of the nearest hits.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use relief_core::encoding::code::Codes;
 use relief_core::{BakedMap, Lanes, MapFormat, MapIdentity, MapLayout, MapTexels};
 use relief_shaders::cpu::Frame;
 
 use super::ready::{Made, Ready};
 use super::tiled::{SeenBlock, Tiled};
+use super::{CpuError, Done};
 use crate::job::{Job, JobSurface};
 use crate::samples::Sample;
 
@@ -20,12 +19,6 @@ pub struct LightMap {
     pub map: BakedMap,
 }
 
-/// Why there is no map.
-pub enum NoLightMap {
-    OutOfMemory,
-    Stopped,
-}
-
 impl LightMap {
     /// Whether the lights of a job see the same.
     pub fn is_of(&self, job: &Job) -> bool {
@@ -35,20 +28,14 @@ impl LightMap {
             && self.frames == job.light_views.frames
     }
 
-    /// Renders what the lights of a job see; `done` is told how many of its [`rows`] are done.
-    pub fn render(
-        job: &Job,
-        made: &[Made],
-        lanes: Lanes,
-        cancel: &AtomicBool,
-        done: &(dyn Fn(u32) + Sync),
-    ) -> Result<Self, NoLightMap> {
+    /// Renders what the lights of a job see; `done` counts its [`rows`].
+    pub(super) fn render(job: &Job, made: &[Made], lanes: Lanes, done: &Done) -> Result<Self, CpuError> {
         let views = &job.light_views;
         let side = views.size as usize;
         let count = side.checked_mul(side).and_then(|area| area.checked_mul(views.frames.len()));
         let mut keys = Vec::new();
         let room = count.and_then(|count| keys.try_reserve_exact(count).ok().map(|()| count));
-        keys.resize(room.ok_or(NoLightMap::OutOfMemory)?, 0.0f32);
+        keys.resize(room.ok_or(CpuError::OutOfMemory)?, 0.0f32);
         for (layer, frame) in keys.chunks_exact_mut((side * side).max(1)).zip(&views.frames) {
             let surfaces = job.surfaces.iter().zip(made);
             let ready: Vec<Ready> =
@@ -59,10 +46,7 @@ impl LightMap {
                     put(point, nearest.map_or(0.0, |surface| seen.surfaces[surface].keys[point]));
                 }
             };
-            tiled.each(layer, 0, cancel, done, keys, |key, _, of| *key = of);
-        }
-        if cancel.load(Ordering::Relaxed) {
-            return Err(NoLightMap::Stopped);
+            tiled.each(layer, 0, done, keys, |key, _, of| *key = of)?;
         }
         let map = BakedMap::new(
             MapIdentity::without_heights("light-map"),
@@ -70,7 +54,7 @@ impl LightMap {
             CODES,
             MapTexels::F32(keys),
         );
-        let map = map.map_err(|_| NoLightMap::OutOfMemory)?;
+        let map = map.map_err(|_| CpuError::OutOfMemory)?;
         Ok(Self { frames: views.frames.clone(), surfaces: job.surfaces.clone(), map })
     }
 }

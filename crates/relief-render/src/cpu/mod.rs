@@ -1,18 +1,17 @@
 //! The CPU backend: the base meshes are ray cast, the translated shaders do the rest.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicU32, Ordering};
 
 use rayon::prelude::*;
 use relief_core::exact::FastTracer;
 use relief_core::registry::RayClass;
-use relief_core::{HeightMap, Lanes};
+use relief_core::{Cancelled, HeightMap, Lanes, Watch};
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::surface::Proposal;
 
 use self::block::{places, places_where};
-use self::light_map::{LightMap, NoLightMap};
+use self::light_map::LightMap;
 use self::ready::{Base, Made, Ready, SceneRays, caster};
 use self::tessellated::KeptTessellated;
 use self::tiled::{SeenBlock, Tiled};
@@ -45,6 +44,17 @@ fn all_uncovered(count: usize) -> Option<Vec<PixelOut>> {
     Some(pixels)
 }
 
+/// Why the CPU has no picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum CpuError {
+    /// The memory for the picture, or for what lights see, cannot be had.
+    #[error("there is no memory for the picture")]
+    OutOfMemory,
+    /// The rendering was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
 /// Renders jobs on all cores, and keeps the hierarchies of their meshes and height maps, and what their
 /// lights see, from one job to the next.
 #[derive(Debug, Default)]
@@ -69,57 +79,55 @@ impl CpuRenderer {
         self.lanes = lanes;
     }
 
-    /// Renders a job; `None` where the memory for the picture cannot be had. `progress` is told the finished
-    /// part, from 0 to 1, from any thread.
+    /// Renders a job.
     ///
     /// A surface whose selection is the exact pair is traced by the core's fast exact tracer in place of
     /// search and refinement.
-    pub fn render(&mut self, job: &Job, progress: &(dyn Fn(f32) + Sync)) -> Option<Rendering> {
-        let mut pixels = all_uncovered((job.width as usize).checked_mul(job.height as usize)?)?;
+    ///
+    /// # Errors
+    ///
+    /// When the memory cannot be had, or the rendering is cancelled.
+    pub fn render(&mut self, job: &Job, watch: &Watch) -> Result<Rendering, CpuError> {
+        let count = (job.width as usize).checked_mul(job.height as usize);
+        let mut pixels = count.and_then(all_uncovered).ok_or(CpuError::OutOfMemory)?;
         let samples = samples(job.samples, true);
-        let done = Done::of(job, progress);
+        let done = Done::of(job, watch);
         let job = &*self.tessellated.job(job);
         let made = self.made(job);
-        // Nobody can stop it.
-        let go_on = AtomicBool::new(false);
-        let lit = self.lit(job, &made, &go_on, &done).ok()?;
-        let whole = lit.rows(job, &samples, 0);
-        whole.render(&mut pixels, &go_on, &|rows| done.add(rows));
-        Some(Rendering { width: job.width, height: job.height, pixels })
+        let lit = self.lit(job, &made, &done)?;
+        lit.rows(job, &samples, 0).render(&mut pixels, &done)?;
+        Ok(Rendering { width: job.width, height: job.height, pixels })
     }
 
-    /// Renders a job in bands of whole rows, from the top, and hands over each when it is done, until it is
-    /// told to stop or `cancel` is set; `None` where the memory for what lights see cannot be had. With
+    /// Renders a job in bands of whole rows, from the top, and hands over each when it is done. With
     /// `numbers` all numbers of a pixel are as in a [`Rendering`]; else they are those of one of its samples,
-    /// which takes less time. `progress` is told the finished part, from any thread.
+    /// which takes less time.
+    ///
+    /// # Errors
+    ///
+    /// When the memory cannot be had, or the watch or the sink cancels the rendering.
     pub fn render_bands(
         &mut self,
         job: &Job,
         numbers: bool,
-        progress: &(dyn Fn(f32) + Sync),
-        cancel: &AtomicBool,
-        sink: &mut dyn FnMut(&[PixelOut]) -> ControlFlow<()>,
-    ) -> Option<ControlFlow<()>> {
+        watch: &Watch,
+        sink: &mut dyn FnMut(&[PixelOut]) -> Result<(), Cancelled>,
+    ) -> Result<(), CpuError> {
         let samples = samples(job.samples, numbers);
-        let done = Done::of(job, progress);
+        let done = Done::of(job, watch);
         let job = &*self.tessellated.job(job);
         let made = self.made(job);
-        let lit = match self.lit(job, &made, cancel, &done) {
-            Ok(lit) => lit,
-            Err(NoLightMap::Stopped) => return Some(ControlFlow::Break(())),
-            Err(NoLightMap::OutOfMemory) => return None,
-        };
+        let lit = self.lit(job, &made, &done)?;
         let rows = (BAND_PIXELS / job.width.max(1)).clamp(1, job.height.max(1));
-        let mut pixels = all_uncovered(job.width as usize * rows as usize)?;
+        let mut pixels = all_uncovered(job.width as usize * rows as usize).ok_or(CpuError::OutOfMemory)?;
         for first in (0..job.height).step_by(rows as usize) {
             let rows = rows.min(job.height - first);
             let pixels = &mut pixels[..job.width as usize * rows as usize];
-            lit.rows(job, &samples, first).render(pixels, cancel, &|rows| done.add(rows));
-            if cancel.load(Ordering::Relaxed) || sink(pixels).is_break() {
-                return Some(ControlFlow::Break(()));
-            }
+            lit.rows(job, &samples, first).render(pixels, &done)?;
+            watch.check()?;
+            sink(pixels)?;
         }
-        Some(ControlFlow::Continue(()))
+        Ok(())
     }
 
     /// The addresses of what is kept: of meshes, and of height maps.
@@ -164,21 +172,15 @@ impl CpuRenderer {
     }
 
     /// The surfaces ready for the job's frame, with what its lights see: that is rendered unless it is known.
-    fn lit<'a>(
-        &'a mut self,
-        job: &'a Job,
-        made: &[Made],
-        cancel: &AtomicBool,
-        done: &Done,
-    ) -> Result<Lit<'a>, NoLightMap> {
+    fn lit<'a>(&'a mut self, job: &'a Job, made: &[Made], done: &Done) -> Result<Lit<'a>, CpuError> {
         if job.light_views.frames.is_empty() {
             self.light_map = None;
         } else if !self.light_map.as_ref().is_some_and(|known| known.is_of(job)) {
             // What was kept goes first, so that both need not fit.
             self.light_map = None;
-            self.light_map = Some(LightMap::render(job, made, self.lanes, cancel, &|rows| done.add(rows))?);
+            self.light_map = Some(LightMap::render(job, made, self.lanes, done)?);
         } else {
-            done.add(light_map::rows(job));
+            done.add(light_map::rows(job))?;
         }
         let light_map = self.light_map.as_ref().map(|lights| &lights.map);
         let each = job.surfaces.iter().zip(made);
@@ -193,18 +195,23 @@ impl CpuRenderer {
 struct Done<'a> {
     rows: AtomicU32,
     all: u32,
-    progress: &'a (dyn Fn(f32) + Sync),
+    watch: &'a Watch<'a>,
 }
 
 impl<'a> Done<'a> {
-    fn of(job: &Job, progress: &'a (dyn Fn(f32) + Sync)) -> Self {
-        Self { rows: AtomicU32::new(0), all: job.height.saturating_add(light_map::rows(job)), progress }
+    fn of(job: &Job, watch: &'a Watch<'a>) -> Self {
+        Self { rows: AtomicU32::new(0), all: job.height.saturating_add(light_map::rows(job)), watch }
     }
 
     /// So many more rows are done, or need not be.
-    fn add(&self, rows: u32) {
+    fn add(&self, rows: u32) -> Result<(), Cancelled> {
         let rows = self.rows.fetch_add(rows, Ordering::Relaxed) + rows;
-        (self.progress)(rows as f32 / self.all as f32);
+        self.watch.at(rows as f32 / self.all as f32)
+    }
+
+    /// Asks whether to go on.
+    fn check(&self) -> Result<(), Cancelled> {
+        self.watch.check()
     }
 }
 
@@ -235,10 +242,10 @@ struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    /// Renders them into as many pixels, until `cancel` is set; `done` is told how many rows are done.
-    fn render(&self, pixels: &mut [PixelOut], cancel: &AtomicBool, done: &(dyn Fn(u32) + Sync)) {
+    /// Renders them into as many pixels.
+    fn render(&self, pixels: &mut [PixelOut], done: &Done) -> Result<(), Cancelled> {
         let look = |seen: &SeenBlock, put: &mut dyn FnMut(usize, PixelOut)| self.shade(seen, put);
-        self.tiled.each(pixels, self.first, cancel, done, look, |pixel, number, shown| {
+        self.tiled.each(pixels, self.first, done, look, |pixel, number, shown| {
             *pixel = match (self.surfaces.first(), self.samples) {
                 (Some(surface), samples) if samples.len() > 1 => {
                     // The colour of the samples before.
@@ -248,7 +255,7 @@ impl Rows<'_> {
                 }
                 _ => shown,
             };
-        });
+        })
     }
 
     /// What a block's points look like, surface by surface.

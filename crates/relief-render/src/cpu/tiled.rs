@@ -1,12 +1,11 @@
 //! Pictures a tile of pixels at a time: what is seen of polygons is looked up for all of a tile's rays
 //! together.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use rayon::prelude::*;
-use relief_core::Lanes;
+use relief_core::{Cancelled, Lanes};
 use relief_shaders::cpu::{BLOCK, Row};
 
+use super::Done;
 use super::block::{BLOCK_SIDE, places, places_where};
 use super::ready::Ready;
 use super::seen::{Cast, Seen, SeenOfSurface};
@@ -75,22 +74,21 @@ impl<'a> Tiled<'a> {
         Self { size, samples, surfaces: surfaces.collect(), lanes }
     }
 
-    /// Goes through whole rows of the picture, from the row `first` on, until `cancel` is set, a sample of
-    /// each pixel after the other. `look` makes something of what a block's points see, and hands it on point
-    /// by point; `show` puts it into a pixel. `done` is told how many rows are done.
-    pub fn each<P: Send, V>(
+    /// Goes through whole rows of the picture, from the row `first` on, a sample of each pixel after the
+    /// other. `look` makes something of what a block's points see, and hands it on point by point; `show`
+    /// puts it into a pixel; `done` counts rows.
+    pub(super) fn each<P: Send, V>(
         &self,
         pixels: &mut [P],
         first: u32,
-        cancel: &AtomicBool,
-        done: &(dyn Fn(u32) + Sync),
+        done: &Done,
         look: impl Fn(&SeenBlock, &mut dyn FnMut(usize, V)) + Sync,
         show: impl Fn(&mut P, usize, V) + Sync,
-    ) {
+    ) -> Result<(), Cancelled> {
         // A picture without columns has no rows to go through either.
         let width = self.size[0].max(1) as usize;
         let rows = rows_of_piece((pixels.len() / width) as u32);
-        pixels.par_chunks_mut(width * rows as usize).enumerate().for_each_init(
+        pixels.par_chunks_mut(width * rows as usize).enumerate().try_for_each_init(
             || self.scratch(),
             |scratch, (number, pixels)| {
                 let first = first + number as u32 * rows;
@@ -98,7 +96,7 @@ impl<'a> Tiled<'a> {
                 for column in (0..self.size[0]).step_by(MOST_COLUMNS as usize) {
                     let columns = MOST_COLUMNS.min(self.size[0] - column);
                     let area = Area { first: [column, first], size: [columns, rows] };
-                    self.area(area, scratch, cancel, |points, number, seen| {
+                    self.area(area, scratch, done, |points, number, seen| {
                         look(seen, &mut |place, value| {
                             if points.which >> place & 1 == 1 {
                                 let [x, y] = points.pixels[place];
@@ -106,13 +104,11 @@ impl<'a> Tiled<'a> {
                                 show(&mut pixels[pixel], number, value);
                             }
                         });
-                    });
+                    })?;
                 }
-                if !cancel.load(Ordering::Relaxed) {
-                    done(rows);
-                }
+                done.add(rows)
             },
-        );
+        )
     }
 
     fn scratch(&self) -> Scratch {
@@ -130,9 +126,9 @@ impl<'a> Tiled<'a> {
         &self,
         area: Area,
         scratch: &mut Scratch,
-        cancel: &AtomicBool,
+        done: &Done,
         mut show: impl FnMut(&Points, usize, &SeenBlock),
-    ) {
+    ) -> Result<(), Cancelled> {
         let Scratch { bins, hits, points, seen, shells } = scratch;
         let offsets = reach_of(self.samples);
         for ((_, caster), bins) in self.surfaces.iter().zip(&mut *bins) {
@@ -149,9 +145,7 @@ impl<'a> Tiled<'a> {
                 (column..across.min(column + side as u32), row..down.min(row + side as u32));
             let tiles = || rows.clone().flat_map(|row| columns.clone().map(move |column| [column, row]));
             for (number, sample) in self.samples.iter().enumerate() {
-                if cancel.load(Ordering::Relaxed) {
-                    return;
-                }
+                done.check()?;
                 points.clear();
                 points.extend(tiles().flat_map(|tile| BLOCKS.map(|at| Points::new(area, tile, at, sample))));
                 self.see_shells(points, seen, shells);
@@ -170,6 +164,7 @@ impl<'a> Tiled<'a> {
                 }
             }
         }
+        Ok(())
     }
 
     /// Tiles along a side of a region: one, where nothing looks into shells.

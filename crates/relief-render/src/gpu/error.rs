@@ -1,5 +1,6 @@
 //! What can go wrong on a GPU.
 
+use relief_core::Cancelled;
 use relief_shaders::shadow::of_light_views;
 
 use super::AdapterChoice;
@@ -115,6 +116,9 @@ pub enum GpuError {
     /// The driver or wgpu refused a command; a defect, of Relief or of the driver.
     #[error("the GPU refused a command: {0}")]
     Refused(String),
+    /// The rendering was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 fn no_adapter(wanted: AdapterChoice) -> &'static str {

@@ -4,9 +4,9 @@
 mod time;
 
 use std::borrow::Cow;
-use std::ops::ControlFlow;
 
 use rayon::prelude::*;
+use relief_core::{Cancelled, Watch};
 use relief_shaders::MapNeed;
 use relief_shaders::cpu::{PixelOut, Record, Shared};
 use relief_shaders::wgsl::{SHADE_GROUP, Sampling};
@@ -117,8 +117,8 @@ impl GpuRenderer {
         self.work
     }
 
-    /// Renders a job and reads it back. `progress` is told the part done, from 0 to 1, after every band of
-    /// rows. Waits for the GPU, which the web does not allow: see [`Self::render_async`].
+    /// Renders a job and reads it back. The watch hears of every band of rows. Waits for the GPU, which the
+    /// web does not allow: see [`Self::render_async`].
     ///
     /// The picture is the same whenever it is rendered on the same adapter. Against the CPU, exact sampling
     /// differs where the rasteriser gives a pixel on the edge of two triangles to the other one, and by
@@ -127,14 +127,14 @@ impl GpuRenderer {
     /// # Errors
     ///
     /// When the picture, a map or a mesh is larger than the adapter takes, when a map is malformed, when
-    /// memory runs out, or when the device is lost.
+    /// memory runs out, when the device is lost, or when the rendering is cancelled.
     pub fn render(
         &mut self,
         job: &Job,
         sampling: Sampling,
-        progress: &dyn Fn(f32),
+        watch: &Watch<'_>,
     ) -> Result<Rendering, GpuError> {
-        block_on(self.render_async(job, sampling, progress))
+        block_on(self.render_async(job, sampling, watch))
     }
 
     /// [`Self::render`] without waiting.
@@ -146,7 +146,7 @@ impl GpuRenderer {
         &mut self,
         job: &Job,
         sampling: Sampling,
-        progress: &dyn Fn(f32),
+        watch: &Watch<'_>,
     ) -> Result<Rendering, GpuError> {
         let (width, height) = (job.width, job.height);
         let mut pixels = Vec::new();
@@ -154,28 +154,28 @@ impl GpuRenderer {
         let mut sink = |band: &[PixelOut]| {
             // On all cores, since the first touch of so much memory takes its time.
             pixels.par_extend(band);
-            ControlFlow::Continue(())
+            Ok(())
         };
-        let _ = self.render_bands_async(job, sampling, true, progress, &mut sink).await?;
+        self.render_bands_async(job, sampling, true, watch, &mut sink).await?;
         Ok(Rendering { width, height, pixels })
     }
 
-    /// Renders a job in bands of whole rows, from the top, and hands over each when it is read back, until it
-    /// is told to stop. With `numbers` all numbers of a pixel are as in a [`Rendering`]; else they are those
-    /// of one of its samples, which takes less time. Waits for the GPU, which the web does not allow.
+    /// Renders a job in bands of whole rows, from the top, and hands over each when it is read back. With
+    /// `numbers` all numbers of a pixel are as in a [`Rendering`]; else they are those of one of its samples,
+    /// which takes less time. Waits for the GPU, which the web does not allow.
     ///
     /// # Errors
     ///
-    /// As [`Self::render`].
+    /// As [`Self::render`], and when the sink cancels the rendering.
     pub fn render_bands(
         &mut self,
         job: &Job,
         sampling: Sampling,
         numbers: bool,
-        progress: &dyn Fn(f32),
-        sink: &mut dyn FnMut(&[PixelOut]) -> ControlFlow<()>,
-    ) -> Result<ControlFlow<()>, GpuError> {
-        block_on(self.render_bands_async(job, sampling, numbers, progress, sink))
+        watch: &Watch<'_>,
+        sink: &mut dyn FnMut(&[PixelOut]) -> Result<(), Cancelled>,
+    ) -> Result<(), GpuError> {
+        block_on(self.render_bands_async(job, sampling, numbers, watch, sink))
     }
 
     /// [`Self::render_bands`] without waiting.
@@ -188,11 +188,11 @@ impl GpuRenderer {
         job: &Job,
         sampling: Sampling,
         numbers: bool,
-        progress: &dyn Fn(f32),
-        sink: &mut dyn FnMut(&[PixelOut]) -> ControlFlow<()>,
-    ) -> Result<ControlFlow<()>, GpuError> {
+        watch: &Watch<'_>,
+        sink: &mut dyn FnMut(&[PixelOut]) -> Result<(), Cancelled>,
+    ) -> Result<(), GpuError> {
         if job.width == 0 || job.height == 0 {
-            return Ok(ControlFlow::Continue(()));
+            return Ok(());
         }
         let before = self.work_so_far();
         let ready = self.prepare(job, sampling, samples(job.samples, numbers), None).await?;
@@ -200,13 +200,11 @@ impl GpuRenderer {
         for number in 0..self.targets()?.bands.len() {
             pixels.clear();
             let band = self.read_band(&ready, number, &mut pixels).await?;
-            progress((band.first_row + band.rows) as f32 / job.height as f32);
-            if sink(&pixels).is_break() {
-                return Ok(ControlFlow::Break(()));
-            }
+            watch.at((band.first_row + band.rows) as f32 / job.height as f32)?;
+            sink(&pixels)?;
         }
         self.work = self.work_since(before);
-        Ok(ControlFlow::Continue(()))
+        Ok(())
     }
 
     /// Draws a job into a picture that stays on the GPU, of linear colours in 16-bit floats, over the frame's

@@ -1,10 +1,9 @@
 //! What does not go well, what is kept from frame to frame, and the least limits, on a software adapter.
 
-use std::cell::RefCell;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use glam::{DVec3, Vec3};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_io::Picture;
 use relief_maps::Maps;
 use relief_shaders::cpu::{Corner, Frame, PixelIn, Shell, SurfaceSettings};
@@ -102,7 +101,7 @@ fn a_lost_device_is_an_error_from_then_on() {
     gpu.device().destroy();
     let job = job(surface.clone());
     for _ in 0..2 {
-        let rendered = renderer.render(&job, Sampling::Exact, &|_| ()).map(|_| ());
+        let rendered = renderer.render(&job, Sampling::Exact, &Watch::none()).map(|_| ());
         assert!(matches!(rendered, Err(GpuError::Lost(_))), "{rendered:?}");
         let drawn = block_on(renderer.draw(&job, Sampling::Exact)).map(|_| ());
         assert!(matches!(drawn, Err(GpuError::Lost(_))), "{drawn:?}");
@@ -117,7 +116,7 @@ fn what_does_not_fit_is_refused_by_name() {
     let map = level_map();
     let limit = gpu.device().limits().max_texture_dimension_2d;
     let mut renderer = GpuRenderer::new(gpu);
-    let mut render = |job: &Job| renderer.render(job, Sampling::Exact, &|_| ()).map(|_| ());
+    let mut render = |job: &Job| renderer.render(job, Sampling::Exact, &Watch::none()).map(|_| ());
     let wide = Job { width: limit + 1, ..job(surface(&map)) };
     let what = "picture";
     assert_eq!(render(&wide), Err(GpuError::TooLarge { what, width: limit + 1, height: 8, limit }));
@@ -161,16 +160,17 @@ fn nothing_to_draw_gives_an_empty_picture() {
     let map = level_map();
     let mut renderer = GpuRenderer::new(gpu.clone());
     for job in [job(surface(&map)), Job { surfaces: Vec::new(), ..job(surface(&map)) }] {
-        let told = RefCell::new(Vec::new());
-        let picture = renderer.render(&job, Sampling::Exact, &|part| told.borrow_mut().push(part));
+        let told = Mutex::new(Vec::new());
+        let tell = |_: &str, part: f32| told.lock().expect("a list").push(part);
+        let picture = renderer.render(&job, Sampling::Exact, &Watch::telling(&tell));
         let picture = picture.expect("a picture");
         assert_eq!(picture.pixels.len(), 16 * 8);
         assert!(picture.pixels.iter().all(|pixel| pixel.hit == 0 && pixel.color.w == 0.0));
-        assert_eq!(told.into_inner().last(), Some(&1.0));
+        assert_eq!(told.into_inner().expect("a list").last(), Some(&1.0));
     }
     for (width, height) in [(0, 8), (16, 0), (0, 0)] {
         let nothing = Job { width, height, ..job(surface(&map)) };
-        let picture = renderer.render(&nothing, Sampling::Exact, &|_| ()).expect("a picture");
+        let picture = renderer.render(&nothing, Sampling::Exact, &Watch::none()).expect("a picture");
         assert!(picture.pixels.is_empty() && [picture.width, picture.height] == [width, height]);
         let drawn = block_on(renderer.draw(&nothing, Sampling::Exact)).map(|_| ());
         assert_eq!(drawn, Err(GpuError::EmptyPicture));
@@ -182,9 +182,10 @@ fn nothing_to_draw_gives_an_empty_picture() {
 fn progress_grows_to_one_over_several_bands() {
     let Some(gpu) = software() else { return };
     let tall = Job { width: 700, height: 1000, ..job(surface(&level_map())) };
-    let told = RefCell::new(Vec::new());
-    let picture = GpuRenderer::new(gpu).render(&tall, Sampling::Exact, &|part| told.borrow_mut().push(part));
-    let told = told.into_inner();
+    let told = Mutex::new(Vec::new());
+    let tell = |_: &str, part: f32| told.lock().expect("a list").push(part);
+    let picture = GpuRenderer::new(gpu).render(&tall, Sampling::Exact, &Watch::telling(&tell));
+    let told = told.into_inner().expect("a list");
     assert_eq!(picture.expect("a picture").pixels.len(), 700 * 1000);
     assert!(told.len() > 1 && told.is_sorted() && told.last() == Some(&1.0), "{told:?}");
 }
@@ -234,7 +235,7 @@ pub(super) fn scene(surfaces: Vec<Surface>) -> Scene {
 }
 
 pub(super) fn rendered(renderer: &mut Renderer, scene: &Scene, maps: &mut Maps) -> Rendering {
-    renderer.render(scene, maps, &|_, _| ()).expect("a picture").rendering
+    renderer.render(scene, maps, &Watch::none()).expect("a picture").rendering
 }
 
 /// The pictures of the surfaces apart, merged by depth; the first of equally near ones counts.
@@ -368,9 +369,9 @@ fn a_picture_that_stays_on_the_gpu_has_the_colours_that_are_read_back() {
     for background in [Background::Color(Vec3::new(0.1, 0.2, 0.3)), gradient, Background::Environment] {
         let scene = base.clone().background(background).build().expect("a proper scene");
         let (mut maps, mut preparer) = (Maps::in_memory(), crate::prepare::Preparer::default());
-        preparer.provide(&scene, &mut maps, &|_| false, &relief_maps::Watch::none()).expect("a bake");
-        let job = preparer.job(&scene, relief_maps::Watch::none().cancel).expect("a job");
-        let rendered = renderer.render(&job, Sampling::Exact, &|_| ()).expect("a picture");
+        preparer.provide(&scene, &mut maps, &|_| false, &Watch::none()).expect("a bake");
+        let job = preparer.job(&scene, &Watch::none()).expect("a job");
+        let rendered = renderer.render(&job, Sampling::Exact, &Watch::none()).expect("a picture");
         let expected = linear(&rendered, &scene);
         let picture = block_on(renderer.draw(&job, Sampling::Exact)).expect("a picture").clone();
         for (place, (given, wanted)) in texels(&gpu, &picture).iter().zip(expected).enumerate() {
@@ -410,7 +411,7 @@ fn texels(gpu: &Gpu, picture: &wgpu::Texture) -> Vec<[f32; 4]> {
 #[test]
 fn a_callers_error_handlers_are_his_own() {
     let Some(gpu) = own(Limits::downlevel_defaults()) else { return };
-    let told = Arc::new(std::sync::Mutex::new(0));
+    let told = Arc::new(Mutex::new(0));
     let noted = Arc::clone(&told);
     gpu.device().on_uncaptured_error(Arc::new(move |_| *noted.lock().expect("no panic") += 1));
     // Errors of what is done here are results; the caller's handler is told of nothing.
@@ -420,12 +421,12 @@ fn a_callers_error_handlers_are_his_own() {
     assert!(matches!(refused, Err(GpuError::Refused(_))), "{refused:?}");
     let mut renderer = GpuRenderer::new(gpu.clone());
     let wide = Job { width: limit + 1, ..job(surface(&level_map())) };
-    assert!(renderer.render(&wide, Sampling::Exact, &|_| ()).is_err());
+    assert!(renderer.render(&wide, Sampling::Exact, &Watch::none()).is_err());
     assert_eq!(*told.lock().expect("no panic"), 0);
     // What the caller does himself is.
     gpu.buffer("too large", too_large, BufferUsages::STORAGE);
     assert_eq!(*told.lock().expect("no panic"), 1);
-    assert!(renderer.render(&job(surface(&level_map())), Sampling::Exact, &|_| ()).is_ok());
+    assert!(renderer.render(&job(surface(&level_map())), Sampling::Exact, &Watch::none()).is_ok());
 }
 
 #[test]
@@ -435,15 +436,15 @@ fn the_cpu_keeps_its_hierarchies_as_long_as_they_are_needed() {
     let scene = scene(exact.collect());
     let mut renderer = CpuRenderer::new();
     let mut jobs = || {
-        preparer.provide(&scene, &mut maps, &|_| false, &relief_maps::Watch::none()).expect("a bake");
-        preparer.job(&scene, relief_maps::Watch::none().cancel).expect("a job")
+        preparer.provide(&scene, &mut maps, &|_| false, &Watch::none()).expect("a bake");
+        preparer.job(&scene, &Watch::none()).expect("a job")
     };
-    let first = renderer.render(&jobs(), &|_| ());
+    let first = renderer.render(&jobs(), &Watch::none());
     let kept = format!("{:?}", renderer.kept());
-    assert_eq!(renderer.render(&jobs(), &|_| ()), first);
+    assert_eq!(renderer.render(&jobs(), &Watch::none()), first);
     assert_eq!(format!("{:?}", renderer.kept()), kept);
     // Two surfaces share a height map, and so its hierarchy.
     assert_eq!(renderer.kept().map(|list| list.len()), [3, 2]);
-    renderer.render(&Job { surfaces: Vec::new(), ..jobs() }, &|_| ());
+    renderer.render(&Job { surfaces: Vec::new(), ..jobs() }, &Watch::none()).expect("a picture");
     assert_eq!(renderer.kept().map(|list| list.len()), [0, 0]);
 }

@@ -1,12 +1,11 @@
 //! Small frames beside the same frames with shadow maps of the full size.
 
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use glam::{DVec3, Vec2, Vec3};
 use relief_core::mesh::{Builtin, Mesh, Placement, sphere};
-use relief_core::{HeightMap, Wrap};
-use relief_maps::{Maps, Watch};
+use relief_core::{HeightMap, Watch, Wrap};
+use relief_maps::Maps;
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 
@@ -134,7 +133,7 @@ impl Case {
                 LightViews::of_side(side, scene.lights(), scene.camera(), size, &mut job.surfaces);
             job.light_views.tell(&mut job.frame);
         }
-        state.renderer.render(&job, &|_| {}).expect("memory").pixels
+        state.renderer.render(&job, &Watch::none()).expect("memory").pixels
     }
 }
 
@@ -149,7 +148,7 @@ impl State {
     fn job(&mut self, scene: &Scene) -> Job {
         let mut maps = Maps::in_memory();
         self.preparer.provide(scene, &mut maps, &|_| false, &Watch::none()).expect("maps");
-        self.preparer.job(scene, &AtomicBool::new(false)).expect("a job")
+        self.preparer.job(scene, &Watch::none()).expect("a job")
     }
 }
 

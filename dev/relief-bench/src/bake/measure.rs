@@ -5,8 +5,8 @@ use std::time::Instant;
 
 use cpu_time::ProcessTime;
 use rayon::ThreadPool;
-use relief_bake::{Kind, Progress, Settings, Sink, SinkError, Texture, bake};
-use relief_core::{HeightMap, Metric};
+use relief_bake::{Kind, Settings, Sink, SinkError, Texture, bake};
+use relief_core::{HeightMap, Metric, Watch};
 
 use crate::memory;
 
@@ -89,7 +89,7 @@ pub fn measure(
         let mut sink = Nowhere::default();
         memory::reset();
         let (started, cpu) = (Instant::now(), ProcessTime::now());
-        pool.install(|| bake(kind, map, metric, settings, &Progress::none(), &mut sink))
+        pool.install(|| bake(kind, map, metric, settings, &Watch::none(), &mut sink))
             .map_err(|error| error.to_string())?;
         let seconds = started.elapsed().as_secs_f64();
         cpu_times.push(cpu.elapsed().as_secs_f64());

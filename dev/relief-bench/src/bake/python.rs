@@ -9,8 +9,8 @@ use std::time::Instant;
 use comfy_table::Table;
 use cpu_time::ProcessTime;
 use rayon::ThreadPool;
-use relief_bake::{Collected, Progress, bake};
-use relief_core::{HeightMap, Metric, Wrap};
+use relief_bake::{Collected, bake};
+use relief_core::{HeightMap, Metric, Watch, Wrap};
 use serde_json::Value;
 use tempfile::TempDir;
 
@@ -126,7 +126,7 @@ fn time(
     for _ in 0..RUNS {
         baked = Collected::default();
         let (started, cpu) = (Instant::now(), ProcessTime::now());
-        pool.install(|| bake(kind, map, metric, &kind.defaults(), &Progress::none(), &mut baked))
+        pool.install(|| bake(kind, map, metric, &kind.defaults(), &Watch::none(), &mut baked))
             .map_err(|error| error.to_string())?;
         times.push(Times { cpu_s: cpu.elapsed().as_secs_f64(), wall_s: started.elapsed().as_secs_f64() });
     }

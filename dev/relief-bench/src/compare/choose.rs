@@ -1,7 +1,8 @@
 //! Whether a method that is chosen keeps its budget or its error in another run, and whether another one does
 //! better there.
 
-use relief_compare::{Candidate, Contender, Goal, Records, Timing, Watch, choose, with_other_steps};
+use relief_compare::{Candidate, Contender, Goal, Records, Timing, choose, with_other_steps};
+use relief_core::Watch;
 use relief_render::scene::Sampling;
 
 use super::maps::maps;

@@ -12,8 +12,8 @@ mod sizes;
 mod times;
 
 use clap::{Args, ValueEnum};
-use relief_compare::{Comparison, Contender, Machine, Records, Timing, Watch};
-use relief_core::HeightMap;
+use relief_compare::{Comparison, Contender, Machine, Records, Timing};
+use relief_core::{HeightMap, Watch};
 use relief_render::mesh::square;
 use relief_render::scene::{Sampling, Scene, Surface};
 use relief_shaders::{SHADOW, STAGES, Selection};

@@ -1,7 +1,7 @@
 //! Two polygons with maps beside triangles at every texel, in time and bytes: Oh, Ki and Lee 2006, Figure 20.
 
 use relief_compare::{Contender, Timing};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::gpu::{AdapterChoice, Gpu};
@@ -86,6 +86,6 @@ fn uploaded(scene: &Scene, contender: &Contender) -> Result<u64, String> {
     let surface = surface.clone().with_selection(selection);
     let scene = scene.to_builder().surfaces(vec![surface]).build().map_err(|error| error.to_string())?;
     let mut renderer = Renderer::on_gpu(gpu, Sampling::Exact);
-    let rendered = renderer.render(&scene, &mut Maps::in_memory(), &|_, _| {});
+    let rendered = renderer.render(&scene, &mut Maps::in_memory(), &Watch::none());
     rendered.map(|_| renderer.last_work().uploaded).map_err(|error| error.to_string())
 }

@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use cpu_time::ProcessTime;
 use rayon::ThreadPool;
-use relief_core::HeightMap;
 use relief_core::exact::{DisplacedMesh, Sides};
+use relief_core::{HeightMap, Watch};
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::camera::{Camera, Ray};
@@ -97,7 +97,7 @@ impl Kit {
         let scene = self.scene.to_builder().camera(camera).size(size[0], size[1]).build();
         let scene = scene.map_err(|error| error.to_string())?;
         let start = ProcessTime::now();
-        let rendered = self.renderer.render(&scene, &mut self.maps, &|_, _| {});
+        let rendered = self.renderer.render(&scene, &mut self.maps, &Watch::none());
         let seconds = start.elapsed().as_secs_f64();
         let pixels = rendered.map_err(|error| error.to_string())?.rendering.pixels;
         let depths = pixels.iter().map(|pixel| (pixel.hit == 1).then_some(f64::from(pixel.depth)));

@@ -168,7 +168,7 @@ impl Subject<'_> {
 
     fn rendered(&self, keys: &str, from: DVec3) -> Result<Rendering, String> {
         let scene = self.scene(keys, from, BackendChoice::Cpu)?;
-        let rendered = render(&scene, &mut Maps::in_memory(), &|_, _| {});
+        let rendered = render(&scene, &mut Maps::in_memory(), &Watch::none());
         Ok(rendered.map_err(|error| error.to_string())?.rendering)
     }
 

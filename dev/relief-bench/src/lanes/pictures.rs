@@ -4,7 +4,7 @@
 use std::time::Instant;
 
 use relief_core::mesh::{rectangle, torus};
-use relief_core::{Lanes, Wrap};
+use relief_core::{Lanes, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::scene::{BackendChoice, Sampling, Scene, Surface};
@@ -51,7 +51,7 @@ impl<'a> Timed<'a> {
     /// Makes a picture, and says what it was made on.
     fn make(&mut self, scene: &Scene, counts: bool) -> Result<String, String> {
         let start = Instant::now();
-        let mut render = || self.renderer.render(scene, &mut self.maps, &|_, _| ());
+        let mut render = || self.renderer.render(scene, &mut self.maps, &Watch::none());
         let made = match self.pool {
             Some(pool) => pool.install(render),
             None => render(),

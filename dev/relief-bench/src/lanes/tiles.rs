@@ -4,11 +4,11 @@ use std::hint::black_box;
 use std::sync::Arc;
 
 use glam::Vec3;
-use relief_core::Lanes;
 use relief_core::camera::Camera;
 use relief_core::mesh::{Mesh, rectangle, sphere, torus};
 use relief_core::raycast::tiles::{Area, Bins, PictureRays, TILE, TILE_POINTS, TileCaster, TileHits};
 use relief_core::raycast::{RayCaster, Sides};
+use relief_core::{Lanes, Watch};
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::scene::{Scene, Surface};
@@ -151,9 +151,8 @@ fn frames(rounds: u16, missed: &mut Vec<String>) -> Result<(), String> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(|error| error.to_string())?;
     for (name, mesh) in meshes()? {
         let scene = bump(Arc::new(mesh))?;
-        let quiet = &|_, _| ();
         let render = |renderer: &mut Renderer| {
-            let made = pool.install(|| renderer.render(&scene, &mut Maps::in_memory(), quiet));
+            let made = pool.install(|| renderer.render(&scene, &mut Maps::in_memory(), &Watch::none()));
             made.map(|made| made.rendering.pixels).map_err(|error| error.to_string())
         };
         let mut one = Renderer::on_cpu();

@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use comfy_table::Table;
 use glam::DQuat;
+use relief_core::Watch;
 use relief_core::camera::{Camera, Projection};
 use relief_maps::Maps;
 use relief_render::Renderer;
@@ -50,7 +51,8 @@ fn row(
     let mut maps = Maps::in_memory();
     let mut taken = |scene: &Scene, renderer: &mut Renderer| {
         let started = Instant::now();
-        let rendered = renderer.render(scene, &mut maps, &|_, _| ()).map_err(|error| error.to_string())?;
+        let rendered =
+            renderer.render(scene, &mut maps, &Watch::none()).map_err(|error| error.to_string())?;
         Ok::<_, String>((1e3 * started.elapsed().as_secs_f64(), rendered.made.device))
     };
     let (_, device) = taken(&scene, renderer)?;

@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 
 use glam::DVec3;
-use relief_bake::{Filter, Progress, filter_level};
-use relief_core::HeightMap;
+use relief_bake::{Filter, filter_level};
 use relief_core::camera::Camera;
+use relief_core::{HeightMap, Watch};
 use relief_mesh::{GridSpace, View};
 
 use crate::surfaces::bases::cobbles;
@@ -158,7 +158,7 @@ fn simplified() -> Result<Plot<'static>, String> {
     };
     let mut lines = vec![("texels".to_owned(), of(&map))];
     for filter in [Filter::Average, Filter::Variational, Filter::Max] {
-        let level = filter_level(&map, 3, filter, &Progress::none()).map_err(|error| error.to_string())?;
+        let level = filter_level(&map, 3, filter, &Watch::none()).map_err(|error| error.to_string())?;
         lines.push((filter.name().to_owned(), of(&level)));
     }
     Ok(Plot { title: "16: every eighth texel", range: [[0.0, 96.0], [0.0, 1.2]], lines })

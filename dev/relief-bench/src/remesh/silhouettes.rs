@@ -3,7 +3,7 @@
 use comfy_table::Table;
 use glam::{DVec3, Vec2};
 use rayon::prelude::*;
-use relief_bake::{Filter, Progress, filter_levels};
+use relief_bake::{Filter, filter_levels};
 use relief_core::camera::Camera;
 use relief_core::mesh::{Mesh, square};
 use relief_core::{HeightMap, Watch};
@@ -32,7 +32,7 @@ pub fn table(width: u32) -> Result<Table, String> {
     let map = cobbles()?.with_displacement(0.03, 0.0).map_err(|error| error.to_string())?;
     let mut made: Vec<(Filter, Vec<HeightMap>)> = Vec::new();
     for filter in FILTERS.into_iter().flatten() {
-        let levels = filter_levels(&map, filter, &Progress::none()).map_err(|error| error.to_string())?;
+        let levels = filter_levels(&map, filter, &Watch::none()).map_err(|error| error.to_string())?;
         made.push((filter, levels[1..].to_vec()));
     }
     let levels = |filter: Option<Filter>| -> Result<&[HeightMap], String> {

@@ -4,9 +4,9 @@
 use std::sync::Arc;
 
 use glam::{DVec3, Vec2};
-use relief_core::HeightMap;
 use relief_core::camera::Camera;
 use relief_core::mesh::{Mesh, torus};
+use relief_core::{HeightMap, Watch};
 use relief_maps::Maps;
 use relief_mesh::SliceSettings;
 use relief_render::render;
@@ -68,7 +68,7 @@ impl Shot {
 
     fn pixels(&self, selection: Selection) -> Result<Vec<PixelOut>, String> {
         let scene = self.scene(selection, BackendChoice::Cpu)?;
-        let rendered = render(&scene, &mut Maps::in_memory(), &|_, _| {});
+        let rendered = render(&scene, &mut Maps::in_memory(), &Watch::none());
         Ok(rendered.map_err(|error| error.to_string())?.rendering.pixels)
     }
 

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use glam::DVec3;
 use rayon::prelude::*;
 use relief_core::exact::{DisplacedMesh, Side, Sides};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::camera::Camera;
@@ -174,7 +174,7 @@ impl Picture {
     ///
     /// When no picture can be made.
     pub fn rendered_on(scene: &Scene, renderer: &mut Renderer) -> (Self, String) {
-        let rendered = renderer.render(scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture");
+        let rendered = renderer.render(scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture");
         let met = rendered.rendering.pixels.iter().map(|pixel| {
             let uv = [pixel.uv.x, pixel.uv.y].map(f64::from);
             (pixel.hit == 1).then(|| Met { depth_m: pixel.depth.into(), uv, counts: true })

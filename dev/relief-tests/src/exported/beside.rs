@@ -1,5 +1,6 @@
 //! Pictures by exports beside those of the renderer.
 
+use relief_core::Watch;
 use relief_export::{Exported, Options, Placement, Profile, export};
 use relief_render::gpu::GpuRenderer;
 use relief_render::job::Job;
@@ -41,7 +42,7 @@ pub fn exported(selection: &Selection, placement: Option<Placement>) -> Exported
 /// When it makes no picture.
 pub fn rendered(device: &Device, job: &Job) -> Vec<[f32; 4]> {
     let mut renderer = GpuRenderer::new(device.gpu());
-    let rendering = renderer.render(job, Sampling::Exact, &|_| ()).expect("a picture");
+    let rendering = renderer.render(job, Sampling::Exact, &Watch::none()).expect("a picture");
     rendering.pixels.iter().map(|pixel| pixel.color).map(|of| [of.x, of.y, of.z, of.w]).collect()
 }
 

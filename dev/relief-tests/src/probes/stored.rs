@@ -1,9 +1,9 @@
 //! Baked maps as a reader decodes them.
 
 use relief_bake::kind::frustum::FrustumMap;
-use relief_bake::{BakeError, Collected, CollectedTexture, Kind, Progress, bake, quantise};
+use relief_bake::{BakeError, Collected, CollectedTexture, Kind, bake, quantise};
 use relief_core::encoding;
-use relief_core::{HeightMap, Metric};
+use relief_core::{HeightMap, Metric, Watch};
 
 use relief_testing::probes::frustum::Frustum;
 
@@ -27,7 +27,7 @@ pub fn textures(
         settings.set(name, *value).expect("a setting of the kind");
     }
     let mut sink = Collected::default();
-    bake(kind, map, metric, &settings, &Progress::none(), &mut sink)?;
+    bake(kind, map, metric, &settings, &Watch::none(), &mut sink)?;
     Ok(sink.textures)
 }
 

@@ -1,13 +1,11 @@
 //! Pictures are the same, to the last bit, however many values the CPU works on at once.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use glam::{Vec2, Vec3};
 use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{Mesh, cube, rectangle, sphere, torus};
-use relief_core::{HeightMap, Lanes, Wrap};
+use relief_core::{HeightMap, Lanes, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::light::Light;
@@ -89,17 +87,16 @@ fn scenes() -> Vec<(String, Scene)> {
 }
 
 fn rendered(scene: &Scene, renderer: &mut Renderer) -> Vec<PixelOut> {
-    renderer.render(scene, &mut Maps::in_memory(), &|_, _| ()).expect("a picture").rendering.pixels
+    renderer.render(scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
 }
 
 fn in_bands(scene: &Scene, renderer: &mut Renderer) -> Vec<PixelOut> {
     let mut pixels = Vec::new();
     let mut sink = |band: &[PixelOut]| {
         pixels.extend_from_slice(band);
-        ControlFlow::Continue(())
+        Ok(())
     };
-    let (mut maps, go_on) = (Maps::in_memory(), AtomicBool::new(false));
-    let made = renderer.render_bands(scene, &mut maps, true, &|_, _| (), &go_on, &mut sink);
+    let made = renderer.render_bands(scene, &mut Maps::in_memory(), true, &Watch::none(), &mut sink);
     made.expect("a picture");
     pixels
 }

@@ -1,9 +1,9 @@
 //! Exported shaders, bound by nothing but their manifests, beside the project's own renderer: the same bits.
 
-use relief_core::Wrap;
 use relief_core::object::{ImageObject, JumpCells};
+use relief_core::{Watch, Wrap};
 use relief_export::{Exported, Placement};
-use relief_maps::{Maps, Watch};
+use relief_maps::Maps;
 use relief_render::job::Job;
 use relief_render::scene::BackendChoice;
 use relief_shaders::Selection;

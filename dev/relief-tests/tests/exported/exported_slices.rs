@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use relief_core::Watch;
 use relief_core::camera::Camera;
 use relief_core::mesh::torus;
 use relief_core::object::{ImageObject, JumpCells};
-use relief_maps::{Maps, Watch};
+use relief_maps::Maps;
 use relief_render::job::Job;
 use relief_render::scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;

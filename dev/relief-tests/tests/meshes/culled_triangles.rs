@@ -7,7 +7,7 @@ use glam::{DVec3, Vec2, Vec3};
 use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{Builtin, Mesh, cube, cylinder, sphere, torus};
 use relief_core::raycast::{RayCaster, Sides};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_maps::Maps;
 use relief_mesh::{Cull, MeshSettings, Mesher, Outside, View};
 use relief_render::Renderer;
@@ -70,7 +70,7 @@ fn remesh(stages: &[(&str, &str)], settings: &[(&str, f64)]) -> Selection {
 }
 
 fn rendered(scene: &Scene, renderer: &mut Renderer) -> Vec<PixelOut> {
-    renderer.render(scene, &mut Maps::in_memory(), &|_, _| ()).expect("a picture").rendering.pixels
+    renderer.render(scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
 }
 
 /// Some lights, far away and near.

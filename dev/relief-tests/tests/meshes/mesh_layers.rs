@@ -2,14 +2,13 @@
 //! at.
 
 use glam::{Vec2, Vec3};
-use relief_bake::Progress;
 use relief_bake::from_meshes::{FromMeshesError, Layer, MeshPair, PairedHeights, heights_from_meshes};
-use relief_core::Wrap;
 use relief_core::mesh::{BasePoint, Mesh, Vertex, cube};
 use relief_core::raycast::RayCaster;
+use relief_core::{Watch, Wrap};
 
 fn found(low: &Mesh, high: &RayCaster, pair: &MeshPair) -> PairedHeights {
-    heights_from_meshes(low, high, pair, &Progress::none()).expect("heights")
+    heights_from_meshes(low, high, pair, &Watch::none()).expect("heights")
 }
 
 /// Flat triangles at a height over the plane, with texture coordinates and straight normals.
@@ -118,7 +117,7 @@ fn of_several_layers_the_right_one_is_taken() {
     is(height(&together(&[at(0.05, true), at(-0.06, true)]), &pair), 0.05);
     // Only backs.
     let look =
-        |pair: &MeshPair| heights_from_meshes(&low, &together(&[at(0.02, false)]), pair, &Progress::none());
+        |pair: &MeshPair| heights_from_meshes(&low, &together(&[at(0.02, false)]), pair, &Watch::none());
     let error = look(&pair).expect_err("a back");
     assert!(matches!(error, FromMeshesError::NothingFound { texels: 64, behind: 64, .. }), "{error:?}");
     assert!(look(&MeshPair { two_sided: true, ..pair }).is_ok());
@@ -162,7 +161,7 @@ fn triangles_without_an_area_are_no_trouble() {
     let mut vertices = low.vertices().to_vec();
     vertices.iter_mut().for_each(|vertex| vertex.normal = Vec3::ZERO);
     let without = Mesh::new(vertices, triangles.to_vec()).expect("a mesh");
-    let error = heights_from_meshes(&without, &high, &MeshPair::new([9, 9]), &Progress::none());
+    let error = heights_from_meshes(&without, &high, &MeshPair::new([9, 9]), &Watch::none());
     assert!(matches!(error, Err(FromMeshesError::NothingFound { .. })), "{error:?}");
 }
 

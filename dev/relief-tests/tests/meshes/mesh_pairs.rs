@@ -4,13 +4,12 @@
 use std::f64::consts::TAU;
 
 use glam::{DVec2, Vec2, Vec3};
-use relief_bake::Progress;
 use relief_bake::from_meshes::{
     FromMeshesError, Layer, MeshPair, PairedHeights, heights_from_meshes, normals_from_meshes,
 };
 use relief_core::mesh::{BasePoint, Mesh, Placement, Vertex, cylinder, sphere, square, torus};
 use relief_core::raycast::RayCaster;
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_mesh::{MeshSettings, Mesher, Seams};
 use relief_testing::mesh_distance::{apart, corners_of};
 
@@ -39,7 +38,7 @@ fn displaced(base: &Mesh, known: Known, size: [u32; 2]) -> RayCaster {
 }
 
 fn found(low: &Mesh, high: &RayCaster, pair: &MeshPair) -> PairedHeights {
-    heights_from_meshes(low, high, pair, &Progress::none()).expect("heights")
+    heights_from_meshes(low, high, pair, &Watch::none()).expect("heights")
 }
 
 /// How far the heights of a map are from known ones at the most, in metres, where its texels have their
@@ -223,7 +222,7 @@ fn normals_are_those_of_the_detailed_mesh_in_the_frame_of_the_simple_one() {
     for (low, size) in [(low.clone(), size), (laid(&low, |uv| uv + Vec2::new(1.25, 0.0)), size)] {
         let caster = RayCaster::new(&high);
         let pair = MeshPair::new(size);
-        let planes = normals_from_meshes(&low, &high, &caster, &pair, &Progress::none()).expect("normals");
+        let planes = normals_from_meshes(&low, &high, &caster, &pair, &Watch::none()).expect("normals");
         let heights = found(&low, &caster, &pair);
         let mut met = 0;
         for ((x, y), z) in planes[0].iter().zip(&planes[1]).zip(&planes[2]) {
@@ -250,7 +249,7 @@ fn normals_are_those_of_the_detailed_mesh_in_the_frame_of_the_simple_one() {
     }
     let own = RayCaster::new(&low);
     let pair = MeshPair::new(size);
-    let planes = normals_from_meshes(&low, &low, &own, &pair, &Progress::none()).expect("normals");
+    let planes = normals_from_meshes(&low, &low, &own, &pair, &Watch::none()).expect("normals");
     let covered = centres(&low, size);
     assert!(covered.iter().all(|(_, at)| planes[2][*at] > 1.0 - 1e-6));
 }
@@ -327,9 +326,9 @@ fn charts_may_lie_in_other_tiles_and_be_mirrored() {
         assert!(tiled.overlaps > 64 * 32 * 3 / 4, "{wrap}: {}", tiled.overlaps);
     }
     let clamped = MeshPair { wrap: Wrap::Clamp, ..pair };
-    let error = heights_from_meshes(&laid(&low, |uv| 2.0 * uv), &high, &clamped, &Progress::none());
+    let error = heights_from_meshes(&laid(&low, |uv| 2.0 * uv), &high, &clamped, &Watch::none());
     assert!(matches!(error, Err(FromMeshesError::Outside { .. })), "{error:?}");
-    let error = heights_from_meshes(&laid(&low, |uv| 1e4 * uv), &high, &pair, &Progress::none());
+    let error = heights_from_meshes(&laid(&low, |uv| 1e4 * uv), &high, &pair, &Watch::none());
     assert!(matches!(error, Err(FromMeshesError::Tiled { triangle: 0, .. })), "{error:?}");
 }
 
@@ -339,7 +338,7 @@ fn what_cannot_be_found_is_an_error() {
     let high = RayCaster::new(&low);
     let pair = MeshPair::new([8, 8]);
     let error = |low: &Mesh, high: &RayCaster, pair: &MeshPair| {
-        heights_from_meshes(low, high, pair, &Progress::none()).expect_err("no heights")
+        heights_from_meshes(low, high, pair, &Watch::none()).expect_err("no heights")
     };
     let empty = Mesh::new(Vec::new(), Vec::new()).expect("an empty mesh");
     assert_eq!(error(&empty, &high, &pair), FromMeshesError::NothingToLieOn);
@@ -359,7 +358,7 @@ fn what_cannot_be_found_is_an_error() {
     let point = laid(&low, |_| Vec2::ZERO);
     assert_eq!(error(&point, &high, &pair), FromMeshesError::NoTexel);
     let cancel = std::sync::atomic::AtomicBool::new(true);
-    let progress = Progress::new(&|_| {}, &cancel);
-    let cancelled = heights_from_meshes(&low, &high, &pair, &progress);
+    let watch = Watch::cancelled_by(&cancel);
+    let cancelled = heights_from_meshes(&low, &high, &pair, &watch);
     assert!(matches!(cancelled, Err(FromMeshesError::Cancelled(_))));
 }

@@ -2,7 +2,7 @@
 //! were asked to be, and on the base.
 
 use glam::{DVec2, DVec3, Vec2, Vec3};
-use relief_bake::{Filter, Progress, filter_levels};
+use relief_bake::{Filter, filter_levels};
 use relief_core::camera::{Camera, Projection};
 use relief_core::mesh::{BasePoint, Builtin, Mesh, Vertex, cube, cylinder, sphere, torus};
 use relief_core::{HeightMap, Watch, Wrap};
@@ -49,7 +49,7 @@ fn seen(camera: Camera, side: u32, pixels: f64) -> View {
 
 /// The coarser levels of a map.
 fn coarser(map: &HeightMap, filter: Filter) -> Vec<HeightMap> {
-    filter_levels(map, filter, &Progress::none()).expect("levels").split_off(1)
+    filter_levels(map, filter, &Watch::none()).expect("levels").split_off(1)
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The edges of base meshes over pictures: where they are, how strong, and over both backends' pictures.
 
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::camera::{Camera, Projection};
 use relief_render::glam::DVec3;
@@ -31,7 +31,7 @@ fn level() -> HeightMap {
 }
 
 fn pixels(renderer: &mut Renderer, scene: &Scene) -> Vec<PixelOut> {
-    renderer.render(scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+    renderer.render(scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
 }
 
 /// A white picture with the lines over it.

@@ -1,12 +1,14 @@
 //! Comparisons: what is wrong moves the figures, what is not does not, and page, records and values hold the
 //! same numbers.
 
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
 use relief_compare::columns::{COLUMNS, Cell, Row};
 use relief_compare::{
-    Case, Compared, Comparison, Contender, ErrorRecord, Machine, PictureRecord, Records, Watch, csv, hits,
-    page,
+    Case, CompareError, Compared, Comparison, Contender, ErrorRecord, Machine, PictureRecord, Records,
+    Timing, csv, hits, page,
 };
-use relief_core::{HeightMap, Lanes, Wrap};
+use relief_core::{HeightMap, Lanes, Watch, Wrap};
 use relief_render::mesh::{Builtin, square};
 use relief_render::scene::{Sampling, Scene, Surface};
 use relief_shaders::Selection;
@@ -173,6 +175,29 @@ fn curved_meshes_are_judged_in_pictures_alone() {
     // In shells nothing begins at the base, and rays may begin under the relief.
     let left_out: Vec<&str> = records.left_out.iter().map(|left_out| left_out.what.as_str()).collect();
     assert_eq!(left_out, ["bump", "relaxed-cone-stepping"]);
+}
+
+#[test]
+fn a_comparison_is_cancelled_wherever_it_is() {
+    let mut comparison = comparison(&["bump", "cone"]);
+    comparison.rays = 100;
+    comparison.timing = Some(Timing { frames: 1, warm: 0, pixels: 1 });
+    let told = AtomicUsize::new(0);
+    let count = |_: &str, _: f32| _ = told.fetch_add(1, Ordering::Relaxed);
+    comparison.run(&Watch::telling(&count)).expect("a comparison");
+    let all = told.into_inner();
+    // Rays and pictures of both methods, the true picture, and times.
+    assert_eq!(all, 6);
+    for last in 0..all {
+        let (told, cancel) = (AtomicUsize::new(0), AtomicBool::new(false));
+        let tell = |_: &str, _: f32| {
+            let number = told.fetch_add(1, Ordering::Relaxed);
+            cancel.store(number == last, Ordering::Relaxed);
+        };
+        let ended = comparison.run(&Watch::new(&tell, &cancel)).map(drop);
+        assert!(matches!(ended, Err(CompareError::Cancelled(_))), "{last}: {ended:?}");
+        assert_eq!(told.into_inner(), last + 1);
+    }
 }
 
 #[test]

@@ -3,9 +3,9 @@
 use glam::DVec3;
 use relief_compare::{
     CompareError, Compared, Comparison, Contender, Machine, MachineBackend, PictureRecord, Records, Timing,
-    Watch, csv, page, shadow,
+    csv, page, shadow,
 };
-use relief_core::MapFormat;
+use relief_core::{MapFormat, Watch};
 use relief_render::camera::{Camera, Projection};
 use relief_render::gpu::{AdapterChoice, Gpu, GpuError};
 use relief_render::mesh::{Builtin, Placement, square};
@@ -218,7 +218,7 @@ fn a_device_that_is_lost_in_the_middle_is_an_error() {
             gpu.device().destroy();
         }
     };
-    let watch = Watch { progress: &progress, ..Watch::none() };
+    let watch = Watch::telling(&progress);
     let error = comparison.run_on(&make, &watch).map(drop).expect_err("the device is lost");
     let CompareError::Render { method, source } = error else { panic!("{error}") };
     assert!(method == "cone" && matches!(*source, RenderError::Gpu(GpuError::Lost(_))), "{method}: {source}");

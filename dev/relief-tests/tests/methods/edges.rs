@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use relief_core::{HeightMap, TexelMask, Wrap};
+use relief_core::{HeightMap, TexelMask, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::camera::Camera;
@@ -46,7 +46,7 @@ struct Backend(&'static str, Renderer);
 impl Backend {
     fn pixels(&mut self, scene: SceneBuilder) -> Vec<PixelOut> {
         let scene = scene.size(SIZE[0], SIZE[1]).samples(1).build().expect("a proper scene");
-        self.1.render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+        self.1.render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
     }
 }
 

@@ -1,7 +1,7 @@
 //! Filter levels of real maps: how much nearer to the relief they are than averages.
 
-use relief_bake::{Filter, Progress, filter_level};
-use relief_core::{HeightMap, Wrap};
+use relief_bake::{Filter, filter_level};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_io::{HeightOptions, read_height};
 use relief_tests::{accuracy, data_dir};
 
@@ -43,7 +43,7 @@ fn variational_levels_of_natural_maps_are_nearer_than_averages() {
         let part = part.expect("a valid map");
         for number in 1..=3 {
             let of = |filter| {
-                let level = filter_level(&part, number, filter, &Progress::none()).expect("not cancelled");
+                let level = filter_level(&part, number, filter, &Watch::none()).expect("not cancelled");
                 volume(&part, &level)
             };
             let [average, squares, variational] =

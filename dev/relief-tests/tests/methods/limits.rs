@@ -1,7 +1,7 @@
 //! Everything runs within the limits that small devices have, on a device that the caller has opened.
 
-use relief_core::Wrap;
 use relief_core::object::GridMapping;
+use relief_core::{Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::gpu::{Gpu, block_on};
@@ -86,7 +86,7 @@ fn runs_within(limits: Limits, in_all: bool) {
             };
             let surface = surface.with_selection(selection);
             let scene = Scene::builder(surface).size(90, 70).samples(1).build().expect("a proper scene");
-            let picture = renderer.render(&scene, &mut kept, &|_, _| ()).expect("a picture").rendering;
+            let picture = renderer.render(&scene, &mut kept, &Watch::none()).expect("a picture").rendering;
             let covered = picture.pixels.iter().filter(|pixel| pixel.hit == 1).count();
             let name = selection.choices.map(|choice| choice.entry.name);
             assert!(covered > 800, "{name:?} {sampling}: {covered} pixels");

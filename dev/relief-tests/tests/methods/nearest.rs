@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use relief_core::Watch;
 use relief_maps::Maps;
 use relief_render::mesh::Builtin;
 use relief_render::render;
@@ -24,7 +25,7 @@ fn pixels(meshes: &[Builtin], backend: BackendChoice) -> Vec<PixelOut> {
         |mesh: &Builtin| SurfaceSpec { mesh: Some(MeshChoice::Builtin(*mesh)), ..SurfaceSpec::default() };
     spec.surfaces = meshes.iter().map(surface).collect();
     let scene = spec.load().expect("a shipped map");
-    render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+    render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
 }
 
 #[test]

@@ -4,7 +4,7 @@
 use std::f64::consts::{PI, TAU};
 
 use glam::{DMat3, DVec3, Vec2, Vec3};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_io::Picture;
 use relief_maps::Maps;
 use relief_render::Renderer;
@@ -115,7 +115,7 @@ fn truth_under(map: &HeightMap, degrees: DVec3, radiance: impl Fn(DVec3) -> f32)
         let toward = turn * DVec3::new(cos * flat, up, sin * flat);
         let light = Light::directional(toward, Vec3::splat(2.0 * radiance(toward)));
         let scene = scene.to_builder().lights(vec![light.expect("a light")]).build().expect("a scene");
-        let rendered = renderer.render(&scene, &mut maps, &|_, _| {}).expect("a picture");
+        let rendered = renderer.render(&scene, &mut maps, &Watch::none()).expect("a picture");
         for (sum, pixel) in sums.iter_mut().zip(&rendered.rendering.pixels) {
             *sum += pixel.color.x / LIGHTS as f32;
         }

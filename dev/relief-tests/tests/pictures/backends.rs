@@ -7,6 +7,7 @@
 
 use std::path::Path;
 
+use relief_core::Watch;
 use relief_maps::Maps;
 use relief_render::scene::{BackendChoice, Scene, SceneSpec, SurfaceSpec, read_scene};
 use relief_render::{Rendered, render};
@@ -62,7 +63,7 @@ fn scene(file: &str, method: &str, stages: &[(&str, &str)], backend: BackendChoi
 }
 
 fn picture(file: &str, method: &str, backend: BackendChoice) -> Rendered {
-    render(&scene(file, method, &[], backend), &mut Maps::in_memory(), &|_, _| {}).expect("a picture")
+    render(&scene(file, method, &[], backend), &mut Maps::in_memory(), &Watch::none()).expect("a picture")
 }
 
 /// How two renderings of the same scene differ.
@@ -146,7 +147,7 @@ fn every_shadow_and_every_ambient_light_gives_the_same_colours() {
     }
     let pixels = |file: &str, stages: &[(&str, &str)], backend| {
         let scene = scene(file, "cone", stages, backend);
-        render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+        render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
     };
     for file in SCENES {
         let mut before = Vec::new();

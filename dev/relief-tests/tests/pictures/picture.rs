@@ -1,17 +1,17 @@
 //! Pictures that are kept: samples, cameras that see all, and bands of rows.
 
-use std::ops::ControlFlow;
 use std::path::Path;
-use std::sync::atomic::AtomicBool;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::DVec3;
-use relief_core::{HeightMap, Wrap};
+use relief_core::{Cancelled, HeightMap, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::camera::Projection;
 use relief_render::job::Rendering;
 use relief_render::mesh::{Builtin, square};
 use relief_render::scene::{BackendChoice, Look, Scene, SceneSpec, Surface, SurfaceSpec, View, read_scene};
-use relief_render::{RenderError, Renderer, render};
+use relief_render::{RENDERING, RenderError, Renderer, render};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 use relief_tests::adapter::has_adapter;
@@ -28,7 +28,7 @@ fn scene(file: &str, over: SceneSpec) -> Scene {
 }
 
 fn picture(scene: &Scene) -> Rendering {
-    render(scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering
+    render(scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering
 }
 
 /// The root of the mean square by which the covered parts of silhouettes' pixels are off.
@@ -168,14 +168,14 @@ fn bands_are_the_rows_of_the_whole_picture() {
         let scene = scene("still-life.toml", over);
         let whole = picture(&scene);
         let mut renderer = Renderer::new(scene.backend(), scene.sampling()).expect("a renderer");
-        let (mut maps, never) = (Maps::in_memory(), AtomicBool::new(false));
+        let mut maps = Maps::in_memory();
         for numbers in [true, false] {
             let (mut all, mut bands) = (Vec::new(), 0);
-            let made = renderer.render_bands(&scene, &mut maps, numbers, &|_, _| {}, &never, &mut |band| {
+            let made = renderer.render_bands(&scene, &mut maps, numbers, &Watch::none(), &mut |band| {
                 assert_eq!(band.len() % 701, 0);
                 all.extend_from_slice(band);
                 bands += 1;
-                ControlFlow::Continue(())
+                Ok(())
             });
             made.expect("a picture");
             assert!(bands > 1);
@@ -188,16 +188,52 @@ fn bands_are_the_rows_of_the_whole_picture() {
         }
         // Whoever has enough gets no more.
         let mut bands = 0;
-        let stopped = renderer.render_bands(&scene, &mut maps, false, &|_, _| {}, &never, &mut |_| {
+        let stopped = renderer.render_bands(&scene, &mut maps, false, &Watch::none(), &mut |_| {
             bands += 1;
-            ControlFlow::Break(())
+            Err(Cancelled)
         });
-        assert!(matches!(stopped, Err(RenderError::Stopped)) && bands == 1, "{bands}");
-        let cancelled = AtomicBool::new(true);
-        let stopped = renderer.render_bands(&scene, &mut maps, false, &|_, _| {}, &cancelled, &mut |_| {
-            panic!("it was cancelled before")
-        });
-        assert!(matches!(stopped, Err(RenderError::Stopped)));
+        assert!(matches!(stopped, Err(RenderError::Cancelled(_))) && bands == 1, "{bands}");
+        let cancel = AtomicBool::new(true);
+        let cancelled = Watch::cancelled_by(&cancel);
+        let stopped = renderer
+            .render_bands(&scene, &mut maps, false, &cancelled, &mut |_| panic!("it was cancelled before"));
+        assert!(matches!(stopped, Err(RenderError::Cancelled(_))));
+    }
+}
+
+#[test]
+fn a_watch_hears_of_bakes_then_of_the_picture_and_ends_either() {
+    for backend in backends() {
+        // More than a band.
+        let over = SceneSpec {
+            samples: Some(1),
+            size: Some([701, 400].into()),
+            backend: Some(backend),
+            ..SceneSpec::of_surface(SurfaceSpec { method: Some("cone".to_owned()), ..SurfaceSpec::default() })
+        };
+        let scene = scene("cobbles.toml", over);
+        let mut renderer = Renderer::new(scene.backend(), scene.sampling()).expect("a renderer");
+        let heard = Mutex::new(Vec::new());
+        let tell = |task: &str, part: f32| heard.lock().expect("a list").push((task.to_owned(), part));
+        let made = renderer.render(&scene, &mut Maps::in_memory(), &Watch::telling(&tell));
+        made.expect("a picture");
+        let heard = heard.into_inner().expect("a list");
+        let mut tasks: Vec<&str> = heard.iter().map(|(task, _)| task.as_str()).collect();
+        tasks.dedup();
+        assert_eq!(tasks, ["cone", RENDERING], "{backend}");
+        for task in tasks {
+            let of_task = heard.iter().filter(|(told, _)| told == task).map(|(_, part)| *part);
+            let [least, most] = of_task.fold([1.0f32, 0.0], |[a, b], part| [a.min(part), b.max(part)]);
+            assert!(least >= 0.0 && (most - 1.0).abs() < 1e-5, "{backend} {task}: {least} to {most}");
+            let cancel = AtomicBool::new(false);
+            let tell = |told: &str, _: f32| cancel.store(told == task, Ordering::Relaxed);
+            let watch = Watch::new(&tell, &cancel);
+            let ended = renderer.render(&scene, &mut Maps::in_memory(), &watch).map(drop);
+            assert!(matches!(ended, Err(RenderError::Cancelled(_))), "{backend} {task}: {ended:?}");
+        }
+        let cancel = AtomicBool::new(true);
+        let timed = renderer.time(&scene, &mut Maps::in_memory(), &Watch::cancelled_by(&cancel));
+        assert!(matches!(timed, Err(RenderError::Cancelled(_))), "{backend}: {timed:?}");
     }
 }
 

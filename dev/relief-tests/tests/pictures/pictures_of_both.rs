@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use relief_core::Wrap;
+use relief_core::{Watch, Wrap};
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::wgsl::Sampling;
 use relief_shaders::{Selection, ambient};
@@ -31,11 +31,11 @@ fn pictures_agree() {
         selection.choose("detail", detail).expect("a detail");
         let variation = Variation { selection: &selection, wrap, normal_map, two_sided };
         let picture = Picture::new(width, height, &variation);
-        let rendering = renderer.render(picture.job(), Sampling::Exact, &|_| ()).expect("a picture");
+        let rendering = renderer.render(picture.job(), Sampling::Exact, &Watch::none()).expect("a picture");
         let levels: BTreeSet<u32> = rendering.pixels.iter().map(|pixel| pixel.level).collect();
         assert_eq!(levels.len() > 1, detail != "none", "{method} {shadow} {wrap}: {levels:?}");
         picture.check(&rendering).unwrap_or_else(|error| panic!("{method} {shadow} {wrap}: {error}"));
-        let again = renderer.render(picture.job(), Sampling::Exact, &|_| ()).expect("a picture");
+        let again = renderer.render(picture.job(), Sampling::Exact, &Watch::none()).expect("a picture");
         assert!(rendering == again, "{method} {shadow} {wrap}: the second picture differs");
     }
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use relief_core::Watch;
 use relief_maps::Maps;
 use relief_render::render;
 use relief_render::scene::{BackendChoice, SceneSpec, read_scene};
@@ -29,7 +30,7 @@ fn shipped_scenes_show_all_of_their_surfaces() {
         };
         let scene = read_scene(&path).expect("a shipped scene").overridden_by(small);
         let scene = scene.load().expect("shipped maps and meshes");
-        let made = render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture");
+        let made = render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture");
         let pixels = &made.rendering.pixels;
         let seen: BTreeSet<u32> =
             pixels.iter().filter(|pixel| pixel.hit == 1).map(|pixel| pixel.surface).collect();

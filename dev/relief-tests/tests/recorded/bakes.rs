@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use relief_bake::{Collected, KINDS, Kind, Progress, bake};
-use relief_core::{HeightMap, Metric, Wrap};
+use relief_bake::{Collected, KINDS, Kind, bake};
+use relief_core::{HeightMap, Metric, Watch, Wrap};
 use relief_io::{HeightOptions, read_height};
 
 use crate::hash::Bits;
@@ -33,7 +33,7 @@ pub fn all() -> BTreeMap<String, String> {
 
 fn hash(kind: &Kind, map: &HeightMap) -> String {
     let mut sink = Collected::default();
-    bake(kind, map, METRIC, &kind.defaults(), &Progress::none(), &mut sink).expect("a bake");
+    bake(kind, map, METRIC, &kind.defaults(), &Watch::none(), &mut sink).expect("a bake");
     let mut bits = Bits::default();
     for baked in &sink.textures {
         bits.text(baked.texture.name);

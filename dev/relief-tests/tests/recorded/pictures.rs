@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use relief_core::Watch;
 use relief_maps::Maps;
 use relief_render::job::Rendering;
 use relief_render::picture::{aov, linear};
@@ -55,7 +56,7 @@ fn hashes_of_look(toml: &str) -> String {
     let place = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/studio.toml");
     let spec = parse_scene(toml, &place).expect("a proper scene").overridden_by(over);
     let scene = spec.load().expect("shipped maps");
-    let rendering = render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering;
+    let rendering = render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering;
     let shown = linear(&rendering, &scene);
     let shown = Bits::default().floats(shown.into_iter().flatten()).short();
     format!("{}, shown {shown}", of_channels(&rendering))
@@ -79,7 +80,7 @@ fn hashes(scene: &str, method: &str, detail: &str, size: [u32; 2]) -> String {
     };
     let scene =
         read_scene(&path).expect("a shipped scene").overridden_by(over).load().expect("a shipped map");
-    of_channels(&render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering)
+    of_channels(&render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering)
 }
 
 fn of_channels(rendering: &Rendering) -> String {

@@ -1,7 +1,7 @@
 //! Pictures of surfaces of quadrics: beside those of the plane, outlines, saddles, and both backends.
 
 use glam::{DVec3, Vec2, Vec3};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::camera::{Camera, Projection};
 use relief_render::mesh::{Mesh, Vertex, cube, sphere, square, torus};
@@ -47,7 +47,7 @@ fn pixels(surface: Surface, eye: DVec3, backend: BackendChoice) -> Vec<PixelOut>
         .backend(backend)
         .build()
         .expect("a scene");
-    render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+    render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
 }
 
 fn on_cpu(mesh: Mesh, map: HeightMap, selection: Selection, eye: DVec3) -> Vec<PixelOut> {

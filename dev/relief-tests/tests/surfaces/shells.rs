@@ -4,12 +4,13 @@
 
 use std::path::Path;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::{DVec2, DVec3, Vec3};
 use relief_core::mesh::{square, torus};
 use relief_core::raycast::{RayCaster, Sides};
 use relief_core::{HeightMap, TexelMask, Watch, Wrap};
-use relief_io::{DEFAULT_MAX_BYTES, MeshMaterial, Picture, Shells, read_picture, write_shells};
+use relief_io::{DEFAULT_MAX_BYTES, MeshMaterial, Picture, Shells, WriteProblem, read_picture, write_shells};
 use relief_maps::Maps;
 use relief_render::camera::Camera;
 use relief_render::mesh::Mesh;
@@ -163,7 +164,7 @@ fn rendered(mesh: &Mesh, map: &HeightMap, camera: Camera) -> Vec<PixelOut> {
     let surface = Surface::new(mesh.clone(), map.clone()).with_selection(selection).with_two_sided(true);
     let scene = Scene::builder(surface).camera(camera).size(SIZE[0], SIZE[1]).samples(1);
     let scene = scene.backend(BackendChoice::Cpu).build().expect("a scene");
-    render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+    render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
 }
 
 /// The share of pixels in which both show the same, of those in which either shows something.
@@ -222,5 +223,21 @@ fn holes_are_seen_through_and_colours_lie_where_they_did() {
     }
     for uv in [DVec2::new(0.3, 0.6), DVec2::new(0.71, 0.2)] {
         assert!((viewed.opacity(uv) - map.height_at(uv.x, uv.y)).abs() < 0.02, "{uv}");
+    }
+}
+
+#[test]
+fn shells_that_are_cancelled_leave_no_file() {
+    let (mesh, map) = (square(2).expect("a square"), map(Wrap::Repeat));
+    let shells =
+        Shells { base: &mesh, map: &map, has_holes: false, color: None, factor: [1.0; 3], count: COUNT };
+    let folder = tempfile::tempdir().expect("a folder");
+    for end in [0.0, 0.5, 1.0] {
+        let cancel = AtomicBool::new(end == 0.0);
+        let tell = |_: &str, part: f32| cancel.store(part >= end - 0.25, Ordering::Relaxed);
+        let written = write_shells(&folder.path().join("shells.glb"), &shells, &Watch::new(&tell, &cancel));
+        let problem = written.map_err(|error| error.problem);
+        assert!(matches!(problem, Err(WriteProblem::Cancelled(_))), "{end}: {problem:?}");
+        assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 0, "{end}");
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use relief_core::camera::Camera;
 use relief_core::mesh::torus;
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::render;
 use relief_render::scene::BackendChoice::{Cpu, Gpu};
@@ -156,7 +156,7 @@ fn slices_at_equal_depths_come_to_the_tetrahedra_that_they_are_cut_from() {
         let camera = Camera::new([0.6, 1.2, 2.0].into(), [0.0; 3].into(), 28.0).expect("a camera");
         let scene = Scene::builder(surface).camera(camera).size(120, 90).samples(1).backend(Cpu);
         let scene = scene.build().expect("a scene");
-        render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+        render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
     };
     let mut truth = Selection::exact();
     truth.choose("surface", "tetrahedra").expect("a surface");

@@ -1,7 +1,7 @@
 //! The two backends give the same picture on every surface: of meshes that go through each other, and from
 //! within a mesh that is seen from both sides.
 
-use relief_core::Wrap;
+use relief_core::{Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::camera::Camera;
 use relief_render::glam::DVec3;
@@ -35,7 +35,7 @@ fn pixels(name: &str, meshes: &[Mesh], eye: DVec3, target: DVec3, backend: Backe
         .samples(1)
         .backend(backend);
     let scene = scene.build().expect("a proper scene");
-    render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+    render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
 }
 
 /// The share of the covered pixels that show the same.

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use relief_core::camera::Camera;
 use relief_core::exact::{DisplacedMesh, Sides};
 use relief_core::mesh::{Builtin, Mesh, cylinder, sphere, torus};
-use relief_core::{ByteSize, HeightMap, TexelMask, Wrap};
+use relief_core::{ByteSize, HeightMap, TexelMask, Watch, Wrap};
 use relief_io::NormalMap;
 use relief_maps::Maps;
 use relief_render::gpu::AdapterChoice;
@@ -87,7 +87,7 @@ fn scene_of(surface: Surface, camera: Camera) -> SceneBuilder {
 }
 
 fn rendered(scene: &Scene, renderer: &mut Renderer) -> Vec<PixelOut> {
-    renderer.render(scene, &mut Maps::in_memory(), &|_, _| ()).expect("a picture").rendering.pixels
+    renderer.render(scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering.pixels
 }
 
 /// A picture of a case without shadows.
@@ -380,7 +380,7 @@ fn what_cannot_be_shown_is_refused_with_the_reason() {
         let scene = scene_of(surface(vertex()), case.camera).surfaces(surfaces);
         scene.geometry_memory(ByteSize(memory)).build().expect("a scene")
     };
-    let render = |scene: &Scene| Renderer::on_cpu().render(scene, &mut Maps::in_memory(), &|_, _| ());
+    let render = |scene: &Scene| Renderer::on_cpu().render(scene, &mut Maps::in_memory(), &Watch::none());
     let needed_of = |error: &RenderError| match error {
         RenderError::Geometry { surface, source: GeometryError::Memory { needed, .. } } => {
             (*surface, *needed)

@@ -1,10 +1,9 @@
 //! Levels that are nowhere below, or nowhere above, the surface of the map.
 
 use rayon::prelude::*;
-use relief_core::{HeightMap, Wrap};
+use relief_core::{Cancelled, HeightMap, Watch, Wrap};
 
 use super::axis::Axis;
-use crate::{Cancelled, Progress};
 
 /// What is added to a height between texels before it is rounded: more than what two interpolations in `f64`
 /// round off.
@@ -66,12 +65,7 @@ fn rounded_up(value: f64) -> f32 {
 
 /// The level's texels, row by row from the top: each the extreme of the map's surface over all points where
 /// the texel counts.
-pub fn level(
-    map: &HeightMap,
-    size: [u32; 2],
-    side: Side,
-    progress: &Progress,
-) -> Result<Vec<f32>, Cancelled> {
+pub fn level(map: &HeightMap, size: [u32; 2], side: Side, watch: &Watch) -> Result<Vec<f32>, Cancelled> {
     // The least heights are the greatest of the heights turned upside down.
     let sign = if side == Side::Above { 1.0 } else { -1.0 };
     let repeats = map.wrap() == Wrap::Repeat;
@@ -87,7 +81,7 @@ pub fn level(
     level.par_chunks_mut(across.nodes()).enumerate().try_for_each_init(
         || (vec![0.0f64; width], vec![0.0f64; across.nodes()]),
         |(line, highest), (at, texels)| {
-            progress.at(at as f32 / rows)?;
+            watch.at(at as f32 / rows)?;
             let support = Support::new(down, at);
             highest.fill(f64::NEG_INFINITY);
             for centre in support.centres[0]..=support.centres[1] {

@@ -1,10 +1,9 @@
 //! The level whose surface misses the map's least in the mean square.
 
 use rayon::prelude::*;
-use relief_core::{HeightMap, Wrap};
+use relief_core::{Cancelled, HeightMap, Watch, Wrap};
 
 use super::axis::Axis;
-use crate::{Cancelled, Progress};
 
 /// Steps at most: the error falls to `sqrt(2/3)` of itself in each, and from 1 to below a rounding of `f32`.
 const STEPS: usize = 120;
@@ -77,22 +76,17 @@ impl Integrals {
 
 /// The level's texels, row by row from the top, from those of a level near by. Of the heights from 0 to 1
 /// these have the least integral of the squared difference, to rounding.
-pub fn level(
-    map: &HeightMap,
-    size: [u32; 2],
-    start: &[f32],
-    progress: &Progress,
-) -> Result<Vec<f32>, Cancelled> {
+pub fn level(map: &HeightMap, size: [u32; 2], start: &[f32], watch: &Watch) -> Result<Vec<f32>, Cancelled> {
     let repeats = map.wrap() == Wrap::Repeat;
     let across = Integrals::new(Axis { fine: map.width(), coarse: size[0], repeats });
     let down = Integrals::new(Axis { fine: map.height(), coarse: size[1], repeats });
     let width = size[0] as usize;
-    let wanted = with_map(map, &across, &down, &progress.piece(0.0, 0.5))?;
+    let wanted = with_map(map, &across, &down, &watch.piece(0.0, 0.5))?;
     // Nesterov's method with projection: `x` are the heights, `y` where the next step begins.
     let (mut x, mut y) = (start.to_vec(), start.to_vec());
     let mut ahead = vec![0.0f32; x.len()];
     for step in 0..STEPS {
-        progress.at(0.5 + 0.5 * step as f32 / STEPS as f32)?;
+        watch.at(0.5 + 0.5 * step as f32 / STEPS as f32)?;
         let rows = x.par_chunks_mut(width).zip(ahead.par_chunks_mut(width)).zip(wanted.par_chunks(width));
         let change = rows
             .enumerate()
@@ -133,7 +127,7 @@ fn with_map(
     map: &HeightMap,
     across: &Integrals,
     down: &Integrals,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<Vec<f64>, Cancelled> {
     let (width, nodes) = (map.width() as usize, across.own.len());
     let mut wanted = vec![0.0; nodes * down.own.len()];
@@ -141,7 +135,7 @@ fn with_map(
     wanted.par_chunks_mut(nodes).zip(&down.with_map).enumerate().try_for_each_init(
         || vec![0.0f64; width],
         |line, (row, (wanted, texels))| {
-            progress.at(row as f32 / rows)?;
+            watch.at(row as f32 / rows)?;
             line.fill(0.0);
             for &(texel, integral) in texels {
                 for (sum, &height) in line.iter_mut().zip(&map.texels()[texel as usize * width..][..width]) {

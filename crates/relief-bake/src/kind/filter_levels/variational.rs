@@ -7,12 +7,11 @@
 //! squares on.
 
 use rayon::prelude::*;
-use relief_core::HeightMap;
+use relief_core::{Cancelled, HeightMap, Watch};
 
 use super::system::System;
 use super::tiles::Span;
 use super::volume::Surfaces;
-use crate::{Cancelled, Progress};
 
 /// Steps, each of which looks at the whole map. Twelve lower the volume by a thousandth more.
 const STEPS: usize = 8;
@@ -29,13 +28,13 @@ pub fn level(
     map: &HeightMap,
     size: [u32; 2],
     starts: [&[f32]; 2],
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<Vec<f32>, Cancelled> {
     let surfaces = Surfaces::new(map, size);
     let [across, down] = surfaces.axes.map(Span::all);
     let tiles = Tiles { surfaces: &surfaces, across, down };
     let count = (STEPS + starts.len() + 1) as f32;
-    let pass = |number: usize| progress.piece(number as f32 / count, (number + 1) as f32 / count);
+    let pass = |number: usize| watch.piece(number as f32 / count, (number + 1) as f32 / count);
     let volumes = [tiles.volume(starts[0], &pass(0))?, tiles.volume(starts[1], &pass(1))?];
     let first = usize::from(volumes[1] < volumes[0]);
     let (mut best, mut least) = (starts[first].to_vec(), volumes[first]);
@@ -67,11 +66,11 @@ struct Tiles<'a> {
 
 impl Tiles<'_> {
     /// The volume, times the map's texels, between the map and a level of those heights.
-    fn volume(&self, heights: &[f32], progress: &Progress) -> Result<f64, Cancelled> {
+    fn volume(&self, heights: &[f32], watch: &Watch) -> Result<f64, Cancelled> {
         let [columns, rows] = self.surfaces.axes.map(|axis| axis.cells());
         let cells: Vec<usize> = (0..columns).collect();
         let sums = (0..rows).into_par_iter().map(|row| {
-            progress.at(row as f32 / rows as f32)?;
+            watch.at(row as f32 / rows as f32)?;
             let moments = self.surfaces.moments(heights, row, &cells, f64::MIN_POSITIVE);
             Ok(moments.iter().map(|moments| moments.volume).sum())
         });
@@ -79,11 +78,11 @@ impl Tiles<'_> {
     }
 
     /// That volume, and the heights after a step.
-    fn step(&self, heights: &[f32], smooth: f64, progress: &Progress) -> Result<(f64, Vec<f32>), Cancelled> {
+    fn step(&self, heights: &[f32], smooth: f64, watch: &Watch) -> Result<(f64, Vec<f32>), Cancelled> {
         let tiles: Vec<(&Span, &Span)> =
             self.down.iter().flat_map(|down| self.across.iter().map(move |across| (across, down))).collect();
         let solved = tiles.par_iter().enumerate().map(|(at, (across, down))| {
-            progress.at(at as f32 / tiles.len() as f32)?;
+            watch.at(at as f32 / tiles.len() as f32)?;
             Ok(self.solved(heights, smooth, across, down))
         });
         let solved = solved.collect::<Result<Vec<(f64, Vec<f32>)>, Cancelled>>()?;

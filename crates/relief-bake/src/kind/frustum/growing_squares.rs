@@ -21,12 +21,11 @@ use std::ops::Range;
 
 use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
-use relief_core::{HeightMap, Wrap};
+use relief_core::{Cancelled, HeightMap, Watch, Wrap};
 
 use self::squares::{Squares, greater};
 use super::diagonal;
 use super::least_slopes::{CAUTION, round_up};
-use crate::{Cancelled, Progress};
 
 /// Steps that a cell may take without a rise: natural ground takes about ten.
 const PATIENCE: u8 = 64;
@@ -63,19 +62,19 @@ pub fn slopes_by_squares<const N: usize>(
     map: &HeightMap,
     tops: &[f32],
     quadrants: [[bool; 2]; N],
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<[Found; N], Cancelled> {
     let width = map.width() as usize;
     let highest_of_all = map.texels().iter().fold(0.0, |highest, &texel| greater(highest, texel));
     let planes = &mut [const { Vec::new() }; 2];
     let mut each = [const { Found { slopes: Vec::new(), patience: Vec::new() } }; N];
     for (place, (found, forward)) in each.iter_mut().zip(quadrants).enumerate() {
-        let progress = progress.piece(place as f32 / N as f32, (place + 1) as f32 / N as f32);
+        let watch = watch.piece(place as f32 / N as f32, (place + 1) as f32 / N as f32);
         let ground = Ground { map, tops, highest_of_all, forward };
         found.slopes.resize(tops.len(), 0.0);
         found.patience.resize(tops.len(), PATIENCE);
-        grow(ground, Pass::Estimate, planes, found, &progress.piece(0.0, 0.3))?;
-        grow(ground, Pass::Settle, planes, found, &progress.piece(0.3, 1.0))?;
+        grow(ground, Pass::Estimate, planes, found, &watch.piece(0.0, 0.3))?;
+        grow(ground, Pass::Settle, planes, found, &watch.piece(0.3, 1.0))?;
         turn(&mut found.slopes, width, forward);
         if found.patience.contains(&0) {
             turn(&mut found.patience, width, forward);
@@ -110,7 +109,7 @@ fn grow(
     pass: Pass,
     planes: &mut [Vec<f32>; 2],
     found: &mut Found,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<(), Cancelled> {
     let Ground { map, tops, forward, .. } = ground;
     let size = [map.width(), map.height()].map(|side| side as usize);
@@ -121,7 +120,7 @@ fn grow(
     let mut squares = Squares::of_texels(map, forward, std::mem::take(held));
     next.resize(squares.highest.len(), 0.0);
     while squares.side <= farthest {
-        progress.at(squares.side.ilog2() as f32 / levels)?;
+        watch.at(squares.side.ilog2() as f32 / levels)?;
         let (inner, last) = next.split_at_mut(size[1] * width);
         squares.highest_of_row(size[1], squares.side, 0, last);
         let squares_of = &squares;
@@ -411,7 +410,7 @@ mod tests {
 
     fn found(map: &HeightMap) -> [Found; 4] {
         let tops = MaxPyramid::new(map).nodes(0).to_vec();
-        slopes_by_squares(map, &tops, QUADRANTS, &Progress::none()).expect("nobody cancels")
+        slopes_by_squares(map, &tops, QUADRANTS, &Watch::none()).expect("nobody cancels")
     }
 
     #[test]

@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
-use relief_core::HeightMap;
+use relief_core::{Cancelled, HeightMap, Watch};
 
 use super::ahead::{self, Run};
 use super::diagonal;
@@ -22,7 +22,6 @@ use super::growing_squares::Found;
 use crate::texel_pyramid::TexelPyramid;
 use crate::upper_hulls::UpperHulls;
 use crate::upper_planes::{UpperPlanes, floor};
-use crate::{Cancelled, Progress};
 
 /// How many cells are searched for at once. They share the walk through the pyramid and are compared
 /// together; more of them would have fewer nodes in common.
@@ -58,7 +57,7 @@ pub fn least_slopes(
     nodes: &Nodes,
     forward: [bool; 2],
     found: Found,
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<Vec<f32>, Cancelled> {
     let (width, height) = (map.width() as usize, map.height() as usize);
     let Found { mut slopes, patience } = found;
@@ -74,7 +73,7 @@ pub fn least_slopes(
             // Not wider ones: eight cells are searched for together.
             let found = relief_core::Lanes::Eight.run_up_to_eight(Rows { search: &mut search, rows });
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-            progress.at(done as f32 / tiles as f32).map(|()| (columns, rows, found))
+            watch.at(done as f32 / tiles as f32).map(|()| (columns, rows, found))
         };
         let found: Vec<_> =
             (first..(first + TILES).min(tiles)).into_par_iter().map(tile).collect::<Result<_, _>>()?;

@@ -5,9 +5,9 @@
 //! shading; here they are centred at every level already, because in 16 bits that subtraction cancels.
 
 use rayon::prelude::*;
+use relief_core::{Cancelled, Watch};
 
 use super::slopes::Slopes;
-use crate::{Cancelled, Progress};
 
 /// Rows that a thread filters together.
 const ROWS: usize = 8;
@@ -34,8 +34,8 @@ impl Moments {
     /// # Errors
     ///
     /// When the bake is cancelled.
-    pub fn of_slopes(slopes: &Slopes, size: [usize; 2], progress: &Progress) -> Result<Self, Cancelled> {
-        reduced(size, progress, |row, [u, v, ..]| slopes.row(row, u, v))
+    pub fn of_slopes(slopes: &Slopes, size: [usize; 2], watch: &Watch) -> Result<Self, Cancelled> {
+        reduced(size, watch, |row, [u, v, ..]| slopes.row(row, u, v))
     }
 
     /// The next mip level: half the size, rounded down, at least 1. Where a side is odd, texels of this level
@@ -45,9 +45,9 @@ impl Moments {
     /// # Errors
     ///
     /// When the bake is cancelled.
-    pub fn halved(&self, progress: &Progress) -> Result<Self, Cancelled> {
+    pub fn halved(&self, watch: &Watch) -> Result<Self, Cancelled> {
         let planes = [&self.mean[0], &self.mean[1], &self.second[0], &self.second[1], &self.second[2]];
-        reduced(self.size, progress, |row, lines| {
+        reduced(self.size, watch, |row, lines| {
             let first = row * self.size[0];
             for (line, plane) in lines.into_iter().zip(planes) {
                 line.copy_from_slice(&plane[first..first + self.size[0]]);
@@ -84,7 +84,7 @@ impl Shares {
 /// `uv`, `vv`, which are 0 unless it sets them.
 fn reduced(
     from: [usize; 2],
-    progress: &Progress,
+    watch: &Watch,
     row_of: impl Fn(usize, [&mut [f32]; 5]) + Sync,
 ) -> Result<Moments, Cancelled> {
     let size = next_size(from);
@@ -100,7 +100,7 @@ fn reduced(
     means.zip(seconds).enumerate().try_for_each_init(
         || vec![0.0f32; 15 * from[0]],
         |lines, (block, ((mean_u, mean_v), ((uu, uv), vv)))| {
-            progress.at(block as f32 / blocks)?;
+            watch.at(block as f32 / blocks)?;
             for row in 0..mean_u.len() / size[0] {
                 let (first, down_shares) = down.of[block * ROWS + row];
                 for (tap, lines) in lines.chunks_mut(5 * from[0]).take(down.count).enumerate() {

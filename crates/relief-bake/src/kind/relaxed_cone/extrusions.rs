@@ -218,12 +218,13 @@ fn may_raise(
 
 #[cfg(test)]
 mod tests {
+    use relief_core::Watch;
+
     use pulp::Scalar;
     use relief_core::Wrap;
 
     use super::super::search::{Relaxed, looks};
     use super::*;
-    use crate::Progress;
     use crate::cone_search::{Group, Sort, State};
 
     /// Ground that is alike along an axis, by the place along the other one, and its name.
@@ -261,9 +262,8 @@ mod tests {
                     for region in [Region::Centre, Region::Footprint] {
                         let search = Search::new(&map, texel_m, region);
                         let [quick, whole] =
-                            [Relaxed::new(&map, texel_m), Relaxed::without_extrusions(&map, texel_m)].map(
-                                |relaxed| search.ratios(&relaxed.expect("few images"), &Progress::none()),
-                            );
+                            [Relaxed::new(&map, texel_m), Relaxed::without_extrusions(&map, texel_m)]
+                                .map(|relaxed| search.ratios(&relaxed.expect("few images"), &Watch::none()));
                         let bits =
                             |ratios: &[f32]| ratios.iter().map(|ratio| ratio.to_bits()).collect::<Vec<_>>();
                         let name = named.0;

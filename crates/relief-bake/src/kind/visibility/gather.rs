@@ -1,10 +1,10 @@
 //! Light gathered through precomputed visibility.
 
 use rayon::prelude::*;
-use relief_core::{HeightMap, Metric};
+use relief_core::{HeightMap, Metric, Watch};
 
 use super::views;
-use crate::{BakeError, Progress};
+use crate::BakeError;
 
 /// No texel is seen: the ray leaves the relief.
 const SKY: u32 = u32::MAX;
@@ -35,7 +35,7 @@ impl Visibility {
         metric: Metric,
         directions: [u32; 2],
         tiles: u32,
-        progress: &Progress,
+        watch: &Watch,
     ) -> Result<Self, BakeError> {
         let texels = map.texels().len();
         let slices = u64::from(directions[0]) * u64::from(directions[1]);
@@ -49,7 +49,7 @@ impl Visibility {
             })?;
         let mut all = Vec::new();
         let [width, height] = [map.width(), map.height()];
-        views(map, metric, directions, tiles, progress, &mut |view| {
+        views(map, metric, directions, tiles, watch, &mut |view| {
             all.push(view.direction);
             let texels = (0..height).flat_map(|row| (0..width).map(move |column| (column, row)));
             seen.extend(

@@ -1,9 +1,9 @@
 //! First hits along one azimuth, for every texel and several elevations.
 
 use rayon::prelude::*;
+use relief_core::{Cancelled, Watch};
 
 use crate::sheared_lines::{Lines, Stretch};
-use crate::{Cancelled, Progress};
 
 /// A column in whose neighbourhood the surface may stand above a ray.
 #[derive(Clone, Copy, Debug)]
@@ -57,12 +57,12 @@ pub(super) fn first_hits(
     lines: &Lines,
     rays: &[SlopedRay],
     hits: &mut [f32],
-    progress: &Progress,
+    watch: &Watch,
 ) -> Result<(), Cancelled> {
     let aside = 0.5 + lines.slope.abs();
     let chunks = hits.par_chunks_mut(rays.len() * lines.length);
     chunks.enumerate().try_for_each_init(Scratch::default, |scratch, (slot, hits)| {
-        progress.at(0.8 * slot as f32 / lines.count as f32)?;
+        watch.at(0.8 * slot as f32 / lines.count as f32)?;
         for stretch in lines.stretches(slot) {
             let most = rays.iter().map(|ray| ray.reach).max().unwrap_or(0);
             let end = (stretch.to + most).min(lines.length + lines.reach);

@@ -1,7 +1,7 @@
 //! What would stop a bake at its end, found before it begins.
 
-use relief_bake::{Kind, Progress, Settings, Shape, Sink, SinkError, Texture, bake};
-use relief_core::{ByteSize, HeightMap, Metric, Wrap};
+use relief_bake::{Kind, Settings, Shape, Sink, SinkError, Texture, bake};
+use relief_core::{ByteSize, HeightMap, Metric, Watch, Wrap};
 
 use super::files::{Packing, Plan};
 use super::storage::Storage;
@@ -42,7 +42,7 @@ pub fn check_channels(
     let height = |column: u32, row: u32| ((3 * column + 5 * row) % 7) as f32 / 7.0;
     // What stops the trial stops the bake, which says more of it.
     if let Ok(map) = HeightMap::from_fn(TRIAL_SIDE, TRIAL_SIDE, wrap, height) {
-        let _ = bake(kind, &map, metric, settings, &Progress::none(), &mut seen);
+        let _ = bake(kind, &map, metric, settings, &Watch::none(), &mut seen);
     }
     seen.0.iter().try_for_each(|texture| packing.storage.check(packing.format, texture, lossy_heights))
 }

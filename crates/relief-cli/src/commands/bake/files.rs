@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use relief_bake::Shape;
-use relief_core::{HeightMap, MAX_SIDE, MAX_TEXELS};
+use relief_core::{Cancelled, HeightMap, MAX_SIDE, MAX_TEXELS, Watch};
 use relief_io::{
     Ktx2Texture, Metadata, PngTexture, Row, WriteProblem, write_exr_rows, write_ktx2, write_png_rows,
 };
@@ -41,9 +41,9 @@ pub enum FilesError {
     /// A value cannot be stored.
     #[error("{0}")]
     Value(String),
-    /// It was cancelled.
-    #[error("cancelled")]
-    Cancelled,
+    /// Writing was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 /// How the files of a bake are stored.
@@ -155,8 +155,7 @@ impl Plan {
     }
 }
 
-/// Writes the files of a bake, each to its place. `at` is told the finished part and answers whether to go
-/// on.
+/// Writes the files of a bake, each to its place.
 pub fn write(
     plans: &[Plan],
     places: &[PathBuf],
@@ -164,9 +163,10 @@ pub fn write(
     textures: &[Spooled],
     reader: &mut SpoolReader,
     identity: &Identity,
-    at: &mut dyn FnMut(f32) -> bool,
+    watch: &Watch,
 ) -> Result<(), FilesError> {
-    let names: Vec<String> = plans.iter().map(|plan| plan.name.clone()).collect();
+    let names = plans.iter().map(|plan| plan.name.clone()).collect();
+    let of_bake = OfBake { packing, identity, names };
     let rows_of = |plan: &Plan| -> u64 {
         let slices = u64::from(plan.slices.end - plan.slices.start);
         let rows = (0..plan.levels.len()).map(|level| u64::from(plan.level_size(level)[1]) * slices);
@@ -178,24 +178,30 @@ pub fn write(
         let spooled = &textures[plan.texture];
         let mut count = || {
             done += 1;
-            at(done as f32 / all)
+            watch.at(done as f32 / all)
         };
-        write_one(place, plan, packing, spooled, reader, identity, &names, &mut count)?;
+        write_one(place, plan, &of_bake, spooled, reader, &mut count)?;
     }
     Ok(())
 }
 
+/// What all files of a bake share.
+struct OfBake<'a> {
+    packing: Packing,
+    identity: &'a Identity,
+    names: Vec<String>,
+}
+
+/// Writes a file, and counts each row of it.
 fn write_one(
     path: &Path,
     plan: &Plan,
-    packing: Packing,
+    OfBake { packing, identity, names }: &OfBake,
     spooled: &Spooled,
     reader: &mut SpoolReader,
-    identity: &Identity,
-    names: &[String],
-    count: &mut dyn FnMut() -> bool,
+    count: &mut dyn FnMut() -> Result<(), Cancelled>,
 ) -> Result<(), FilesError> {
-    let Packing { format, storage, zstd } = packing;
+    let Packing { format, storage, zstd } = *packing;
     let texture = &spooled.texture;
     let single = (plan.levels.len() == 1 && !texture.mips.is_empty()).then_some(plan.levels.start);
     let size = plan.size;
@@ -233,8 +239,8 @@ fn write_one(
         });
         beyond.fill(own.last().copied().unwrap_or_default());
         failure = stored.map_err(FilesError::Value).err();
-        if failure.is_none() && !count() {
-            failure = Some(FilesError::Cancelled);
+        if failure.is_none() {
+            failure = count().err().map(FilesError::Cancelled);
         }
         if failure.is_some() { Err(io::Error::other("stopped")) } else { Ok(()) }
     };

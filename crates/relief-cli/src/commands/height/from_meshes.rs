@@ -5,13 +5,12 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use relief_bake::Progress as BakeProgress;
 use relief_bake::from_meshes::{
     FromMeshesError, Layer, MeshPair, PairedHeights, heights_from_meshes, normals_from_meshes,
 };
 use relief_core::mesh::{Mesh, UvProjection};
 use relief_core::raycast::RayCaster;
-use relief_core::{ByteSize, HeightMap, Wrap};
+use relief_core::{ByteSize, HeightMap, Watch, Wrap};
 use relief_io::{DEFAULT_MAX_BYTES, HeightNote, MeshOptions, read_mesh, read_raw_mesh};
 use relief_render::scene::MeshChoice;
 use serde_json::json;
@@ -107,9 +106,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut staged = Staged::open(&paths, arguments.json, cancel)?;
     let heights = {
         let bar = Progress::bar("looking", arguments.json);
-        let report = |part: f32| bar.show(part);
-        let progress = BakeProgress::new(&report, cancel);
-        heights_from_meshes(&low, &caster, &arguments.pair(), &progress)
+        let tell = |_: &str, part: f32| bar.show(part);
+        let watch = Watch::new(&tell, cancel);
+        heights_from_meshes(&low, &caster, &arguments.pair(), &watch)
     };
     let heights = heights.map_err(|error| arguments.of_looking(error))?;
     let [bias_m, top_m] = heights.displacement_m();
@@ -119,9 +118,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     drop(content);
     if let (Some(output), Some(high)) = (&normals, &high) {
         let bar = Progress::bar("normals", arguments.json);
-        let report = |part: f32| bar.show(part);
-        let progress = BakeProgress::new(&report, cancel);
-        let planes = normals_from_meshes(&low, high, &caster, &arguments.pair(), &progress)
+        let tell = |_: &str, part: f32| bar.show(part);
+        let watch = Watch::new(&tell, cancel);
+        let planes = normals_from_meshes(&low, high, &caster, &arguments.pair(), &watch)
             .map_err(|error| arguments.of_looking(error))?;
         output.write(&mut staged, &arguments.normals_content(planes, output)?, cancel)?;
     }

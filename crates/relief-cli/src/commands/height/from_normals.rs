@@ -5,12 +5,12 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use relief_bake::Progress as BakeProgress;
 use relief_bake::from_normals::{
     Evidence, FromNormalsError, GreenFit, Integration, NormalFaults, NormalSlopes, NormalSource,
     heights_from_either_green, heights_from_known_slopes,
 };
 use relief_bake::kind::normal::Axes;
+use relief_core::Watch;
 use relief_io::{Metadata, NormalVectors, read_metadata, read_normal_vectors};
 use serde_json::{Value, json};
 
@@ -148,18 +148,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut other_misfit = None;
     let (heights, slopes, fit) = {
         let bar = Progress::bar("integrating", common.json);
-        let report = |part: f32| bar.show(part);
-        let progress = BakeProgress::new(&report, cancel);
+        let tell = |_: &str, part: f32| bar.show(part);
+        let watch = Watch::new(&tell, cancel);
         match known {
             Known::Axes(..) => {
-                let heights = heights_from_known_slopes(&slopes, &how, &progress).map_err(of_integration)?;
+                let heights = heights_from_known_slopes(&slopes, &how, &watch).map_err(of_integration)?;
                 let steepness = slopes.steepness();
                 let is_beyond = 100.0 * heights.misfit > arguments.max_misfit * steepness;
                 if is_beyond && axes != Axes::World {
                     // They may fit one with green the other way.
                     let turned = slopes.turned_over();
-                    let other =
-                        heights_from_known_slopes(&turned, &how, &progress).map_err(of_integration)?;
+                    let other = heights_from_known_slopes(&turned, &how, &watch).map_err(of_integration)?;
                     other_misfit = Some(other.misfit / steepness);
                     (heights, turned.turned_over(), None)
                 } else {
@@ -168,7 +167,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             }
             Known::Unknown => {
                 let (heights, slopes, fit) =
-                    heights_from_either_green(slopes, &how, &progress).map_err(of_integration)?;
+                    heights_from_either_green(slopes, &how, &watch).map_err(of_integration)?;
                 (heights, slopes, Some(fit))
             }
         }

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use relief_bake::Progress as BakeProgress;
 use relief_bake::from_normals::{Integration, NormalSlopes, heights_from_slopes};
 use relief_bake::kind::normal::Axes;
 use relief_bake::photometric::{ColourAlbedo, Photo, PhotometricError, Photometry, normals_from_photos};
+use relief_core::Watch;
 use relief_io::{Picture, read_picture, read_picture_as};
 
 use super::lights::Lights;
@@ -103,15 +103,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut staged = Staged::open(&named, common.json, cancel)?;
     let photos = with_lights(&lights, &pixels);
     let bar = Progress::bar("solving", common.json);
-    let report = |part: f32| bar.show(part);
-    let progress = BakeProgress::new(&report, cancel);
-    let found = normals_from_photos(size, &photos, lights.exposure, &progress.piece(0.0, 0.5));
+    let tell = |_: &str, part: f32| bar.show(part);
+    let watch = Watch::new(&tell, cancel);
+    let found = normals_from_photos(size, &photos, lights.exposure, &watch.piece(0.0, 0.5));
     let found = found.map_err(|error| of_solving(error, &lights))?;
     let mut brightest = None;
     if let Some(albedo) = &outputs.albedo {
-        let content = colours(&lights, &photos, &found, size, albedo, common, || {
-            progress.at(0.5).map_err(|_| interrupt::cancelled())
-        })?;
+        let content = colours(&lights, &photos, &found, size, albedo, common, &watch.piece(0.5, 1.0))?;
         brightest = content.planes.iter().flatten().copied().reduce(f32::max);
         albedo.write(&mut staged, &encoded(content, albedo.format), cancel)?;
     }
@@ -130,7 +128,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         (slopes, steepness)
     };
     let [along_u, along_v] = &slopes.along;
-    let heights = heights_from_slopes(size, [along_u, along_v], &how, &progress.piece(0.6, 1.0));
+    let heights = heights_from_slopes(size, [along_u, along_v], &how, &watch.piece(0.6, 1.0));
     let heights = heights.map_err(of_integration)?;
     drop(slopes);
     drop(bar);
@@ -277,7 +275,7 @@ fn of_solving(error: PhotometricError, lights: &Lights) -> Failure {
     }
 }
 
-/// The albedo, for which photographs are read once more, one at a time; `go_on` is asked before each.
+/// The albedo, for which photographs are read once more, one at a time.
 fn colours(
     lights: &Lights,
     photos: &[Photo],
@@ -285,11 +283,11 @@ fn colours(
     size: [u32; 2],
     output: &Output,
     common: &Common,
-    go_on: impl Fn() -> Result<(), Failure>,
+    watch: &Watch,
 ) -> Result<Content, Failure> {
     let mut albedo = ColourAlbedo::new(found, lights.exposure);
     for (index, photo) in photos.iter().enumerate() {
-        go_on()?;
+        watch.at(0.0)?;
         let picture = read_photo(lights, index, common.max_bytes())?;
         albedo.add(photo, &picture.texels);
     }

@@ -3,12 +3,12 @@
 use std::fmt::Write as _;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Instant;
 
 use clap::Args;
 use rayon::prelude::*;
-use relief_core::{ByteSize, HeightMap, Wrap};
+use relief_core::{ByteSize, HeightMap, Watch, Wrap};
 use relief_io::{DEFAULT_MAX_BYTES, HeightNote};
 use relief_shaders::Entry;
 use relief_shaders::procedure::{ENTRIES, Procedure};
@@ -21,7 +21,6 @@ use crate::commands::numbered::Numbering;
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::frames::Frames;
-use crate::interrupt::cancelled;
 use crate::progress::Progress;
 use crate::streams::{Files, Written, tell_written};
 use crate::{interrupt, units, values};
@@ -132,11 +131,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut staged = Staged::open(&paths, arguments.json, cancel)?;
     {
         let bar = Progress::bar("filling", arguments.json);
+        let tell = |_: &str, part: f32| bar.show(part);
+        let watch = Watch::new(&tell, cancel);
         let whole = outputs.len() as f32;
         for (number, (output, time)) in outputs.iter().enumerate() {
-            let tell = |part: f32| bar.show((number as f32 + part) / whole);
+            let [from, to] = [number, number + 1].map(|number| number as f32 / whole);
             let procedure = procedure.at_time(*time);
-            let texels = filled(&procedure, arguments.size, &tell, cancel)?;
+            let texels = filled(&procedure, arguments.size, &watch.piece(from, to))?;
             output.write(&mut staged, &arguments.content(&procedure, texels, output)?, cancel)?;
         }
     }
@@ -187,21 +188,14 @@ fn named(procedure: &Procedure) -> impl Iterator<Item = (&'static str, f32)> {
 }
 
 /// All heights, band by band.
-fn filled(
-    procedure: &Procedure,
-    size: [u32; 2],
-    tell: &(dyn Fn(f32) + Sync),
-    cancel: &AtomicBool,
-) -> Result<Vec<f32>, Failure> {
+fn filled(procedure: &Procedure, size: [u32; 2], watch: &Watch) -> Result<Vec<f32>, Failure> {
     let bands = size[1].div_ceil(BAND);
     let done = AtomicU32::new(0);
     let band = |band: u32| {
-        if cancel.load(Ordering::Relaxed) {
-            return Err(cancelled());
-        }
+        watch.check()?;
         let rows = band * BAND..((band + 1) * BAND).min(size[1]);
         let heights = procedure.rows(size, rows).map_err(Failure::work)?;
-        tell((done.fetch_add(1, Ordering::Relaxed) + 1) as f32 / bands as f32);
+        watch.at((done.fetch_add(1, Ordering::Relaxed) + 1) as f32 / bands as f32)?;
         Ok(heights)
     };
     let all = (0..bands).into_par_iter().map(band).collect::<Result<Vec<_>, Failure>>()?;

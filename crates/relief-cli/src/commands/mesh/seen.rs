@@ -3,9 +3,9 @@
 use std::str::FromStr;
 use std::sync::atomic::AtomicBool;
 
-use relief_bake::{Filter, Progress as BakeProgress, filter_levels};
+use relief_bake::{Filter, filter_levels};
 use relief_core::registry::UnknownName;
-use relief_core::{ByteSize, HeightMap};
+use relief_core::{ByteSize, HeightMap, Watch};
 use relief_io::GlbMaterials;
 use relief_mesh::View;
 use relief_render::scene::Surface;
@@ -75,12 +75,12 @@ impl LevelFilter {
             )));
         }
         let bar = Progress::bar("filtering", json);
-        let report = |part: f32| bar.show(part);
-        let mut levels =
-            filter_levels(map, filter, &BakeProgress::new(&report, cancel)).map_err(|error| match error {
-                relief_bake::BakeError::Cancelled(_) => cancelled(),
-                other => Failure::work(other),
-            })?;
+        let tell = |_: &str, part: f32| bar.show(part);
+        let levels = filter_levels(map, filter, &Watch::new(&tell, cancel));
+        let mut levels = levels.map_err(|error| match error {
+            relief_bake::BakeError::Cancelled(_) => cancelled(),
+            other => Failure::work(other),
+        })?;
         // The first is the map itself.
         Ok(levels.split_off(1))
     }

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use relief_io::beside_file;
 use relief_object::read_description;
-use relief_render::Task;
+use relief_render::RENDERING;
 use relief_render::scene::SceneSpec;
 use serde_json::json;
 
@@ -41,12 +41,12 @@ pub fn run(
     let mut told = Told { json: arguments.json, all: Vec::new(), said: BTreeSet::new(), is_heard: true };
     let count = frames.count();
     for (done, number) in (0u64..).zip(frames.numbers()) {
-        let report = |task, part: f32| {
-            if task == Task::Rendering {
+        let tell = |task: &str, part: f32| {
+            if task == RENDERING {
                 bar.show((done as f32 + part) / count as f32);
             }
         };
-        let rendered = sequence.frame(number, &mut renderer, &bar, &report, &mut told, cancel);
+        let rendered = sequence.frame(number, &mut renderer, &bar, &tell, &mut told, cancel);
         rendered.map_err(|failure| match (cancel.load(Ordering::Relaxed), done) {
             (false, _) => of_frame(failure, number, done),
             (true, 0) => interrupt::cancelled(),
@@ -166,7 +166,7 @@ impl Sequence<'_> {
         number: u32,
         renderer: &mut PictureRenderer,
         bar: &Progress,
-        report: &relief_render::Progress,
+        tell: &(dyn Fn(&str, f32) + Sync),
         told: &mut Told,
         cancel: &AtomicBool,
     ) -> Result<(), Failure> {
@@ -176,7 +176,7 @@ impl Sequence<'_> {
         if cancel.load(Ordering::Relaxed) {
             return Err(interrupt::cancelled());
         }
-        let (counts, made) = renderer.draw(&scene, &outputs, report)?;
+        let (counts, made) = renderer.draw(&scene, &outputs, tell)?;
         let picture = Picture { spec: &spec, scene: &scene, outputs: &outputs, counts, made: &made };
         if told.json {
             let mut about = picture.as_json();

@@ -2,13 +2,13 @@
 //! the scene is rendered, so that pictures of any size fit into the memory.
 
 use std::io;
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::ValueEnum;
 use rayon::prelude::*;
+use relief_core::Cancelled;
 use relief_io::{
     LineSink, Metadata, PictureFormat, PictureSink, WriteProblem, write_exr_lines, write_picture,
 };
@@ -151,7 +151,7 @@ impl Outputs {
         let mut staged = Staged::open(&paths, quiet, cancel)?;
         let picture = staged.aside(&self.picture)?;
         let aov = self.aov.as_ref().map(|path| staged.aside(path)).transpose()?;
-        let mut ended = Err(Error::Render(RenderError::Stopped));
+        let mut ended = Err(Error::Render(RenderError::Cancelled(Cancelled)));
         // Writers know what fails inside of them as failures of the system only.
         let mut draw = |picture: &mut PictureSink, numbers: Option<&mut LineSink>| -> io::Result<()> {
             ended = self.draw(scene, render, picture, numbers);
@@ -231,10 +231,10 @@ impl Outputs {
         let mut stopped = None;
         let rendered =
             render(self.aov.is_some(), &mut |band| match band.chunks(width.max(1)).try_for_each(&mut row) {
-                Ok(()) => ControlFlow::Continue(()),
+                Ok(()) => Ok(()),
                 Err(failure) => {
                     stopped = Some(failure);
-                    ControlFlow::Break(())
+                    Err(Cancelled)
                 }
             });
         match (rendered, stopped) {

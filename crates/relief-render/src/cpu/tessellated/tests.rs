@@ -1,10 +1,9 @@
 use std::collections::{BTreeSet, HashSet};
-use std::sync::atomic::AtomicBool;
 
 use glam::{DVec3, Vec3};
 use relief_core::mesh::{Mesh, cube, cylinder, sphere, square, torus};
-use relief_core::{ByteSize, HeightMap, Wrap};
-use relief_maps::{Maps, Watch};
+use relief_core::{ByteSize, HeightMap, Watch, Wrap};
+use relief_maps::Maps;
 use relief_mesh::{CrackTest, EDGE_RULES, MeshSettings, Mesher, View, interior};
 use relief_shaders::Selection;
 use relief_shaders::cpu::{DicePoint, Vec3 as Three};
@@ -47,7 +46,7 @@ pub fn job_of(scene: &Scene) -> Job {
     let mut preparer = Preparer::default();
     let mut maps = Maps::in_memory();
     preparer.provide(scene, &mut maps, &|_| false, &Watch::none()).expect("no maps");
-    preparer.job(scene, &AtomicBool::new(false)).expect("a job")
+    preparer.job(scene, &Watch::none()).expect("a job")
 }
 
 /// The triangles of its first surface.
@@ -365,7 +364,7 @@ fn with_less_room(set: &[(&str, f64)]) {
     let none = scene.to_builder().geometry_memory(ByteSize(20 << 10)).build().expect("a scene");
     let mut preparer = Preparer::default();
     preparer.provide(&none, &mut Maps::in_memory(), &|_| false, &Watch::none()).expect("no maps");
-    let refused = preparer.job(&none, &AtomicBool::new(false)).expect_err("no room").to_string();
+    let refused = preparer.job(&none, &Watch::none()).expect_err("no room").to_string();
     assert!(refused.contains("a larger 'geometry."), "{refused}");
 }
 
@@ -382,7 +381,7 @@ fn is_not_seen(set: &[(&str, f64)]) {
     assert!(few * 5 < all * 4 && few > 0, "{few} of {all}");
     let mut renderer = Renderer::on_cpu();
     let [whole, seen] = [whole, seen].map(|scene| {
-        renderer.render(&scene, &mut Maps::in_memory(), &|_, _| ()).expect("a picture").rendering
+        renderer.render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture").rendering
     });
     assert!(whole.pixels.iter().any(|pixel| pixel.hit == 1));
     for (a, b) in whole.pixels.iter().zip(&seen.pixels) {

@@ -1,7 +1,7 @@
 //! The pyramids that are built beside those that are baked, and when they are built.
 
-use relief_bake::{Progress, baked_map};
-use relief_core::{BakedMap, ByteSize, Wrap};
+use relief_bake::baked_map;
+use relief_core::{BakedMap, ByteSize, Watch, Wrap};
 use relief_maps::{Cache, DEFAULT_LIMIT, Maps, Origin};
 use relief_shaders::Selection;
 use relief_shaders::wgsl::Sampling;
@@ -48,7 +48,7 @@ fn baked(map: &HeightMap, selection: &Selection) -> Arc<BakedMap> {
     let levels = needs[0].input.levels;
     let (metric, format) = (Metric::UNIT, MapFormat::F32);
     let wanted = WantedMap { kind: &KIND, texture: "", settings, metric, levels, height_level: 0, format };
-    Arc::new(baked_map(map, &wanted, &Progress::none()).expect("a bake"))
+    Arc::new(baked_map(map, &wanted, &Watch::none()).expect("a bake"))
 }
 
 fn builder(gpu: &Gpu, map: &Arc<HeightMap>) -> Builder {
@@ -188,7 +188,7 @@ fn with_baked_maps(renderer: &mut Renderer, scene: &Scene) -> Rendering {
     for surface in scene.surfaces() {
         maps.insert(baked(surface.height_map(), surface.selection()));
     }
-    let picture = renderer.render(scene, &mut maps, &|_, _| ()).expect("a picture");
+    let picture = renderer.render(scene, &mut maps, &Watch::none()).expect("a picture");
     let origins: Vec<Origin> = picture.made.maps.iter().map(|account| account.origin).collect();
     assert_eq!((origins, renderer.last_work().built), (vec![Origin::Memory; 3], 0));
     picture.rendering
@@ -235,7 +235,7 @@ fn nothing_is_baked_or_kept_where_pyramids_are_built() {
     let provider = || Maps::with_cache(Cache::new(folder.path(), DEFAULT_LIMIT));
     let scene = searched(FINEST);
     let origins = |renderer: &mut Renderer, maps: &mut Maps| -> Vec<Origin> {
-        let picture = renderer.render(&scene, maps, &|_, _| ()).expect("a picture");
+        let picture = renderer.render(&scene, maps, &Watch::none()).expect("a picture");
         picture.made.maps.iter().map(|account| account.origin).collect()
     };
     let files = || {
@@ -263,7 +263,7 @@ fn where_heights_have_16_bits_on_the_gpu_their_pyramid_is_baked() {
     let scene = searched(FINEST);
     for (sampling, built) in [(Sampling::Fast, 0), (Sampling::Exact, 3), (Sampling::Fast, 0)] {
         let mut renderer = Renderer::on_gpu(gpu.clone(), sampling);
-        let picture = renderer.render(&scene, &mut Maps::in_memory(), &|_, _| ()).expect("a picture");
+        let picture = renderer.render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture");
         assert_eq!(picture.made.maps.is_empty(), built > 0);
         assert_eq!(renderer.last_work().built, built);
     }

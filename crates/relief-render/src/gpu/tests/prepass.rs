@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{DVec3, Vec2};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_maps::Maps;
 use relief_shaders::Selection;
 use relief_shaders::surface::Proposal;
@@ -144,8 +144,9 @@ fn a_prepass_leaves_the_depths_of_the_pictures_to_the_bit() {
     for (surface, depth_buffer, projection) in cases {
         let scene = scene(surface, depth_buffer, projection);
         let rendered = Renderer::on_gpu(gpu.clone(), Sampling::Exact);
-        let rendered = { rendered }.render(&scene, &mut Maps::in_memory(), &|_, _| ()).expect("a picture");
-        let job = Preparer::default().job(&scene, relief_maps::Watch::none().cancel).expect("a job");
+        let rendered =
+            { rendered }.render(&scene, &mut Maps::in_memory(), &Watch::none()).expect("a picture");
+        let job = Preparer::default().job(&scene, &Watch::none()).expect("a job");
         let before = depths(&gpu, &job, depth_buffer.clip);
         let planes = depth_buffer.near_m.zip(depth_buffer.far_m);
         let mut covered = 0;

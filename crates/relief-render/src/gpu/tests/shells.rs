@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{DVec3, Vec2};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Watch, Wrap};
 use relief_maps::Maps;
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
@@ -53,7 +53,7 @@ fn a_hierarchy_finds_what_blocks_of_rays_find_to_the_bit() {
     for (surface, eye, projection, two_sided) in cases {
         let scene = scene(surface, eye, projection, two_sided);
         let pictures = [Renderer::on_gpu(gpu.clone(), Sampling::Exact), Renderer::on_cpu()].map(|renderer| {
-            let picture = { renderer }.render(&scene, &mut Maps::in_memory(), &|_, _| ());
+            let picture = { renderer }.render(&scene, &mut Maps::in_memory(), &Watch::none());
             picture.expect("a picture").rendering.pixels
         });
         let [on_gpu, on_cpu] = &pictures;

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use relief_core::Watch;
 use relief_maps::Maps;
 use relief_shaders::cpu::{Corner, Face, Shared, read_all};
 use relief_shaders::wgsl::Sampling;
@@ -16,7 +17,7 @@ use crate::mesh::{cube, rectangle, sphere, square, torus};
 
 /// The triangles that a renderer made of the first surface.
 fn made_by(renderer: &mut GpuRenderer, job: &Job) -> (Vec<Corner>, Vec<Face>) {
-    renderer.render(job, Sampling::Exact, &|_| ()).expect("a picture");
+    renderer.render(job, Sampling::Exact, &Watch::none()).expect("a picture");
     let gpu = renderer.gpu().clone();
     let read = |buffer: &wgpu::Buffer| {
         let usage = BufferUsages::MAP_READ | BufferUsages::COPY_DST;
@@ -95,7 +96,7 @@ fn coarsens(gpu: Gpu, set: &[(&str, f64)]) {
     // The same picture again makes, uploads and compiles nothing.
     let job = job_of(&scene);
     for _ in 0..2 {
-        renderer.render(&job, Sampling::Exact, &|_| ()).expect("a picture");
+        renderer.render(&job, Sampling::Exact, &Watch::none()).expect("a picture");
     }
     assert_eq!((renderer.last_work().uploaded, renderer.last_work().compiled), (0, 0));
 }

@@ -2,7 +2,7 @@
 
 use relief_core::mesh::{Placement, Vertex, rectangle, sphere};
 use relief_core::object::{ImageObject, JumpCells, View as ImageView};
-use relief_core::{HeightMap, TexelMask};
+use relief_core::{HeightMap, TexelMask, Watch};
 use relief_maps::Maps;
 use relief_shaders::cpu::PixelOut;
 
@@ -77,7 +77,7 @@ fn framed(surface: Surface, framing: Framing, view: View, size: [u32; 2]) -> Sce
 
 fn pixels(builder: SceneBuilder) -> Vec<PixelOut> {
     let scene = builder.build().expect("a scene");
-    let rendered = Renderer::on_cpu().render(&scene, &mut Maps::in_memory(), &|_, _| {});
+    let rendered = Renderer::on_cpu().render(&scene, &mut Maps::in_memory(), &Watch::none());
     rendered.expect("a picture").rendering.pixels
 }
 

@@ -3,6 +3,7 @@
 use super::*;
 use crate::renderer::Renderer;
 use crate::scene::framing::Framing;
+use relief_core::Watch;
 use relief_maps::Maps;
 use relief_shaders::cpu::PixelOut;
 
@@ -33,7 +34,7 @@ fn of_map(surface: SurfaceSpec) -> SceneSpec {
 }
 
 fn pixels(scene: &Scene) -> Vec<PixelOut> {
-    let rendered = Renderer::on_cpu().render(scene, &mut Maps::in_memory(), &|_, _| {});
+    let rendered = Renderer::on_cpu().render(scene, &mut Maps::in_memory(), &Watch::none());
     rendered.expect("a picture").rendering.pixels
 }
 

@@ -1,15 +1,15 @@
 //! Kinds made for the tests.
 
 use relief_bake::kind::{BITS, Reach};
-use relief_bake::{BakeError, BakeInput, Channel, Kind, Progress, Settings, Shape, Sink, Texture};
-use relief_core::Rounding;
+use relief_bake::{BakeError, BakeInput, Channel, Kind, Settings, Shape, Sink, Texture};
 use relief_core::registry::{Param, Publication, UnknownName};
+use relief_core::{Rounding, Watch};
 
 const fn kind(
     name: &'static str,
     params: &'static [Param],
     shapes: fn([u32; 2], &Settings) -> Vec<Shape>,
-    bake: fn(&BakeInput, &Settings, &Progress, &mut dyn Sink) -> Result<(), BakeError>,
+    bake: fn(&BakeInput, &Settings, &Watch, &mut dyn Sink) -> Result<(), BakeError>,
 ) -> Kind {
     Kind {
         name,
