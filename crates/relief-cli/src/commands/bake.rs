@@ -28,12 +28,12 @@ use relief_core::{ByteSize, HeightMap, Metric, Watch, Wrap};
 use relief_io::file_set::is_same_file;
 use relief_io::read_height_file;
 
-use self::files::{FilesError, Packing, Plan};
+use self::files::{FilesError, Plan};
 use self::identity::Identity;
 use self::outputs::{Earlier, Outputs};
 use self::report::Baked;
 use self::spool::Spool;
-use self::storage::{FileFormat, Storage, TexelChoice};
+use self::storage::{FileFormat, Packing, Storage, TexelChoice};
 use super::maps::{self, HeightArguments, Note};
 use crate::failure::Failure;
 use crate::interrupt::{self, cancelled};
@@ -380,7 +380,7 @@ impl<'a> Job<'a> {
             )));
         }
         let hash = &self.source_hash;
-        let identity = Identity::new(kind, &settings, map, hash, self.metric, format, storage, *zstd);
+        let identity = Identity::new(kind, &settings, map, hash, self.metric, packing);
         let part = format!("{}.{}", kind.name, format.extension());
         Ok(Task { kind, settings, packing, identity, base, part, names })
     }

@@ -24,6 +24,7 @@ pub fn slope(
     let place = [0, 1].map(|axis| (texel[axis] as f64 + apex[axis] + 0.5) / size[axis]);
     let own = map.height_at(place[0], place[1]);
     let finest = texel_m[0].min(texel_m[1]);
+    let apex = Apex { texel_m, texel, at: apex, height: own };
     let mut best = 0.0f64;
     for ring in 0..most {
         if highest - own <= best * finest * (ring - 1) as f64 {
@@ -34,22 +35,30 @@ pub fn slope(
             let is_end = j == ring || j == -ring - 1;
             let step = if is_end { 1 } else { 2 * ring + 1 };
             for i in (-ring - 1..=ring).step_by(step as usize) {
-                best = patch_slope(map, texel_m, texel, [i, j], apex, own, [samples, finer], best);
+                best = patch_slope(map, &apex, [i, j], [samples, finer], best);
             }
         }
     }
     best
 }
 
+/// Where slopes begin.
+struct Apex {
+    /// Metres of a texel.
+    texel_m: [f64; 2],
+    texel: [i64; 2],
+    /// In texels from the texel's centre.
+    at: [f64; 2],
+    /// Of the surface there.
+    height: f64,
+}
+
 /// The steepest slope to a sampled point of the cell at that offset at which the surface falls, or `best` if
 /// that is steeper.
 fn patch_slope(
     map: &HeightMap,
-    texel_m: [f64; 2],
-    texel: [i64; 2],
+    &Apex { texel_m, texel, at: apex, height: own }: &Apex,
     offset: [i64; 2],
-    apex: [f64; 2],
-    own: f64,
     [samples, finer]: [usize; 2],
     mut best: f64,
 ) -> f64 {

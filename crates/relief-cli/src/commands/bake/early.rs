@@ -3,8 +3,8 @@
 use relief_bake::{Kind, Settings, Shape, Sink, SinkError, Texture, bake};
 use relief_core::{ByteSize, HeightMap, Metric, Watch, Wrap};
 
-use super::files::{Packing, Plan};
-use super::storage::Storage;
+use super::files::Plan;
+use super::storage::{Packing, Storage};
 
 /// Side of the map that is baked to see what channels a kind has.
 const TRIAL_SIDE: u32 = 8;

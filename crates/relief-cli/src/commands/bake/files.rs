@@ -12,7 +12,7 @@ use relief_io::{
 
 use super::identity::Identity;
 use super::spool::{SpoolReader, Spooled};
-use super::storage::{FileFormat, Storage};
+use super::storage::{FileFormat, Packing, Storage};
 
 /// A file to be written: of a texture some channels, some mip levels, and of a volume some slices.
 #[derive(Debug)]
@@ -44,17 +44,6 @@ pub enum FilesError {
     /// Writing was cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-}
-
-/// How the files of a bake are stored.
-#[derive(Clone, Copy)]
-pub struct Packing {
-    /// Their format.
-    pub format: FileFormat,
-    /// Their texels.
-    pub storage: Storage,
-    /// Whether KTX2 levels are compressed.
-    pub zstd: bool,
 }
 
 /// The files of textures of those shapes. `base` is the names' beginning.

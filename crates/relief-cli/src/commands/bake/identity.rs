@@ -7,7 +7,7 @@ use relief_bake::{Kind, Settings, Texture, bits_of_heights};
 use relief_core::{HeightMap, Metric, Rounding};
 use relief_io::read_metadata;
 
-use super::storage::{FileFormat, Storage};
+use super::storage::{Packing, Storage};
 
 /// The hash that tells two bakes apart.
 const KEY: &str = "relief.key";
@@ -76,9 +76,7 @@ impl Identity {
         map: &HeightMap,
         source_hash: &str,
         metric: Metric,
-        format: FileFormat,
-        storage: Storage,
-        zstd: bool,
+        Packing { format, storage, zstd }: Packing,
     ) -> Self {
         let mut about = inputs(kind, settings, map, source_hash, metric);
         about.push(("stored_as", storage.name().to_owned()));

@@ -72,6 +72,17 @@ pub enum Storage {
     Block,
 }
 
+/// How the files of a bake are stored.
+#[derive(Clone, Copy)]
+pub struct Packing {
+    /// Their format.
+    pub format: FileFormat,
+    /// Their texels.
+    pub storage: Storage,
+    /// Whether KTX2 levels are compressed.
+    pub zstd: bool,
+}
+
 impl Storage {
     /// What the choice means for a format and a kind's `bits`.
     ///

@@ -54,6 +54,14 @@ pub(super) struct Search<'a, V: Vector, const FALLS: bool> {
     hits: &'a mut CellHits<V>,
 }
 
+/// The 4 x 4 nodes of a block, and the lanes that look at them.
+struct Nodes<'a> {
+    maxima: &'a [f32; NODES],
+    /// What makes a turn's number a node's number, by an exclusive or.
+    flip: usize,
+    lanes: u32,
+}
+
 /// The nodes of a block that are touched: bit by bit, in the order in which rays come to them, and by whom.
 #[derive(Clone, Copy)]
 struct Touched {
@@ -292,13 +300,13 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
             self.column(x, 3 ^ flip_x, size, near, far),
         ];
         let [near, far] = self.near_and_far(1, size);
-        let flip = BLOCK * flip_y + flip_x;
+        let nodes = Nodes { maxima, flip: BLOCK * flip_y + flip_x, lanes };
         let mut touched = Touched { nodes: 0, by: [0; NODES] };
         let row = |at: usize| self.row(y, at ^ flip_y, size, near, far);
-        self.touched_row(row(0), &columns, maxima, 0, flip, lanes, &mut touched);
-        self.touched_row(row(1), &columns, maxima, BLOCK, flip, lanes, &mut touched);
-        self.touched_row(row(2), &columns, maxima, 2 * BLOCK, flip, lanes, &mut touched);
-        self.touched_row(row(3), &columns, maxima, 3 * BLOCK, flip, lanes, &mut touched);
+        self.touched_row(row(0), &columns, &nodes, 0, &mut touched);
+        self.touched_row(row(1), &columns, &nodes, BLOCK, &mut touched);
+        self.touched_row(row(2), &columns, &nodes, 2 * BLOCK, &mut touched);
+        self.touched_row(row(3), &columns, &nodes, 3 * BLOCK, &mut touched);
         touched
     }
 
@@ -322,16 +330,14 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
         &self,
         row: [Single<V>; 2],
         columns: &[[Single<V>; 2]; BLOCK],
-        maxima: &[f32; NODES],
+        nodes: &Nodes,
         first: usize,
-        flip: usize,
-        lanes: u32,
         touched: &mut Touched,
     ) {
-        self.touched_node(row, columns[0], maxima, first, flip, lanes, touched);
-        self.touched_node(row, columns[1], maxima, first + 1, flip, lanes, touched);
-        self.touched_node(row, columns[2], maxima, first + 2, flip, lanes, touched);
-        self.touched_node(row, columns[3], maxima, first + 3, flip, lanes, touched);
+        self.touched_node(row, columns[0], nodes, first, touched);
+        self.touched_node(row, columns[1], nodes, first + 1, touched);
+        self.touched_node(row, columns[2], nodes, first + 2, touched);
+        self.touched_node(row, columns[3], nodes, first + 3, touched);
     }
 
     #[inline(always)]
@@ -339,10 +345,8 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
         &self,
         row: [Single<V>; 2],
         column: [Single<V>; 2],
-        maxima: &[f32; NODES],
+        Nodes { maxima, flip, lanes }: &Nodes,
         at: usize,
-        flip: usize,
-        lanes: u32,
         touched: &mut Touched,
     ) {
         let maximum = Single::splat(self.v, maxima[(at ^ flip) % NODES]);
