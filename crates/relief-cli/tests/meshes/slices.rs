@@ -83,3 +83,29 @@ fn advice_is_on_keys_where_a_command_has_no_flags_for_scenes() {
         assert!(!ran.stderr.contains("--"), "{line}: {}", ran.stderr);
     }
 }
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_what_was_there() {
+    use crate::common::command::Ran;
+    use std::process::{Command, Stdio};
+    use std::time::{Duration, Instant};
+    let folder = folder();
+    folder.write("stopped/a.glb", b"old");
+    let line = "slices s.toml --count 4096 -q -o stopped/a.glb";
+    let mut command = folder.command();
+    command.args(line.split(' ')).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let run = command.spawn().expect("the command starts");
+    // The hidden folder is there before the work begins.
+    let begun = Instant::now();
+    while entries(&folder.path("stopped")).len() < 2 && begun.elapsed() < Duration::from_secs(10) {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    let sent = Command::new("kill").args(["-INT", &run.id().to_string()]).status();
+    assert!(sent.expect("kill runs").success());
+    let ran = Ran::new(line, &run.wait_with_output().expect("it ends"));
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert!(ran.stderr.contains("cancelled"), "{}", ran.stderr);
+    assert_eq!(entries(&folder.path("stopped")), ["a.glb"]);
+    assert_eq!(std::fs::read(folder.path("stopped/a.glb")).expect("it is there"), b"old");
+}
