@@ -204,8 +204,8 @@ impl PairedHeights {
 /// The heights that take a simple mesh to a detailed one.
 ///
 /// ```
-/// use relief_core::Watch;
 /// use relief_bake::from_meshes::{MeshPair, heights_from_meshes};
+/// use relief_core::Watch;
 /// use relief_core::mesh::sphere;
 /// use relief_core::raycast::RayCaster;
 ///
