@@ -504,6 +504,18 @@ impl Mesher {
         Ok(Mesh::new(vertices, triangles)?)
     }
 
+    /// Makes some blocks at once. Knows nothing of who takes them, so that it is compiled here, once.
+    fn made_of_all(
+        &self,
+        group: &[Work],
+        how: &Stream,
+        normals: Option<&Normals>,
+        into: Vec<MeshBlock>,
+    ) -> Vec<Option<Made>> {
+        let each = group.par_iter().zip(into);
+        each.map(|(work, block)| self.made(work, how, normals, block)).collect()
+    }
+
     /// Makes all blocks, some at a time, and takes them one after the other.
     fn each_block<E>(
         &self,
@@ -524,11 +536,7 @@ impl Mesher {
             // While the next ones are made, those that are ready are taken.
             let taken: Result<(), StreamError<E>> = rayon::in_place_scope(|scope| {
                 if !group.is_empty() {
-                    scope.spawn(|_| {
-                        let each = group.par_iter().zip(into);
-                        let made = each.map(|(work, block)| self.made(work, how, normals, block));
-                        made.collect_into_vec(&mut next);
-                    });
+                    scope.spawn(|_| next = self.made_of_all(group, how, normals, into));
                 }
                 ready.drain(..).try_for_each(|made: Option<Made>| {
                     let mut made = made.ok_or(StreamError::NotFinite)?;
