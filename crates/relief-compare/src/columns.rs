@@ -138,7 +138,7 @@ const fn share(
 }
 
 /// All columns.
-pub const COLUMNS: &[Column] = &[
+pub static COLUMNS: &[Column] = &[
     word("kind", "kind", "rays at an angle, or the pixels of a picture", |row| {
         text(if row.rays().is_some() { "rays" } else { "picture" })
     }),

@@ -77,7 +77,7 @@ const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'sta
 
 /// All bindings. Group 0 is the same for every program; a program of the other groups binds those of them
 /// that it names.
-pub const BINDINGS: [Binding; 42] = [
+pub static BINDINGS: [Binding; 42] = [
     uniform(0, "surface_settings", "SurfaceSettings", "what changes with the surface"),
     filtered(1, "height_map", false, "heights"),
     filtered(

@@ -104,7 +104,7 @@ const fn survey(
 }
 
 /// All methods.
-pub const METHODS: &[Method] = &[
+pub static METHODS: &[Method] = &[
     survey("bump", "none", "none", DEFAULTS, "4.1.1", "bump mapping: normals alone"),
     survey("parallax", "none", "offset", DEFAULTS, "4.1.2", "parallax mapping"),
     survey(

@@ -54,7 +54,7 @@ const fn only(inputs: &'static [(&'static str, &'static str)], returns: &'static
 }
 
 /// All stages, in the order in which a pixel goes through them.
-pub const STAGES: [Stage; 11] = [
+pub static STAGES: [Stage; 11] = [
     Stage {
         key: "geometry",
         folder: "geometry",

@@ -68,7 +68,7 @@ impl Kind {
 }
 
 /// All kinds.
-pub const KINDS: &[Kind] = &[
+pub static KINDS: &[Kind] = &[
     normal::KIND,
     pyramid::KIND,
     dilation_erosion::KIND,

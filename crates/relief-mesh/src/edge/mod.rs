@@ -95,7 +95,7 @@ pub struct Knot {
 }
 
 /// All edge rules.
-pub const EDGE_RULES: &[EdgeRule] = &[TEXELS, PIXELS, ERROR];
+pub static EDGE_RULES: &[EdgeRule] = &[TEXELS, PIXELS, ERROR];
 
 /// The edge rule of that name.
 ///

@@ -103,7 +103,7 @@ impl Cut {
 }
 
 /// All interiors; those that take more edge rules come first.
-pub const INTERIORS: &[Interior] = &[DICE, SWEEP, ADAPT];
+pub static INTERIORS: &[Interior] = &[DICE, SWEEP, ADAPT];
 
 /// The interior of that name.
 ///

@@ -14,7 +14,7 @@ mod occlusion;
 mod sky;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[
+pub static ENTRIES: &[Entry] = &[
     constant::ENTRY,
     occlusion::ENTRY,
     bent_normal::ENTRY,

@@ -10,7 +10,7 @@ mod footprint;
 mod none;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[none::ENTRY, footprint::ENTRY, fade::ENTRY];
+pub static ENTRIES: &[Entry] = &[none::ENTRY, footprint::ENTRY, fade::ENTRY];
 
 /// How long a footprint may be beside its width.
 const ANISOTROPY: Param = Param {

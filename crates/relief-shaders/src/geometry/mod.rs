@@ -19,7 +19,7 @@ mod tessellate;
 mod vertex;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[
+pub static ENTRIES: &[Entry] = &[
     none::ENTRY,
     vertex::ENTRY,
     remesh::ENTRY,

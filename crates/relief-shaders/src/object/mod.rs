@@ -12,7 +12,7 @@ mod hull;
 mod none;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[none::ENTRY, depth::ENTRY, hull::ENTRY, blend::ENTRY];
+pub static ENTRIES: &[Entry] = &[none::ENTRY, depth::ENTRY, hull::ENTRY, blend::ENTRY];
 
 /// Most images of an object that all of them are asked of.
 pub const MAX_IMAGES: usize = 64;

@@ -32,7 +32,7 @@ mod fbm;
 mod waves;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[waves::ENTRY, fbm::ENTRY, bumps::ENTRY];
+pub static ENTRIES: &[Entry] = &[waves::ENTRY, fbm::ENTRY, bumps::ENTRY];
 
 /// The function of a procedure in the shaders.
 pub fn function_of(entry: &Entry) -> String {

@@ -18,7 +18,7 @@ mod slope_iterative;
 mod true_secant;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[
+pub static ENTRIES: &[Entry] = &[
     none::ENTRY,
     offset::ENTRY,
     offset_limited::ENTRY,

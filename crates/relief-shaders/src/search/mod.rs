@@ -20,7 +20,7 @@ mod relaxed_cone_resting;
 mod sphere;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[
+pub static ENTRIES: &[Entry] = &[
     none::ENTRY,
     linear::ENTRY,
     cells::ENTRY,

@@ -7,4 +7,4 @@ use crate::entry::Entry;
 mod blinn_phong;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[blinn_phong::ENTRY];
+pub static ENTRIES: &[Entry] = &[blinn_phong::ENTRY];

@@ -17,7 +17,7 @@ mod soft;
 mod visibility;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[
+pub static ENTRIES: &[Entry] = &[
     ray::ENTRY,
     none::ENTRY,
     entry::ENTRY,

@@ -10,7 +10,7 @@ mod band;
 mod inside;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[inside::ENTRY, at_least::ENTRY, band::ENTRY];
+pub static ENTRIES: &[Entry] = &[inside::ENTRY, at_least::ENTRY, band::ENTRY];
 
 /// The settings of slices, which are the same for all tests. Hosts read them, since they make the slices.
 const PARAMS: &[Param] = &[

@@ -20,7 +20,7 @@ mod slices;
 mod tetrahedra;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[
+pub static ENTRIES: &[Entry] = &[
     plane::ENTRY,
     prism::ENTRY,
     quadric_perpendicular::ENTRY,
