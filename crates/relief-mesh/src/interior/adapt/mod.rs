@@ -36,7 +36,7 @@ pub const INTERIOR: Interior = Interior {
     },
     takes: &[Spacing::Uneven],
     why: "sides that do not go by the tolerance have more points than it asks for, or too few",
-    fills: Fills::Ground(Fill { tile: fill, facet: fill }),
+    fills: Fills::Ground(Fill { tile: fill_tile, facet: fill_facet }),
 };
 
 /// How much looser the tolerance is before heights are fitted: found by trying, see `docs/mesh.md`.
@@ -71,6 +71,15 @@ pub struct Filled {
     pub triangles: Vec<[u32; 3]>,
     /// The farthest that the surface lies above the triangles and below them, and where.
     pub seen: Seen,
+}
+
+// Not generic, so that they are compiled here alone: what a constant names is compiled wherever that is read.
+fn fill_tile(ground: &Window, border: &[([i32; 2], f32)], wanted: Wanted<'_>) -> Option<Filled> {
+    fill(ground, border, wanted)
+}
+
+fn fill_facet(ground: &Facet, border: &[([i32; 2], f32)], wanted: Wanted<'_>) -> Option<Filled> {
+    fill(ground, border, wanted)
 }
 
 /// Fills a patch, whose border's points are its corners, in the ground's order, and then any others. None
