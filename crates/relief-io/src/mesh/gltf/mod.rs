@@ -98,7 +98,7 @@ fn take_json(text: &[u8], builder: &mut Builder) -> Result<u64, ReadProblem> {
 
 /// The checked JSON.
 fn document(text: &[u8]) -> Result<Document, ReadProblem> {
-    let mut root = json::Root::from_slice(text).map_err(damaged)?;
+    let mut root: json::Root = json::deserialize::from_slice(text).map_err(damaged)?;
     let is_harmless = |name: &&String| HARMLESS.iter().any(|beginning| name.starts_with(beginning));
     if let Some(name) = root.extensions_required.iter().find(|name| !is_harmless(name)) {
         let name: String = name.chars().take(100).collect();
