@@ -5,6 +5,7 @@ use crate::stages::{
     AMBIENT, DETAIL, GEOMETRY, OBJECT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Stage,
     stage,
 };
+use crate::surface::Shown;
 use crate::{METHODS, Selection, SelectionError};
 
 /// The stages that can be left out.
@@ -178,8 +179,7 @@ fn a_geometry_goes_with_its_companions_and_with_surfaces_that_show_the_same() {
                     matches!(selection.check(), Err(SelectionError::Surface { key: "geometry", .. }));
                 // Triangles may be displaced already where the base is drawn.
                 let other = surface.paths().shown;
-                let goes =
-                    other == shown || (!other.is_sliced() && !other.is_of_images() && geometry.is_idle());
+                let goes = other == shown || (other == Shown::Triangles && geometry.is_idle());
                 assert_eq!(of_geometry, !goes, "{} on {}", surface.name, geometry.name);
             }
         }

@@ -3,7 +3,6 @@ use relief_core::registry::{Guarantee, RayClass};
 use super::*;
 use crate::geometry::Geometry;
 use crate::slice::{SliceDirection, Slices};
-use crate::surface::Shown;
 use crate::{AMBIENT, METHODS, REFINE, SURFACE};
 
 #[test]
@@ -260,7 +259,8 @@ fn a_sky_goes_with_reliefs_and_a_hemisphere_with_everything() {
     for method in METHODS {
         let selection = Selection::of(method).expect("listed names");
         let goes = |name| selection.goes_with("ambient", name).expect("an ambient light");
-        let is_of_relief = matches!(selection.shown_by_geometry(), Shown::Relief | Shown::Slices);
+        let is_of_relief =
+            selection.paths().has_normals_of_relief() && !selection.paths().shown.is_of_images();
         let names = ["constant", "hemisphere", "sky", "bent-normal"].map(goes);
         assert_eq!(names, [true, true, is_of_relief, is_of_relief], "{}", method.name);
         // What is shown without being asked for does not change.
