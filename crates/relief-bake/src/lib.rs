@@ -16,6 +16,7 @@ mod baked_map;
 mod cone_search;
 mod error;
 mod fill;
+mod fixed_point;
 pub mod from_meshes;
 pub mod from_normals;
 mod horizon_sweep;

@@ -8,7 +8,7 @@
 use rayon::prelude::*;
 use relief_core::HeightMap;
 
-use crate::upper_planes::GRID;
+use crate::fixed_point::GRID;
 
 /// The first level of the pyramid that has hulls: on lower ones there are as few texels as vertices.
 pub const FIRST: u32 = 3;

@@ -12,18 +12,12 @@
 use rayon::prelude::*;
 use relief_core::{HeightMap, Wrap};
 
+use crate::fixed_point::{EXACT, GRID, floor};
 use crate::upper_hulls::push_to_hull;
 
 /// The first level of the pyramid that has planes: on lower ones there are few nodes within a search's way,
 /// and as many planes would take more memory than the map.
 pub const FIRST: u32 = 3;
-
-/// Heights, slopes and whatever is a sum of products of slopes and whole numbers of texels are multiples of
-/// one over this. While it is less than [`EXACT`], nothing of it is rounded in `f64`.
-pub const GRID: f64 = (1u64 << 40) as f64;
-
-/// Multiples of one over [`GRID`] below this are exact in `f64`.
-pub const EXACT: f64 = (1u64 << 12) as f64;
 
 /// A plane above a node.
 #[derive(Clone, Copy, Debug)]
@@ -73,12 +67,6 @@ impl UpperPlanes {
         let level = &self.levels.get(level.checked_sub(FIRST)? as usize)?;
         level.planes.get(row as usize * level.width + column as usize)
     }
-}
-
-/// The greatest multiple of one over [`GRID`] that is not above a number.
-#[inline(always)]
-pub fn floor(number: f64) -> f64 {
-    (number * GRID).floor() / GRID
 }
 
 /// What a task works with.

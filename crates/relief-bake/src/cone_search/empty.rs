@@ -7,8 +7,8 @@ use super::apexes::{APEXES, Apexes, PerApex, most};
 use super::block::{Block, is_in_block};
 use super::field::Seen;
 use super::lanes::{LANES, Lanes, bits_of};
-use super::search::{MARGIN, Search, Sort, State};
-use super::tie::is_nearly_flat;
+use super::search::{Search, Sort, State};
+use super::tie::{MARGIN, is_nearly_flat};
 use super::walk::{Group, Look};
 
 /// Cones that hold no surface.

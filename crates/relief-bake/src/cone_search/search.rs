@@ -11,13 +11,11 @@ use super::encoding::ratio;
 use super::field::{Field, Seen};
 use super::lanes::{LANES, Lanes, bits_of};
 use super::near::{Near, NearRow};
+use super::tie::MARGIN;
 use super::walk::{Group, Walk};
 
 /// Rows that one task goes down: what was steepest for a texel is mostly steepest, or nearly, below it.
 const ROWS: usize = 32;
-
-/// A bound prunes only when it is below the best by more than rounding.
-pub(super) const MARGIN: f64 = 1.0 + 1e-9;
 
 /// A map and all that its texels are searched with.
 pub(crate) struct Search<'a> {

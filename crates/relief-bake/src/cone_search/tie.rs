@@ -1,7 +1,8 @@
 //! Slopes that count as equally steep: else the rounding of heights would decide what is steepest of much
 //! that is equally steep, and all of it had to be looked at.
 
-use super::search::MARGIN;
+/// A bound prunes only when it is below the best by more than rounding.
+pub(super) const MARGIN: f64 = 1.0 + 1e-9;
 
 /// What slopes are raised by, in the search and in the end, relatively.
 const TIE: f64 = 1.0 + 1.0 / (1u64 << 16) as f64;

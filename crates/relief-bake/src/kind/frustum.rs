@@ -85,6 +85,7 @@ mod diagonal;
 mod growing_squares;
 mod least_slopes;
 mod map;
+mod rounding;
 
 use std::sync::LazyLock;
 

@@ -25,7 +25,7 @@ use relief_core::{Cancelled, HeightMap, Watch, Wrap};
 
 use self::squares::{Squares, greater};
 use super::diagonal;
-use super::least_slopes::{CAUTION, round_up};
+use super::rounding::{CAUTION, round_up};
 
 /// Steps that a cell may take without a rise: natural ground takes about ten.
 const PATIENCE: u8 = 64;

@@ -19,9 +19,11 @@ use relief_core::{Cancelled, HeightMap, Watch};
 use super::ahead::{self, Run};
 use super::diagonal;
 use super::growing_squares::Found;
+use super::rounding::{CAUTION, round_up};
+use crate::fixed_point::floor;
 use crate::texel_pyramid::TexelPyramid;
 use crate::upper_hulls::UpperHulls;
-use crate::upper_planes::{UpperPlanes, floor};
+use crate::upper_planes::UpperPlanes;
 
 /// How many cells are searched for at once. They share the walk through the pyramid and are compared
 /// together; more of them would have fewer nodes in common.
@@ -33,21 +35,12 @@ const ROWS: usize = 64;
 /// Tiles that are worked on before they are put in place; at most so many values are held twice.
 const TILES: usize = 2048;
 
-/// What raises a slope in `f64` by more than the roundings of a difference and a quotient have lowered it.
-const RAISE: f64 = 1.0 + 1.0 / (1u64 << 50) as f64;
-
-/// Lowers slopes, so that in `f32`, with three roundings of 2⁻²⁴, no node that matters is passed over.
-pub const CAUTION: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
-
 /// What a slope is raised by where something else is as steep to within this. Else the rounding of heights
 /// would decide what is steepest of much that is equally steep, and all of it had to be looked at.
 const TIE: f64 = 1.0 + 1.0 / (1u64 << 16) as f64;
 
 /// Nodes that a search looks into before it asks for hulls and planes: natural ground mostly takes fewer.
 const PATIENCE: u32 = 64;
-
-/// No slope is steeper: heights differ by 1 at most, and the nearest that counts is half a texel away.
-const STEEPEST: f32 = 2.0;
 
 /// The least slope of every cell, with those tops, in the quadrant that goes `forward` or not along each
 /// axis, from what squares have told of them.
@@ -154,7 +147,7 @@ struct Search<'a> {
     /// The steepest so far, and lowered for comparisons in `f32`.
     slope: [f64; LANES],
     cautious: [f32; LANES],
-    /// Tops and slopes rounded down to multiples of one over [`GRID`](crate::upper_planes::GRID).
+    /// Tops and slopes rounded down to multiples of one over [`GRID`](crate::fixed_point::GRID).
     fine_top: [f64; LANES],
     fine_slope: [f64; LANES],
     /// Whether something that was passed over may be steeper, by no more than a [`TIE`].
@@ -368,11 +361,4 @@ impl<'a> Search<'a> {
             self.look(lane, [sight.near[0] + self.shift[lane] as i64, sight.near[1]]);
         }
     }
-}
-
-/// The least `f32` that is surely not below the slope whose rounded value is given.
-pub fn round_up(slope: f64) -> f32 {
-    let raised = slope * RAISE;
-    let nearest = raised as f32;
-    if f64::from(nearest) < raised { nearest.next_up().min(STEEPEST) } else { nearest }
 }

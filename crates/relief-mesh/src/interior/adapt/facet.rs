@@ -13,9 +13,6 @@ use super::turning::Turning;
 use super::window::{STEPS, Window, bilinear};
 use crate::Judge;
 
-/// What the product of two weights is at most.
-pub const PAIR: f64 = 0.25;
-
 /// The least area of a triangle in the map, in cells, within which there are places that its edges do not
 /// show.
 const LEAST_AREA: f64 = 1e-9;
@@ -199,19 +196,6 @@ impl Ground for Facet {
     }
 }
 
-/// The most that the products of each two of three weights come to, times these numbers. With the squares of
-/// a triangle's sides it is the square of the radius of the least circle around it.
-pub fn pairs([a, b, c]: [f64; 3]) -> f64 {
-    let most = a.max(b).max(c);
-    let rest = a + b + c - most;
-    if most >= rest {
-        return PAIR * most;
-    }
-    // Sixteen times the square of that triangle's area.
-    let area = 2.0 * (a * b + b * c + c * a) - (a * a + b * b + c * c);
-    a * b * c / area
-}
-
 /// The squares of lengths in the map, as a metric of the lattice; of the lattice itself where the triangle
 /// has hardly any area there.
 fn metric([a, b, c]: [[f64; 2]; 3]) -> Metric {
@@ -327,22 +311,6 @@ mod tests {
             assert!(found.below.height >= most.below.height - 1e-9, "{places:?}: {found:?}, {most:?}");
             assert!(found.above.height >= most.above.height - 0.05, "{places:?}: {found:?}, {most:?}");
             assert!(found.below.height <= most.below.height + 0.05, "{places:?}: {found:?}, {most:?}");
-        }
-    }
-
-    #[test]
-    fn products_of_weights_come_to_no_more() {
-        for numbers in [[1.0, 1.0, 1.0], [1.0, 0.5, 0.5], [3.0, 1.0, 0.0], [0.7, 1.0, 0.6], [0.0; 3]] {
-            let [a, b, c] = numbers;
-            let mut most = 0.0_f64;
-            for i in 0..=120 {
-                for j in 0..=120 - i {
-                    let [x, y, z] = [i, j, 120 - i - j].map(|part| f64::from(part) / 120.0);
-                    most = most.max(a * x * y + b * y * z + c * z * x);
-                }
-            }
-            let said = pairs(numbers);
-            assert!(most <= said + 1e-12 && most >= 0.999 * said, "{numbers:?}: {most} {said}");
         }
     }
 }

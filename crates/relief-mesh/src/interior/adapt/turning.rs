@@ -15,9 +15,11 @@
 
 use glam::DVec3;
 
-use super::facet::pairs;
 use crate::cubic::Cubic;
 use crate::point;
+
+/// What the product of two weights is at most.
+const PAIR: f64 = 0.25;
 
 /// A base triangle as it turns and bends. Lengths are in heights of the map.
 #[derive(Clone, Copy, Debug)]
@@ -109,6 +111,19 @@ impl Turning {
     }
 }
 
+/// The most that the products of each two of three weights come to, times these numbers. With the squares of
+/// a triangle's sides it is the square of the radius of the least circle around it.
+fn pairs([a, b, c]: [f64; 3]) -> f64 {
+    let most = a.max(b).max(c);
+    let rest = a + b + c - most;
+    if most >= rest {
+        return PAIR * most;
+    }
+    // Sixteen times the square of that triangle's area.
+    let area = 2.0 * (a * b + b * c + c * a) - (a * a + b * b + c * c);
+    a * b * c / area
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -162,6 +177,22 @@ mod tests {
                 assert!(found <= said + 1e-12, "{about}, {corners:?}: {found} {said}");
                 assert!(found >= tight * said, "{about}, {corners:?}: {found} {said}");
             }
+        }
+    }
+
+    #[test]
+    fn products_of_weights_come_to_no_more() {
+        for numbers in [[1.0, 1.0, 1.0], [1.0, 0.5, 0.5], [3.0, 1.0, 0.0], [0.7, 1.0, 0.6], [0.0; 3]] {
+            let [a, b, c] = numbers;
+            let mut most = 0.0_f64;
+            for i in 0..=120 {
+                for j in 0..=120 - i {
+                    let [x, y, z] = [i, j, 120 - i - j].map(|part| f64::from(part) / 120.0);
+                    most = most.max(a * x * y + b * y * z + c * z * x);
+                }
+            }
+            let said = pairs(numbers);
+            assert!(most <= said + 1e-12 && most >= 0.999 * said, "{numbers:?}: {most} {said}");
         }
     }
 }

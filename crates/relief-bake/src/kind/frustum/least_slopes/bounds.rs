@@ -2,8 +2,9 @@
 
 use super::super::ahead::Run;
 use super::{LANES, Node, Search, Sight, TIE};
+use crate::fixed_point::{EXACT, floor};
 use crate::upper_hulls::HullVertex;
-use crate::upper_planes::{EXACT, UpperPlane, floor};
+use crate::upper_planes::UpperPlane;
 
 /// Lowers products of slopes and distances by more than their rounding.
 const NEARLY: f64 = 1.0 - 1.0 / (1u64 << 48) as f64;
@@ -172,7 +173,7 @@ impl Search<'_> {
     /// the plane is. The plane less the slope times `max(u, v)` is linear on either side of the diagonal, so
     /// it is greatest at a corner of the box of these cells, as far as it is in the quadrant, or where the
     /// diagonal crosses the box's rim. All numbers are multiples of one over
-    /// [`GRID`](crate::upper_planes::GRID), with top and slope rounded down to such, and nothing is rounded:
+    /// [`GRID`](crate::fixed_point::GRID), with top and slope rounded down to such, and nothing is rounded:
     /// a tie is told from a rise by a last bit.
     #[inline(always)]
     fn above_plane(

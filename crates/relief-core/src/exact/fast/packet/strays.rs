@@ -7,8 +7,7 @@ use glam::Vec4;
 
 use super::PathPacket;
 use super::cell::{CellHits, Patch, Patches, Rays};
-use super::together::lanes_of;
-use super::vector::Vector;
+use super::vector::{Vector, lanes_of};
 use crate::exact::CELL_BYTES;
 use crate::exact::fast::hierarchy::{BLOCK, Hierarchy};
 use crate::exact::fast::line::{Kind, Line, is_crosswise};

@@ -7,7 +7,7 @@ use super::cell::CellHits;
 use super::search::{Group, MOST_NODES, Search, Singles, Stack};
 use super::setup::{HalfRays, half_rays};
 use super::strays::Strays;
-use super::vector::{Double, Mask, Single, Vector};
+use super::vector::{Double, Mask, Single, Vector, lanes_of};
 use super::{FastTracer, HitPacket, PathPacket};
 use crate::Lanes;
 use crate::exact::fast::hierarchy::BLOCK;
@@ -113,15 +113,6 @@ impl<V: Vector> NullaryFnOnce for Blocked<'_, V> {
             }
         }
     }
-}
-
-/// The lanes of a set, one after the other.
-pub(super) fn lanes_of(mut set: u32) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let lane = set.trailing_zeros() as usize;
-        set &= set.wrapping_sub(1);
-        (lane < PathPacket::LEN).then_some(lane)
-    })
 }
 
 /// What searches write to on their way. It is made once for many packets.

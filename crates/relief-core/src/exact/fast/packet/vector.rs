@@ -7,6 +7,8 @@ use pulp::Simd;
 use pulp::bytemuck::{cast, cast_slice};
 use pulp::x86::{V3, V4};
 
+use super::PathPacket;
+
 /// Vectors with what `pulp` has under no common name: lanes of masks as bits, and conversions.
 pub(super) trait Vector: Simd {
     /// The lanes of a mask, the first one lowest.
@@ -23,6 +25,16 @@ pub(super) trait Vector: Simd {
     fn truncate(self, a: Self::f64s) -> Self::f64s;
     /// The greatest whole numbers that are not greater.
     fn floor(self, a: Self::f64s) -> Self::f64s;
+}
+
+/// The lanes of a set, one after the other.
+#[inline]
+pub(super) fn lanes_of(mut set: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = set.trailing_zeros() as usize;
+        set &= set.wrapping_sub(1);
+        (lane < PathPacket::LEN).then_some(lane)
+    })
 }
 
 impl Vector for V3 {
