@@ -5,7 +5,7 @@
 
 use super::raw::{Framed, FramingError, MAX_METRES, RawCorner, RawMesh};
 use super::topology::{HalfEdge, Sets, half_edges};
-use super::{Mesh, Vertex};
+use super::{Mesh, MeshError, Vertex};
 use crate::TangentFrame;
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use std::collections::HashMap;
@@ -56,8 +56,8 @@ impl RawMesh {
     /// # Errors
     ///
     /// When a corner names what does not exist or has numbers that are not finite or too large, when there is
-    /// no triangle with an area, and when triangles have no texture coordinates, or such without an area
-    /// beside no neighbour that has one.
+    /// no triangle with an area, when triangles have no texture coordinates, or such without an area beside no
+    /// neighbour that has one, and when a tile of the texture is shorter than 1e-19 m.
     pub fn framed(mut self) -> Result<Framed, FramingError> {
         self.check()?;
         let (numbers, [degenerate, double]) = self.weld_and_drop();
@@ -72,6 +72,9 @@ impl RawMesh {
         }
         let framing = Framing { normals: self.normals_of_points(), raw: &self };
         let (vertices, triangles) = framing.vertices_and_triangles()?;
+        if let Some(at) = vertices.iter().position(|vertex| !vertex.has_lengths()) {
+            return Err(MeshError::ShortTile(at).into());
+        }
         Ok(Framed { mesh: Mesh::new(vertices, triangles)?, numbers, degenerate, double })
     }
 

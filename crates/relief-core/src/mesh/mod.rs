@@ -92,12 +92,21 @@ pub enum MeshError {
     /// There are more triangles than a 32-bit number counts.
     #[error("a mesh of {0} triangles is too large")]
     TooLarge(usize),
-    /// A tile factor is not finite and positive.
-    #[error("the tile factors are {0} and {1}: they must be finite and positive")]
+    /// A tile of the texture at a vertex is shorter than 1e-19 m, so that no `f32` holds the square of its
+    /// length.
+    #[error("vertex {0} has a tile of the texture shorter than 1e-19 m: give the mesh in metres")]
+    ShortTile(usize),
+    /// A tile factor is not finite and positive, or tiles become too short or long for `f32`.
+    #[error(
+        "the tile factors are {0} and {1}: they must be positive, with tiles from 1e-19 m to 1e19 m long"
+    )]
     BadTile(f32, f32),
     /// A placement's numbers are not finite, its size is not positive, or the mesh is no longer finite where
-    /// it is placed.
-    #[error("a mesh cannot be placed so: its numbers must be finite and its size positive")]
+    /// it is placed, or its tiles become too short or long for `f32`.
+    #[error(
+        "a mesh cannot be placed so: its numbers must be finite and its size positive, with tiles from 1e-19 m \
+         to 1e19 m long"
+    )]
     BadPlacement,
     /// The sides of a rectangle are not finite and positive, or too small or large for `f32`.
     #[error("a rectangle of {0} m by {1} m: both sides must be finite and positive")]
@@ -198,12 +207,15 @@ impl Mesh {
         if !(tile.is_finite() && tile.cmpgt(Vec2::ZERO).all()) {
             return Err(MeshError::BadTile(tile.x, tile.y));
         }
+        let mut has_lengths = true;
         for vertex in &mut self.vertices {
+            let had_lengths = vertex.has_lengths();
             vertex.uv *= tile;
             vertex.tangent /= tile.x;
             vertex.bitangent /= tile.y;
+            has_lengths &= vertex.has_lengths() || !had_lengths;
         }
-        if self.vertices.iter().all(Vertex::is_finite) {
+        if has_lengths && self.vertices.iter().all(Vertex::is_finite) {
             Ok(self)
         } else {
             Err(MeshError::BadTile(tile.x, tile.y))
@@ -212,6 +224,12 @@ impl Mesh {
 }
 
 impl Vertex {
+    /// Whether an `f32` holds the squares of the lengths of tangent and bitangent. Where it does not, a length
+    /// is reckoned as 0 or infinite, and no displacement along the frame is right.
+    fn has_lengths(&self) -> bool {
+        [self.tangent, self.bitangent].iter().all(|along| along.length_squared().is_normal())
+    }
+
     fn is_finite(&self) -> bool {
         self.position.is_finite()
             && self.normal.is_finite()

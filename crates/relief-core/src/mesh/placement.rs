@@ -42,7 +42,8 @@ impl Mesh {
     ///
     /// # Errors
     ///
-    /// When a number is not finite, the size is not positive, or the mesh is no longer finite there.
+    /// When a number is not finite, the size is not positive, the mesh is no longer finite there, or its tiles
+    /// become too short or long for `f32`.
     pub fn placed(self, placement: &Placement) -> Result<Self, MeshError> {
         let Placement { position_m, size, .. } = *placement;
         if *placement == Placement::default() {
@@ -58,7 +59,9 @@ impl Mesh {
             uv: vertex.uv,
         };
         let vertices: Vec<Vertex> = self.vertices.iter().map(place).collect();
-        if vertices.iter().all(Vertex::is_finite) {
+        let keeps_lengths =
+            |(after, before): (&Vertex, &Vertex)| after.has_lengths() || !before.has_lengths();
+        if vertices.iter().all(Vertex::is_finite) && vertices.iter().zip(&self.vertices).all(keeps_lengths) {
             Ok(Self { vertices, triangles: self.triangles })
         } else {
             Err(MeshError::BadPlacement)
@@ -115,6 +118,9 @@ mod tests {
             Placement { size: -1.0, ..Placement::default() },
             Placement { size: f64::NAN, ..Placement::default() },
             Placement { size: 1e300, ..Placement::default() },
+            Placement { size: 1e25, ..Placement::default() },
+            Placement { size: 1e-25, ..Placement::default() },
+            Placement { size: 1e-41, ..Placement::default() },
             Placement { position_m: DVec3::INFINITY, ..Placement::default() },
             Placement { rotation_degrees: DVec3::NAN, ..Placement::default() },
         ];

@@ -132,7 +132,17 @@ fn impossible_meshes_are_refused() {
     assert!(matches!(square(0), Err(MeshError::BadDivisions { given: 0, .. })));
     assert!(sphere(3, 1).is_err() && torus(2, 3).is_err() && cylinder(3, MAX_DIVISIONS + 1).is_err());
     let mesh = build(Builtin::Plane, 1);
-    for tile in [Vec2::new(0.0, 1.0), Vec2::new(1.0, -2.0), Vec2::new(f32::NAN, 1.0), Vec2::splat(1e-45)] {
+    let impossible = [
+        Vec2::new(0.0, 1.0),
+        Vec2::new(1.0, -2.0),
+        Vec2::new(f32::NAN, 1.0),
+        Vec2::splat(1e-45),
+        // Tangents whose squares are no normal `f32`.
+        Vec2::splat(1e-25),
+        Vec2::splat(1e25),
+        Vec2::new(1.0, 1e20),
+    ];
+    for tile in impossible {
         assert!(matches!(mesh.clone().tiled(tile), Err(MeshError::BadTile(..))), "{tile}");
     }
     let error = Mesh::new(mesh.vertices.clone(), vec![[0, 1, 4]]);

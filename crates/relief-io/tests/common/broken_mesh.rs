@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use relief_core::mesh::{FramingError, Mesh, UvProjection};
+use relief_core::mesh::{FramingError, Mesh, MeshError, UvProjection};
 use relief_io::{MeshFile, MeshOptions, ReadError, ReadProblem, Source, read_mesh};
 
 /// Enough for every small file.
@@ -50,6 +50,10 @@ pub fn has_no_uv(problem: &ReadProblem) -> bool {
 
 pub fn has_no_texture_area(problem: &ReadProblem) -> bool {
     matches!(problem, ReadProblem::Mesh(FramingError::NoTextureArea { .. }))
+}
+
+pub fn has_short_tiles(problem: &ReadProblem) -> bool {
+    matches!(problem, ReadProblem::Mesh(FramingError::Mesh(MeshError::ShortTile(_))))
 }
 
 pub fn has_no_triangles(problem: &ReadProblem) -> bool {

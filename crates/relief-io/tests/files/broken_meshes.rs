@@ -3,8 +3,9 @@
 use crate::common::Random;
 use crate::common::broken_mesh::{
     Case, Right, assert_right, case, has_bad_number, has_no_texture_area, has_no_triangles, has_no_uv,
-    is_damaged, is_too_large, is_unsupported, read,
+    has_short_tiles, is_damaged, is_too_large, is_unsupported, read,
 };
+use crate::common::gltf_file::Gltf;
 use crate::common::mesh_file::{Ply, data_uri, glb, gltf, gltf_buffer, obj, ply, stl_binary, stl_text};
 use relief_core::mesh::{Mesh, UvProjection, square, torus};
 use relief_io::{MeshOptions, ReadProblem, Source, read_mesh};
@@ -138,6 +139,30 @@ fn plys_are_read_or_refused() {
         refused("strips", plain.replace("element face 1", "element tristrips 1"), is_unsupported),
         refused("faces before vertices", early, is_damaged),
         refused("a binary header alone", little, is_damaged),
+    ]);
+}
+
+/// A mesh so small that no `f32` holds the squares of its lengths, in every format that has texture
+/// coordinates, by its positions, the scale of a node, or positions that begin within a number.
+#[test]
+fn meshes_of_next_to_no_size_are_refused() {
+    let refused = |what, name, bytes: Vec<u8>| case(what, name, bytes, Right::Refused(has_short_tiles));
+    let mesh = square(1).expect("a mesh");
+    let small = SQUARE.replace("v 0 0 1", "v 0 0 1e-30").replace("v 1 0 1", "v 1e-30 0 1e-30");
+    let small = small.replace("v 1 0 0", "v 1e-30 0 0") + "f 1/1 2/2 3/3 4/4\n";
+    let narrow = SQUARE.replace("v 0 0 1", "v 0 0 1e-41").replace("v 1 0 1", "v 1 0 1e-41");
+    let narrow = narrow + "f 1/1 2/2 3/3 4/4\n";
+    let ply = square_ply(4, "4 0 1 2 3", 1);
+    let ply = ply.replace("0 0 1 0 0", "0 0 1e-25 0 0").replace("1 0 1 1 0", "1e-25 0 1e-25 1 0");
+    let scaled = gltf(&mesh, Some(&data_uri(&gltf_buffer(&mesh))), r#""scale": [1e-25, 1e-25, 1e-25]"#);
+    let shifted = String::from_utf8(Gltf::square().json()).expect("a text");
+    let shifted = shifted.replacen(r#""byteOffset": 0"#, r#""byteOffset": 2"#, 1);
+    assert_right(vec![
+        refused("a small square", "a.obj", small.into_bytes()),
+        refused("a square next to no width", "a.obj", narrow.into_bytes()),
+        refused("small positions", "a.ply", ply.replace("1 0 0 1 1", "1e-25 0 0 1 1").into_bytes()),
+        refused("a small scale", "a.gltf", scaled.into_bytes()),
+        refused("positions that begin within a number", "a.gltf", shifted.into_bytes()),
     ]);
 }
 
