@@ -58,6 +58,7 @@ impl<'a> ExrFile<'a> {
         }
         let mut layout = Layout::new(Format::Exr, [width, height], &[], SampleType::float(32));
         layout.channels = channels;
+        layout.remarks.extend(header.parts.iter().find_map(Part::remark));
         Ok(Self { file: input.file, header, layout })
     }
 
@@ -147,7 +148,7 @@ fn read_chunk(
     }
     match part.tiles {
         Some(_) => expected.extend([place[0] as i64, place[1] as i64, 0, 0]),
-        None => expected.push(part.origin_y + (place[1] * part.rows_per_block()) as i64),
+        None => expected.push(part.data_window[1] + (place[1] * part.rows_per_block()) as i64),
     }
     for value in expected {
         if number()? != value {

@@ -366,9 +366,11 @@ const ALIASES: [(&str, &str); 8] = [
 /// The channel asked for, or the one that stands out.
 pub(crate) fn select(layout: &Layout, asked: Option<&str>) -> Result<Selection, ReadProblem> {
     if let Some(name) = asked {
+        // EXR files may hold `r` beside `R`.
+        let same = || layout.channels.iter().position(|channel| channel.name == name);
         let alias =
             || ALIASES.iter().find(|(alias, _)| alias.eq_ignore_ascii_case(name)).map(|(_, name)| *name);
-        let channel = layout.channel(name).or_else(|| layout.channel(alias()?));
+        let channel = same().or_else(|| layout.channel(name)).or_else(|| layout.channel(alias()?));
         let known = layout.channel_names();
         let unknown = || UnknownName::new("channel", name, known.iter().map(String::as_str));
         return channel.map(Selection::Channel).ok_or_else(|| ReadProblem::UnknownChannel(unknown()));

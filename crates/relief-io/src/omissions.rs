@@ -107,6 +107,15 @@ omissions! {
     PAGES: "pages", "pictures",
         "several pages of a TIFF",
         "the first is read";
+    NO_PHOTOMETRIC: "no-photometric", "pictures",
+        "a TIFF that does not say whether 0 is black or white",
+        "0 is black";
+    LONG_OPACITY: "long-opacity", "pictures",
+        "opacity of a PNG without an alpha channel (chunk tRNS) that is longer than its colours allow",
+        "it is followed in part, or not at all";
+    DISPLAY_WINDOW: "display-window", "pictures",
+        "an EXR whose display window is another than its data window",
+        "the data window is read";
     ANIMATION: "animation", "pictures",
         "an animation in a PNG or WebP file",
         "the picture that is shown without it is read; of WebP the first";

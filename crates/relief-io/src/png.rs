@@ -14,7 +14,7 @@ use self::chunks::Chunks;
 use crate::ReadProblem;
 use crate::input::{Input, io_problem};
 use crate::layout::{Format, Layout, SampleType, Sink, Span};
-use crate::omissions::{ANIMATION, Remark};
+use crate::omissions::{ANIMATION, LONG_OPACITY, Remark};
 use crate::source::SourceReader;
 
 /// What the decoder may take for chunks other than image data; a row of the widest height map needs half of
@@ -77,6 +77,13 @@ impl<'a> PngFile<'a> {
         if chunks.is_animated {
             let text = "it is an animation: the picture that is shown without it is read";
             layout.remarks.push(Remark::new(&ANIMATION, text));
+        }
+        if let Some([bytes, most]) = chunks.long_opacity {
+            let text = format!(
+                "its opacity (chunk tRNS) has {bytes} bytes, where its colours allow {most}: it is followed in \
+                 part, or not at all"
+            );
+            layout.remarks.push(Remark::new(&LONG_OPACITY, text));
         }
         Ok(Self { reader, layout, expansion })
     }

@@ -20,7 +20,7 @@ use self::raster::{PARSE_BUDGETS, Raster};
 use self::stored::Stored;
 use crate::input::Input;
 use crate::layout::{Channel, Format, Layout, SampleType, Sink};
-use crate::omissions::{PAGES, Remark};
+use crate::omissions::{NO_PHOTOMETRIC, PAGES, Remark};
 use crate::{ReadProblem, Source};
 
 const TAG_NEW_SUBFILE_TYPE: u16 = 254;
@@ -58,7 +58,8 @@ impl<'a> TiffFile<'a> {
         let ifd = full_resolution(&pictures)?;
         let header = &pictures[ifd];
         let mut raster = Raster::open(&input, stored, header, ifd)?;
-        let photometric = header.photometric_interpretation().unwrap_or(BLACK_IS_ZERO);
+        let stated_photometric = header.photometric_interpretation();
+        let photometric = stated_photometric.unwrap_or(BLACK_IS_ZERO);
         let mut layout = match &mut raster.palette {
             Some(palette) => {
                 // Of an elevation model the samples are the heights, and their colours are for show.
@@ -86,6 +87,10 @@ impl<'a> TiffFile<'a> {
             Err(what) => layout.terrain = Err(what),
         }
         layout.stated_orientation = header.tag(TAG_ORIENTATION).and_then(|tag| tag.value.as_u32());
+        if stated_photometric.is_none() {
+            let text = "it does not say whether 0 is black or white (PhotometricInterpretation): 0 is black";
+            layout.remarks.push(Remark::new(&NO_PHOTOMETRIC, text));
+        }
         let pages = pictures.iter().filter(|ifd| kind(ifd) & (REDUCED_COPY | MASK) == 0).count();
         if pages > 1 {
             layout.remarks.push(Remark::new(&PAGES, format!("it holds {pages} pages: the first is read")));

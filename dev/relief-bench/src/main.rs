@@ -1,7 +1,7 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
-//! `embree`, `frame`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `looks`, `mesh`, `object-slices`, `probe`,
-//! `pyramid`, `quadrics`, `remesh`, `shadow`, `sheet`, `slices`, `solids`, `surfaces`, `tessellate`, `trace` and
-//! `units`. Results are kept in `docs/`.
+//! `embree`, `frame`, `fuzz`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `looks`, `mesh`,
+//! `object-slices`, `probe`, `pyramid`, `quadrics`, `readers`, `remesh`, `shadow`, `sheet`, `slices`,
+//! `solids`, `surfaces`, `tessellate`, `trace` and `units`. Results are kept in `docs/`.
 
 use std::process::ExitCode;
 
@@ -18,6 +18,7 @@ mod detail;
 mod embree;
 mod fit;
 mod frame;
+mod fuzz;
 mod ground;
 mod impostors;
 mod judge;
@@ -31,6 +32,7 @@ mod probe;
 mod pyramid;
 mod python;
 mod quadrics;
+mod readers;
 mod remesh;
 mod samples;
 mod shadow;
@@ -75,6 +77,8 @@ enum Command {
     Embree(embree::Arguments),
     /// Time of a second frame beside a whole rendering, and what it uploads and compiles
     Frame(frame::Arguments),
+    /// Readers, bakes and the mesher over seeded changes of valid inputs: fails where one panics
+    Fuzz(fuzz::Arguments),
     /// Whether meshes of maps lie where the maps do, judged by trimesh and pyproj: fails where one does not
     Ground(ground::Arguments),
     /// The exact judge of displaced meshes beside a tessellation: fails where they disagree
@@ -93,6 +97,8 @@ enum Command {
     Pyramid(pyramid::Arguments),
     /// What Oliveira and Policarpo 2005 say of their quadrics, beside what they are
     Quadrics(quadrics::Arguments),
+    /// PNG, TIFF and EXR files beside Pillow, tifffile and OpenEXR: fails where values differ silently
+    Readers(readers::Arguments),
     /// What Gumhold and Hüttner 1999 say of their remesher, beside what it does
     Remesh(remesh::Arguments),
     /// How near every shadow comes to rays of the exact search
@@ -129,6 +135,7 @@ fn main() -> ExitCode {
         Command::Detail(arguments) => detail::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Embree(arguments) => embree::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Frame(arguments) => frame::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Fuzz(arguments) => fuzz::run(&arguments),
         Command::Ground(arguments) => ground::run(&arguments),
         Command::Judge(arguments) => judge::run(&arguments),
         Command::Lanes(arguments) => lanes::run(&arguments).map(|()| ExitCode::SUCCESS),
@@ -138,6 +145,7 @@ fn main() -> ExitCode {
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Pyramid(arguments) => pyramid::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Quadrics(arguments) => quadrics::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Readers(arguments) => readers::run(&arguments),
         Command::Remesh(arguments) => remesh::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Shadow(arguments) => shadow::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Sheet(arguments) => sheet::run(&arguments).map(|()| ExitCode::SUCCESS),

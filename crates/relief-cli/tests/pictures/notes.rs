@@ -137,6 +137,33 @@ const FEEDS: &[Feed] = &[
         folder.write("colours.tif", pages(&tiff(SIZE, Samples::Float, &bytes(&ground(0.0)), &[])));
         "render --height map.png --color colours.tif --backend cpu --size 32x24 -o out.png"
     }),
+    ("no-photometric", |folder| {
+        let mut bytes = floats(&ground(0.0));
+        let entry = bytes.windows(4).position(|found| found == [6, 1, 3, 0]).expect("tag 262, a short");
+        bytes[entry] += 1;
+        folder.write("map.tif", bytes);
+        "inspect map.tif"
+    }),
+    ("long-opacity", |folder| {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, 8, 2);
+        encoder.set_color(png::ColorType::Indexed);
+        encoder.set_depth(png::BitDepth::One);
+        encoder.set_palette(vec![0, 0, 0, 255, 255, 255]);
+        encoder.set_trns(vec![0, 128, 255]);
+        let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(&[0x5a, 0x3c]));
+        written.expect("memory is writable");
+        folder.write("map.png", bytes);
+        "inspect map.png"
+    }),
+    ("display-window", |folder| {
+        let mut bytes = exr(SIZE, &[("Y", ground(0.0))]);
+        let name = b"displayWindow\0box2i\0";
+        let at = bytes.windows(name.len()).position(|found| found == name).expect("it has one");
+        bytes[at + name.len() + 4] = 9;
+        folder.write("map.exr", bytes);
+        "mesh map.exr -o out.stl"
+    }),
     ("animation", |folder| {
         let chunk = [&b"acTL"[..], &1u32.to_be_bytes(), &0u32.to_be_bytes()].concat();
         folder.write("map.png", with_chunk(&integers(0, 65535), &chunk));

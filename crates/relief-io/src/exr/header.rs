@@ -107,6 +107,7 @@ struct PartAttributes {
     channels: Option<Vec<ExrChannel>>,
     compression: Option<Compression>,
     window: Option<[i64; 4]>,
+    display_window: Option<[i64; 4]>,
     tiles: Option<([u32; 2], u8)>,
     chunk_count: Option<u64>,
 }
@@ -184,10 +185,12 @@ impl AttributeReader<'_, '_> {
                 let [code] = self.fixed(length)?;
                 part.compression = Some(compression(code)?);
             }
-            "dataWindow" => {
+            "dataWindow" | "displayWindow" => {
                 let bytes = self.fixed::<16>(length)?;
                 let (numbers, _) = bytes.as_chunks::<4>();
-                part.window = Some([0, 1, 2, 3].map(|i| i64::from(i32::from_le_bytes(numbers[i]))));
+                let window = [0, 1, 2, 3].map(|i| i64::from(i32::from_le_bytes(numbers[i])));
+                let place = if name == "dataWindow" { &mut part.window } else { &mut part.display_window };
+                *place = Some(window);
             }
             "tiles" => {
                 let [a, b, c, d, e, f, g, h, mode] = self.fixed(length)?;
@@ -248,7 +251,8 @@ impl PartAttributes {
             channels,
             compression,
             size,
-            origin_y: top,
+            data_window: [left, top, right, bottom],
+            display_window: self.display_window,
             tiles,
             table_len: 0,
         };

@@ -4,14 +4,18 @@ use exr::meta::BlockDescription;
 use exr::meta::attribute::{LevelMode, TileDescription};
 use exr::prelude::{ChannelDescription, Compression, SampleType as ExrSample, Text, Vec2};
 
+use crate::omissions::{DISPLAY_WINDOW, Remark};
+
 /// One flat part of a file.
 pub(super) struct Part {
     pub name: Option<String>,
     pub channels: Vec<ExrChannel>,
     pub compression: Compression,
     pub size: [u32; 2],
-    /// The data window's top row.
-    pub origin_y: i64,
+    /// The data window, left, top, right and bottom, the last ones among it.
+    pub data_window: [i64; 4],
+    /// The window that viewers show, in the same way.
+    pub display_window: Option<[i64; 4]>,
     /// Width and height of a tile, cut to the size of the picture.
     pub tiles: Option<[u32; 2]>,
     /// Entries of the offset table, resolution levels included.
@@ -34,6 +38,20 @@ impl ExrChannel {
 }
 
 impl Part {
+    /// What is to be said of its windows.
+    pub(super) fn remark(&self) -> Option<Remark> {
+        let text = |[left, top, right, bottom]: [i64; 4]| {
+            format!("{}x{} from {left}, {top}", right - left + 1, bottom - top + 1)
+        };
+        let display = self.display_window.filter(|window| *window != self.data_window)?;
+        let text = format!(
+            "its display window ({}) is another than its data window ({}): the data window is read",
+            text(display),
+            text(self.data_window)
+        );
+        Some(Remark::new(&DISPLAY_WINDOW, text))
+    }
+
     /// The channel's name in the whole file: with the part's name before it where there is one.
     pub(super) fn full_name(&self, channel: &str) -> String {
         match &self.name {

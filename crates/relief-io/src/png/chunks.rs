@@ -11,6 +11,13 @@ const SIGNATURE: u64 = 8;
 const HEAD: usize = 8;
 const CHECKSUM: u64 = 4;
 
+/// Bytes of the header, the place of the colour type among them, and the types without an alpha channel.
+const HEADER: u64 = 13;
+const COLOUR_TYPE: usize = 9;
+const GREY: u8 = 0;
+const COLOUR: u8 = 2;
+const PALETTE: u8 = 3;
+
 /// The most bytes of EXIF metadata that are read. A JPEG's are at most 64 KiB.
 const MOST_EXIF: u64 = 1 << 20;
 
@@ -31,6 +38,9 @@ pub(super) struct Chunks {
     pub is_linear: bool,
     /// Whether there is an animation.
     pub is_animated: bool,
+    /// The bytes of opacity, and how many its colours allow, where there are more. Decoders of each colour
+    /// type make something else of it.
+    pub long_opacity: Option<[u64; 2]>,
 }
 
 impl Chunks {
@@ -40,14 +50,15 @@ impl Chunks {
         let mut found = Found::default();
         // What was found counts, whatever ended the walk.
         let _ = found.walk(file);
-        let Found { orientation, gamma, has_curve, transfer, is_animated } = found;
+        let Found { orientation, gamma, has_curve, transfer, is_animated, .. } = found;
+        let long_opacity = found.long_opacity();
         // The first that is there counts, in this order.
         let is_linear = match (transfer, has_curve, gamma) {
             (Some(transfer), ..) => transfer == LINEAR_TRANSFER,
             (None, true, _) => false,
             (None, false, gamma) => gamma.is_some_and(|gamma| gamma.abs_diff(LINEAR_GAMMA) <= GAMMA_ROUNDING),
         };
-        Self { orientation, is_linear, is_animated }
+        Self { orientation, is_linear, is_animated, long_opacity }
     }
 }
 
@@ -59,9 +70,23 @@ struct Found {
     has_curve: bool,
     transfer: Option<u8>,
     is_animated: bool,
+    colour_type: Option<u8>,
+    /// Bytes of the palette and of its opacities.
+    palette_len: Option<u64>,
+    opacity_len: Option<u64>,
 }
 
 impl Found {
+    fn long_opacity(&self) -> Option<[u64; 2]> {
+        let most = match self.colour_type? {
+            GREY => 2,
+            COLOUR => 6,
+            PALETTE => self.palette_len? / 3,
+            _ => return None,
+        };
+        self.opacity_len.filter(|&bytes| bytes > most).map(|bytes| [bytes, most])
+    }
+
     fn walk(&mut self, file: &mut SourceReader<'_>) -> std::io::Result<()> {
         file.seek(SeekFrom::Start(SIGNATURE))?;
         loop {
@@ -70,6 +95,14 @@ impl Found {
             let [length, kind] = [0, 4].map(|at| [head[at], head[at + 1], head[at + 2], head[at + 3]]);
             let mut rest = u64::from(u32::from_be_bytes(length));
             match &kind {
+                b"IHDR" if rest == HEADER => {
+                    let mut header = [0; HEADER as usize];
+                    file.read_exact(&mut header)?;
+                    self.colour_type = Some(header[COLOUR_TYPE]);
+                    rest = 0;
+                }
+                b"PLTE" => self.palette_len = Some(rest),
+                b"tRNS" => self.opacity_len = Some(rest),
                 b"eXIf" if rest <= MOST_EXIF => {
                     let mut bytes = Vec::new();
                     file.by_ref().take(rest).read_to_end(&mut bytes)?;

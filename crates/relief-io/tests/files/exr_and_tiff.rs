@@ -3,7 +3,7 @@
 use crate::common::tiff_file::{Tiff, Value};
 use crate::common::{Folder, SIZE, assert_reads, channel, default, exr_file, samples};
 use ::exr::prelude::SampleType as ExrSample;
-use relief_io::{Fill, HeightOptions, ReadProblem, Source, read_height};
+use relief_io::{Fill, HeightOptions, ReadProblem, Source, read_height, read_notes};
 
 #[test]
 fn exr_of_every_compression_type_and_layout() {
@@ -54,6 +54,91 @@ fn exr_channels_parts_and_levels() {
 
     let path = folder.file("levels.exr", &exr_file::with_levels(SIZE, &values));
     assert_reads(&path, &default(), &values, 1e-7);
+}
+
+/// Names that differ in their case alone are channels of their own, and any case finds a name that stands
+/// alone.
+#[test]
+fn exr_channels_are_found_by_their_case() {
+    let folder = Folder::new();
+    let none = ::exr::prelude::Compression::Uncompressed;
+    let values: Vec<f64> = samples(61, 37, 1000.0).iter().map(|s| s / 1000.0).collect();
+    let other: Vec<f64> = values.iter().map(|value| 1.0 - value).collect();
+    let channels: [exr_file::Samples<'_>; 5] = [
+        ("R", ExrSample::F32, &values),
+        ("r", ExrSample::F32, &other),
+        ("Height", ExrSample::F32, &other),
+        ("height", ExrSample::F32, &values),
+        ("Depth", ExrSample::F32, &other),
+    ];
+    let path = folder.file("cases.exr", &exr_file::exr(SIZE, None, none, &channels));
+    let lone = [("depth", &other), ("DEPTH", &other)];
+    for (name, wanted) in
+        [("R", &values), ("r", &other), ("Height", &other), ("height", &values)].iter().chain(&lone)
+    {
+        assert_reads(&path, &channel(name), wanted, 1e-7);
+    }
+    let [first, second] = [&channels[..1], &channels[1..2]];
+    let path = folder.file("parts.exr", &exr_file::two_parts((SIZE, first), (SIZE, second)));
+    assert_reads(&path, &channel("extra.r"), &other, 1e-7);
+    assert_reads(&path, &channel("EXTRA.R"), &other, 1e-7);
+}
+
+fn notes(name: &str, bytes: &[u8]) -> Vec<&'static str> {
+    let notes = read_notes(Source::bytes(name, bytes)).unwrap_or_else(|error| panic!("{error}"));
+    notes.iter().map(|note| note.remark.row.name).collect()
+}
+
+/// An EXR whose display window is moved, larger or smaller is read by its data window, with a note.
+#[test]
+fn exr_with_another_display_window_has_a_note() {
+    let none = ::exr::prelude::Compression::Uncompressed;
+    let values: Vec<f64> = samples(61, 37, 1000.0).iter().map(|s| s / 1000.0).collect();
+    let channels: [exr_file::Samples<'_>; 1] = [("Y", ExrSample::F32, &values)];
+    let plain = exr_file::exr(SIZE, None, none, &channels);
+    assert_eq!(notes("a.exr", &plain), Vec::<&str>::new());
+    let both = exr_file::two_parts((SIZE, &channels), (SIZE, &channels));
+    let attribute = b"displayWindow\0box2i\0";
+    let folder = Folder::new();
+    for (bytes, option) in [(plain, default()), (both, channel("base.Y"))] {
+        let at = bytes.windows(attribute.len()).position(|found| found == attribute).expect("it has one");
+        for window in [[-5, 0, 60, 36], [0, 0, 99, 99], [4, 4, 30, 30], [0, 0, 60, 35]] {
+            let mut bytes = bytes.clone();
+            let numbers = window.map(i32::to_le_bytes);
+            bytes[at + attribute.len() + 4..][..16].copy_from_slice(numbers.as_flattened());
+            assert_eq!(notes("a.exr", &bytes), ["display-window"], "{window:?}");
+            assert_reads(&folder.file("a.exr", &bytes), &option, &values, 1e-7);
+        }
+    }
+}
+
+/// A TIFF that does not say whether 0 is black is read with 0 as black, with a note.
+#[test]
+fn tiff_without_a_photometric_interpretation_has_a_note() {
+    let folder = Folder::new();
+    let values = samples(61, 37, 1.0);
+    for tiff in [
+        Tiff::grey(61, 37, 1, 1),
+        Tiff::grey(61, 37, 8, 1),
+        Tiff { big_endian: true, ..Tiff::grey(61, 37, 16, 1) },
+        Tiff::grey(61, 37, 32, 3),
+    ] {
+        let stated = tiff.bytes(&values);
+        assert_eq!(notes("a.tif", &stated), Vec::<&str>::new());
+        let [mut entry, mut other] = [[262u16, 3], [263, 3]].map(|pair| pair.map(u16::to_le_bytes).concat());
+        if tiff.big_endian {
+            [&mut entry, &mut other]
+                .into_iter()
+                .for_each(|entry| entry.chunks_mut(2).for_each(<[u8]>::reverse));
+        }
+        let mut unstated = stated.clone();
+        let at = unstated.windows(4).rposition(|found| found == entry).expect("the tag is there");
+        unstated[at..at + 4].copy_from_slice(&other);
+        assert_eq!(notes("a.tif", &unstated), ["no-photometric"], "{} bits", tiff.bits);
+        let [stated, unstated] = [folder.file("a.tif", &stated), folder.file("b.tif", &unstated)];
+        let read = |path| read_height(path, &default()).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(read(&stated), read(&unstated));
+    }
 }
 
 #[test]

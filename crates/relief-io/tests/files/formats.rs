@@ -1,9 +1,11 @@
 //! PNG, JPEG, Radiance, PGM and raw files, written by the test, give the heights that were put in.
 
-use crate::common::files::{Scan, big_endian, hdr, jpeg, pgm, plain_pgm, png, png_by_hand, png_with};
+use crate::common::files::{
+    Scan, big_endian, hdr, jpeg, pgm, plain_pgm, png, png_by_hand, png_with, with_chunk,
+};
 use crate::common::{Folder, SIZE, assert_reads, channel, default, samples};
 use png::{BitDepth, ColorType};
-use relief_io::{HeightOptions, ReadProblem, read_height};
+use relief_io::{HeightOptions, ReadProblem, Source, read_height, read_notes, read_picture};
 
 #[test]
 #[should_panic(expected = "texel 70")]
@@ -183,4 +185,46 @@ fn headerless_samples_of_either_byte_order() {
         let error = read_height(&path, &default()).expect_err("no layout");
         assert!(matches!(error.problem, ReadProblem::NeedsRawLayout), "{error}");
     }
+}
+
+/// A palette with more opacities than colours is read as opaque, with a note, at every depth; fewer or as many
+/// are followed. So is the transparent colour of others, which has a note where it is too long.
+#[test]
+fn too_much_opacity_has_a_note() {
+    let palette = |depth, count: usize, opacities: usize| {
+        let set = |encoder: &mut png::Encoder<'_, &mut Vec<u8>>| encoder.set_palette(vec![7; 3 * count]);
+        let bytes = png_with(8, 1, ColorType::Indexed, depth, &[0; 8][..depth as usize], set);
+        with_chunk(&bytes, b"tRNS", &vec![9; opacities], b"IDAT")
+    };
+    let seen = |bytes: &[u8]| {
+        let notes = read_notes(Source::bytes("a.png", bytes)).unwrap_or_else(|error| panic!("{error}"));
+        let names: Vec<_> = notes.iter().map(|note| note.remark.row.name).collect();
+        let picture = read_picture(Source::bytes("a.png", bytes), 64 << 20);
+        (names, picture.unwrap_or_else(|error| panic!("{error}")).texels[0][3])
+    };
+    for (depth, count) in
+        [(BitDepth::One, 2), (BitDepth::Two, 3), (BitDepth::Four, 16), (BitDepth::Eight, 200)]
+    {
+        assert_eq!(seen(&palette(depth, count, count + 1)), (vec!["long-opacity"], 1.0), "{depth:?}");
+        for fewer in [1, count] {
+            assert_eq!(seen(&palette(depth, count, fewer)), (vec![], 9.0 / 255.0), "{depth:?}");
+        }
+    }
+    let others = [
+        (ColorType::Grayscale, BitDepth::One, 1, 2),
+        (ColorType::Grayscale, BitDepth::Eight, 1, 2),
+        (ColorType::Grayscale, BitDepth::Sixteen, 2, 2),
+        (ColorType::Rgb, BitDepth::Eight, 3, 6),
+        (ColorType::Rgb, BitDepth::Sixteen, 6, 6),
+    ];
+    for (colour, depth, bytes, right) in others {
+        let file = png(1, 1, colour, depth, &[0; 6][..bytes]);
+        let opacity = |bytes: usize| with_chunk(&file, b"tRNS", &vec![0; bytes], b"IDAT");
+        assert_eq!(seen(&opacity(right)), (vec![], 0.0), "{colour:?} {depth:?}");
+        assert_eq!(seen(&opacity(right + 2)).0, ["long-opacity"], "{colour:?} {depth:?}");
+    }
+    // The palette of colours is a suggestion, and no bound.
+    let colours =
+        with_chunk(&png(1, 1, ColorType::Rgb, BitDepth::Eight, &[1, 2, 3]), b"PLTE", &[1, 2, 3], b"IDAT");
+    assert_eq!(seen(&with_chunk(&colours, b"tRNS", &[0; 6], b"IDAT")), (vec![], 1.0));
 }
