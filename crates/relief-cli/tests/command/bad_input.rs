@@ -399,7 +399,8 @@ fn survives(folder: &Folder, sample: &Sample, render_it: bool) -> bool {
         assert_refused(folder, &ran, 1, &[&sample.name]);
         return false;
     }
-    assert_eq!(ran.stderr, "", "{line}");
+    // What was damaged may be left out, which is noted.
+    assert!(ran.stderr.lines().all(|said| said.starts_with("note: ")), "{line}: {}", ran.stderr);
     if render_it {
         let mut left = entries(&folder.path(OUT));
         left.sort_unstable();

@@ -141,7 +141,9 @@ fn damaged_normal_maps_give_an_error_or_heights() {
             folder.write(name, &flipped);
             let ran = folder.relief(&line(name));
             if ran.code == Some(0) {
-                assert_eq!((ran.stderr.as_str(), entries(&folder.path(OUT))), ("", vec!["h.png".to_owned()]));
+                // What was damaged may be left out, which is noted.
+                assert!(ran.stderr.lines().all(|said| said.starts_with("note: ")), "{}", ran.stderr);
+                assert_eq!(entries(&folder.path(OUT)), ["h.png"]);
                 std::fs::remove_file(folder.path("out/h.png")).expect("it was written");
             } else {
                 assert_refused(&folder, &ran, 1, &[name]);

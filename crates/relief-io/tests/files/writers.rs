@@ -140,7 +140,7 @@ fn no_room_on_the_disk_is_an_error_and_leaves_nothing() {
     let program = std::env::current_exe().expect("the test knows its program");
     // A limit of 16 KiB to each file, whose signal is ignored, fails a write as a full disk does.
     let output = std::process::Command::new("sh")
-        .args(["-c", "trap '' XFSZ; ulimit -f 32; exec \"$0\" --exact child --nocapture"])
+        .args(["-c", "trap '' XFSZ; ulimit -f 32; exec \"$0\" --exact writers::child --nocapture"])
         .arg(program)
         .env(TARGET, &path)
         .output()
