@@ -61,7 +61,7 @@ struct Common {
 
 impl Common {
     fn apply(&self) -> Result<(), Failure> {
-        // A wrong one is told before anything is done, whatever the command is.
+        // A wrong one is refused before anything is done, whatever the command is.
         lanes::from_environment()?;
         say::set(match (self.quiet, self.verbose) {
             (true, _) => Loudness::Quiet,

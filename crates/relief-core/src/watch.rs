@@ -108,7 +108,7 @@ impl<'a> Watch<'a> {
     ///
     /// # Errors
     ///
-    /// When the work is cancelled. Then nothing is told.
+    /// When the work is cancelled. Then nothing is reported.
     pub fn at(&self, part: f32) -> Result<(), Cancelled> {
         self.check()?;
         (self.tell)(self.task, self.from + part * (self.to - self.from));

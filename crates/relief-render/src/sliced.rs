@@ -41,7 +41,7 @@ pub fn settings(slices: Slices, scene: &Scene) -> SliceSettings {
     SliceSettings { count, direction }
 }
 
-/// Slices through a relief and the memory that they take, of which there are so many bytes left.
+/// Slices through a relief, and how many bytes of memory are left for them.
 pub fn triangles(
     mesh: &Mesh,
     map: &HeightMap,

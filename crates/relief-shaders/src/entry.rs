@@ -49,11 +49,11 @@ pub enum Role {
     Idle,
     /// A geometry: the triangles that it draws.
     Geometry(GeometryRole),
-    /// A surface: the path segments that it makes of rays.
+    /// A surface: the path segments of its rays.
     Surface(Paths),
     /// A slice test that draws only points near the relief's surface.
     NearSurface,
-    /// An object: the solid that it makes of images.
+    /// An object: the solid that its images show.
     Object(ObjectRole),
     /// A level of detail in which relief is flatter with distance.
     Flattened,
@@ -143,7 +143,7 @@ impl Entry {
         matches!(self.role, Role::Idle)
     }
 
-    /// The triangles that it draws as a geometry: those of the base unless it says otherwise.
+    /// The triangles that it draws as a geometry: the base, unless it says otherwise.
     pub const fn geometry(&self) -> GeometryRole {
         match self.role {
             Role::Geometry(geometry) => geometry,
@@ -151,7 +151,7 @@ impl Entry {
         }
     }
 
-    /// The path segments that it makes of rays as a surface: one straight segment unless it says otherwise.
+    /// The path segments of a ray on this surface: one straight segment unless it says otherwise.
     pub const fn paths(&self) -> &Paths {
         match &self.role {
             Role::Surface(paths) => paths,
@@ -164,7 +164,7 @@ impl Entry {
         matches!(self.role, Role::NearSurface)
     }
 
-    /// The solid that it makes of images as an object; none for a relief.
+    /// The solid that its images show as an object; none for a relief.
     pub const fn object(&self) -> Option<ObjectRole> {
         match self.role {
             Role::Object(object) => Some(object),

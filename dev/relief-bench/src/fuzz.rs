@@ -27,7 +27,7 @@ const ENDLESS: Duration = Duration::from_secs(120);
 /// beside it.
 const MUCH_MEMORY: usize = 256 << 20;
 
-/// A target with so many failures is left.
+/// Failures after which a target is left.
 const MOST_FAILURES: usize = 10;
 
 /// What `relief-bench fuzz` is given.
@@ -65,7 +65,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     fs::create_dir_all(&arguments.output)
         .map_err(|error| format!("{}: {error}", arguments.output.display()))?;
     let each = Duration::from_secs_f64(arguments.minutes * 60.0 / targets.len() as f64);
-    // A panic is told with its seed.
+    // A panic is reported with its seed.
     panic::set_hook(Box::new(|_| {}));
     let mut table = table(&["target", "inputs", "valid", "failures", "longest, ms", "most memory, MiB"]);
     let (mut inputs, mut failures) = (0, 0);

@@ -3,7 +3,7 @@
 //! cargo-fuzz (the package in `fuzz/`), this crate's test and `relief-bench fuzz` run the same functions. A
 //! target panics where the code that it calls breaks a promise; an error of that code is no failure.
 
-// The makers of files are those of the tests of `relief-io`.
+// The makers of files come from the tests of `relief-io`.
 #[path = "../../../crates/relief-io/tests/common/mod.rs"]
 mod common;
 mod mutator;

@@ -196,7 +196,7 @@ pub fn filter_levels(map: &HeightMap, filter: Filter, watch: &Watch) -> Result<V
     (0..count).map(|level| filter_level(map, level, filter, &part(watch, level, count))).collect()
 }
 
-/// The watch of one of so many levels: each but the first, which is there, looks at the whole map.
+/// The watch of one level among several: each but the first, which is there, looks at the whole map.
 fn part<'a>(watch: &Watch<'a>, level: u32, count: u32) -> Watch<'a> {
     let made = (count - 1).max(1) as f32;
     watch.piece(level.saturating_sub(1) as f32 / made, (level as f32 / made).min(1.0))

@@ -130,7 +130,7 @@ impl Baked {
 }
 
 impl Comparison {
-    /// Compares. The watch's tasks are the methods that are compared; parts are those of the whole.
+    /// Compares. The watch's tasks are the methods that are compared; parts are parts of the whole.
     ///
     /// # Errors
     ///

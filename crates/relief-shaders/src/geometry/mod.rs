@@ -29,7 +29,7 @@ pub static ENTRIES: &[Entry] = &[
     object_slices::ENTRY,
 ];
 
-/// The triangles for a geometry's parameters and those of the stage `slices`.
+/// The triangles for the parameters of a geometry and of the stage `slices`.
 pub type TrianglesOf = fn(params: [f32; MAX_PARAMS], slices: [f32; MAX_PARAMS]) -> Geometry;
 
 /// The triangles that a geometry draws in place of the base's.
@@ -39,7 +39,7 @@ pub struct GeometryRole {
     pub family: Family,
     /// What the triangles show: surfaces that show the same go with it.
     pub shown: Shown,
-    /// The triangles for its parameters and those of the stage `slices`; none where the mesh itself is drawn.
+    /// The triangles for its parameters and the ones of the stage `slices`; none where the mesh itself is drawn.
     pub triangles: Option<TrianglesOf>,
     /// The parameter that asks for a stencil buffer where it is not 0.
     pub stencil: Option<&'static str>,
@@ -53,7 +53,7 @@ impl GeometryRole {
     pub const BASE: Self =
         Self { family: Family::Ray, shown: Shown::Relief, triangles: None, stencil: None, companions: &[] };
 
-    /// Displaced triangles, of which nothing is searched. Lights see them, as no relief lies on them.
+    /// Displaced triangles, on which nothing is searched. Lights see them, as no relief lies on them.
     const DISPLACED: Self = Self {
         shown: Shown::Triangles,
         companions: &[

@@ -70,7 +70,7 @@ const PARAMS: &[Param] = &[
     },
 ];
 
-/// The solid that an object makes of images.
+/// The solid that the images of an object show.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObjectRole {
     /// What it is.

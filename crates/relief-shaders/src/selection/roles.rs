@@ -33,7 +33,7 @@ impl Selection {
         geometry.entry.geometry().stencil.is_some_and(|param| geometry.value(param) != 0.0)
     }
 
-    /// What the chosen surface makes of rays.
+    /// The path segments of rays on the chosen surface.
     pub fn paths(&self) -> &'static Paths {
         self.choices[SURFACE].entry.paths()
     }
@@ -74,7 +74,7 @@ impl Selection {
             && !self.object_cells().is_some_and(|object| object.solid == Solid::Hull)
     }
 
-    /// Whether the geometry is that of an object of images.
+    /// Whether the geometry is the box around an object of images.
     pub(super) fn is_of_images(&self) -> bool {
         self.shown_by_geometry().is_of_images()
     }
