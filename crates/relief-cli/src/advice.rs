@@ -4,8 +4,8 @@
 use std::io::ErrorKind;
 
 use relief_io::{ForeignFormat, ReadNote, ReadProblem, omissions};
-use relief_render::scene::SceneError;
 use relief_render::{Reason, RenderError};
+use relief_scene::SceneError;
 
 /// An error's text, with what to do about it.
 pub fn with(error: &impl ToString, advice: Option<&str>) -> String {

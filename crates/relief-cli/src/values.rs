@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use relief_core::registry::UnknownName;
 use relief_io::HeightRange;
-use relief_render::scene::{LightSpec, MaterialSpec};
+use relief_scene::{LightSpec, MaterialSpec};
 use relief_shaders::{Selection, SelectionError};
 
 /// `N` finite numbers between commas.

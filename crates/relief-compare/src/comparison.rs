@@ -1,7 +1,7 @@
 //! What is to be compared, and whether it can be.
 
 use relief_core::{ByteSize, HeightMap, Lanes, MapFormat};
-use relief_render::scene::{BackendChoice, DEFAULT_MAX_MEMORY, Look, Sampling, Scene};
+use relief_scene::{BackendChoice, DEFAULT_MAX_MEMORY, Look, Sampling, Scene};
 use relief_shaders::Choice;
 
 use crate::contender::Contender;

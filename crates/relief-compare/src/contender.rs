@@ -1,7 +1,7 @@
 //! What is compared: a method with its settings, under a name.
 
 use relief_core::MapFormat;
-use relief_render::scene::Surface;
+use relief_scene::Surface;
 use relief_shaders::{
     Choice, GEOMETRY, METHODS, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, SLICES, STAGES, SURFACE, Selection,
     SelectionError,
@@ -207,8 +207,8 @@ pub(crate) fn labelled(
 
 #[cfg(test)]
 mod tests {
+    use relief_core::mesh::square;
     use relief_core::{HeightMap, Wrap};
-    use relief_render::mesh::square;
 
     use super::*;
 

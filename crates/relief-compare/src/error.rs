@@ -5,7 +5,7 @@ use relief_core::exact::DisplacedMeshError;
 use relief_core::{ByteSize, Cancelled, HeightMapError};
 use relief_maps::MapsError;
 use relief_render::RenderError;
-use relief_render::scene::ValueError;
+use relief_scene::ValueError;
 use relief_shaders::SelectionError;
 
 use crate::picture::ImageError;

@@ -7,8 +7,8 @@
 //! ```
 //! use relief_compare::{Comparison, Contender};
 //! use relief_core::{HeightMap, Wrap};
-//! use relief_render::mesh::square;
-//! use relief_render::scene::{Scene, Surface};
+//! use relief_core::mesh::square;
+//! use relief_scene::{Scene, Surface};
 //!
 //! let heights = HeightMap::from_fn(64, 64, Wrap::Repeat, |i, j| ((i ^ j) & 8) as f32 / 8.0)?;
 //! let surface = Surface::new(square(1)?, heights.with_displacement(0.05, -0.05)?);

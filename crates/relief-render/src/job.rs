@@ -10,7 +10,7 @@ use relief_shaders::{MapSlot, Selection, SlotMaps};
 
 pub use crate::light_views::LightViews;
 use crate::mipmaps::Mipmaps;
-pub use crate::triangles::Triangles;
+pub use crate::prepare::Triangles;
 
 /// What both backends are given. The same job gives the same picture on either.
 #[derive(Clone, Debug)]

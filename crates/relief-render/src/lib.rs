@@ -1,45 +1,31 @@
-//! Scenes, and the two backends that render them: the CPU, which every machine has, and the GPU through wgpu.
+//! Pictures of scenes, by two backends: the CPU, which every machine has, and the GPU through wgpu.
 //!
-//! A [`Scene`](scene::Scene) is built or loaded, and [`render()`] makes a picture of it. Both backends run
-//! the same shaders and give the same picture; [`picture`] turns it into bytes and channels.
+//! [`render()`] makes a picture of a [`Scene`](relief_scene::Scene); a [`Renderer`] makes several and keeps
+//! what they share. Both backends run the same shaders and give the same picture. [`picture`] turns it into
+//! bytes and channels.
 
-pub mod background;
 pub mod cpu;
-pub mod depth_buffer;
-mod displaced;
-pub mod environment;
+mod error;
+mod frame_cache;
 mod frame_time;
 #[cfg(feature = "gpu")]
 pub mod gpu;
-mod heights_under;
 pub mod job;
-mod kept;
-mod kept_triangles;
-pub mod light;
 mod light_views;
-pub mod material;
 pub mod mipmaps;
-mod parts;
 pub mod picture;
-mod pictures;
 mod prepare;
 mod renderer;
 mod samples;
-pub mod scene;
-mod shadow_map_size;
 mod shellcast;
-mod sliced;
-mod tessellation;
-pub mod tone;
-mod triangles;
+#[cfg(test)]
+mod tests;
 mod wire;
 
-pub use displaced::GeometryError;
+pub use error::RenderError;
 pub use frame_time::{FrameTime, PassTimes};
-pub use glam;
-/// Cameras, base meshes of which scenes are made, and rays against them; they are the core's.
-pub use relief_core::{camera, mesh, raycast};
-pub use renderer::{Bands, Made, RENDERING, Reason, RenderError, Rendered, Renderer, render};
+pub use prepare::GeometryError;
+pub use renderer::{Bands, Made, RENDERING, Reason, Rendered, Renderer, render};
 #[cfg(feature = "gpu")]
 pub use wgpu;
 pub use wire::Wire;

@@ -11,11 +11,11 @@ use relief_shaders::cpu::{Corner, Frame, LightView, Vec4};
 use relief_shaders::surface::Proposal;
 use relief_shaders::{LIGHT_FACES, SHADOW, Selection};
 
-use crate::camera::Camera;
 use crate::job::JobSurface;
-use crate::light::Light;
-use crate::scene::{Scene, Surface};
-use crate::shadow_map_size::{filter_texels, shadow_map_side};
+use relief_core::camera::Camera;
+use relief_scene::light::Light;
+use relief_scene::shadow_map::{filter_texels, shadow_map_side};
+use relief_scene::{Scene, Surface};
 
 /// Texels at a picture's border besides half a filter: what rounding may need.
 const BORDER: f64 = 2.0;
@@ -457,6 +457,9 @@ impl View {
 pub fn frame_of_rays(reach_m: f64) -> Frame {
     Frame { sample_width: SAMPLE_WIDTH, near: (NEAR_OF_KEYS * reach_m) as f32, ..Frame::none() }
 }
+
+#[cfg(test)]
+mod frames;
 
 #[cfg(test)]
 mod tests {

@@ -6,11 +6,11 @@ use rayon::prelude::*;
 use relief_io::linear_to_srgb;
 use relief_shaders::cpu::{Frame, PixelOut, background_row};
 
-use crate::environment::Environment;
 use crate::job::Rendering;
 use crate::prepare::view_of;
-use crate::scene::Scene;
-use crate::tone::Tone;
+use relief_scene::Scene;
+use relief_scene::environment::Environment;
+use relief_scene::tone::Tone;
 
 /// The names of the channels of [`aov`], in order.
 pub const AOV_CHANNELS: [&str; 18] = [
@@ -148,7 +148,7 @@ pub fn aov_of(pixel: &PixelOut) -> [f32; AOV_CHANNELS.len()] {
 /// `hit` is 1 or 0; `uv` is not wrapped; `height` is a texel value; `P` and `N` are in the world; `depth` is
 /// in metres along the view axis; `reads`, `steps` and `bytes` are what the ray [cost](relief_core::Cost);
 /// `lit` is the part of the first light that arrives; `level` is the level of detail; `z` is what the scene's
-/// [depth buffer](crate::depth_buffer::DepthBuffer) holds; `surface` is the surface's number in the scene.
+/// [depth buffer](relief_scene::depth_buffer::DepthBuffer) holds; `surface` is the surface's number in the scene.
 /// Pixels that no surface covers are 0 throughout.
 pub fn aov(rendering: &Rendering) -> Vec<(&'static str, Vec<f32>)> {
     let plane = |place: usize| rendering.pixels.iter().map(|pixel| aov_of(pixel)[place]).collect();
@@ -162,11 +162,11 @@ mod tests {
     use relief_io::Picture;
 
     use super::*;
-    use crate::background::Background;
-    use crate::camera::{Camera, Projection};
     use crate::job::uncovered;
-    use crate::mesh::square;
-    use crate::scene::{SceneBuilder, Surface};
+    use relief_core::camera::{Camera, Projection};
+    use relief_core::mesh::square;
+    use relief_scene::background::Background;
+    use relief_scene::{SceneBuilder, Surface};
 
     /// A scene that shows a level square before that background.
     fn scene(background: Background) -> SceneBuilder {

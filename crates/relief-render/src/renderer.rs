@@ -3,21 +3,21 @@
 use std::time::Duration;
 
 use relief_core::{Cancelled, Lanes, Watch};
-use relief_maps::{Account, Maps, MapsError};
+use relief_maps::{Account, Maps};
 #[cfg(feature = "gpu")]
 use relief_shaders::MapNeed;
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::wgsl::Sampling;
 use web_time::Instant;
 
-use crate::cpu::{CpuError, CpuRenderer};
-use crate::displaced::GeometryError;
+use crate::cpu::CpuRenderer;
+use crate::error::RenderError;
 use crate::frame_time::FrameTime;
 #[cfg(feature = "gpu")]
 use crate::gpu::{AdapterChoice, Gpu, GpuError, GpuRenderer, Work};
 use crate::job::{Job, Rendering};
 use crate::prepare::Preparer;
-use crate::scene::{BackendChoice, Scene, Surface};
+use relief_scene::{BackendChoice, Scene, Surface};
 
 /// A finished picture and how it came about.
 #[derive(Debug)]
@@ -62,84 +62,6 @@ pub enum Reason {
     /// This build has no GPU backend.
     #[error("this build has no GPU backend")]
     NotBuilt,
-}
-
-/// Why there is no picture.
-#[derive(Debug, thiserror::Error)]
-pub enum RenderError {
-    /// A baked map that a method reads cannot be provided.
-    #[error(transparent)]
-    Maps(MapsError),
-    /// A surface has no displaced triangles.
-    #[error("surface {}: {source}", surface + 1)]
-    Geometry {
-        /// The surface's number in the scene.
-        surface: usize,
-        /// Why.
-        source: GeometryError,
-    },
-    /// The CPU was asked for the sampling that only GPUs have.
-    #[error("sampling 'fast' uses a GPU's texture sampler, which the CPU backend does not have")]
-    FastOnCpu {
-        /// Whether the CPU was taken because no GPU was found.
-        no_gpu: bool,
-    },
-    /// The images of an object are to be counted in a stencil buffer, which the CPU backend does not have.
-    #[error(
-        "surface {}: the CPU backend has no stencil buffer; set 'geometry.pass' to 'product', or choose a \
-         GPU", surface + 1
-    )]
-    StencilOnCpu {
-        /// The surface's number in the scene.
-        surface: usize,
-    },
-    /// The rendering was cancelled.
-    #[error(transparent)]
-    Cancelled(#[from] Cancelled),
-    /// The memory for the picture cannot be had.
-    #[error("there is no memory for a picture of {width}x{height} pixels")]
-    OutOfMemory {
-        /// Columns.
-        width: u32,
-        /// Rows.
-        height: u32,
-    },
-    /// The GPU backend was asked for and is not in this build.
-    #[error("this build has no GPU backend")]
-    NoGpuBackend,
-    /// The GPU failed.
-    #[cfg(feature = "gpu")]
-    #[error(transparent)]
-    Gpu(GpuError),
-}
-
-impl From<MapsError> for RenderError {
-    fn from(error: MapsError) -> Self {
-        match error {
-            MapsError::Cancelled(cancelled) => cancelled.into(),
-            other => Self::Maps(other),
-        }
-    }
-}
-
-impl RenderError {
-    /// The error of a CPU that renders a job.
-    fn of_cpu(error: CpuError, job: &Job) -> Self {
-        match error {
-            CpuError::OutOfMemory => Self::OutOfMemory { width: job.width, height: job.height },
-            CpuError::Cancelled(cancelled) => cancelled.into(),
-        }
-    }
-}
-
-#[cfg(feature = "gpu")]
-impl From<GpuError> for RenderError {
-    fn from(error: GpuError) -> Self {
-        match error {
-            GpuError::Cancelled(cancelled) => cancelled.into(),
-            other => Self::Gpu(other),
-        }
-    }
 }
 
 /// The [task](Watch::task) in which a renderer makes the picture. Before it, each kind of map that is baked is

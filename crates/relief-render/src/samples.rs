@@ -4,7 +4,7 @@
 //! resolved into `n + 1` steps. They are the points of a lattice of one more, but for the one in its corner;
 //! of all such lattices the one whose points keep the greatest distance, also to those of the pixels beside.
 
-use crate::scene::MAX_SAMPLES;
+use relief_scene::MAX_SAMPLES;
 
 /// A sample of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]

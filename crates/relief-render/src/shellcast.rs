@@ -15,9 +15,9 @@ use relief_core::pulp::{Simd, WithSimd};
 use relief_shaders::cpu::{BLOCK, Corner, Row, Triangle, Vec3 as ShaderVec3};
 use relief_shaders::surface::{SHELL_SLACK, Shown};
 
-use crate::camera::Ray;
 use crate::job::JobSurface;
-use crate::triangles::Triangles;
+use crate::prepare::Triangles;
+use relief_core::camera::Ray;
 
 /// Up to so many boxes a better hierarchy is built, with which frames take less time: for more it would take
 /// as long as several frames.

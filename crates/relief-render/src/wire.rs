@@ -3,8 +3,8 @@
 use glam::{DVec2, DVec3};
 use relief_shaders::cpu::PixelOut;
 
-use crate::camera::Camera;
-use crate::scene::Scene;
+use relief_core::camera::Camera;
+use relief_scene::Scene;
 
 /// The lines' linear colour: seen on grey, on white and on black.
 const COLOR: [f32; 3] = [1.0, 0.25, 0.0];

@@ -3,10 +3,10 @@
 use std::error::Error;
 
 use relief::maps::Maps;
+use relief::mesh::square;
 use relief::render::gpu::{Gpu, block_on};
-use relief::render::mesh::square;
-use relief::render::scene::{Look, Sampling, Scene, Surface};
 use relief::render::{Renderer, wgpu};
+use relief::scene::{Look, Sampling, Scene, Surface};
 use relief::{HeightMap, Watch, Wrap};
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -2,12 +2,12 @@
 
 use std::error::Error;
 
+use relief::camera::Camera;
+use relief::glam::DVec3;
 use relief::maps::Maps;
+use relief::mesh::{Placement, cube, square};
 use relief::render::Renderer;
-use relief::render::camera::Camera;
-use relief::render::glam::DVec3;
-use relief::render::mesh::{Placement, cube, square};
-use relief::render::scene::{BackendChoice, Look, Sampling, Scene, Surface};
+use relief::scene::{BackendChoice, Look, Sampling, Scene, Surface};
 use relief::shaders::Selection;
 use relief::{HeightMap, Watch, Wrap};
 

@@ -3,9 +3,9 @@
 use std::error::Error;
 
 use relief::maps::Maps;
-use relief::render::mesh::torus;
-use relief::render::scene::{Look, Scene, Surface};
+use relief::mesh::torus;
 use relief::render::{picture, render};
+use relief::scene::{Look, Scene, Surface};
 use relief::shaders::Selection;
 use relief::{HeightMap, Watch, Wrap};
 

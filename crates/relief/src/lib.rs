@@ -2,21 +2,25 @@
 //! that any engine can use comes out.
 //!
 //! The root holds the core: [`HeightMap`], [`Path`], [`Hit`], in [`mesh`] what it lies on, and in [`exact`]
-//! the answer that every faster method is judged by. Every other crate of the project is a module, most of
-//! them behind a feature of that name; all are on by default.
+//! the answer that every faster method is judged by. Every other crate of the project is a module. All but
+//! [`shaders`] have a feature of the module's name; all features are on by default.
 //!
-//! | module | feature | what it is for |
-//! | --- | --- | --- |
-//! | [`shaders`] | | methods, their shaders as WGSL, and rays through them on the CPU |
-//! | [`bake`] | `bake` | the auxiliary maps that methods read |
-//! | [`export`] | `export` | methods as shaders for other programs: WGSL, GLSL, HLSL, MSL, SPIR-V |
-//! | [`io`] | `io` | height maps, pictures, normal maps and meshes from and to files, and from bytes |
-//! | [`maps`] | `maps` (and `bake`) | baked maps looked up, baked and kept |
-//! | [`displace`] | `mesh` | displaced meshes without cracks, streamed |
-//! | [`capture`] | `object` (and `io`) | image-based objects: captured from meshes, from and to files |
-//! | [`render`] | `render` (and `maps`, `io`) | scenes, and pictures of them on the CPU |
-//! | [`compare`] | `compare` (and `render`) | methods beside the truth and beside each other |
-//! | [`render::gpu`] | `gpu` (and `render`) | the same pictures on a GPU |
+//! | module | what it is for |
+//! | --- | --- |
+//! | [`shaders`] | methods, their shaders as WGSL, and rays through them on the CPU |
+//! | [`bake`] | auxiliary maps that methods read |
+//! | [`capture`] | image-based objects: captured from meshes, read from and written to files |
+//! | [`compare`] | methods beside the truth and beside each other |
+//! | [`displace`] | displaced meshes without cracks, streamed |
+//! | [`export`] | methods as shaders for other programs: WGSL, GLSL, HLSL, MSL, SPIR-V |
+//! | [`io`] | height maps, pictures, normal maps and meshes, from and to files and bytes |
+//! | [`maps`] | baked maps: looked up, baked and cached |
+//! | [`scene`] | scenes and scene files: cameras, lights, materials, looks |
+//! | [`render`] | pictures of scenes, on the CPU |
+//! | [`render::gpu`] | the same pictures on a GPU; its feature is `gpu` |
+//!
+//! `glam` is the crate whose vectors and matrices the interfaces use. The feature `lanes` adds SIMD for AVX2,
+//! AVX-512 and NEON.
 //!
 //! # Load and inspect
 //!
@@ -39,7 +43,7 @@
 //! # Displace a mesh into a file
 //!
 //! ```
-#![cfg_attr(all(feature = "mesh", feature = "io"), doc = include_str!("../examples/mesh.rs"))]
+#![cfg_attr(all(feature = "displace", feature = "io"), doc = include_str!("../examples/mesh.rs"))]
 //! ```
 //!
 //! # The difference between two meshes
@@ -51,7 +55,7 @@
 //! # A mesh as images with depth
 //!
 //! ```
-#![cfg_attr(feature = "object", doc = include_str!("../examples/capture.rs"))]
+#![cfg_attr(feature = "capture", doc = include_str!("../examples/capture.rs"))]
 //! ```
 //!
 //! # Render into memory
@@ -86,35 +90,39 @@
 //! functions that wait for a GPU, [`Gpu::new`](render::gpu::Gpu::new),
 //! [`GpuRenderer::render`](render::gpu::GpuRenderer::render) and [`block_on`](render::gpu::block_on).
 
+pub use glam;
 #[doc(inline)]
 pub use relief_core::*;
 
 /// Baking: from a height map to every map that displacement methods read.
 #[cfg(feature = "bake")]
 pub use relief_bake as bake;
-/// Methods beside the truth and beside each other: how wrong, how costly, how they look.
+/// Methods beside the truth and beside each other: errors, costs and pictures.
 #[cfg(feature = "compare")]
 pub use relief_compare as compare;
-/// Methods as shaders for other programs, in any shading language, with a manifest of what they bind.
+/// Methods as shaders for other programs, in any shading language, with a manifest of their bindings.
 #[cfg(feature = "export")]
 pub use relief_export as export;
 /// Height maps, pictures, normal maps and meshes from files, and pictures, float channels and meshes to
 /// files.
 #[cfg(feature = "io")]
 pub use relief_io as io;
-/// The baked maps that methods read, provided: looked up, baked, kept.
+/// Baked maps that methods read: looked up, baked and cached.
 #[cfg(feature = "maps")]
 pub use relief_maps as maps;
 /// Displaced meshes: a height map and a mesh to triangles without cracks. ([`mesh`] holds the meshes
 /// themselves.)
-#[cfg(feature = "mesh")]
+#[cfg(feature = "displace")]
 pub use relief_mesh as displace;
-/// Image-based objects: images with depth from and to files, and captured from meshes. ([`object`] holds the
-/// objects themselves.)
-#[cfg(feature = "object")]
+/// Image-based objects: captured from meshes, read from and written to files. ([`object`] holds the objects
+/// themselves.)
+#[cfg(feature = "capture")]
 pub use relief_object as capture;
-/// Scenes, and the two backends that render them.
+/// Pictures of scenes, by two backends.
 #[cfg(feature = "render")]
 pub use relief_render as render;
+/// Scenes and scene files, without a renderer.
+#[cfg(feature = "scene")]
+pub use relief_scene as scene;
 /// Methods, and their shaders as WGSL and as Rust.
 pub use relief_shaders as shaders;

@@ -5,13 +5,13 @@ use std::time::Instant;
 use clap::Args;
 use cpu_time::ProcessTime;
 use glam::{DVec3, Vec3};
+use relief_core::mesh::torus;
 use relief_core::{HeightMap, Watch};
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::gpu::{AdapterChoice, Gpu};
-use relief_render::light::Light;
-use relief_render::mesh::torus;
-use relief_render::scene::{BackendChoice, Sampling, Scene};
+use relief_scene::light::Light;
+use relief_scene::{BackendChoice, Sampling, Scene};
 use relief_shaders::Selection;
 use relief_tests::curved::{Curved, Drawn};
 

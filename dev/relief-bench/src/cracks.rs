@@ -7,7 +7,7 @@ use clap::builder::PossibleValuesParser;
 use indicatif::ProgressBar;
 use relief_core::rng::Rng;
 use relief_render::Renderer;
-use relief_render::scene::{BackendChoice, Sampling};
+use relief_scene::{BackendChoice, Sampling};
 use relief_tests::curved::{Comparison, Curved, Drawn, Judged, Picture};
 
 use crate::surfaces::Lies;

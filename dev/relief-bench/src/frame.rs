@@ -9,8 +9,8 @@ use glam::DQuat;
 use relief_core::Watch;
 use relief_maps::{Cache, DEFAULT_LIMIT, Maps};
 use relief_render::gpu::Work;
-use relief_render::scene::{BackendChoice, Sampling, Scene, SceneSpec, read_scene};
 use relief_render::{Rendered, Renderer, render};
+use relief_scene::{BackendChoice, Sampling, Scene, SceneSpec, read_scene};
 
 use crate::samples::Samples;
 use crate::table::table;

@@ -8,10 +8,10 @@ use std::time::Instant;
 use clap::Args;
 use glam::{DVec3, Vec2};
 use relief_core::camera::Camera;
+use relief_core::mesh::{Mesh, rectangle, sphere, torus};
 use relief_core::{HeightMap, Watch};
 use relief_io::{MeshCounts, MeshFormat, write_mesh};
 use relief_mesh::{Cracks, MeshSettings, Mesher, Stream, View};
-use relief_render::mesh::{Mesh, rectangle, sphere, torus};
 use tempfile::TempDir;
 
 use crate::memory;

@@ -12,7 +12,7 @@ use relief_maps::Maps;
 use relief_mesh::{BoxSlicer, SliceAnchor, SliceDirection};
 use relief_object::{Arrangement, Cover};
 use relief_render::render;
-use relief_render::scene::{BackendChoice, Scene, Surface};
+use relief_scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 

@@ -5,13 +5,13 @@ use std::time::Instant;
 
 use clap::Args;
 use glam::DVec3;
+use relief_core::camera::Camera;
+use relief_core::mesh::square;
 use relief_core::{HeightMap, Watch, Wrap};
 use relief_maps::Maps;
-use relief_render::camera::Camera;
 use relief_render::gpu::{AdapterChoice, Gpu};
-use relief_render::mesh::square;
-use relief_render::scene::{Sampling, Scene, Surface};
 use relief_render::{Rendered, Renderer};
+use relief_scene::{Sampling, Scene, Surface};
 use relief_shaders::Selection;
 use relief_testing::maps::fractal;
 

@@ -5,7 +5,7 @@ use std::fmt;
 use relief_core::Watch;
 use relief_maps::Maps;
 use relief_render::Renderer;
-use relief_render::scene::{BackendChoice, Sampling, Scene};
+use relief_scene::{BackendChoice, Sampling, Scene};
 
 /// Repeated measurements of one thing.
 #[derive(Clone, Debug, Default)]

@@ -1,8 +1,8 @@
 //! `shadow`: every shadow beside rays of the exact search, on three maps and three meshes.
 
 use clap::Args;
-use relief_render::mesh::Builtin;
-use relief_render::scene::BackendChoice;
+use relief_core::mesh::Builtin;
+use relief_scene::BackendChoice;
 use relief_tests::accuracy::maps;
 use relief_tests::shadows::{Lit, mean_error, squared_error, wrong};
 

@@ -8,7 +8,7 @@ use relief_io::{PictureFormat, write_picture};
 use relief_maps::Maps;
 use relief_render::picture::{linear, srgb};
 use relief_render::render;
-use relief_render::scene::{BackendChoice, SceneSpec, SurfaceSpec};
+use relief_scene::{BackendChoice, SceneSpec, SurfaceSpec};
 
 use crate::table::table;
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use clap::Args;
 use relief_core::HeightMap;
-use relief_render::scene::BackendChoice;
+use relief_scene::BackendChoice;
 use relief_tests::accuracy::maps;
 use relief_tests::slices::PlaneView;
 

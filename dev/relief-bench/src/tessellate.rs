@@ -2,13 +2,13 @@
 
 use clap::Args;
 use glam::{DQuat, DVec3, Vec2};
+use relief_core::camera::{Camera, Projection};
+use relief_core::mesh::{Mesh, rectangle, sphere, torus};
 use relief_core::{ByteSize, Watch};
 use relief_maps::Maps;
 use relief_render::Renderer;
-use relief_render::camera::{Camera, Projection};
 use relief_render::gpu::{AdapterChoice, Gpu};
-use relief_render::mesh::{Mesh, rectangle, sphere, torus};
-use relief_render::scene::{Sampling, Scene, Surface};
+use relief_scene::{Sampling, Scene, Surface};
 use relief_shaders::Selection;
 
 use crate::samples::Samples;

@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use glam::{DVec3, Vec2};
 use rayon::prelude::*;
+use relief_core::camera::{Camera, Ray};
 use relief_core::exact::{DisplacedMesh, Sides};
+use relief_core::mesh::{Mesh, Placement, rectangle, torus};
 use relief_core::{HeightMap, Watch, Wrap};
 use relief_maps::Maps;
-use relief_render::camera::{Camera, Ray};
-use relief_render::light::Light;
-use relief_render::mesh::{Mesh, Placement, rectangle, torus};
 use relief_render::render;
-use relief_render::scene::{BackendChoice, Scene, Surface};
+use relief_scene::light::Light;
+use relief_scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 
 use relief_testing::maps;

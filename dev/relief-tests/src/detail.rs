@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use glam::{DVec3, Vec2};
+use relief_core::camera::{Camera, Projection};
+use relief_core::mesh::Builtin;
 use relief_core::{HeightMap, Watch};
 use relief_maps::Maps;
-use relief_render::camera::{Camera, Projection};
-use relief_render::light::Light;
-use relief_render::mesh::Builtin;
-use relief_render::scene::{BackendChoice, Scene, Surface};
-use relief_render::{glam, render};
+use relief_render::render;
+use relief_scene::light::Light;
+use relief_scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 

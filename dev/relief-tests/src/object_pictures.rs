@@ -1,13 +1,13 @@
 //! Pictures of objects of images that look at the spheres, on both backends.
 
+use glam::DVec3;
 use relief_core::Watch;
+use relief_core::camera::Camera;
 use relief_core::camera::Ray;
 use relief_core::object::ImageObject;
 use relief_maps::Maps;
-use relief_render::camera::Camera;
-use relief_render::glam::DVec3;
 use relief_render::render;
-use relief_render::scene::{BackendChoice, Scene, Surface};
+use relief_scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 

@@ -3,13 +3,13 @@
 use std::f64::consts::TAU;
 
 use glam::{DVec3, Vec2, Vec3};
+use relief_core::mesh::{Builtin, Mesh};
 use relief_core::{HeightMap, Watch};
 use relief_maps::Maps;
-use relief_render::light::Light;
-use relief_render::material::Material;
-use relief_render::mesh::{Builtin, Mesh};
-use relief_render::scene::{BackendChoice, Scene, Surface, View};
 use relief_render::{Renderer, render};
+use relief_scene::light::Light;
+use relief_scene::material::Material;
+use relief_scene::{BackendChoice, Scene, Surface, View};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 

@@ -10,7 +10,7 @@ use relief_core::{HeightMap, Watch};
 use relief_maps::Maps;
 use relief_mesh::{SliceAnchor, SliceDirection, SliceSettings, Slicer};
 use relief_render::render;
-use relief_render::scene::{BackendChoice, Scene, Surface};
+use relief_scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 

@@ -1,9 +1,9 @@
 //! An object that is known in closed form: some spheres, seen by parallel rays from around.
 
+use glam::DVec3;
 use relief_core::camera::Ray;
 use relief_core::object::{GridMapping, ImageObject, JumpCells, View};
 use relief_core::{HeightMap, Wrap};
-use relief_render::glam::DVec3;
 
 /// Spheres: centres and radii in metres.
 pub const SPHERES: [(DVec3, f64); 4] = [

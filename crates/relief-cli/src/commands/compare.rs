@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use relief_compare::{Compared, Comparison, Goal, Timing, Tried, choose, csv, page, with_other_steps};
 use relief_core::MapFormat;
-use relief_render::scene::Look;
+use relief_scene::Look;
 
 use super::contest::{Contest, ContestArguments, as_json, compared, look_again, of_comparison};
 use super::staged::{Staged, format_of};

@@ -10,8 +10,8 @@ use relief_compare::{
 };
 use relief_core::Watch;
 use relief_core::registry::UnknownName;
-use relief_render::scene::{BackendChoice, Look, Sampling, SceneSpec};
 use relief_render::{RenderError, Renderer};
+use relief_scene::{BackendChoice, Look, Sampling, SceneSpec};
 use relief_shaders::{
     Choice, DETAIL, Entry, Family, GEOMETRY, REFINE, SEARCH, SHADOW, SLICES, STAGES, Selection,
 };

@@ -10,7 +10,7 @@ use relief_io::{
     Convention, DEFAULT_MAX_BYTES, Fill, GivenUnits, Ground, HeightFile, HeightOptions, HeightRange,
     Omission, RawLayout, ReadNote, Remark, guess_by_name, omissions, read_ground, read_notes,
 };
-use relief_render::scene::{Scene, SceneSpec, SurfaceSpec};
+use relief_scene::{Scene, SceneSpec, SurfaceSpec};
 use serde_json::{Value, json};
 
 use super::lengths;

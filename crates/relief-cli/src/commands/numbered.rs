@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use relief_render::scene::{MeshChoice, SceneSpec};
+use relief_scene::{MeshChoice, SceneSpec};
 
 use crate::failure::Failure;
 use crate::pattern::{Pattern, has_place};

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use relief_io::Up;
-use relief_render::scene::{MeshChoice, SurfaceSpec, UvProjection};
+use relief_scene::{MeshChoice, SurfaceSpec, UvProjection};
 
 use super::maps::HeightArguments;
 use crate::units::Length;

@@ -12,8 +12,8 @@ use std::path::PathBuf;
 use clap::Args;
 use relief_core::Watch;
 use relief_maps::Maps;
-use relief_render::scene::{BackendChoice, Sampling, Scene, SceneSpec};
 use relief_render::{Made, RenderError, Renderer};
+use relief_scene::{BackendChoice, Sampling, Scene, SceneSpec};
 
 use self::baked_maps::CacheArguments;
 use self::output::{Bits, Counts, Outputs, StreamFormat};

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf, absolute};
 
 use clap::Args;
 use relief_io::write_atomically;
-use relief_render::background::Background;
-use relief_render::scene::{Form, Key, SceneSpec, keys, parse_scene};
+use relief_scene::background::Background;
+use relief_scene::{Form, Key, SceneSpec, keys, parse_scene};
 use serde_json::{Map, Value, json};
 
 use super::numbered::files;

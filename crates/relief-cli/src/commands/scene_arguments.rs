@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use relief_core::ByteSize;
 use relief_io::{GreenSign, decode_text};
-use relief_render::background::Background;
-use relief_render::depth_buffer::Clip;
-use relief_render::scene::{
+use relief_scene::background::Background;
+use relief_scene::depth_buffer::Clip;
+use relief_scene::tone::Tone;
+use relief_scene::{
     BackendChoice, LightDirection, LightSpec, Look, MaterialSpec, MeshChoice, PictureSize, ProjectionChoice,
     Sampling, SceneError, SceneSpec, SurfaceSpec, ValueError, ValueProblem, View, parse_scene, read_scene,
 };
-use relief_render::tone::Tone;
 use relief_shaders::METHODS;
 
 use super::maps::HeightArguments;

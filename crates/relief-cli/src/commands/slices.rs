@@ -7,7 +7,7 @@ use std::time::Instant;
 use clap::Args;
 use relief_core::{ByteSize, Watch};
 use relief_io::{DEFAULT_MAX_BYTES, MAX_SHELLS, MeshCounts, Shells, WriteError, WriteProblem, write_shells};
-use relief_render::scene::{Look, SceneError, SceneSpec, Surface, read_scene};
+use relief_scene::{Look, SceneError, SceneSpec, Surface, read_scene};
 use serde_json::json;
 
 use super::maps::{self, By};

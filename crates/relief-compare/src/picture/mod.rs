@@ -7,7 +7,7 @@ mod kernel;
 use relief_io::linear_to_srgb;
 use relief_render::job::Rendering;
 use relief_render::picture::linear;
-use relief_render::scene::Scene;
+use relief_scene::Scene;
 
 pub use flip::{Flip, PIXELS_PER_DEGREE, flip};
 

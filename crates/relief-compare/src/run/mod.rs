@@ -11,8 +11,8 @@ mod times;
 use relief_core::registry::RayClass;
 use relief_core::{Cancelled, MapFormat, MapIdentity, Watch};
 use relief_maps::{Maps, Origin, Provided};
-use relief_render::scene::{Look, Surface};
 use relief_render::{RenderError, Renderer};
+use relief_scene::{Look, Surface};
 use relief_shaders::{GEOMETRY, REFINE, SEARCH, Selection};
 
 use self::subject::Subject;

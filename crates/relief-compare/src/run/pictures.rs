@@ -1,12 +1,12 @@
 //! Methods in pictures.
 
+use relief_core::camera::Camera;
 use relief_core::exact::ExactHit;
 use relief_core::metrics::CostReport;
 use relief_core::{Hit, MapFormat, Watch};
 use relief_maps::Maps;
-use relief_render::camera::Camera;
-use relief_render::scene::{Scene, Surface};
 use relief_render::{RenderError, Rendered, Renderer};
+use relief_scene::{Scene, Surface};
 use relief_shaders::{Choice, SHADOW, SHADOW_SEARCH, Selection};
 
 use super::reference::{hit_of, in_tile_of, is_flat, seen_by_judge, selection, truth};

@@ -1,11 +1,11 @@
 //! What pictures are compared with.
 
 use rayon::prelude::*;
+use relief_core::camera::Camera;
 use relief_core::exact::{DisplacedMesh, ExactHit, Sides};
+use relief_core::mesh::Mesh;
 use relief_core::{Cost, Hit, Wrap};
-use relief_render::camera::Camera;
-use relief_render::mesh::Mesh;
-use relief_render::scene::Surface;
+use relief_scene::Surface;
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::{Choice, STAGES, SURFACE, Selection, SelectionError};
 
@@ -108,7 +108,7 @@ pub fn in_tile_of(hit: Hit, truth: &Hit, wrap: Wrap) -> Hit {
 
 #[cfg(test)]
 mod tests {
-    use relief_render::mesh::{Builtin, square};
+    use relief_core::mesh::{Builtin, square};
 
     use super::*;
 

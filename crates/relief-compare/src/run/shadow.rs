@@ -1,8 +1,8 @@
 //! Which shadow the reference picture of a shadow has.
 
 use relief_core::registry::Param;
-use relief_render::light::Light;
-use relief_render::scene::Scene;
+use relief_scene::Scene;
+use relief_scene::light::Light;
 use relief_shaders::shadow::ShadowRole;
 use relief_shaders::{Choice, Entry, SHADOW, STAGES, SelectionError};
 

@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use relief_core::HeightMap;
-use relief_render::camera::Camera;
-use relief_render::scene::{Scene, Surface};
+use relief_core::camera::Camera;
+use relief_scene::{Scene, Surface};
 use relief_shaders::Selection;
 
 use crate::comparison::Comparison;

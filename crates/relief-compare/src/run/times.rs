@@ -4,8 +4,8 @@
 use std::time::Duration;
 
 use relief_core::MapFormat;
-use relief_render::scene::Scene;
 use relief_render::{FrameTime, PassTimes, Renderer};
+use relief_scene::Scene;
 use relief_shaders::Selection;
 
 use super::Work;

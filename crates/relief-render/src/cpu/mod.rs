@@ -15,12 +15,12 @@ use self::light_map::LightMap;
 use self::ready::{Base, Made, Ready, SceneRays, caster};
 use self::tessellated::KeptTessellated;
 use self::tiled::{SeenBlock, Tiled};
+use crate::frame_cache::{cached, cached_where};
 use crate::job::{Job, JobSurface, Rendering, uncovered};
-use crate::kept::{kept, kept_where};
-use crate::raycast::RayCaster;
+use crate::prepare::Triangles;
 use crate::samples::{Sample, samples};
 use crate::shellcast::{Bounds, ShellCaster};
-use crate::triangles::Triangles;
+use relief_core::raycast::RayCaster;
 
 mod block;
 mod light_map;
@@ -132,7 +132,7 @@ impl CpuRenderer {
 
     /// The addresses of what is kept: of meshes, and of height maps.
     #[cfg(test)]
-    pub(crate) fn kept(&self) -> [Vec<*const ()>; 2] {
+    pub(crate) fn cached(&self) -> [Vec<*const ()>; 2] {
         let casters = self.casters.iter().map(|(_, caster)| Arc::as_ptr(caster).cast());
         let tracers = self.tracers.iter().map(|(_, tracer)| Arc::as_ptr(tracer).cast());
         [casters.collect(), tracers.collect()]
@@ -146,19 +146,19 @@ impl CpuRenderer {
             let base = match selection.paths().proposal {
                 Proposal::Polygons => {
                     let caster = || Arc::new(caster(triangles));
-                    Base::Polygons(kept(&mut casters, &self.casters, triangles, caster))
+                    Base::Polygons(cached(&mut casters, &self.casters, triangles, caster))
                 }
                 Proposal::Shells => {
                     let bounds = Bounds::of(surface);
                     let fits = |caster: &ShellCaster| caster.bounds() == bounds;
                     let caster = || Arc::new(ShellCaster::new(triangles, bounds));
-                    Base::Shells(kept_where(&mut shells, &self.shells, triangles, fits, caster))
+                    Base::Shells(cached_where(&mut shells, &self.shells, triangles, fits, caster))
                 }
             };
             // The tracer is for straight paths.
             let is_straight = !selection.paths().rays.contains(&RayClass::Bent);
             let tracer = (selection.is_exact() && is_straight).then(|| {
-                kept(&mut tracers, &self.tracers, height_map, || {
+                cached(&mut tracers, &self.tracers, height_map, || {
                     (0..surface.settings.height_levels)
                         .map(|k| FastTracer::new(&height_map.level(k)))
                         .collect()

@@ -10,13 +10,13 @@ use relief_shaders::cpu::{
 };
 use relief_shaders::surface::{DEPTH_SLACK, FOLDED};
 
-use crate::camera::Ray;
 use crate::job::{Job, JobSurface};
 use crate::light_views::{frame_of_rays, relief_points};
-use crate::raycast::tiles::{PictureRays, TileCaster, TileHit};
-use crate::raycast::{RayCaster, Sides};
+use crate::prepare::Triangles;
 use crate::shellcast::ShellCaster;
-use crate::triangles::Triangles;
+use relief_core::camera::Ray;
+use relief_core::raycast::tiles::{PictureRays, TileCaster, TileHit};
+use relief_core::raycast::{RayCaster, Sides};
 
 /// The hierarchy of a mesh's polygons.
 pub fn caster(triangles: &Triangles) -> RayCaster {

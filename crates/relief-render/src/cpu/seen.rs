@@ -5,7 +5,7 @@ use relief_shaders::cpu::{BLOCK, EnteredBlock, HitBlock, PathBlock, Row};
 
 use super::block::{Faces, places, places_where};
 use super::ready::{Met, Ready};
-use crate::raycast::tiles::{TileCaster, TileHit, TileHits};
+use relief_core::raycast::tiles::{TileCaster, TileHit, TileHits};
 
 /// The tile that a block is in, where it was cast, and the numbers in it of the block's points.
 #[derive(Clone, Copy)]

@@ -13,8 +13,8 @@ use self::looked::{Gathered, Looked};
 use super::ready::{Base, Ready};
 use super::seen::SeenOfSurface;
 use super::tiled::Points;
-use crate::raycast::Sides;
 use crate::shellcast::{BlockRays, ShellCaster};
+use relief_core::raycast::Sides;
 
 /// How many blocks of rays look into shells at a time, so that their paths can be searched together.
 const TOGETHER: usize = 16;

@@ -12,10 +12,10 @@ use relief_shaders::cpu::{
 };
 use relief_shaders::wgsl::{TESSELLATE_COARSEST as COARSEST, TESSELLATE_INSIDE as INSIDE};
 
+use crate::frame_cache::cached;
 use crate::job::{Job, JobSurface};
-use crate::kept::kept;
-use crate::tessellation::{TessellatedBase, Tessellation};
-use crate::triangles::Triangles;
+use crate::prepare::Triangles;
+use crate::prepare::{TessellatedBase, Tessellation};
 
 /// What is made of an edge or a triangle of the base: points and triangles, and those of all before it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -67,7 +67,7 @@ impl KeptTessellated {
         for surface in &mut job.surfaces {
             if let Some(tessellation) = surface.triangles.tessellation() {
                 let make = || Arc::new(triangles(surface, job.frame, tessellation));
-                surface.triangles = kept(&mut made, &self.known, &surface.triangles, make);
+                surface.triangles = cached(&mut made, &self.known, &surface.triangles, make);
             }
         }
         self.known = made;

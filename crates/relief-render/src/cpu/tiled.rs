@@ -10,8 +10,8 @@ use super::block::{BLOCK_SIDE, places, places_where};
 use super::ready::Ready;
 use super::seen::{Cast, Seen, SeenOfSurface};
 use super::shells::Shells;
-use crate::raycast::tiles::{Area, Bins, PictureRays, TILE, TileCaster, TileHits};
 use crate::samples::Sample;
+use relief_core::raycast::tiles::{Area, Bins, PictureRays, TILE, TileCaster, TileHits};
 
 /// The most columns of what is sorted into tiles at once. More needs more memory on every thread, less more
 /// ways down the hierarchies.

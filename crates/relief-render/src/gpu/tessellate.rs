@@ -14,7 +14,7 @@ use super::layouts::group;
 use super::pass_clock::{PassClock, PassKind, timed_compute};
 use super::resident::Uniform;
 use super::{Gpu, GpuError};
-use crate::tessellation::{Room, TessellatedBase, Tessellation};
+use crate::prepare::{Room, TessellatedBase, Tessellation};
 
 /// Storage buffers that a pass binds.
 pub const STORAGE_BUFFERS: u32 = 8;

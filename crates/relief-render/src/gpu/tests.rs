@@ -12,15 +12,15 @@ use relief_shaders::{Selection, SlotMaps};
 use wgpu::{BufferUsages, DeviceDescriptor, Features, Limits};
 
 use super::{AdapterChoice, Gpu, GpuError, GpuRenderer, Prober, Work, block_on};
-use crate::background::Background;
-use crate::camera::Camera;
-use crate::depth_buffer::DepthBuffer;
 use crate::job::{Job, JobSurface, LightViews, Rendering};
-use crate::mesh::{Mesh, Placement, square, torus};
 use crate::mipmaps::Mipmaps;
 use crate::picture::linear;
-use crate::scene::{BackendChoice, Scene, Surface};
 use crate::{Renderer, cpu::CpuRenderer};
+use relief_core::camera::Camera;
+use relief_core::mesh::{Mesh, Placement, square, torus};
+use relief_scene::background::Background;
+use relief_scene::depth_buffer::DepthBuffer;
+use relief_scene::{BackendChoice, Scene, Surface};
 
 mod prepass;
 mod shells;
@@ -205,7 +205,7 @@ pub(super) fn hills(width: u32, height: u32, wrap: Wrap) -> Arc<HeightMap> {
     Arc::new(map.with_displacement(0.06, -0.05).expect("proper numbers"))
 }
 
-fn mesh(mesh: Result<Mesh, crate::mesh::MeshError>, placement: Placement) -> Arc<Mesh> {
+fn mesh(mesh: Result<Mesh, relief_core::mesh::MeshError>, placement: Placement) -> Arc<Mesh> {
     Arc::new(mesh.and_then(|mesh| mesh.placed(&placement)).expect("a proper mesh"))
 }
 
@@ -295,7 +295,7 @@ fn of_equally_near_surfaces_the_first_is_seen() {
     renderers.extend(software().map(|gpu| Renderer::on_gpu(gpu, Sampling::Exact)));
     let surface = three_surfaces().swap_remove(0);
     let material = |brightness: f32| {
-        crate::material::Material::new(Vec3::splat(brightness), Vec3::ZERO, 1).expect("a material")
+        relief_scene::material::Material::new(Vec3::splat(brightness), Vec3::ZERO, 1).expect("a material")
     };
     let (bright, dark) = (surface.clone().with_material(material(1.0)), surface.with_material(material(0.0)));
     for renderer in &mut renderers {
@@ -440,11 +440,11 @@ fn the_cpu_keeps_its_hierarchies_as_long_as_they_are_needed() {
         preparer.job(&scene, &Watch::none()).expect("a job")
     };
     let first = renderer.render(&jobs(), &Watch::none());
-    let kept = format!("{:?}", renderer.kept());
+    let kept = format!("{:?}", renderer.cached());
     assert_eq!(renderer.render(&jobs(), &Watch::none()), first);
-    assert_eq!(format!("{:?}", renderer.kept()), kept);
+    assert_eq!(format!("{:?}", renderer.cached()), kept);
     // Two surfaces share a height map, and so its hierarchy.
-    assert_eq!(renderer.kept().map(|list| list.len()), [3, 2]);
+    assert_eq!(renderer.cached().map(|list| list.len()), [3, 2]);
     renderer.render(&Job { surfaces: Vec::new(), ..jobs() }, &Watch::none()).expect("a picture");
-    assert_eq!(renderer.kept().map(|list| list.len()), [0, 0]);
+    assert_eq!(renderer.cached().map(|list| list.len()), [0, 0]);
 }

@@ -8,10 +8,10 @@ use std::time::Instant;
 
 use clap::Args;
 use glam::{DVec2, Vec2};
+use relief_core::mesh::{Mesh, Vertex, rectangle};
 use relief_core::{HeightMap, Watch, Wrap};
 use relief_io::{Fill, HeightOptions, read_height};
 use relief_mesh::{Fit, Judge, MeshSettings, Mesher};
-use relief_render::mesh::{Mesh, Vertex, rectangle};
 use relief_testing::maps::fractal;
 use relief_tests::{accuracy, data_dir};
 

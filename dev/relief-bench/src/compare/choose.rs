@@ -3,7 +3,7 @@
 
 use relief_compare::{Candidate, Contender, Goal, Records, Timing, choose, with_other_steps};
 use relief_core::Watch;
-use relief_render::scene::Sampling;
+use relief_scene::Sampling;
 
 use super::maps::maps;
 use super::{Arguments, compared, on_square};

@@ -13,9 +13,9 @@ mod times;
 
 use clap::{Args, ValueEnum};
 use relief_compare::{Comparison, Contender, Machine, Records, Timing};
+use relief_core::mesh::square;
 use relief_core::{HeightMap, Watch};
-use relief_render::mesh::square;
-use relief_render::scene::{Sampling, Scene, Surface};
+use relief_scene::{Sampling, Scene, Surface};
 use relief_shaders::{SHADOW, STAGES, Selection};
 use relief_tests::accuracy;
 

@@ -2,8 +2,8 @@
 //! has displaced vertices cost by triangles, seen or not, and fragments by covered pixels.
 
 use relief_compare::{Contender, Records, Timing};
-use relief_render::camera::Camera;
-use relief_render::scene::Sampling;
+use relief_core::camera::Camera;
+use relief_scene::Sampling;
 use relief_tests::accuracy::maps;
 
 use super::{Arguments, compared, contender, on_square};

@@ -5,7 +5,7 @@ use relief_core::{HeightMap, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::gpu::{AdapterChoice, Gpu};
-use relief_render::scene::{Sampling, Scene};
+use relief_scene::{Sampling, Scene};
 use relief_shaders::{SHADOW, STAGES};
 use relief_testing::maps::fractal;
 

@@ -3,7 +3,7 @@
 
 use relief_compare::Timing;
 use relief_core::{HeightMap, Wrap};
-use relief_render::scene::Sampling;
+use relief_scene::Sampling;
 use relief_testing::maps::fractal;
 
 use super::{Arguments, compared, contender, on_square};

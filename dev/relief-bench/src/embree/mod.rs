@@ -9,9 +9,9 @@ use std::path::PathBuf;
 use clap::Args;
 use glam::DVec3;
 use relief_core::HeightMap;
+use relief_core::camera::Ray;
+use relief_core::mesh::{Mesh, torus};
 use relief_core::rng::Rng;
-use relief_render::camera::Ray;
-use relief_render::mesh::{Mesh, torus};
 use relief_tests::curved::{Curved, quantile};
 
 use crate::python::require;
@@ -109,7 +109,7 @@ fn repeated(map: &HeightMap, [across, down]: [u32; 2]) -> Result<HeightMap, Stri
 
 /// A picture's rays in its order, and those of many small ones in no order.
 fn views(arguments: &Arguments, curved: &Curved) -> Views {
-    let rays = |camera: &relief_render::camera::Camera, [columns, rows]: [u32; 2]| -> Vec<Ray> {
+    let rays = |camera: &relief_core::camera::Camera, [columns, rows]: [u32; 2]| -> Vec<Ray> {
         (0..columns * rows).map(|at| camera.ray(at % columns, at / columns, columns, rows)).collect()
     };
     let camera = curved.camera(FROM, 1.0);

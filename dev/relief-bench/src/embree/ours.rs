@@ -4,12 +4,12 @@ use std::time::Duration;
 
 use cpu_time::ProcessTime;
 use rayon::ThreadPool;
+use relief_core::camera::{Camera, Ray};
 use relief_core::exact::{DisplacedMesh, Sides};
 use relief_core::{HeightMap, Watch};
 use relief_maps::Maps;
 use relief_render::Renderer;
-use relief_render::camera::{Camera, Ray};
-use relief_render::scene::{BackendChoice, Scene};
+use relief_scene::{BackendChoice, Scene};
 use relief_tests::curved::{Curved, Drawn};
 
 use super::shuffled;

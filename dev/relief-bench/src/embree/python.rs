@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use relief_render::camera::Ray;
+use relief_core::camera::Ray;
 use serde_json::Value;
 
 use super::tessellation::Triangles;

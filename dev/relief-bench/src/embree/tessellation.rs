@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 use relief_core::HeightMap;
-use relief_render::mesh::Mesh;
+use relief_core::mesh::Mesh;
 
 /// Weights that are less than 0 by rounding alone.
 const ROUNDING: f64 = 1e-9;
@@ -66,7 +66,7 @@ mod tests {
     use super::*;
     use glam::Vec2;
     use relief_core::Wrap;
-    use relief_render::mesh::torus;
+    use relief_core::mesh::torus;
 
     #[test]
     fn points_lie_on_the_displaced_torus() {

@@ -11,7 +11,7 @@ use relief_maps::Maps;
 use relief_object::{Arrangement, CaptureSettings, Capturer, Cover, ObjectWriter, even_directions};
 use relief_render::job::Rendering;
 use relief_render::render;
-use relief_render::scene::{BackendChoice, Scene, parse_scene};
+use relief_scene::{BackendChoice, Scene, parse_scene};
 
 use super::Arguments;
 use crate::samples::Samples;

@@ -4,8 +4,8 @@ use std::time::Instant;
 
 use glam::Vec3;
 use relief_core::camera::Camera;
-use relief_render::light::Light;
-use relief_render::scene::{Scene, Surface};
+use relief_scene::light::Light;
+use relief_scene::{Scene, Surface};
 
 /// The fastest of some rounds of several ways, one after the other in each round, in seconds.
 pub fn fastest<const N: usize>(rounds: u16, ways: [&mut dyn FnMut(); N]) -> [f64; N] {

@@ -7,7 +7,7 @@ use relief_core::mesh::{rectangle, torus};
 use relief_core::{Lanes, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::Renderer;
-use relief_render::scene::{BackendChoice, Sampling, Scene, Surface};
+use relief_scene::{BackendChoice, Sampling, Scene, Surface};
 use relief_shaders::Selection;
 
 use super::frames::scene;

@@ -11,7 +11,7 @@ use relief_core::raycast::{RayCaster, Sides};
 use relief_core::{Lanes, Watch};
 use relief_maps::Maps;
 use relief_render::Renderer;
-use relief_render::scene::{Scene, Surface};
+use relief_scene::{Scene, Surface};
 use relief_shaders::Selection;
 use relief_testing::maps;
 

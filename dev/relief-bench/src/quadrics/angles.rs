@@ -3,10 +3,10 @@
 use comfy_table::Table;
 use glam::DVec3;
 use indicatif::ProgressBar;
+use relief_core::mesh::{Mesh, MeshError, sphere, torus};
 use relief_core::rng::Rng;
 use relief_render::Renderer;
-use relief_render::mesh::{Mesh, MeshError, sphere, torus};
-use relief_render::scene::BackendChoice;
+use relief_scene::BackendChoice;
 use relief_tests::curved::{Curved, Drawn, Judged, Picture, quantile};
 
 use crate::surfaces::bases::{TILES, cobbles};

@@ -2,8 +2,8 @@
 
 use comfy_table::Table;
 use glam::{DMat2, DVec2, DVec3};
+use relief_core::mesh::{Mesh, QuadricCoefficients, Vertex};
 use relief_core::rng::Rng;
-use relief_render::mesh::{Mesh, QuadricCoefficients, Vertex};
 use relief_tests::curved::quantile;
 
 use crate::surfaces::bases::{Base, NAMES};

@@ -8,7 +8,7 @@ use relief_core::Watch;
 use relief_core::camera::{Camera, Projection};
 use relief_maps::Maps;
 use relief_render::Renderer;
-use relief_render::scene::{BackendChoice, Sampling, Scene, Surface};
+use relief_scene::{BackendChoice, Sampling, Scene, Surface};
 use relief_shaders::Selection;
 
 use crate::samples::Samples;

@@ -6,9 +6,9 @@ use rayon::prelude::*;
 use relief_bake::{Filter, filter_levels};
 use relief_core::camera::Camera;
 use relief_core::mesh::{Mesh, square};
+use relief_core::raycast::{RayCaster, Sides};
 use relief_core::{HeightMap, Watch};
 use relief_mesh::{MeshSettings, Mesher, View};
-use relief_render::raycast::{RayCaster, Sides};
 use relief_testing::outline::{Mask, distances, overlap};
 
 use crate::surfaces::bases::{Base, cobbles};

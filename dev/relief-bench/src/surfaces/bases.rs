@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use glam::Vec2;
 use relief_core::HeightMap;
+use relief_core::mesh::{Mesh, MeshError, Placement, Vertex, cylinder, sphere, torus};
 use relief_io::{MeshOptions, read_mesh};
-use relief_render::mesh::{Mesh, MeshError, Placement, Vertex, cylinder, sphere, torus};
 use relief_tests::accuracy::maps;
 use relief_tests::data_dir;
 

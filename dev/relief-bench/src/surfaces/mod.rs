@@ -9,7 +9,7 @@ use indicatif::ProgressBar;
 use relief_core::HeightMap;
 use relief_core::rng::Rng;
 use relief_render::Renderer;
-use relief_render::scene::BackendChoice;
+use relief_scene::BackendChoice;
 use relief_tests::curved::{Comparison, Curved, Drawn, Judged, Picture, quantile};
 
 use crate::table::table;

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use glam::DVec3;
-use relief_render::camera::Camera;
+use relief_core::camera::Camera;
 use relief_testing::outline::places_and_distances;
 use relief_tests::curved::Picture;
 

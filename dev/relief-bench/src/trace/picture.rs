@@ -5,10 +5,10 @@ use std::path::Path as FilePath;
 use glam::{DVec2, DVec3};
 use rayon::ThreadPool;
 use rayon::prelude::*;
+use relief_core::camera::Camera;
 use relief_core::exact::{FastTracer, HitPacket, PathPacket};
 use relief_core::{HeightMap, Lanes};
 use relief_io::{PngColour, write_png8};
-use relief_render::camera::Camera;
 
 use super::view::{Ground, SCALE_M, SIZE, camera, sun};
 

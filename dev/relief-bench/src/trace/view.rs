@@ -5,8 +5,8 @@
 //! texels, half a texel inside of the plane.
 
 use glam::DVec3;
+use relief_core::camera::{Camera, CameraError};
 use relief_core::{HeightMap, Path, PathMetric};
-use relief_render::camera::{Camera, CameraError};
 
 /// Depth of the relief, in tiles.
 pub const SCALE_M: f64 = 0.1;

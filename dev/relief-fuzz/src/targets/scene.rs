@@ -2,7 +2,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use relief_core::ByteSize;
-use relief_render::scene::{Form, MeshChoice, SceneError, keys, parse_scene};
+use relief_scene::{Form, MeshChoice, SceneError, keys, parse_scene};
 
 use crate::{Target, text};
 

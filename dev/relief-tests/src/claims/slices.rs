@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use glam::DVec3;
+use relief_core::camera::{Camera, Projection};
 use relief_core::object::{ImageObject, JumpCells, View};
 use relief_core::raycast::Ray;
 use relief_core::{HeightMap, Watch, Wrap};
 use relief_mesh::{BoxSlicer, SliceAnchor, SliceDirection, SliceSettings};
-use relief_render::camera::{Camera, Projection};
-use relief_render::scene::BackendChoice;
+use relief_scene::BackendChoice;
 use relief_shaders::cpu::PixelOut;
 
 use crate::accuracy;

@@ -7,13 +7,13 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use rayon::prelude::*;
+use relief_core::camera::Camera;
 use relief_core::exact::{DisplacedMesh, Side, Sides};
+use relief_core::mesh::Mesh;
 use relief_core::{HeightMap, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::Renderer;
-use relief_render::camera::Camera;
-use relief_render::mesh::Mesh;
-use relief_render::scene::{BackendChoice, Scene, Surface};
+use relief_scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 
 use relief_core::rng::Rng;

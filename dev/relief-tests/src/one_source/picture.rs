@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use crate::baked::{in_slots, maps_for};
 use glam::{DVec3, Vec3};
+use relief_core::camera::Camera;
 use relief_core::{Metric, Wrap};
-use relief_render::camera::Camera;
-use relief_render::environment::Environment;
 use relief_render::job::{Job, JobSurface, LightViews, Rendering, uncovered};
 use relief_render::mipmaps::Mipmaps;
+use relief_scene::environment::Environment;
 use relief_shaders::cpu::{Corner, Frame, Light, PixelOut, Program, Shell, SurfaceSettings, Triangle};
 use relief_shaders::{MapSlot, Selection};
 use relief_testing::maps;

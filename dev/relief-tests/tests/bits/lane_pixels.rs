@@ -6,8 +6,8 @@ use std::sync::Arc;
 use rayon::prelude::*;
 use relief_core::rng::Rng;
 use relief_core::{HeightMap, Lanes, MapFormat, TexelMask, Wrap};
-use relief_render::environment::Environment;
 use relief_render::job::JobSurface;
+use relief_scene::environment::Environment;
 use relief_shaders::cpu::{
     BLOCK, EnteredBlock, Frame, HitBlock, Light, LightPoint, PathBlock, PixelIn, PixelOutBlock, Program, Row,
     SurfaceSettings, Triangle, TriangleRays, Vec4,

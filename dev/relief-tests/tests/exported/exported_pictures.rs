@@ -5,7 +5,7 @@ use relief_core::{Watch, Wrap};
 use relief_export::{Exported, Placement};
 use relief_maps::Maps;
 use relief_render::job::Job;
-use relief_render::scene::BackendChoice;
+use relief_scene::BackendChoice;
 use relief_shaders::Selection;
 use relief_tests::compilers;
 use relief_tests::exported::{Difference, Language, compare, device, draw, exported, rendered};

@@ -8,7 +8,7 @@ use relief_core::mesh::torus;
 use relief_core::object::{ImageObject, JumpCells};
 use relief_maps::Maps;
 use relief_render::job::Job;
-use relief_render::scene::{BackendChoice, Scene, Surface};
+use relief_scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 use relief_tests::exported::{Device, Difference, Language, compare, device, draw, exported, rendered};
 use relief_tests::object_pictures::{self, EYES};

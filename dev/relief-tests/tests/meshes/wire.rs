@@ -1,13 +1,13 @@
 //! The edges of base meshes over pictures: where they are, how strong, and over both backends' pictures.
 
+use glam::DVec3;
+use relief_core::camera::{Camera, Projection};
+use relief_core::mesh::{Mesh, square, torus};
 use relief_core::{HeightMap, Watch, Wrap};
 use relief_maps::Maps;
-use relief_render::camera::{Camera, Projection};
-use relief_render::glam::DVec3;
 use relief_render::gpu::AdapterChoice;
-use relief_render::mesh::{Mesh, square, torus};
-use relief_render::scene::{Sampling, Scene, SceneBuilder, Surface, View};
 use relief_render::{Renderer, Wire};
+use relief_scene::{Sampling, Scene, SceneBuilder, Surface, View};
 use relief_shaders::cpu::PixelOut;
 use relief_testing::maps;
 use relief_tests::adapter::open;

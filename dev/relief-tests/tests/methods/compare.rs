@@ -8,9 +8,9 @@ use relief_compare::{
     Case, CompareError, Compared, Comparison, Contender, ErrorRecord, Machine, PictureRecord, Records,
     Timing, csv, hits, page,
 };
+use relief_core::mesh::{Builtin, square};
 use relief_core::{HeightMap, Lanes, Watch, Wrap};
-use relief_render::mesh::{Builtin, square};
-use relief_render::scene::{Sampling, Scene, Surface};
+use relief_scene::{Sampling, Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::MethodTracer;
 use relief_tests::accuracy::{Named, case, maps};

@@ -5,12 +5,12 @@ use relief_compare::{
     CompareError, Compared, Comparison, Contender, Machine, MachineBackend, PictureRecord, Records, Timing,
     csv, page, shadow,
 };
+use relief_core::camera::{Camera, Projection};
+use relief_core::mesh::{Builtin, Placement, square};
 use relief_core::{MapFormat, Watch};
-use relief_render::camera::{Camera, Projection};
 use relief_render::gpu::{AdapterChoice, Gpu, GpuError};
-use relief_render::mesh::{Builtin, Placement, square};
-use relief_render::scene::{Sampling, Scene, Surface};
 use relief_render::{RenderError, Renderer};
+use relief_scene::{Sampling, Scene, Surface};
 use relief_shaders::Selection;
 use relief_tests::accuracy::maps;
 use relief_tests::adapter::has_adapter;

@@ -5,10 +5,10 @@ use std::sync::OnceLock;
 
 use glam::{DVec3, Vec2, Vec3};
 use relief_core::HeightMap;
+use relief_core::mesh::{Mesh, Vertex, cylinder, sphere, torus};
 use relief_core::rng::Rng;
 use relief_render::Renderer;
-use relief_render::mesh::{Mesh, Vertex, cylinder, sphere, torus};
-use relief_render::scene::{BackendChoice, Sampling};
+use relief_scene::{BackendChoice, Sampling};
 use relief_testing::outline::distances;
 use relief_tests::accuracy::maps;
 use relief_tests::adapter::has_adapter;

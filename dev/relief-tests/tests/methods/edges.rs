@@ -3,14 +3,14 @@
 
 use std::collections::BTreeSet;
 
+use glam::{DVec3, Vec2};
+use relief_core::camera::Camera;
+use relief_core::mesh::{Mesh, Placement, square, torus};
 use relief_core::{HeightMap, TexelMask, Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::Renderer;
-use relief_render::camera::Camera;
-use relief_render::glam::{DVec3, Vec2};
 use relief_render::gpu::AdapterChoice;
-use relief_render::mesh::{Mesh, Placement, square, torus};
-use relief_render::scene::{Sampling, Scene, SceneBuilder, Surface, View};
+use relief_scene::{Sampling, Scene, SceneBuilder, Surface, View};
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::{Entry, METHODS, Selection, surface};
 use relief_testing::maps;

@@ -2,11 +2,11 @@
 
 use glam::{DVec3, Vec2, Vec3};
 use rayon::prelude::*;
+use relief_core::mesh::Builtin;
 use relief_core::registry::MapLevels;
 use relief_core::{MapFormat, Path, Wrap};
-use relief_render::light::Light;
-use relief_render::mesh::Builtin;
-use relief_render::scene::{BackendChoice, Surface, View};
+use relief_scene::light::Light;
+use relief_scene::{BackendChoice, Surface, View};
 use relief_shaders::Selection;
 use relief_shaders::cpu::{MethodTracer, PixelOut};
 use relief_testing::maps;

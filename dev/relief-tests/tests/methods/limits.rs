@@ -1,13 +1,13 @@
 //! Everything runs within the limits that small devices have, on a device that the caller has opened.
 
+use relief_core::mesh::torus;
 use relief_core::object::GridMapping;
 use relief_core::{Watch, Wrap};
 use relief_maps::Maps;
 use relief_render::Renderer;
 use relief_render::gpu::{Gpu, block_on};
-use relief_render::mesh::torus;
-use relief_render::scene::{Scene, Surface};
 use relief_render::wgpu::{DeviceDescriptor, Features, Instance, Limits, RequestAdapterOptions};
+use relief_scene::{Scene, Surface};
 use relief_shaders::shadow::ShadowRole;
 use relief_shaders::wgsl::Sampling;
 use relief_shaders::{METHODS, OBJECT, SLICES, Selection, ambient, detail, shadow, surface};

@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use relief_core::Watch;
+use relief_core::mesh::Builtin;
 use relief_maps::Maps;
-use relief_render::mesh::Builtin;
 use relief_render::render;
-use relief_render::scene::{BackendChoice, MeshChoice, SceneSpec, SurfaceSpec, read_scene};
+use relief_scene::{BackendChoice, MeshChoice, SceneSpec, SurfaceSpec, read_scene};
 use relief_shaders::cpu::PixelOut;
 use relief_tests::adapter::has_adapter;
 

@@ -4,15 +4,15 @@
 use std::f64::consts::{PI, TAU};
 
 use glam::{DMat3, DVec3, Vec2, Vec3};
+use relief_core::mesh::{Builtin, Mesh, Placement};
 use relief_core::{HeightMap, Watch, Wrap};
 use relief_io::Picture;
 use relief_maps::Maps;
 use relief_render::Renderer;
-use relief_render::environment::Environment;
-use relief_render::light::Light;
-use relief_render::material::Material;
-use relief_render::mesh::{Builtin, Mesh, Placement};
-use relief_render::scene::{BackendChoice, Scene, Surface, View};
+use relief_scene::environment::Environment;
+use relief_scene::light::Light;
+use relief_scene::material::Material;
+use relief_scene::{BackendChoice, Scene, Surface, View};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 use relief_tests::accuracy::maps;

@@ -9,8 +9,8 @@ use std::path::Path;
 
 use relief_core::Watch;
 use relief_maps::Maps;
-use relief_render::scene::{BackendChoice, Scene, SceneSpec, SurfaceSpec, read_scene};
 use relief_render::{Rendered, render};
+use relief_scene::{BackendChoice, Scene, SceneSpec, SurfaceSpec, read_scene};
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::geometry::Geometry;
 use relief_shaders::{METHODS, Selection, ambient, shadow};

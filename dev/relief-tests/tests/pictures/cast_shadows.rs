@@ -2,8 +2,8 @@
 //! by rays through the whole scene.
 
 use glam::DVec3;
-use relief_render::light::Light;
-use relief_render::scene::BackendChoice;
+use relief_scene::BackendChoice;
+use relief_scene::light::Light;
 use relief_testing::outline::{distances_of_lines, overlap};
 use relief_tests::adapter::has_adapter;
 use relief_tests::cast::{Meeting, Shown, agreement, mask};

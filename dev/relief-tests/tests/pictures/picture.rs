@@ -5,13 +5,13 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::DVec3;
+use relief_core::camera::Projection;
+use relief_core::mesh::{Builtin, square};
 use relief_core::{Cancelled, HeightMap, Watch, Wrap};
 use relief_maps::Maps;
-use relief_render::camera::Projection;
 use relief_render::job::Rendering;
-use relief_render::mesh::{Builtin, square};
-use relief_render::scene::{BackendChoice, Look, Scene, SceneSpec, Surface, SurfaceSpec, View, read_scene};
 use relief_render::{RENDERING, RenderError, Renderer, render};
+use relief_scene::{BackendChoice, Look, Scene, SceneSpec, Surface, SurfaceSpec, View, read_scene};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 use relief_tests::adapter::has_adapter;

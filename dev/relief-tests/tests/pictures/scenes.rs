@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use relief_core::Watch;
 use relief_maps::Maps;
 use relief_render::render;
-use relief_render::scene::{BackendChoice, SceneSpec, read_scene};
+use relief_scene::{BackendChoice, SceneSpec, read_scene};
 
 /// All scene files in a folder and in those within it, in the order of their names.
 fn scenes_in(folder: &Path) -> Vec<PathBuf> {

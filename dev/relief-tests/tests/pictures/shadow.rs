@@ -3,10 +3,10 @@
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use relief_core::exact::least_gap;
+use relief_core::mesh::square;
 use relief_core::{HeightMap, Path, PathMetric, Wrap};
-use relief_render::light::Light;
-use relief_render::mesh::square;
-use relief_render::scene::{BackendChoice, Surface, View};
+use relief_scene::light::Light;
+use relief_scene::{BackendChoice, Surface, View};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 use relief_testing::{maps, steepest};

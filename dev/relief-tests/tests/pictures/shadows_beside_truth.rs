@@ -1,8 +1,8 @@
 //! What shadows that are not exact make of it, beside rays of the exact search.
 
 use relief_core::HeightMap;
-use relief_render::mesh::Builtin;
-use relief_render::scene::BackendChoice;
+use relief_core::mesh::Builtin;
+use relief_scene::BackendChoice;
 use relief_tests::accuracy::maps;
 use relief_tests::shadows::{Lit, mean_error, squared_error, wrong};
 

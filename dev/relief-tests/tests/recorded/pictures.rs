@@ -9,7 +9,7 @@ use relief_maps::Maps;
 use relief_render::job::Rendering;
 use relief_render::picture::{aov, linear};
 use relief_render::render;
-use relief_render::scene::{BackendChoice, SceneSpec, SurfaceSpec, parse_scene, read_scene};
+use relief_scene::{BackendChoice, SceneSpec, SurfaceSpec, parse_scene, read_scene};
 use relief_shaders::{DETAIL, METHODS, SLICES, STAGES, Selection};
 
 use crate::hash::Bits;

@@ -2,11 +2,11 @@
 //!
 //! Kautz and Seidel 2001, section 4.
 
+use glam::DVec3;
 use relief_core::object::{ImageObject, JumpCells};
 use relief_core::raycast::Ray;
 use relief_core::{HeightMap, Wrap};
-use relief_render::glam::DVec3;
-use relief_render::scene::BackendChoice;
+use relief_scene::BackendChoice;
 use relief_shaders::cpu::PixelOut;
 use relief_tests::adapter::has_adapter;
 use relief_tests::object_pictures::{

@@ -1,9 +1,9 @@
 //! Grids of frames as pictures: blended as engines do, and intersected.
 
+use glam::DVec3;
 use relief_core::camera::Ray;
 use relief_core::object::{GridMapping, ImageObject, JumpCells};
-use relief_render::glam::DVec3;
-use relief_render::scene::{BackendChoice, Scene, Surface};
+use relief_scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 use relief_tests::adapter::has_adapter;

@@ -3,12 +3,12 @@
 //!
 //! Kautz and Seidel 2001, sections 4.1 and 5.
 
+use glam::DVec3;
 use relief_core::Watch;
 use relief_core::camera::Ray;
 use relief_core::object::JumpCells;
 use relief_mesh::{BoxSlicer, SliceAnchor, SliceDirection};
-use relief_render::glam::DVec3;
-use relief_render::scene::BackendChoice;
+use relief_scene::BackendChoice;
 use relief_shaders::cpu::PixelOut;
 use relief_tests::adapter::has_adapter;
 use relief_tests::object_pictures::{ALIKE, EYES, alike, alike_on_both, camera, pixels, rays, selection};

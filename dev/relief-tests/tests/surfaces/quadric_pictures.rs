@@ -1,12 +1,12 @@
 //! Pictures of surfaces of quadrics: beside those of the plane, outlines, saddles, and both backends.
 
 use glam::{DVec3, Vec2, Vec3};
+use relief_core::camera::{Camera, Projection};
+use relief_core::mesh::{Mesh, Vertex, cube, sphere, square, torus};
 use relief_core::{HeightMap, Watch, Wrap};
 use relief_maps::Maps;
-use relief_render::camera::{Camera, Projection};
-use relief_render::mesh::{Mesh, Vertex, cube, sphere, square, torus};
 use relief_render::render;
-use relief_render::scene::{BackendChoice, Scene, Surface};
+use relief_scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 use relief_tests::adapter::{Leeway, has_adapter};

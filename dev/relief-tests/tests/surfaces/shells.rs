@@ -7,15 +7,15 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::{DVec2, DVec3, Vec3};
+use relief_core::camera::Camera;
+use relief_core::mesh::Mesh;
 use relief_core::mesh::{square, torus};
 use relief_core::raycast::{RayCaster, Sides};
 use relief_core::{HeightMap, TexelMask, Watch, Wrap};
 use relief_io::{DEFAULT_MAX_BYTES, MeshMaterial, Picture, Shells, WriteProblem, read_picture, write_shells};
 use relief_maps::Maps;
-use relief_render::camera::Camera;
-use relief_render::mesh::Mesh;
 use relief_render::render;
-use relief_render::scene::{BackendChoice, Scene, Surface};
+use relief_scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
 use serde_json::Value as Json;

@@ -1,13 +1,13 @@
 //! The two backends give the same picture on every surface: of meshes that go through each other, and from
 //! within a mesh that is seen from both sides.
 
+use glam::DVec3;
+use relief_core::camera::Camera;
+use relief_core::mesh::{Mesh, sphere, torus};
 use relief_core::{Watch, Wrap};
 use relief_maps::Maps;
-use relief_render::camera::Camera;
-use relief_render::glam::DVec3;
-use relief_render::mesh::{Mesh, sphere, torus};
 use relief_render::render;
-use relief_render::scene::{BackendChoice, Scene, Surface};
+use relief_scene::{BackendChoice, Scene, Surface};
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::{Selection, surface};
 use relief_testing::maps;

@@ -9,7 +9,7 @@ use relief_io::{
     MeshColors, MeshFile, MeshMaterial, MeshOptions, Picture, Remark, Up, omissions, read_mesh, read_picture,
 };
 use relief_mesh::{MeshSettings, Mesher};
-use relief_render::scene::{Look, MeshChoice, SceneSpec, SurfaceSpec, read_scene};
+use relief_scene::{Look, MeshChoice, SceneSpec, SurfaceSpec, read_scene};
 
 use super::Arguments;
 use crate::commands::maps::{self, By};

@@ -8,7 +8,7 @@ use clap::Args;
 use relief_core::mesh::Mesh;
 use relief_core::{ByteSize, HeightMap};
 use relief_io::{DEFAULT_MAX_BYTES, HeightNote, MeshOptions, read_height_file, read_mesh};
-use relief_render::scene::{MeshChoice, Surface};
+use relief_scene::{MeshChoice, Surface};
 use serde_json::json;
 
 use super::described::Described;

@@ -12,7 +12,7 @@ use relief_core::mesh::{Mesh, UvProjection};
 use relief_core::raycast::RayCaster;
 use relief_core::{ByteSize, HeightMap, Watch, Wrap};
 use relief_io::{DEFAULT_MAX_BYTES, HeightNote, MeshOptions, read_mesh, read_raw_mesh};
-use relief_render::scene::MeshChoice;
+use relief_scene::MeshChoice;
 use serde_json::json;
 
 use super::described::{Described, SURVEYED};

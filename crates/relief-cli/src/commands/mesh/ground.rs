@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use relief_core::mesh::Builtin;
 use relief_io::{CoordinateSystem, GridTransform, Ground, read_ground};
 use relief_mesh::Put;
-use relief_render::scene::{MeshChoice, Surface};
+use relief_scene::{MeshChoice, Surface};
 use serde_json::{Value, json};
 
 use super::Arguments;

@@ -6,7 +6,7 @@ use std::io::Write;
 use glam::Vec3;
 use relief_io::{MeshFormat, Quantization, Up};
 use relief_mesh::{Certificate, Cracks, FoldedBase, Folds, Rounded, Streamed};
-use relief_render::scene::Surface;
+use relief_scene::Surface;
 use serde_json::json;
 
 use super::Arguments;

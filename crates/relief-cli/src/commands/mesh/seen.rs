@@ -8,7 +8,7 @@ use relief_core::registry::UnknownName;
 use relief_core::{ByteSize, HeightMap, Watch};
 use relief_io::GlbMaterials;
 use relief_mesh::View;
-use relief_render::scene::Surface;
+use relief_scene::Surface;
 
 use super::ground::Metres;
 use crate::failure::Failure;

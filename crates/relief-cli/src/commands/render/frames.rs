@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use relief_io::beside_file;
 use relief_object::read_description;
 use relief_render::RENDERING;
-use relief_render::scene::SceneSpec;
+use relief_scene::SceneSpec;
 use serde_json::json;
 
 use super::output::Outputs;

@@ -13,9 +13,9 @@ use relief_io::{
     LineSink, Metadata, PictureFormat, PictureSink, WriteProblem, write_exr_lines, write_picture,
 };
 use relief_render::picture::{AOV_CHANNELS, Display, aov_of, srgb};
-use relief_render::scene::{Scene, SceneSpec};
-use relief_render::tone::Tone;
 use relief_render::{Bands, Made, RenderError, Wire};
+use relief_scene::tone::Tone;
+use relief_scene::{Scene, SceneSpec};
 use relief_shaders::cpu::PixelOut;
 
 use super::Arguments;

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use relief_render::Made;
-use relief_render::scene::{Scene, SceneSpec, Surface};
+use relief_scene::{Scene, SceneSpec, Surface};
 use serde_json::{Value, json};
 
 use super::baked_maps;

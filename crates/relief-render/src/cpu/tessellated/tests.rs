@@ -10,9 +10,9 @@ use relief_shaders::cpu::{DicePoint, Vec3 as Three};
 
 use super::*;
 use crate::Renderer;
-use crate::camera::Camera;
 use crate::prepare::Preparer;
-use crate::scene::{Scene, Surface};
+use relief_core::camera::Camera;
+use relief_scene::{Scene, Surface};
 
 /// A map of 48x32 texels under a mesh, tessellated; what is set besides.
 pub fn surface_of(mesh: Mesh, pixels: f64, set: &[(&str, f64)]) -> Surface {

@@ -15,7 +15,7 @@ use crate::gpu::tests::{hills, own, rendered, scene, software, three_surfaces};
 use crate::gpu::textures::{self, Precision};
 use crate::gpu::{Work, block_on};
 use crate::job::Rendering;
-use crate::scene::{Scene, Surface};
+use relief_scene::{Scene, Surface};
 
 /// A search that reads a pyramid, and in which detail.
 type Reader = (&'static str, &'static str);

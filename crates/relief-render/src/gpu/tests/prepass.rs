@@ -17,18 +17,18 @@ use wgpu::{
 
 use super::software;
 use crate::Renderer;
-use crate::camera::{Camera, Projection};
-use crate::depth_buffer::{Clip, DepthBuffer};
 use crate::gpu::light_map::Frames;
 use crate::gpu::programs::{DEPTH, Layouts, nearest, raster};
 use crate::gpu::resident::{Common, Resident};
 use crate::gpu::targets::Targets;
 use crate::gpu::{Gpu, block_on};
 use crate::job::Job;
-use crate::mesh::torus;
 use crate::prepare::Preparer;
 use crate::samples::samples;
-use crate::scene::{Scene, Surface};
+use relief_core::camera::{Camera, Projection};
+use relief_core::mesh::torus;
+use relief_scene::depth_buffer::{Clip, DepthBuffer};
+use relief_scene::{Scene, Surface};
 
 /// Columns and rows; a row of depths is as long as copies want it.
 const SIZE: [u32; 2] = [128, 96];

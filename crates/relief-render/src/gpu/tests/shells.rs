@@ -11,9 +11,9 @@ use relief_shaders::wgsl::Sampling;
 
 use super::software;
 use crate::Renderer;
-use crate::camera::{Camera, Projection};
-use crate::mesh::torus;
-use crate::scene::{Scene, Surface};
+use relief_core::camera::{Camera, Projection};
+use relief_core::mesh::torus;
+use relief_scene::{Scene, Surface};
 
 /// A torus whose relief rises and falls, seen from there.
 fn scene(surface: &str, eye: DVec3, projection: Projection, two_sided: bool) -> Scene {

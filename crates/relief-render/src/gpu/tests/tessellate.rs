@@ -13,7 +13,7 @@ use super::{own, rendered, software};
 use crate::Renderer;
 use crate::cpu::tessellated::tests::{BY_TEXELS, SWEPT, job_of, made, scene_of, surface_of};
 use crate::job::Job;
-use crate::mesh::{cube, rectangle, sphere, square, torus};
+use relief_core::mesh::{cube, rectangle, sphere, square, torus};
 
 /// The triangles that a renderer made of the first surface.
 fn made_by(renderer: &mut GpuRenderer, job: &Job) -> (Vec<Corner>, Vec<Face>) {

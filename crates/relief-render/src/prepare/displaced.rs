@@ -1,0 +1,435 @@
+//! Displaced triangles: the meshes that geometries make of base meshes and height maps.
+
+use std::sync::Arc;
+
+use relief_core::camera::Camera;
+use relief_core::mesh::{Mesh, Vertex};
+use relief_core::object::ImageObject;
+use relief_core::{Cancelled, HeightMap, Watch};
+use relief_mesh::{
+    Cull, MeshSettings, Mesher, MesherError, Outside, SliceError, SliceSettings, Stream, StreamError, View,
+};
+use relief_shaders::Selection;
+use relief_shaders::cpu::{Corner, Shell};
+use relief_shaders::geometry::{Geometry, Tessellated};
+
+use super::sliced;
+use super::tessellation::{Division, Room, TessellatedBase, Tessellation};
+use crate::error::RenderError;
+use crate::light_views;
+use crate::prepare::Triangles;
+use relief_core::raycast::RayCaster;
+use relief_scene::light::Light;
+use relief_scene::{Scene, Surface};
+
+/// Memory that a vertex takes: as the shaders have it, on its way to a GPU, and as what lights see is laid
+/// around it.
+pub const BYTES_PER_VERTEX: u64 = 2 * size_of::<Corner>() as u64 + 24;
+
+/// Memory that a triangle takes: as the shaders have it, and in the hierarchy for rays.
+pub const BYTES_PER_TRIANGLE: u64 = 48 + RayCaster::BYTES_PER_TRIANGLE;
+
+/// The least distance of vertices that a view asks for, in texels: between those of a patch of four texels
+/// there is nothing to be found but a smooth bend.
+const FINEST_TEXELS: f64 = 0.25;
+
+/// Why a surface has no displaced triangles.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum GeometryError {
+    /// They cannot be made.
+    #[error("its displaced triangles cannot be made: {0}; {1} makes fewer")]
+    Mesh(MesherError, &'static str),
+    /// There are no slices.
+    #[error("it cannot be sliced: {0}")]
+    Slices(SliceError),
+    /// They take more memory than is allowed.
+    #[error(
+        "its {triangles} triangles need {} MiB of memory, {} MiB are left for them: choose {setting}, or \
+         allow more memory",
+        needed.div_ceil(1 << 20), left >> 20
+    )]
+    Memory {
+        /// How many there are.
+        triangles: u64,
+        /// Bytes that they take, with what is built on them.
+        needed: u64,
+        /// Bytes that may be used and that others leave for them.
+        left: u64,
+        /// What makes them fewer.
+        setting: &'static str,
+    },
+    /// A vertex lies too far away.
+    #[error("a vertex is displaced beyond what 32-bit numbers hold: choose a smaller displacement or mesh")]
+    NotFinite,
+    /// The work was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
+/// What displaced triangles are made of.
+#[derive(Clone, Debug)]
+struct DisplacedOf {
+    mesh: Arc<Mesh>,
+    map: Arc<HeightMap>,
+    /// What images look at where there are any.
+    object: Option<Arc<ImageObject>>,
+    cut: Cut,
+}
+
+/// How the base is divided.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Cut {
+    Texels(u32),
+    /// By the voxels of a view; of so many levels of the height map, without what is not seen.
+    Seen(View, u32, Option<Cull>),
+    /// The same, or by texels, by the backend itself.
+    Tessellated(View, u32, Cull, Tessellated),
+    /// By slices through the relief.
+    Sliced(SliceSettings),
+    /// By slices through the box around an object, and the camera to which they come from front to back where
+    /// that matters.
+    SlicedBox(SliceSettings, Option<Camera>),
+}
+
+impl DisplacedOf {
+    /// What those of a surface are made of; none where it has none.
+    fn of(surface: &Surface, scene: &Scene) -> Option<Self> {
+        let (map, selection) = (surface.height_map(), surface.selection());
+        let cut = match selection.geometry()? {
+            Geometry::Texels(texels) => Cut::Texels(texels),
+            Geometry::Pixels(pixels) => {
+                let view = view(pixels, surface, scene);
+                Cut::Seen(view, selection.levels_of(map), cull(scene, surface, &view))
+            }
+            Geometry::Tessellated(by) => {
+                let view = view(by.pixels, surface, scene);
+                let cull = cull(scene, surface, &view).unwrap_or_default();
+                // Vertices a number of texels apart have the heights of these.
+                let levels = if by.texels.is_some() { 1 } else { selection.levels_of(map) };
+                Cut::Tessellated(view, levels, cull, by)
+            }
+            Geometry::Slices(slices) => Cut::Sliced(sliced::settings(slices, scene)),
+            Geometry::ObjectSlices(slices) => {
+                let is_in_order = selection.counts_in_stencil();
+                Cut::SlicedBox(sliced::settings(slices, scene), is_in_order.then(|| *scene.camera()))
+            }
+        };
+        let object = surface.object().map(|object| Arc::clone(object.object()));
+        Some(Self { mesh: Arc::clone(surface.mesh()), map: Arc::clone(map), object, cut })
+    }
+
+    fn is(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.mesh, &other.mesh) && Arc::ptr_eq(&self.map, &other.map) && self.cut == other.cut
+    }
+
+    /// Whether both are of the same base, as backends tessellate it.
+    fn has_base_of(&self, other: &Self) -> bool {
+        let levels = |cut: &Cut| if let Cut::Tessellated(_, levels, ..) = cut { Some(*levels) } else { None };
+        Arc::ptr_eq(&self.mesh, &other.mesh)
+            && Arc::ptr_eq(&self.map, &other.map)
+            && levels(&self.cut).is_some_and(|own| levels(&other.cut) == Some(own))
+    }
+
+    /// What makes them fewer.
+    fn setting(&self) -> &'static str {
+        match self.cut {
+            Cut::Texels(_) | Cut::Tessellated(.., Tessellated { texels: Some(_), .. }) => {
+                "a larger 'geometry.texels'"
+            }
+            Cut::Seen(..) | Cut::Tessellated(..) => "a larger 'geometry.pixels'",
+            Cut::Sliced(_) | Cut::SlicedBox(..) => sliced::FEWER,
+        }
+    }
+
+    /// So many levels of the map, without the first.
+    fn coarser(&self, levels: u32) -> Vec<HeightMap> {
+        (1..levels).map(|level| self.map.level(level)).collect()
+    }
+
+    /// The error where they cannot be made.
+    fn error(&self, error: MesherError) -> GeometryError {
+        match error {
+            MesherError::Cancelled(cancelled) => cancelled.into(),
+            error => GeometryError::Mesh(error, self.setting()),
+        }
+    }
+}
+
+/// The view of a scene, with voxels so many pixels wide, or wider where that is too fine for a surface.
+fn view(pixels: f32, surface: &Surface, scene: &Scene) -> View {
+    no_finer(View { pixels: pixels.into(), ..View::new(*scene.camera(), scene.size()) }, surface)
+}
+
+/// What of a surface is not made for the camera; none where all is made, also what lies behind the eye.
+///
+/// What throws shadows is made, whether the camera sees it or not. Shadows that are looked up in what lights
+/// see need what is nearly on the way to the centres of lights; rays through the scene go to all of their
+/// discs.
+fn cull(scene: &Scene, surface: &Surface, view: &View) -> Option<Cull> {
+    let (lights, surfaces) = (scene.lights(), scene.surfaces());
+    let any = |of: fn(&Selection) -> bool| surfaces.iter().any(|surface| of(surface.selection()));
+    if !lights.is_empty() && any(|selection| selection.rays_through_scene().is_some()) {
+        return None;
+    }
+    let are_seen = !lights.is_empty() && any(|selection| selection.light_views().is_some());
+    if !scene.culls() {
+        return Some(Cull::default());
+    }
+    if !are_seen {
+        return Some(Cull { outside: Outside::ALL, backs: !surface.two_sided() });
+    }
+    let beside_m = light_views::beside_m(scene);
+    let places = lights.iter().map(|light| match *light {
+        Light::Directional { toward, .. } => toward.extend(0.0),
+        Light::Point { position_m, .. } => position_m.extend(1.0),
+    });
+    // What is no number leaves nothing out.
+    let outside = Outside::of_ways_to(places, view, beside_m);
+    let outside = if beside_m.is_finite() { outside } else { Outside::NOTHING };
+    Some(Cull { outside, backs: false })
+}
+
+/// The view with voxels that are nowhere smaller than a part of a texel.
+fn no_finer(view: View, surface: &Surface) -> View {
+    let (map, [u, v]) = (surface.height_map(), surface.metric().tile_m);
+    let texel_m = (u / f64::from(map.width())).min(v / f64::from(map.height()));
+    let [voxel_m, least_m] =
+        [view.pixels * 2.0 * view.camera.half_height() / f64::from(view.size[1]), FINEST_TEXELS * texel_m];
+    if !(least_m.is_finite() && least_m > 0.0) {
+        return view;
+    }
+    if view.camera.is_orthographic() {
+        View { pixels: view.pixels * (least_m / voxel_m).max(1.0), ..view }
+    } else {
+        // Of what is nearer voxels are as large as they are there.
+        View { near_m: view.near_m.max(least_m / voxel_m), ..view }
+    }
+}
+
+/// Displaced triangles, and the memory that they take.
+#[derive(Debug)]
+struct Known {
+    of: DisplacedOf,
+    triangles: Arc<Triangles>,
+    bytes: u64,
+}
+
+/// A base that backends tessellate, which is the same for all views.
+#[derive(Debug)]
+struct KnownBase {
+    of: DisplacedOf,
+    base: Arc<TessellatedBase>,
+}
+
+/// The displaced triangles of a scene's surfaces, kept from one picture to the next.
+#[derive(Debug, Default)]
+pub struct Displaced {
+    known: Vec<Known>,
+    bases: Vec<KnownBase>,
+}
+
+impl Displaced {
+    /// Those of each surface, none where it has none: those made before, where these are of the same mesh,
+    /// map and, if it matters, view. Others are dropped before any are made.
+    pub fn of_scene(
+        &mut self,
+        scene: &Scene,
+        watch: &Watch,
+    ) -> Result<Vec<Option<Arc<Triangles>>>, RenderError> {
+        let watch = watch.quiet();
+        let asked: Vec<Option<DisplacedOf>> =
+            scene.surfaces().iter().map(|surface| DisplacedOf::of(surface, scene)).collect();
+        self.known.retain(|known| asked.iter().flatten().any(|of| of.is(&known.of)));
+        self.bases.retain(|known| asked.iter().flatten().any(|of| of.has_base_of(&known.of)));
+        let each = asked.into_iter().enumerate().map(|(surface, of)| {
+            let Some(of) = of else { return Ok(None) };
+            if let Some(known) = self.known.iter().find(|known| known.of.is(&of)) {
+                return Ok(Some(Arc::clone(&known.triangles)));
+            }
+            let taken = self.known.iter().map(|known| known.bytes).sum::<u64>();
+            let left = scene.geometry_memory().0.saturating_sub(taken);
+            let made = match of.cut {
+                Cut::Texels(texels) => {
+                    let settings = MeshSettings { texels, ..MeshSettings::default() };
+                    let mesher = Mesher::watched(&of.mesh, &of.map, &settings, &watch);
+                    mesher.map_err(|error| of.error(error)).and_then(|mesher| made(&of, &mesher, left, watch))
+                }
+                Cut::Seen(view, levels, cull) => {
+                    let settings = MeshSettings { cull, ..MeshSettings::seen_by(view) };
+                    let coarser = of.coarser(levels);
+                    let mesher = Mesher::with_levels(&of.mesh, &of.map, &coarser, &settings, &watch);
+                    mesher.map_err(|error| of.error(error)).and_then(|mesher| made(&of, &mesher, left, watch))
+                }
+                Cut::Sliced(settings) => sliced::triangles(&of.mesh, &of.map, settings, left, &watch),
+                Cut::SlicedBox(settings, camera) => match &of.object {
+                    Some(object) => {
+                        sliced::triangles_of_object(&of.mesh, object, (settings, camera), left, &watch)
+                    }
+                    None => Err(GeometryError::Slices(SliceError::Together)),
+                },
+                Cut::Tessellated(view, levels, cull, by) => {
+                    let known = self.bases.iter().find(|known| known.of.has_base_of(&of));
+                    let base = match known.map(|known| Arc::clone(&known.base)) {
+                        Some(base) => Ok(base),
+                        None => {
+                            TessellatedBase::new(&of.mesh, &of.map, &of.coarser(levels), &watch).map(|base| {
+                                let base = Arc::new(base);
+                                self.bases.push(KnownBase { of: of.clone(), base: Arc::clone(&base) });
+                                base
+                            })
+                        }
+                    };
+                    base.map_err(|error| of.error(error))
+                        .and_then(|base| to_be_made(&of, base, (&view, levels, &cull), by, left))
+                }
+            };
+            let (triangles, bytes) = made.map_err(|why| match why {
+                GeometryError::Cancelled(cancelled) => cancelled.into(),
+                source => RenderError::Geometry { surface, source },
+            })?;
+            self.known.push(Known { of, triangles: Arc::clone(&triangles), bytes });
+            Ok(Some(triangles))
+        });
+        each.collect()
+    }
+}
+
+/// Triangles that a backend is to make for a view, in levels of the map, and the memory that there is for
+/// them.
+fn to_be_made(
+    of: &DisplacedOf,
+    base: Arc<TessellatedBase>,
+    (view, levels, cull): (&View, u32, &Cull),
+    by: Tessellated,
+    left: u64,
+) -> Result<(Arc<Triangles>, u64), GeometryError> {
+    let of_base = base.vertices.len() as u64 * BYTES_PER_VERTEX;
+    let parts_of_uv = by.texels.map(|texels| {
+        let size = [of.map.width(), of.map.height()];
+        size.map(|texels_of_map| f64::from(texels_of_map) / f64::from(texels))
+    });
+    let division = Division { parts_of_uv, is_swept: by.is_swept };
+    let bytes = |room: Room| {
+        u64::from(room.triangles) * BYTES_PER_TRIANGLE + u64::from(room.points) * BYTES_PER_VERTEX
+    };
+    let each = BYTES_PER_TRIANGLE + BYTES_PER_VERTEX * 5 / 8;
+    let (patches, memory) = (base.patches.len() as u64, left.saturating_sub(of_base));
+    if memory / each < patches {
+        let needed = of_base.saturating_add(patches.saturating_mul(each));
+        return Err(GeometryError::Memory { triangles: patches, needed, left, setting: of.setting() });
+    }
+    // The numbers of three corners each fit 32 bits.
+    let most = u64::from(u32::MAX / 3);
+    let wanted = base.room(view, &division).within(Room::of_triangles(most as u32));
+    let room = if bytes(wanted) <= memory {
+        wanted
+    } else {
+        wanted.within(Room::of_triangles((memory / each).min(most) as u32))
+    };
+    let grid = base.grid(view, cull, levels, &division, room).map_err(|error| of.error(error))?;
+    let everything = base.everything(view);
+    let triangles = Triangles::to_be_made(Tessellation { base, grid }, everything);
+    Ok((Arc::new(triangles), of_base + bytes(room)))
+}
+
+/// Displaced triangles and the memory that they take.
+fn made(
+    of: &DisplacedOf,
+    mesher: &Mesher,
+    left: u64,
+    watch: Watch,
+) -> Result<(Arc<Triangles>, u64), GeometryError> {
+    let bytes = mesher.vertices() * BYTES_PER_VERTEX + mesher.triangles() * BYTES_PER_TRIANGLE;
+    let needed = bytes.saturating_add(mesher.bytes());
+    if needed > left {
+        return Err(GeometryError::Memory {
+            triangles: mesher.triangles(),
+            needed,
+            left,
+            setting: of.setting(),
+        });
+    }
+    let mut corners: Vec<Corner> = Vec::with_capacity(mesher.vertices() as usize);
+    let mut faces: Vec<[u32; 3]> = Vec::with_capacity(mesher.triangles() as usize);
+    let how = Stream { size: 1.0, check: false, grid: None, cache_order: false, watch };
+    let streamed = mesher.stream(&how, |block| {
+        corners.extend(block.vertices.iter().map(corner));
+        faces.extend_from_slice(&block.triangles);
+        Ok::<(), std::convert::Infallible>(())
+    });
+    match streamed {
+        Ok(_) => {}
+        Err(StreamError::Cancelled(cancelled)) => return Err(cancelled.into()),
+        Err(_) => return Err(GeometryError::NotFinite),
+    }
+    let faces = faces.into_iter().zip(std::iter::repeat(Shell::whole()));
+    Ok((Arc::new(Triangles::new(corners, faces).among(mesher.everything().cloned())), bytes))
+}
+
+/// A vertex as the shaders have it.
+pub fn corner(vertex: &Vertex) -> Corner {
+    Corner::new(
+        vertex.position.to_array(),
+        vertex.normal.to_array(),
+        vertex.tangent.to_array(),
+        vertex.bitangent.to_array(),
+        vertex.uv.to_array(),
+        [0.0; 3],
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::AtomicBool;
+
+    use glam::DVec3;
+    use relief_core::Wrap;
+    use relief_core::camera::Camera;
+    use relief_core::mesh::torus;
+
+    use super::*;
+
+    #[test]
+    fn triangles_are_made_again_where_what_they_are_made_of_is_another() {
+        let map = HeightMap::from_fn(32, 32, Wrap::Repeat, |i, j| ((i ^ j) & 4) as f32 / 4.0);
+        let map = Arc::new(map.expect("a map").with_displacement(0.02, 0.0).expect("lengths"));
+        let mesh = Arc::new(torus(12, 6).expect("a mesh"));
+        let of = |method: &str| {
+            let selection = Selection::method(method).expect("a method");
+            Surface::new(Arc::clone(&mesh), Arc::clone(&map)).with_selection(selection)
+        };
+        let surfaces = vec![of("vertex"), of("remesh"), of("exact"), of("vertex")];
+        let camera = |x: f64| Camera::new(DVec3::new(x, 1.0, 1.0), DVec3::ZERO, 40.0).expect("a camera");
+        let scene = Scene::builder(of("exact")).surfaces(surfaces).size(90, 60).camera(camera(0.5));
+        let mut scene = scene.build().expect("a scene");
+        let mut displaced = Displaced::default();
+        let mut made = |scene: &Scene| displaced.of_scene(scene, &Watch::none()).expect("triangles");
+        let is_same = |a: &Option<Arc<Triangles>>, b: &Option<Arc<Triangles>>| {
+            a.as_ref().zip(b.as_ref()).is_some_and(|(a, b)| Arc::ptr_eq(a, b))
+        };
+        let first = made(&scene);
+        assert!(first[2].is_none() && is_same(&first[0], &first[3]));
+        let again = made(&scene);
+        assert!(is_same(&first[0], &again[0]) && is_same(&first[1], &again[1]));
+        scene.set_camera(camera(0.6));
+        let moved = made(&scene);
+        assert!(is_same(&first[0], &moved[0]) && !is_same(&first[1], &moved[1]));
+        let other = scene.to_builder().size(120, 60).build().expect("a scene");
+        assert!(!is_same(&moved[1], &made(&other)[1]));
+        // Shadows are looked up in all triangles, and without lights there are none.
+        let len = |made: &[Option<Arc<Triangles>>]| made[1].as_ref().map_or(0, |triangles| triangles.len());
+        let dark = scene.to_builder().lights(Vec::new()).build().expect("a scene");
+        let seen = made(&dark);
+        assert!(!is_same(&moved[1], &seen[1]) && len(&seen) < len(&moved));
+        let whole = made(&dark.to_builder().culls(false).build().expect("a scene"));
+        assert!(!is_same(&seen[1], &whole[1]) && len(&whole) == len(&moved));
+        // Another displacement is another map, and what was cancelled is not there.
+        let map = HeightMap::with_displacement((*map).clone(), 0.03, 0.0).expect("lengths");
+        let surface = of("vertex").with_height_map(map);
+        let other = scene.to_builder().surfaces(vec![surface]).build().expect("a scene");
+        assert!(!is_same(&first[0], &made(&other)[0]));
+        let cancel = AtomicBool::new(true);
+        let stopped = displaced.of_scene(&scene, &Watch::cancelled_by(&cancel));
+        assert!(matches!(stopped, Err(RenderError::Cancelled(_))));
+    }
+}

@@ -1,0 +1,62 @@
+//! The pictures of a scene's surfaces as they are bound, kept from one scene to the next.
+
+use std::sync::Arc;
+
+use relief_core::HeightMap;
+use relief_io::Picture;
+
+use crate::frame_cache::cached;
+use crate::mipmaps::Mipmaps;
+use relief_scene::Surface;
+
+/// The pictures of a scene's surfaces as they are bound.
+#[derive(Debug, Default)]
+pub struct Pictures {
+    /// In their finest level alone.
+    finest: Vec<(Arc<Picture>, Arc<Mipmaps>)>,
+    /// In all levels.
+    levels: Vec<(Arc<Picture>, Arc<Mipmaps>)>,
+    /// Normal maps in all levels.
+    normals: Vec<(Arc<Picture>, Arc<Mipmaps>)>,
+    /// Normals derived from height maps, with the tile that they are derived for.
+    derived: Vec<(Arc<HeightMap>, [f64; 2], Arc<Mipmaps>)>,
+}
+
+impl Pictures {
+    /// A picture, as it was bound before if it was.
+    pub fn of(&mut self, picture: &Arc<Picture>, levels: bool, before: &Pictures) -> Arc<Mipmaps> {
+        if levels {
+            let make = || Arc::new(Mipmaps::of(Arc::clone(picture)));
+            cached(&mut self.levels, &before.levels, picture, make)
+        } else {
+            let make = || Arc::new(Mipmaps::finest_only(Arc::clone(picture)));
+            cached(&mut self.finest, &before.finest, picture, make)
+        }
+    }
+
+    /// A normal map, as it was bound before if it was.
+    pub fn of_normals(&mut self, picture: &Arc<Picture>, levels: bool, before: &Pictures) -> Arc<Mipmaps> {
+        if !levels {
+            return self.of(picture, false, before);
+        }
+        let make = || Arc::new(Mipmaps::of_normals(Arc::clone(picture)));
+        cached(&mut self.normals, &before.normals, picture, make)
+    }
+
+    /// The derived normals of a surface, from the second level on.
+    pub fn derived(&mut self, surface: &Surface, before: &Pictures) -> Option<Arc<Mipmaps>> {
+        let (map, metric) = (surface.height_map(), surface.metric());
+        let is_same = |(of, tile_m, _): &&(Arc<HeightMap>, [f64; 2], _)| {
+            Arc::ptr_eq(of, map) && *tile_m == metric.tile_m
+        };
+        if let Some((_, _, known)) = self.derived.iter().find(is_same) {
+            return Some(Arc::clone(known));
+        }
+        let made = match before.derived.iter().find(is_same) {
+            Some((_, _, known)) => Arc::clone(known),
+            None => Arc::new(Mipmaps::of_heights(map, metric)?),
+        };
+        self.derived.push((Arc::clone(map), metric.tile_m, Arc::clone(&made)));
+        Some(made)
+    }
+}

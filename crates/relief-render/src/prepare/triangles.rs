@@ -1,0 +1,144 @@
+//! Triangles that share their corners.
+
+use glam::DVec3;
+use relief_mesh::Everything;
+use relief_shaders::cpu::{Corner, Face, Shell, Triangle};
+
+use crate::prepare::Tessellation;
+
+/// The triangles of a mesh as the shaders have them, in the order of the mesh.
+///
+/// Corners are held once, however many triangles meet there: 96 bytes each, and 48 for a triangle.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Triangles {
+    corners: Vec<Corner>,
+    faces: Vec<Face>,
+    everything: Option<Everything>,
+    tessellation: Option<Tessellation>,
+    slices: Vec<u32>,
+}
+
+impl Triangles {
+    /// Triangles by the places of their corners, which all exist.
+    pub(crate) fn new(corners: Vec<Corner>, faces: impl Iterator<Item = ([u32; 3], Shell)>) -> Self {
+        let faces = faces.map(|(corners, shell)| Face { corners: corners.into(), shell });
+        let (everything, tessellation, slices) = (None, None, Vec::new());
+        Self { corners, faces: faces.collect(), everything, tessellation, slices }
+    }
+
+    /// Triangles that a backend makes of a base, all of which lie there. None are here.
+    pub(crate) fn to_be_made(tessellation: Tessellation, everything: Everything) -> Self {
+        let (everything, tessellation) = (Some(everything), Some(tessellation));
+        Self { everything, tessellation, ..Self::default() }
+    }
+
+    /// What a backend is to make them of.
+    pub(crate) fn tessellation(&self) -> Option<&Tessellation> {
+        self.tessellation.as_ref()
+    }
+
+    /// The same, made for a camera with others that were left out, all of which lie there.
+    #[must_use]
+    pub(crate) fn among(self, everything: Option<Everything>) -> Self {
+        Self { everything, ..self }
+    }
+
+    /// The same in slices that lie one after another, of which these are the ends.
+    #[must_use]
+    pub(crate) fn in_slices(self, ends: Vec<u32>) -> Self {
+        Self { slices: ends, ..self }
+    }
+
+    /// The ends of slices among the triangles, where they are known.
+    #[cfg(feature = "gpu")]
+    pub(crate) fn slices(&self) -> &[u32] {
+        &self.slices
+    }
+
+    /// The metres from the eye, along the view axis, to the nearest and to the farthest of them and of those
+    /// that were left out, where they were made for a camera.
+    pub(crate) fn depths_m(&self) -> Option<[f64; 2]> {
+        self.everything.as_ref().map(|all| all.depths_m)
+    }
+
+    /// Points around them and those that were left out, where they were made for a camera.
+    pub(crate) fn around(&self) -> Option<&[DVec3]> {
+        self.everything.as_ref().map(|all| &all.around[..])
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.faces.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.faces.is_empty()
+    }
+
+    /// The triangle of that number.
+    ///
+    /// # Panics
+    ///
+    /// When there is no such triangle.
+    #[inline]
+    pub fn get(&self, number: usize) -> Triangle {
+        self.of(&self.faces[number])
+    }
+
+    /// All of them.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = Triangle> {
+        self.faces.iter().map(|face| self.of(face))
+    }
+
+    /// All corners.
+    pub fn corners(&self) -> &[Corner] {
+        &self.corners
+    }
+
+    /// The places of the triangles' corners among [`Self::corners`], and their shells.
+    pub fn faces(&self) -> &[Face] {
+        &self.faces
+    }
+
+    #[inline]
+    fn of(&self, face: &Face) -> Triangle {
+        let at = face.corners;
+        let [a, b, c] = [at.x, at.y, at.z].map(|place| self.corners[place as usize]);
+        Triangle { a, b, c, shell: face.shell }
+    }
+}
+
+impl FromIterator<Triangle> for Triangles {
+    /// Triangles that share no corners.
+    fn from_iter<I: IntoIterator<Item = Triangle>>(triangles: I) -> Self {
+        let (mut corners, mut faces) = (Vec::new(), Vec::new());
+        for Triangle { a, b, c, shell } in triangles {
+            let first = corners.len() as u32;
+            faces.push(Face { corners: [first, first + 1, first + 2].into(), shell });
+            corners.extend([a, b, c]);
+        }
+        Self { corners, faces, ..Self::default() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_are_shared_or_not_and_the_same() {
+        let corner = |x: f32, y: f32| {
+            Corner::new([x, y, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [x, y], [0.0; 3])
+        };
+        let corners = vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(0.0, 1.0), corner(1.0, 1.0)];
+        let [first, second] = [Shell::whole(), Shell::whole().folded()];
+        let faces = [([0, 1, 2], first), ([2, 1, 3], second)];
+        let shared = Triangles::new(corners.clone(), faces.into_iter());
+        let unshared: Triangles = shared.iter().collect();
+        assert_eq!((shared.corners().len(), unshared.corners().len()), (4, 6));
+        assert!(shared.iter().eq(unshared.iter()) && shared.len() == 2 && !shared.is_empty());
+        let (a, b, c) = (corners[2], corners[1], corners[3]);
+        assert_eq!(unshared.get(1), Triangle { a, b, c, shell: second });
+    }
+}

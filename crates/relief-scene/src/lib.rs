@@ -1,0 +1,39 @@
+//! Scenes: everything that a picture is made of, without a renderer.
+//!
+//! * [`Scene`] is complete, loaded and checked. Renderers take it. A [`SceneBuilder`] makes one in a
+//!   program.
+//! * [`SceneSpec`] describes a scene and leaves gaps. A scene file is one description; the command's
+//!   flags are another, which overrides the first. [`SceneSpec::load`] reads the files that it names
+//!   and returns a [`Scene`].
+//! * [`keys`] lists every key of a scene file with its type and meaning.
+//!
+//! ```
+//! use relief_core::{HeightMap, Wrap, mesh::Builtin};
+//! use relief_scene::{Look, Scene, Surface, View};
+//!
+//! let heights = HeightMap::from_fn(64, 64, Wrap::Repeat, |i, j| ((i ^ j) & 8) as f32 / 8.0)?;
+//! let surface = Surface::new(Builtin::Torus.build([6.0, 2.0])?, heights.with_displacement(0.02, 0.0)?);
+//! let scene = Scene::builder(surface).look(Look::Sun).fitted_camera(View::Front, 40.0).build()?;
+//! assert_eq!((scene.size(), scene.lights().len()), ([800, 600], 1));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Lights, materials, surroundings, backgrounds, depth buffers and tone curves are values of their own,
+//! each in a module of its name.
+
+pub mod background;
+pub mod depth_buffer;
+pub mod environment;
+pub mod light;
+pub mod material;
+mod scene;
+pub mod shadow_map;
+pub mod tone;
+
+pub use scene::{
+    BackendChoice, ColorPlace, DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, DrawnMaterial, Form, Framing, Key,
+    LightDirection, LightDirectionError, LightSpec, Look, MAX_EXPOSURE, MAX_IMAGE_SIDE, MAX_SAMPLES,
+    MapSizeProblem, MaterialSpec, MeshChoice, ObjectProblem, PictureSize, PictureSizeError, ProjectionChoice,
+    Sampling, Scene, SceneBuilder, SceneError, SceneObject, SceneSpec, Surface, SurfaceColors, SurfaceSpec,
+    UnknownMesh, UvProjection, ValueError, ValueProblem, View, keys, parse_scene, read_scene,
+};

@@ -1,0 +1,368 @@
+//! From the description of a scene to the scene: defaults, checks, files.
+
+use super::builder::{DEFAULT_EYE, DEFAULT_FOV, DEFAULT_SIZE};
+use super::error::{SceneError, ValueError, ValueProblem};
+use super::framing::Framing;
+use super::load_surface::{Around, Parts};
+use super::maps::{BYTES_PER_TRIANGLE, Maps};
+use super::metres::check_metres;
+use super::picture_size::check_size;
+use super::{
+    DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, LightSpec, Look, MeshChoice, ProjectionChoice, Scene, SceneBuilder,
+    SceneSpec, SurfaceSpec,
+};
+use crate::depth_buffer::DepthBuffer;
+use crate::environment::Environment;
+use crate::light::{Light, LightError, SUN_DEG};
+use crate::shadow_map::shadow_map_side;
+use glam::{DVec3, Vec3};
+use relief_core::ByteSize;
+use relief_core::camera::{Camera, CameraError, Projection};
+use relief_core::mesh::Builtin;
+use relief_shaders::{AMBIENT, LIGHT_FACES, STAGES};
+
+/// Memory that rendering takes for a pixel of the band of rows that it is at: its results on the GPU, their
+/// copies, and its part of the picture to be written.
+const BYTES_PER_PIXEL: u64 = 256;
+
+/// Memory that a surface takes besides its maps and its mesh: its description and its settings, and what the
+/// backends make of these. The first one's is among what is taken always.
+const BYTES_PER_SURFACE: u64 = 64 << 10;
+
+/// The size of pictures of maps that are not read yet, as far as skies and shadows go by it.
+const LARGE_SIZE: [u32; 2] = [4096; 2];
+
+/// Pixels of a band of rows; of very wide pictures one row.
+const BAND_PIXELS: u64 = 1 << 18;
+
+/// A surface, its number where there are several, and what of it needs no file.
+type SurfaceParts = (Option<usize>, SurfaceSpec, Parts);
+
+impl SceneSpec {
+    /// Whether everything that needs no file is possible. A scene file is checked so before flags are laid
+    /// over it.
+    ///
+    /// # Errors
+    ///
+    /// When a value is out of range, or keys are given that exclude or need each other.
+    pub fn check(&self) -> Result<(), ValueError> {
+        self.check_look()?;
+        // Maps of one texel and a sky stand in for the files, so that the builder's own checks are made as
+        // well; and squares for meshes, so that it takes little memory.
+        let mut surfaces = Vec::new();
+        for part in self.each_with_parts() {
+            let (number, surface, parts) = part?;
+            let made = surface.on_a_square(parts).and_then(|parts| surface.stand_in(parts));
+            surfaces.push(made.map_err(|error| error.of_surface(number))?);
+        }
+        let mut builder = self.builder(surfaces)?;
+        if self.environment.is_some() {
+            builder = builder.environment(Environment::sky());
+        }
+        builder.build().map(drop)
+    }
+
+    /// Reads the files and completes the scene, with what the files of meshes say of their surfaces (see
+    /// [`Self::with_keys_of_meshes`]). Relative paths start at the current folder; those of a scene file were
+    /// made to start at its own when it was read.
+    ///
+    /// # Errors
+    ///
+    /// When there is no height map, a value is out of range, a method is not available, a file cannot be
+    /// read, or maps and picture need more than `max_memory`, which is found out before that memory is taken.
+    pub fn load(&self) -> Result<Scene, SceneError> {
+        self.check_surfaces()?;
+        self.with_keys_of_meshes()?.load_whole()
+    }
+
+    /// The same of one that has what the files of its meshes say.
+    fn load_whole(&self) -> Result<Scene, SceneError> {
+        let each = self.each_with_parts().collect::<Result<Vec<_>, _>>()?;
+        // Before anything is read all else is known to be possible.
+        self.check()?;
+        let limit = self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY);
+        let asked = each.iter().filter_map(|(.., parts)| parts.selection().light_views());
+        let asked = asked.reduce(|[a, b], [c, d]| [a.max(c), b.max(d)]);
+        let beside_surfaces = limit.0.saturating_sub(self.surface_bytes());
+        let left = if self.is_of_map_size() {
+            beside_surfaces
+        } else {
+            let size = self.pixels().unwrap_or(DEFAULT_SIZE);
+            self.memory_beside_the_picture(beside_surfaces, size, asked, limit)?
+        };
+        let mut maps = Maps::new(limit, left);
+        let environment = match &self.environment {
+            Some(path) => Some(maps.environment(path)?),
+            None => None,
+        };
+        let mut surfaces = Vec::new();
+        for (number, surface, parts) in each {
+            surfaces.push(surface.load(parts, number, &mut maps)?);
+        }
+        // A picture that has the size of its map takes memory when this is known.
+        let of_map = match &surfaces[..] {
+            [surface] if self.is_of_map_size() => Some(self.map_size(surface)?),
+            _ => None,
+        };
+        let left = match of_map {
+            Some(size) => self.memory_beside_the_picture(maps.left(), size, asked, limit)?,
+            None => maps.left(),
+        };
+        let mut builder = self.builder(surfaces)?;
+        if let Some([width, height]) = of_map {
+            builder = builder.size(width, height);
+        }
+        if let Some(environment) = environment {
+            builder = builder.environment(environment);
+        }
+        let scene = builder.geometry_memory(ByteSize(left)).build()?;
+        Ok(Scene { notes: maps.into_notes(), ..scene })
+    }
+
+    /// Every surface, with its number where there are several, and with what needs no file.
+    fn each_with_parts(&self) -> impl Iterator<Item = Result<SurfaceParts, ValueError>> {
+        let several = !self.surfaces.is_empty();
+        let around = Around {
+            look: self.look(),
+            has_environment: self.environment.is_some(),
+            several: self.surfaces.len() > 1,
+            size: self.pixels().unwrap_or(if self.is_of_map_size() { LARGE_SIZE } else { DEFAULT_SIZE }),
+        };
+        self.each_surface().into_iter().enumerate().map(move |(number, surface)| {
+            let number = several.then_some(number);
+            let parts = surface
+                .parts(self.samples.unwrap_or(DEFAULT_SAMPLES), &around)
+                .map_err(|error| error.of_surface(number))?;
+            Ok((number, surface, parts))
+        })
+    }
+
+    /// Bytes that surfaces take by themselves, and for built-in meshes. Each surface has a mesh of its own.
+    fn surface_bytes(&self) -> u64 {
+        let bytes = Builtin::ALL.map(|builtin| {
+            builtin.build([1.0; 2]).map_or(0, |mesh| BYTES_PER_TRIANGLE * mesh.triangles().len() as u64)
+        });
+        let of_mesh = |choice: Option<&MeshChoice>| match choice {
+            Some(MeshChoice::Builtin(builtin)) => Builtin::ALL
+                .into_iter()
+                .zip(bytes)
+                .find(|(known, _)| known == builtin)
+                .map_or(0, |(_, bytes)| bytes),
+            _ => 0,
+        };
+        let each = self.surfaces.iter().map(|own| own.mesh.as_ref().or(self.surface.mesh.as_ref()));
+        let of_meshes: u64 = each.map(of_mesh).sum();
+        BYTES_PER_SURFACE * (self.surfaces.len() as u64).saturating_sub(1) + of_meshes
+    }
+
+    /// Refuses more surfaces than there is memory for, before anything is made of them.
+    fn check_surfaces(&self) -> Result<(), SceneError> {
+        let (needed, limit) = (self.surface_bytes(), self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY));
+        if needed > limit.0 {
+            return Err(SceneError::TooManySurfaces { count: self.surfaces.len(), needed, limit });
+        }
+        Ok(())
+    }
+
+    /// Subtracts from `left` bytes the memory of a picture of that size and of its shadow maps. `asked` is
+    /// the longest side of these maps in texels and the number of cascades, where surfaces need them.
+    fn memory_beside_the_picture(
+        &self,
+        left: u64,
+        size: [u32; 2],
+        asked: Option<[u32; 2]>,
+        limit: ByteSize,
+    ) -> Result<u64, SceneError> {
+        let [width, height] = size;
+        let whole = u64::from(width) * u64::from(height);
+        let pixels = whole.min(BAND_PIXELS.max(u64::from(width)));
+        let needed = pixels.saturating_mul(BYTES_PER_PIXEL);
+        let left =
+            left.checked_sub(needed).ok_or(SceneError::TooMuchMemory { width, height, needed, limit })?;
+        let needed = self.lights_see_bytes(asked, size)?;
+        left.checked_sub(needed).ok_or(SceneError::TooMuchForLights { needed, left, limit })
+    }
+
+    /// Bytes of what lights see at most.
+    fn lights_see_bytes(&self, asked: Option<[u32; 2]>, size: [u32; 2]) -> Result<u64, ValueError> {
+        let Some([most, cascades]) = asked else { return Ok(0) };
+        let side = shadow_map_side(most, size);
+        let views: u64 = match self.lights()? {
+            // All of a look's lights are far away.
+            None => {
+                let count = self.look().parts().light_count().max(usize::from(self.light.is_some()));
+                u64::from(cascades) * count as u64
+            }
+            Some(lights) => lights
+                .iter()
+                .map(|light| match light {
+                    Light::Directional { .. } => u64::from(cascades),
+                    Light::Point { .. } => LIGHT_FACES as u64,
+                })
+                .sum(),
+        };
+        // One more is the depth that a GPU draws them with.
+        Ok((views + 1) * u64::from(side) * u64::from(side) * size_of::<f32>() as u64)
+    }
+
+    fn builder(&self, surfaces: Vec<super::Surface>) -> Result<SceneBuilder, ValueError> {
+        check_metres("eye", self.eye.as_ref().map_or(&[], |eye| eye))?;
+        check_metres("view-height", self.view_height.as_slice())?;
+        check_metres("near", self.near.as_slice())?;
+        check_metres("far", self.far.filter(|far| *far != f64::INFINITY).as_slice())?;
+        check_metres("target", self.target.as_ref().map_or(&[], |target| target))?;
+        for light in self.lights.iter().flatten() {
+            check_metres("lights", light.position.as_ref().map_or(&[], |position| position))?;
+            check_metres("lights", light.radius.as_slice())?;
+        }
+        if self.is_of_map_size() {
+            self.check_map_size()?;
+        }
+        self.pixels().map(check_size).transpose()?;
+        let mut builder = self
+            .camera(SceneBuilder::showing(surfaces))?
+            .look_beside_surfaces(self.look())
+            .light_angle(self.light_angle.unwrap_or(SUN_DEG))
+            .depth_buffer(DepthBuffer {
+                clip: self.clip.unwrap_or_default(),
+                near_m: self.near,
+                far_m: self.far,
+            })
+            .samples(self.samples.unwrap_or(DEFAULT_SAMPLES))
+            .backend(self.backend.unwrap_or_default())
+            .sampling(self.sampling.unwrap_or_default());
+        if let Some(lights) = self.lights()? {
+            builder = builder.lights(lights);
+        }
+        if let Some(toward) = self.light {
+            builder = builder.light_toward(toward.into());
+        }
+        if let Some(exposure) = self.exposure {
+            builder = builder.exposure(exposure);
+        }
+        if let Some(tone) = self.tone {
+            builder = builder.tone(tone);
+        }
+        if let Some(ambient) = self.ambient_color {
+            builder = builder.ambient(ambient.into());
+        }
+        if let Some(background) = self.background {
+            builder = builder.background(background);
+        }
+        if let Some([width, height]) = self.pixels() {
+            builder = builder.size(width, height);
+        }
+        if self.is_of_map_size() {
+            // To the border, whatever the look.
+            builder = builder.framing(Framing::Seen);
+        }
+        Ok(builder)
+    }
+
+    /// The builder with the camera that is described.
+    fn camera(&self, builder: SceneBuilder) -> Result<SceneBuilder, ValueError> {
+        let fov = self.fov.unwrap_or(DEFAULT_FOV);
+        let projection = self.projection.unwrap_or_default();
+        match projection {
+            ProjectionChoice::Perspective if self.view_height.is_some() => {
+                return Err(ValueProblem::Needs("projection orthographic").of("view-height"));
+            }
+            ProjectionChoice::Orthographic if self.fov.is_some() => {
+                return Err(ValueProblem::Excludes("projection orthographic").of("fov"));
+            }
+            _ => {}
+        }
+        if self.eye.is_none() && self.target.is_none() {
+            if self.view_height.is_some() {
+                return Err(ValueProblem::Needs("eye").of("view-height"));
+            }
+            let view = self.view.unwrap_or(self.look().parts().view);
+            return Ok(match projection {
+                ProjectionChoice::Perspective => builder.fitted_camera(view, fov),
+                ProjectionChoice::Orthographic => builder.fitted_orthographic_camera(view),
+            });
+        }
+        if self.view.is_some() {
+            return Err(ValueProblem::Excludes("eye and target").of("view"));
+        }
+        let projection = match (projection, self.view_height) {
+            (ProjectionChoice::Perspective, _) => Projection::Perspective { fov_degrees: fov },
+            (ProjectionChoice::Orthographic, Some(height_m)) => Projection::Orthographic { height_m },
+            (ProjectionChoice::Orthographic, None) => {
+                return Err(ValueProblem::Needs("view-height").of("projection"));
+            }
+        };
+        let eye = self.eye.map_or(DEFAULT_EYE, DVec3::from);
+        let target = self.target.map_or(DVec3::ZERO, DVec3::from);
+        let camera = Camera::with(eye, target, projection).map_err(|error| {
+            let key = match error {
+                CameraError::BadFov(_) => "fov",
+                CameraError::BadHeight(_) => "view-height",
+                _ if self.eye.is_some() => "eye",
+                _ => "target",
+            };
+            ValueProblem::from(error).of(key)
+        })?;
+        Ok(builder.camera(camera))
+    }
+
+    /// Refuses a look whose parts are all replaced.
+    fn check_look(&self) -> Result<(), ValueError> {
+        let Some(look) = self.look else { return Ok(()) };
+        let names_ambient = |surface: &SurfaceSpec| surface.stages.contains_key(STAGES[AMBIENT].key);
+        let has_camera = self.view.is_some() || self.eye.is_some() || self.target.is_some();
+        // A direction leaves the look's light its colour.
+        let has_lights = self.lights.is_some();
+        let has_sky = self.ambient_color.is_some() && self.each_surface().iter().all(names_ambient);
+        let has_display = self.background.is_some() && self.exposure.is_some() && self.tone.is_some();
+        if look != Look::Plain && has_camera && has_lights && has_sky && has_display {
+            return Err(ValueProblem::NothingOfLook(look).of("look"));
+        }
+        Ok(())
+    }
+
+    /// The look, by default [`Look::OF_PICTURES`].
+    pub(super) fn look(&self) -> Look {
+        self.look.unwrap_or(Look::OF_PICTURES)
+    }
+
+    /// The lights, unless they are the look's.
+    fn lights(&self) -> Result<Option<Vec<Light>>, ValueError> {
+        let angle = self.light_angle.unwrap_or(SUN_DEG);
+        let problem = |key| move |error| ValueProblem::from(error).of(key);
+        // An angle that is said of no light is wrong all the same.
+        let only = Light::directional(self.light.map_or(DVec3::Y, DVec3::from), Vec3::ONE);
+        only.map_err(problem("light"))?.with_diameter(angle).map_err(problem("light-angle"))?;
+        match (self.light, &self.lights) {
+            (Some(_), Some(_)) => Err(ValueProblem::Excludes("lights").of("light")),
+            // The look's, from that direction.
+            (_, None) => Ok(None),
+            (None, Some(lights)) => {
+                let lights = lights.iter().map(|light| light.light(angle));
+                let lights = lights.collect::<Result<_, ValueProblem>>();
+                lights.map(Some).map_err(|problem| problem.of("lights"))
+            }
+        }
+    }
+}
+
+impl LightSpec {
+    /// The light; `angle` is the diameter in degrees of one infinitely far away that does not say its own.
+    fn light(&self, angle: f64) -> Result<Light, ValueProblem> {
+        let colour = Vec3::from(self.color.unwrap_or([1.0; 3]));
+        let intensity = self.intensity.unwrap_or(1.0);
+        if !(intensity >= 0.0 && intensity.is_finite()) {
+            let must = "finite and not negative";
+            return Err(ValueProblem::Number { value: f64::from(intensity), must });
+        }
+        Ok(match (self.direction, self.position) {
+            (Some(_), None) if self.radius.is_some() => return Err(LightError::OtherSize.into()),
+            (None, Some(_)) if self.angle.is_some() => return Err(LightError::OtherSize.into()),
+            (Some(toward), None) => Light::directional(toward.into(), colour * intensity)?
+                .with_diameter(self.angle.unwrap_or(angle))?,
+            (None, Some(position)) => Light::point(position.into(), colour * intensity)?
+                .with_radius(self.radius.unwrap_or_default())?,
+            _ => return Err(LightError::DirectionOrPosition.into()),
+        })
+    }
+}

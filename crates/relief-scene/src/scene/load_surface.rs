@@ -1,0 +1,511 @@
+//! From the description of a surface to the surface: defaults, checks, files.
+
+use super::builder::{DEFAULT_METHOD, DEFAULT_METHOD_OF_OBJECTS, SEEN, of_selection};
+use super::error::{SceneError, ValueError, ValueProblem};
+use super::maps::{LoadedMesh, Maps};
+use super::metres::{MAX_METRES, check_metres};
+use super::surface_colors::{Drawn, DrawnMaterial};
+use super::surface_spec::environment;
+use super::{Look, MeshChoice, ObjectProblem, SceneObject, Surface, SurfaceSpec};
+use crate::material::{Material, MaterialError};
+use glam::{Vec2, Vec3};
+use relief_core::mesh::{Builtin, Mesh, Placement, UvProjection, square};
+use relief_core::object::ImageObject;
+use relief_core::{HeightMap, Wrap};
+use relief_io::{Convention, Fill, HeightOptions, HeightRange, Remark, omissions};
+use relief_object::{ObjectFile, ObjectOptions};
+use relief_shaders::{AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
+use std::path::Path;
+use std::sync::Arc;
+
+/// The detail of pictures with several samples a pixel, where the search's maps can have levels of detail.
+const FOOTPRINT: &str = "footprint";
+
+/// What shows a mesh without a height map: its triangles, and the shadows that they throw on each other.
+const METHOD_OF_MESHES: &str = "bump";
+const SHADOW_OF_MESHES: &str = "map";
+
+/// What a projection needs.
+const MESH_OF_FILE: &str = "mesh FILE";
+
+/// The displacement between heights 0 and 1 when neither the scene nor the height map's file says anything,
+/// in metres.
+const DEFAULT_SCALE_M: f64 = 0.05;
+
+/// The deepest relief that is taken for ground, as a part of the longer side of a tile: no landscape is
+/// nearly as deep. A model that is states no unit, or another than it has.
+const DEEPEST_GROUND: f64 = 0.75;
+
+/// The same where the unit of the heights is named: cliffs are that steep.
+const DEEPEST_NAMED: f64 = 2.0;
+
+/// The depth at which such a model is shown, as a part of the shorter side of a tile: nobody sees into a much
+/// deeper one.
+const DEPTH_OF_NO_GROUND: f64 = 0.25;
+
+/// The most tiles along an axis, and its inverse the fewest. Beyond it `f32` does not tell the texels of a
+/// tile apart, and much farther it overflows.
+const MAX_TILES: f32 = 1e6;
+
+/// Lengths of a tile, in metres.
+const LENGTHS_M: std::ops::RangeInclusive<f64> = 1e-9..=MAX_METRES;
+
+/// Factors on the scale.
+const EXAGGERATIONS: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
+
+/// The largest factor on a mesh, and its inverse the smallest: its metres stay within what `f32` can reckon
+/// with.
+const MAX_SIZE: f64 = 1e6;
+
+/// What of a surface needs no file, completed and checked.
+pub struct Parts {
+    mesh: Mesh,
+    material: Material,
+    selection: Selection,
+    /// Unless the height map's file is to say it.
+    scale_m: Option<f64>,
+    /// Minus the scale if none.
+    bias_m: Option<f64>,
+    /// A factor on the scale, and on the bias where it is not given.
+    exaggerate: f64,
+    two_sided: bool,
+    holes: bool,
+    creases: bool,
+}
+
+/// What the scene around a surface says of it.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Around {
+    pub look: Look,
+    /// Whether surroundings are given.
+    pub has_environment: bool,
+    /// Whether there are several surfaces.
+    pub several: bool,
+    /// Columns and rows of the picture, as far as they are known.
+    pub size: [u32; 2],
+}
+
+impl Parts {
+    /// What is run.
+    pub fn selection(&self) -> &Selection {
+        &self.selection
+    }
+}
+
+impl SurfaceSpec {
+    /// What needs no file, completed and checked, for a picture of `samples` samples a pixel.
+    pub(super) fn parts(&self, samples: u32, around: &Around) -> Result<Parts, ValueError> {
+        if let Some(key) = self.key_of_relief().filter(|_| self.object.is_some()) {
+            return Err(ValueProblem::Excludes("object").of(key));
+        }
+        self.scale.map_or(Ok(()), check_scale)?;
+        check_metres("bias", self.bias.as_slice())?;
+        if let Some(value) = self.exaggerate.filter(|factor| !EXAGGERATIONS.contains(factor)) {
+            return Err(ValueProblem::Number { value, must: "from 1e-6 to 1e6" }.of("exaggerate"));
+        }
+        if let Some(&value) = self.tile_size.iter().flatten().find(|length| !LENGTHS_M.contains(length)) {
+            return Err(ValueProblem::Number { value, must: "from 1e-9 to 1e9 metres" }.of("tile-size"));
+        }
+        if let Some([low, high]) = self.range.and_then(HeightRange::between)
+            && !(low.is_finite() && high.is_finite() && low < high)
+        {
+            let (value, must) =
+                if low.is_finite() { (high, "finite and above the first") } else { (low, "finite") };
+            return Err(ValueProblem::Number { value, must }.of("range"));
+        }
+        if let Some(value) = self.nodata.filter(|value| !value.is_finite()) {
+            let must = "finite, as texels that are NaN or infinite never have a value";
+            return Err(ValueProblem::Number { value, must }.of("nodata"));
+        }
+        if self.project.is_some() && !matches!(self.mesh, Some(MeshChoice::File(_))) {
+            return Err(ValueProblem::Needs(MESH_OF_FILE).of("project"));
+        }
+        if self.mesh_up.is_some() && !matches!(self.mesh, Some(MeshChoice::File(_))) {
+            return Err(ValueProblem::Needs(MESH_OF_FILE).of("mesh-up"));
+        }
+        Ok(Parts {
+            mesh: self.placed(self.mesh_without_file([1.0, 1.0])?)?,
+            material: self.material_of(None)?,
+            selection: self.selection(samples, around)?,
+            scale_m: self.scale,
+            bias_m: self.bias,
+            exaggerate: self.exaggerate.unwrap_or(1.0),
+            two_sided: self.two_sided.unwrap_or_default(),
+            holes: self.holes.unwrap_or_default(),
+            creases: self.creases.unwrap_or_default(),
+        })
+    }
+
+    /// The same with a square in place of the mesh.
+    pub(super) fn on_a_square(&self, parts: Parts) -> Result<Parts, ValueError> {
+        let mesh = square(1).map_err(|error| ValueProblem::from(error).of("mesh"))?;
+        Ok(Parts { mesh: self.placed(mesh)?, ..parts })
+    }
+
+    /// The surface with something in place of the files of its relief or object, and no other maps.
+    pub(super) fn stand_in(&self, parts: Parts) -> Result<Surface, ValueError> {
+        if self.object.is_none() {
+            let problem = |problem: relief_core::HeightMapError| ValueProblem::from(problem).of("height");
+            let flat = HeightMap::new(1, 1, vec![0.0], self.wrap.unwrap_or_default()).map_err(problem)?;
+            return self.with_heights(parts, flat);
+        }
+        let problem = |problem: ObjectProblem| ValueProblem::from(problem).of("object");
+        let object = self.placed_object(&SceneObject::stand_in().map_err(problem)?)?;
+        let surface = Surface::of_object(object).map_err(problem)?;
+        Ok(surface.with_material(parts.material).with_selection(parts.selection))
+    }
+
+    /// The surface of an object's file.
+    fn load_object(&self, path: &Path, parts: Parts, maps: &mut Maps) -> Result<Surface, SceneError> {
+        let options = ObjectOptions { max_bytes: maps.left(), ..ObjectOptions::default() };
+        let ObjectFile { object, color, normal, .. } = relief_object::read_object(path, &options)?;
+        maps.take(path, object.heights(), &parts.selection)?;
+        let object = self.placed_object(&object)?;
+        let surface = if parts.selection.blends_normals() && !object.has_solid() {
+            Surface::of_object_in_ball(object)
+        } else {
+            Surface::of_object(object)
+        };
+        let surface = surface.map_err(|error| ValueProblem::from(error).of("object"))?;
+        let diffuse = color.is_some().then(|| Material::under_colours().diffuse());
+        let material = self.material_of(diffuse)?;
+        let mut surface = surface.with_material(material).with_selection(parts.selection);
+        if let Some(color) = color {
+            maps.take_picture(&color);
+            surface = surface.with_color(color);
+        }
+        // Silhouettes have normals of their own.
+        if let Some(normal) = normal.filter(|_| parts.selection.has_normals_of_relief()) {
+            maps.take_normals(&normal);
+            surface = surface.with_normal_map(&normal);
+        }
+        Ok(surface.with_creases(parts.creases))
+    }
+
+    fn placed_object(&self, object: &ImageObject) -> Result<ImageObject, ValueError> {
+        object.placed(&self.placement()?).map_err(|error| ValueProblem::from(error).of("position"))
+    }
+
+    /// The surface with a height map in place of its own, and no other maps.
+    pub(super) fn with_heights(&self, parts: Parts, map: HeightMap) -> Result<Surface, ValueError> {
+        let map = match self.tile_size {
+            Some([u, v]) => {
+                let size_m = [u / f64::from(map.width()), v / f64::from(map.height())];
+                map.with_texel_size_m(size_m)
+            }
+            None => Ok(map),
+        };
+        let map = map.map_err(|error| ValueProblem::from(error).of("tile-size"))?;
+        // All other meshes are as they are, whatever lies on them.
+        let mesh = match self.mesh.clone().unwrap_or_default() {
+            MeshChoice::Builtin(Builtin::Plane) => self.placed(self.mesh_without_file(map.proportions())?)?,
+            _ => parts.mesh,
+        };
+        let stated_m = map.stated_displacement_m().filter(|_| parts.scale_m.is_none());
+        let of_mesh_alone = self.is_mesh_alone().then_some(0.0);
+        let scale_m =
+            parts.scale_m.or(of_mesh_alone).or(stated_m.map(|[low, high]| high - low)).or_else(|| {
+                let stated = stated_scale_m(&map, &mesh)?;
+                let [u, v] = mesh.tile_m();
+                let deepest = if map.has_named_heights() { DEEPEST_NAMED } else { DEEPEST_GROUND };
+                let is_ground = stated <= deepest * u.max(v);
+                Some(if is_ground { stated } else { DEPTH_OF_NO_GROUND * u.min(v) })
+            });
+        let scale_m = parts.exaggerate * scale_m.unwrap_or(DEFAULT_SCALE_M);
+        check_scale(scale_m)?;
+        let low_m = stated_m.map_or(-scale_m, |[low, _]| parts.exaggerate * low);
+        let map = map
+            .with_displacement(scale_m, parts.bias_m.unwrap_or(low_m))
+            .map_err(|error| ValueProblem::from(error).of("scale"))?;
+        Ok(Surface::new(mesh, map)
+            .with_material(parts.material)
+            .with_selection(parts.selection)
+            .with_two_sided(parts.two_sided)
+            .with_holes(parts.holes)
+            .with_creases(parts.creases))
+    }
+
+    /// The surface with its maps.
+    pub(super) fn load(
+        &self,
+        parts: Parts,
+        number: Option<usize>,
+        maps: &mut Maps,
+    ) -> Result<Surface, SceneError> {
+        if let Some(path) = &self.object {
+            let surface = self.load_object(path, parts, maps);
+            return surface.map_err(|error| match error {
+                SceneError::Value(error) => error.of_surface(number).into(),
+                error => error,
+            });
+        }
+        if self.height.is_none() && !self.is_mesh_alone() {
+            return Err(SceneError::NoHeightMap(number));
+        }
+        let of_number = |error: ValueError| error.of_surface(number);
+        let (mut parts, of_file) = match &self.mesh {
+            Some(MeshChoice::File(file)) => {
+                let own =
+                    self.color.is_some() || self.material.as_ref().is_some_and(|own| own.diffuse.is_some());
+                // Where nothing lies on the mesh, it needs no texture coordinates.
+                let is_bare = self.is_mesh_alone()
+                    && self.project.is_none()
+                    && self.color.is_none()
+                    && self.normal.is_none();
+                let loaded = match maps.mesh(file, (self.project, self.mesh_up), !own) {
+                    Err(SceneError::Mesh(error)) if is_bare && error.problem.is_of_texture_coordinates() => {
+                        maps.mesh(file, (Some(UvProjection::Box), self.mesh_up), !own)
+                    }
+                    loaded => loaded,
+                };
+                let LoadedMesh { mesh, colors } = loaded?;
+                // Pictures lie by the coordinates of the file, whatever its tiles.
+                let of_file = colors.map(|colors| (file, colors, mesh.clone()));
+                let mesh = self.placed(mesh).map_err(of_number)?;
+                (Parts { mesh, ..parts }, of_file)
+            }
+            _ => (parts, None),
+        };
+        let options = HeightOptions {
+            channel: self.channel.clone(),
+            convention: self.depth.map(|depth| if depth { Convention::Depth } else { Convention::Height }),
+            range: self.range,
+            nodata: self.nodata,
+            unit: self.unit,
+            raw: self.raw,
+            fill: match self.fill {
+                None if parts.holes => Fill::Always,
+                None => Fill::Elevation,
+                Some(true) => Fill::Always,
+                Some(false) => Fill::Never,
+            },
+            wrap: self.wrap,
+            max_bytes: maps.left(),
+        };
+        let map = match &self.height {
+            Some(path) => maps.height(path, options)?,
+            None => level_map()?,
+        };
+        let splits = parts.selection.geometry().is_none();
+        let file_colors = of_file.as_ref().map(|(_, colors, _)| Arc::clone(colors));
+        let drawn = of_file.and_then(|(file, colors, mesh)| {
+            let mut remarks = Vec::new();
+            let has_picture = colors.materials.iter().any(|material| material.picture.is_some());
+            if has_picture && self.tile.is_some_and(|tile| tile != [1.0, 1.0]) {
+                let what = "its picture is tiled as the height map is";
+                remarks.push(Remark::new(&omissions::TILED_PICTURE, what));
+            }
+            let drawn = Drawn::of(&colors, &mesh, splits, &mut remarks);
+            maps.remark(file, remarks);
+            drawn
+        });
+        let diffuse = match &drawn {
+            Some(Drawn::One(material)) => Some(material.diffuse),
+            _ => None,
+        };
+        parts.material = self.material_of(diffuse).map_err(of_number)?;
+        if let Some(path) = &self.height {
+            // Each material is drawn with maps of its own.
+            let times = match &drawn {
+                Some(Drawn::Several(colors)) => colors.materials.len(),
+                _ => 1,
+            };
+            for _ in 0..times {
+                maps.take(path, &map, &parts.selection)?;
+            }
+        }
+        let surface = self.with_heights(parts, map);
+        let mut surface = surface.map_err(of_number)?;
+        match drawn {
+            Some(Drawn::One(DrawnMaterial { picture, place, cutoff, .. })) => {
+                surface = surface.with_cutoff(cutoff);
+                if let Some(picture) = picture {
+                    surface = surface.with_color(picture).with_color_place(place);
+                }
+            }
+            Some(Drawn::Several(colors)) => surface = surface.with_colors(colors),
+            None => {}
+        }
+        surface = surface.with_file_colors(file_colors);
+        if let Some(path) = &self.color {
+            surface = surface.with_color(maps.color(path)?);
+        }
+        if let Some(path) = &self.normal {
+            let map = maps.normal(path, self.green.unwrap_or_default())?;
+            surface = surface.with_normal_map(&map);
+        }
+        Ok(surface)
+    }
+
+    /// Whether the mesh of a file is shown as it is, without a height map.
+    pub(super) fn is_mesh_alone(&self) -> bool {
+        self.height.is_none() && self.object.is_none() && matches!(self.mesh, Some(MeshChoice::File(_)))
+    }
+
+    /// How many tiles lie along `u` and `v`.
+    fn tiles(&self) -> Result<[f32; 2], ValueError> {
+        let tiles = self.tile.unwrap_or([1.0, 1.0]);
+        let possible = 1.0 / MAX_TILES..=MAX_TILES;
+        match tiles.iter().find(|tiles| !possible.contains(tiles)) {
+            Some(&value) => {
+                let must = "from 1e-6 to 1e6";
+                Err(ValueProblem::Number { value: f64::from(value), must }.of("tile"))
+            }
+            None => Ok(tiles),
+        }
+    }
+
+    /// The built-in mesh for a height map whose tile has those proportions; a square stands in for a file's.
+    fn mesh_without_file(&self, [u, v]: [f64; 2]) -> Result<Mesh, ValueError> {
+        let [across, down] = self.tiles()?.map(f64::from);
+        let mesh = match self.mesh.clone().unwrap_or_default() {
+            MeshChoice::Builtin(builtin) => builtin.build([u * across, v * down]),
+            MeshChoice::File(_) => square(1),
+        };
+        mesh.map_err(|error| ValueProblem::from(error).of("mesh"))
+    }
+
+    /// A mesh in its place, with its tiles.
+    fn placed(&self, mesh: Mesh) -> Result<Mesh, ValueError> {
+        let mesh =
+            mesh.tiled(Vec2::from(self.tiles()?)).map_err(|error| ValueProblem::from(error).of("tile"))?;
+        let placement = self.placement()?;
+        mesh.placed(&placement).map_err(|error| ValueProblem::from(error).of("position"))
+    }
+
+    /// Where it lies in the world.
+    fn placement(&self) -> Result<Placement, ValueError> {
+        let placement = Placement {
+            position_m: self.position.unwrap_or_default().into(),
+            rotation_degrees: self.rotation.unwrap_or_default().into(),
+            size: self.mesh_scale.unwrap_or(1.0),
+        };
+        check_metres("position", self.position.as_ref().map_or(&[], |position| position))?;
+        if let Some(&value) = self.rotation.iter().flatten().find(|turn| !turn.is_finite()) {
+            return Err(ValueProblem::Number { value, must: "finite" }.of("rotation"));
+        }
+        if !(1.0 / MAX_SIZE..=MAX_SIZE).contains(&placement.size) {
+            let (value, must) = (placement.size, "from 1e-6 to 1e6");
+            return Err(ValueProblem::Number { value, must }.of("mesh-scale"));
+        }
+        Ok(placement)
+    }
+
+    /// The material, of that diffuse colour unless another is given.
+    fn material_of(&self, diffuse: Option<Vec3>) -> Result<Material, ValueError> {
+        let default = if self.color.is_some() { Material::under_colours() } else { Material::default() };
+        let spec = self.material.clone().unwrap_or_default();
+        let material = Material::new(
+            spec.diffuse.map(Vec3::from).or(diffuse).unwrap_or(default.diffuse()),
+            spec.specular.map_or(default.specular(), Vec3::from),
+            spec.shininess.unwrap_or(default.shininess()),
+        );
+        let material = material.map_err(|error| ValueProblem::from(error).of("material"))?;
+        let transmission = self.transmission.unwrap_or(default.transmission());
+        material.with_transmission(transmission, self.ior.unwrap_or(default.ior())).map_err(|error| {
+            let key = if matches!(error, MaterialError::BadIor(_)) { "ior" } else { "transmission" };
+            ValueProblem::from(error).of(key)
+        })
+    }
+
+    /// What is run. Several samples ask for a picture without jagged edges, which it then has where maps are
+    /// seen small, too.
+    fn selection(&self, samples: u32, around: &Around) -> Result<Selection, ValueError> {
+        if samples > 1 && !self.stages.contains_key(STAGES[DETAIL].key) {
+            let selection = self.selection_in(Some(FOOTPRINT), around)?;
+            if selection.check_levels().is_ok() && selection.object_cells().is_none() {
+                return Ok(selection);
+            }
+        }
+        self.selection_in(None, around)
+    }
+
+    /// The same with another detail than that of the method.
+    fn selection_in(&self, detail: Option<&str>, around: &Around) -> Result<Selection, ValueError> {
+        let named = |stage: usize| self.stages.get(STAGES[stage].key).map(String::as_str);
+        let selection = match (&self.method, named(SEARCH), named(REFINE)) {
+            (Some(_), None, None) if named(GEOMETRY).is_some() => {
+                return Err(ValueProblem::Excludes("geometry").of("method"));
+            }
+            (method, None, None) => {
+                let default = match self.object {
+                    Some(_) => DEFAULT_METHOD_OF_OBJECTS,
+                    None if self.is_mesh_alone() => METHOD_OF_MESHES,
+                    None => DEFAULT_METHOD,
+                };
+                Selection::method(method.as_deref().unwrap_or(default))
+            }
+            (None, Some(search), Some(refine)) => Selection::pair(search, refine),
+            (None, Some(_), None) => return Err(ValueProblem::Needs("refine").of("search")),
+            (None, None, Some(_)) => return Err(ValueProblem::Needs("search").of("refine")),
+            (Some(_), _, _) => return Err(ValueProblem::Excludes("search and refine").of("method")),
+        };
+        let mut selection = selection.map_err(of_selection)?;
+        if let Some(detail) = detail {
+            selection.choose(STAGES[DETAIL].key, detail).map_err(of_selection)?;
+        }
+        let sees_environment = around.has_environment || self.asks_for_environment();
+        if sees_environment {
+            selection.choose(STAGES[AMBIENT].key, environment()).map_err(of_selection)?;
+        }
+        if self.is_mesh_alone() {
+            selection.choose(STAGES[SHADOW].key, SHADOW_OF_MESHES).map_err(of_selection)?;
+        }
+        // A shadow takes over the search of the view, with its settings, unless it is told otherwise.
+        for is_of_shadow in [false, true] {
+            let of_part = |key: &&String| key.starts_with(STAGES[SHADOW].key) == is_of_shadow;
+            for key in self.stages.keys().filter(of_part) {
+                selection.choose(key, &self.stages[key]).map_err(of_selection)?;
+            }
+            let is_named = |stage: usize| self.stages.contains_key(STAGES[stage].key);
+            if !is_of_shadow && !sees_environment && !is_named(AMBIENT) {
+                around.look.light_from_sky(&mut selection, !self.is_mesh_alone(), around.size);
+            }
+            let sets_search =
+                self.set.keys().any(|key| key.split('.').next() == Some(STAGES[SHADOW_SEARCH].key));
+            let has_shadow =
+                self.is_mesh_alone() || is_named(SHADOW) || is_named(SHADOW_SEARCH) || sets_search;
+            if is_of_shadow && around.several && !has_shadow {
+                around.look.share_shadows(&mut selection, around.size);
+            }
+            for key in self.set.keys().filter(of_part) {
+                selection.set(key, self.set[key]).map_err(of_selection)?;
+            }
+        }
+        if self.ior.is_some_and(|ior| ior != Material::default().ior()) && !selection.sees_environment() {
+            return Err(ValueProblem::Needs(&SEEN).of("ior"));
+        }
+        if !selection.uses(SHADOW_SEARCH) {
+            let search = STAGES[SHADOW_SEARCH].key;
+            if self.stages.contains_key(search) {
+                return Err(ValueProblem::NoShadowRays.of(search));
+            }
+            if self.set.keys().any(|key| key.split('.').next() == Some(search)) {
+                return Err(ValueProblem::NoShadowRays.of("set"));
+            }
+        }
+        Ok(selection)
+    }
+}
+
+/// The height map of a mesh that is shown as it is: one texel at the level of the mesh.
+fn level_map() -> Result<HeightMap, SceneError> {
+    let map = HeightMap::new(1, 1, vec![1.0], Wrap::Repeat);
+    Ok(map.map_err(|error| ValueProblem::from(error).of("height"))?)
+}
+
+fn check_scale(scale_m: f64) -> Result<(), ValueError> {
+    if (0.0..=MAX_METRES).contains(&scale_m) {
+        return Ok(());
+    }
+    Err(ValueProblem::Number { value: scale_m, must: "from 0 to 1e9 metres" }.of("scale"))
+}
+
+/// The displacement between heights 0 and 1 that gives the relief the proportions that the height map's file
+/// states: as deep to a tile of the mesh as to one of its own, on the mean of both directions. On a plane
+/// both are the same.
+pub(super) fn stated_scale_m(map: &HeightMap, mesh: &Mesh) -> Option<f64> {
+    let (tile, span) = map.stated_lengths()?;
+    let [u, v] = mesh.tile_m();
+    Some(span * (u / tile[0] * (v / tile[1])).sqrt())
+}

@@ -1,0 +1,209 @@
+//! The files of a scene, each read once, within what memory is left.
+
+use super::SceneError;
+use crate::environment::Environment;
+use relief_core::mesh::{Mesh, UvProjection};
+use relief_core::{ByteSize, HeightMap};
+use relief_io::{
+    GreenSign, HeightFile, HeightOptions, MeshColors, MeshOptions, NormalMap, Picture, ReadError, ReadNote,
+    ReadProblem, Remark, Up,
+};
+use relief_shaders::Selection;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Memory that a texel of a height map takes while it is rendered: itself, and the exact tracer's hierarchy
+/// or what a GPU holds of it.
+const BYTES_PER_HEIGHT: u64 = 4 + 7;
+
+/// Memory that a texel of a height map takes more where levels of detail are seen: a third more of itself and
+/// of what is built on it, and the normals that are derived, with what is at hand then.
+const BYTES_OF_LEVELS: u64 = 16;
+
+/// Memory that a texel of a normal map takes: as read, and as the shaders take it with its coarser levels, of
+/// which reading sees the first part.
+const NORMAL_BYTES: [u64; 2] = [12, 16 + 11 + 8];
+
+/// Memory that a texel of a picture takes as it is read.
+const READ_BYTES: u64 = 16;
+
+/// Memory that a texel of a colour map takes, with its coarser levels.
+const COLOR_BYTES: u64 = READ_BYTES + 6;
+
+/// Memory that a triangle of a mesh takes while it is rendered: itself, its vertices, and the hierarchies and
+/// triangles that the backends make of it.
+pub(super) const BYTES_PER_TRIANGLE: u64 = 640;
+
+/// What a mesh's file gives.
+#[derive(Clone)]
+pub(super) struct LoadedMesh {
+    pub mesh: Mesh,
+    pub colors: Option<Arc<MeshColors>>,
+}
+
+/// Reads maps, each file once, within what memory is left.
+pub struct Maps {
+    limit: ByteSize,
+    left: u64,
+    heights: Vec<(PathBuf, HeightOptions, HeightMap)>,
+    colors: Vec<(PathBuf, Arc<Picture>)>,
+    meshes: Vec<(PathBuf, MeshOptions, LoadedMesh)>,
+    /// What is to be said of reading the files.
+    notes: Vec<ReadNote>,
+}
+
+impl Maps {
+    /// Of a limit to all memory so much is left for maps.
+    pub fn new(limit: ByteSize, left: u64) -> Self {
+        Self { limit, left, heights: Vec::new(), colors: Vec::new(), meshes: Vec::new(), notes: Vec::new() }
+    }
+
+    /// What is to be said of reading the files.
+    pub fn into_notes(self) -> Vec<ReadNote> {
+        self.notes
+    }
+
+    /// The memory that is left.
+    pub fn left(&self) -> u64 {
+        self.left
+    }
+
+    /// The height map of a file.
+    pub(super) fn height(&mut self, path: &Path, options: HeightOptions) -> Result<HeightMap, SceneError> {
+        let same = |(known, with, _): &&(PathBuf, HeightOptions, _)| {
+            known == path && HeightOptions { max_bytes: options.max_bytes, ..with.clone() } == options
+        };
+        if let Some((_, _, map)) = self.heights.iter().find(same) {
+            return Ok(map.clone());
+        }
+        let HeightFile { map, notes } = relief_io::read_height_file(path, &options)?;
+        self.notes.extend(notes);
+        self.heights.push((path.to_owned(), options, map.clone()));
+        Ok(map)
+    }
+
+    /// The colours of a picture's file.
+    pub(super) fn color(&mut self, path: &Path) -> Result<Arc<Picture>, SceneError> {
+        if let Some((_, color)) = self.colors.iter().find(|(known, _)| known == path) {
+            return Ok(Arc::clone(color));
+        }
+        let color = Arc::new(relief_io::read_picture(path, self.left).map_err(SceneError::Picture)?);
+        self.note(path);
+        self.take_picture(&color);
+        self.colors.push((path.to_owned(), Arc::clone(&color)));
+        Ok(color)
+    }
+
+    /// The mesh of a file, where the file has it, and its colours if they are asked for.
+    pub(super) fn mesh(
+        &mut self,
+        path: &Path,
+        (projection, up): (Option<UvProjection>, Option<Up>),
+        colors: bool,
+    ) -> Result<LoadedMesh, SceneError> {
+        let options = MeshOptions { projection, up, colors, max_bytes: self.left };
+        let is_same = |(known, with, _): &&(PathBuf, MeshOptions, _)| {
+            known == path && MeshOptions { max_bytes: options.max_bytes, ..*with } == options
+        };
+        let loaded = match self.meshes.iter().find(is_same) {
+            Some((_, _, loaded)) => loaded.clone(),
+            None => {
+                let file = relief_io::read_mesh(path, &options).map_err(SceneError::Mesh)?;
+                let colors = file.colors.map(Arc::new);
+                let mut pictures: Vec<&Arc<Picture>> = Vec::new();
+                for picture in
+                    colors.iter().flat_map(|colors| &colors.materials).filter_map(|of| of.picture.as_ref())
+                {
+                    if !pictures.iter().any(|known| Arc::ptr_eq(known, picture)) {
+                        pictures.push(picture);
+                    }
+                }
+                for picture in pictures {
+                    self.take_picture(picture);
+                }
+                self.remark(path, file.notes);
+                let loaded = LoadedMesh { mesh: file.mesh, colors: colors.clone() };
+                self.meshes.push((path.to_owned(), options, loaded.clone()));
+                loaded
+            }
+        };
+        // Each surface has it in its own place.
+        let needed = BYTES_PER_TRIANGLE * loaded.mesh.triangles().len() as u64;
+        self.left = self.left.checked_sub(needed).ok_or_else(|| {
+            let problem = ReadProblem::MeshMemory { limit: self.limit.0 };
+            SceneError::Mesh(ReadError { path: path.to_owned(), problem })
+        })?;
+        Ok(loaded)
+    }
+
+    /// The normal map of a file.
+    pub(super) fn normal(&mut self, path: &Path, green: GreenSign) -> Result<NormalMap, SceneError> {
+        let [read, converted] = NORMAL_BYTES;
+        let limit = self.left / (read + converted) * read;
+        let map = relief_io::read_normal_map(path, green, limit).map_err(SceneError::Picture)?;
+        self.note(path);
+        self.spend((read + converted) * u64::from(map.width) * u64::from(map.height));
+        Ok(map)
+    }
+
+    /// Leaves less for what a normal map takes that has been read.
+    pub(super) fn take_normals(&mut self, map: &NormalMap) {
+        self.spend(NORMAL_BYTES[1] * u64::from(map.width) * u64::from(map.height));
+    }
+
+    /// Leaves so much less for all that follows.
+    pub(super) fn spend(&mut self, bytes: u64) {
+        self.left = self.left.saturating_sub(bytes);
+    }
+
+    /// Notes what is left out of a file, or taken in another way.
+    pub(super) fn remark(&mut self, path: &Path, remarks: Vec<Remark>) {
+        self.notes.extend(remarks.into_iter().map(|remark| remark.of(path)));
+    }
+
+    /// Notes what the header of a picture says that is not followed. It has been read.
+    fn note(&mut self, path: &Path) {
+        self.notes.extend(relief_io::read_notes(path).unwrap_or_default());
+    }
+
+    /// Leaves less for what a picture of colours takes.
+    pub(super) fn take_picture(&mut self, picture: &Picture) {
+        let texels = u64::from(picture.width) * u64::from(picture.height);
+        self.spend(COLOR_BYTES * texels);
+    }
+
+    /// The surroundings of a file.
+    pub fn environment(&mut self, path: &Path) -> Result<Environment, SceneError> {
+        let [of_texel, kept] = Environment::BYTES;
+        let limit = self.left / (READ_BYTES + of_texel) * READ_BYTES;
+        let picture = relief_io::read_picture(path, limit).map_err(SceneError::Picture)?;
+        self.note(path);
+        let environment = Environment::from_equirectangular(&picture);
+        let environment =
+            environment.map_err(|source| SceneError::Environment { path: path.to_owned(), source })?;
+        self.spend(kept);
+        Ok(environment)
+    }
+
+    /// Leaves less for colours and normals: room for a height map and what is built on it.
+    pub(super) fn take(
+        &mut self,
+        path: &Path,
+        map: &HeightMap,
+        selection: &Selection,
+    ) -> Result<(), SceneError> {
+        let (width, height) = (map.width(), map.height());
+        let maps = relief_maps::Maps::in_memory();
+        let baked = maps.bytes(selection, [width, height])?;
+        let at_hand = maps.working_bytes(selection, [width, height])?;
+        let of_levels = if selection.has_levels() { BYTES_OF_LEVELS } else { 0 };
+        let texels = u64::from(width) * u64::from(height);
+        let needed = ((BYTES_PER_HEIGHT + of_levels) * texels).saturating_add(baked).saturating_add(at_hand);
+        let (left, limit) = (self.left, self.limit);
+        self.left = left.checked_sub(needed).ok_or_else(|| {
+            let path = path.to_owned();
+            SceneError::TooMuchToTrace { path, width, height, needed, left, limit }
+        })?;
+        Ok(())
+    }
+}

@@ -1,0 +1,137 @@
+//! The colours of a surface whose mesh's file has materials.
+
+use std::sync::Arc;
+
+use glam::Vec3;
+use relief_core::mesh::Mesh;
+use relief_io::{MeshColors, Picture, Remark, omissions};
+
+use super::color_place::{Affine, ColorPlace};
+
+/// The most materials of a surface that are drawn: each is drawn as a surface of its own.
+const MOST_MATERIALS: usize = 64;
+
+/// A material as it is drawn.
+#[derive(Clone, Debug)]
+pub struct DrawnMaterial {
+    /// Its name in the mesh's file.
+    pub name: Option<Arc<str>>,
+    /// The linear diffuse colour, which multiplies the picture.
+    pub diffuse: Vec3,
+    /// The picture.
+    pub picture: Option<Arc<Picture>>,
+    /// The picture's placement on the mesh.
+    pub place: ColorPlace,
+    /// The least opacity of the picture that is seen; 0 where all is, above 1 where nothing is.
+    pub cutoff: f32,
+}
+
+/// The materials of a surface's triangles.
+#[derive(Debug)]
+pub struct SurfaceColors {
+    /// The materials, at least two.
+    pub materials: Vec<DrawnMaterial>,
+    /// The number of each triangle's material.
+    pub of_triangles: Vec<u32>,
+}
+
+/// The colours of a surface as they are drawn.
+#[derive(Clone, Debug)]
+pub enum Drawn {
+    /// All triangles have the same material.
+    One(DrawnMaterial),
+    /// They have several.
+    Several(Arc<SurfaceColors>),
+}
+
+/// Triangles that look alike.
+struct Group {
+    /// The number of the material.
+    material: u32,
+    /// Factors of its vertices' colours.
+    tint: [f32; 4],
+    /// How the picture's coordinates follow from the mesh's.
+    own: Affine,
+}
+
+impl Drawn {
+    /// What of a file's colours is drawn, and what is not: a sentence for each.
+    /// Several materials are drawn where `splits` says so.
+    pub fn of(colors: &MeshColors, mesh: &Mesh, splits: bool, notes: &mut Vec<Remark>) -> Option<Self> {
+        let mut groups: Vec<Group> = Vec::new();
+        let mut of_triangles = Vec::with_capacity(mesh.triangles().len());
+        let mut is_uneven = false;
+        for triangle in 0..mesh.triangles().len() as u32 {
+            let material = colors.of_triangles.get(triangle as usize).copied().unwrap_or_default();
+            let has_picture = colors.material(triangle).is_some_and(|material| material.picture.is_some());
+            let (tint, is_even) = tint_of(colors, triangle);
+            is_uneven |= !is_even;
+            let own = Some(Affine::SAME).filter(|_| !has_picture);
+            let own = own.or_else(|| Affine::of_triangle(mesh, colors, triangle)).unwrap_or(Affine::SAME);
+            let is =
+                |group: &Group| group.material == material && group.tint == tint && group.own.is_near(&own);
+            let place = groups.iter().rposition(is).unwrap_or_else(|| {
+                groups.push(Group { material, tint, own });
+                groups.len() - 1
+            });
+            if groups.len() > MOST_MATERIALS {
+                let what =
+                    format!("a surface shows at most {MOST_MATERIALS} colours and pictures of its mesh");
+                let what = format!("the colours of its triangles are left out: {what}");
+                notes.push(Remark::new(&omissions::LEFT_OUT_COLORS, what));
+                return None;
+            }
+            of_triangles.push(place as u32);
+        }
+        if groups.len() > 1 && !splits {
+            let what = "only the colours of a single material are shown on displaced triangles and slices";
+            let what = format!("the colours of its {} materials are left out: {what}", groups.len());
+            notes.push(Remark::new(&omissions::LEFT_OUT_COLORS, what));
+            return None;
+        }
+        if is_uneven {
+            let what = "the colours of its vertices are shown as their mean in each triangle";
+            notes.push(Remark::new(&omissions::UNEVEN_COLORS, what));
+        }
+        let mut materials: Vec<DrawnMaterial> = Vec::with_capacity(groups.len());
+        for group in &groups {
+            let material = colors.materials.get(group.material as usize)?;
+            let [red, green, blue, opacity] = material.factor;
+            let picture = material.picture.clone();
+            let rows = group.own.then(material.transform).rows();
+            let place = ColorPlace { rows, wrap: Some(material.wrap) };
+            let [by_red, by_green, by_blue, by_opacity] = group.tint;
+            let diffuse = Vec3::new(red, green, blue) * Vec3::new(by_red, by_green, by_blue);
+            let cutoff = least_opacity(material.cutoff, opacity * by_opacity, picture.is_some());
+            let name = material.name.clone();
+            materials.push(DrawnMaterial { name, diffuse, picture, place, cutoff });
+        }
+        if materials.len() == 1 {
+            return materials.pop().map(Drawn::One);
+        }
+        Some(Drawn::Several(Arc::new(SurfaceColors { materials, of_triangles })))
+    }
+}
+
+/// The mean of the colours of a triangle's vertices, and whether they are all the same.
+fn tint_of(colors: &MeshColors, triangle: u32) -> ([f32; 4], bool) {
+    let Some(&[a, b, c]) = colors.tints.get(triangle as usize) else { return ([1.0; 4], true) };
+    if a == b && b == c {
+        return (a, true);
+    }
+    ([0, 1, 2, 3].map(|part| (a[part] + b[part] + c[part]) / 3.0), false)
+}
+
+/// More than any opacity.
+const NOTHING: f32 = 2.0;
+
+/// The least opacity of a picture that is seen where another opacity multiplies it.
+fn least_opacity(cutoff: Option<f32>, opacity: f32, has_picture: bool) -> f32 {
+    let Some(cutoff) = cutoff.filter(|cutoff| *cutoff > 0.0) else { return 0.0 };
+    // What is not there is opaque.
+    match (has_picture, cutoff <= opacity) {
+        (true, _) if opacity > 0.0 => (cutoff / opacity).min(NOTHING),
+        (false, true) => 0.0,
+        _ => NOTHING,
+    }
+}
