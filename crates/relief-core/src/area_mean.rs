@@ -1,27 +1,28 @@
-//! Coarser levels of maps: every texel is the mean over its area.
+//! Coarser mip levels of maps. Each texel is the mean over its area in the next finer level.
 
 use rayon::prelude::*;
 
-/// Columns and rows of the next coarser level: half of each, rounded down but at least 1, as textures of GPUs
-/// have it.
+/// Columns and rows of the next coarser level: half of each, rounded down, but at least 1. GPU mip
+/// chains round in the same way.
 pub fn coarser_size(size: [u32; 2]) -> [u32; 2] {
     size.map(|side| (side / 2).max(1))
 }
 
-/// Levels of a map, its finest among them, until one is a single texel.
+/// Number of mip levels of a map, from the finest to the single texel, both included.
 pub fn level_count(size: [u32; 2]) -> u32 {
     size[0].max(size[1]).max(1).ilog2() + 1
 }
 
-/// The next coarser level of a map of `N` channels, row by row from the top.
+/// Returns the next coarser level of a map of `N` channels, row by row from the top.
 ///
-/// A texel is the mean over its area: where a side is odd, texels that lie across two areas count for each in
-/// part. So the mean of the map stays what it is, to rounding.
+/// Each texel is the mean over its area. Where a side is odd, some texels lie across two areas and
+/// count for each in part. So the mean of the whole map does not change, except for rounding.
 pub fn coarser<const N: usize>(texels: &[[f32; N]], size: [u32; 2]) -> Vec<[f32; N]> {
     coarser_of(|at| texels[at], size)
 }
 
-/// The same of values that are made for the texel of that number.
+/// Returns the next coarser level of a map whose texels are computed: `value` takes a texel's
+/// number. See [`coarser`].
 pub fn coarser_of<const N: usize>(value: impl Fn(usize) -> [f32; N] + Sync, size: [u32; 2]) -> Vec<[f32; N]> {
     let to = coarser_size(size);
     let [columns, rows] = [0, 1].map(|axis| areas(size[axis], to[axis]));
@@ -40,13 +41,13 @@ pub fn coarser_of<const N: usize>(value: impl Fn(usize) -> [f32; N] + Sync, size
     rows.par_iter().flat_map_iter(|row| columns.iter().map(move |column| texel(row, column))).collect()
 }
 
-/// The places of a row that lie in an area, and the part of it that each is.
+/// Texels of a row that overlap an area: the index and the part of the area that it covers.
 type Area = Vec<(usize, f64)>;
 
-/// The areas of a row of `from` texels that become `to`.
+/// Areas of a row of `from` texels that is reduced to `to` texels.
 fn areas(from: u32, to: u32) -> Vec<Area> {
     let [from, to] = [u64::from(from), u64::from(to)];
-    // In units of which a texel of the one row is `to` long, of the other `from`.
+    // A length unit in which a source texel is `to` long and a target texel is `from` long.
     let area = |at: u64| {
         let (start, end) = (at * from, (at + 1) * from);
         let part = |j: u64| (end.min((j + 1) * to) - start.max(j * to)) as f64 / from as f64;
@@ -65,7 +66,7 @@ mod tests {
         assert_eq!(coarser(&[[1.0], [3.0], [5.0], [8.0]], [4, 1]), [[2.0], [6.5]]);
         let thirds = coarser(&[[3.0], [6.0], [9.0]], [3, 1]);
         assert_eq!(thirds, [[6.0]]);
-        // Five texels become two: the one in the middle is half in either.
+        // Five texels become two. The middle one counts half in each.
         assert_eq!(coarser(&[[5.0], [10.0], [20.0], [0.0], [5.0]], [5, 1]), [[10.0], [6.0]]);
         assert_eq!(coarser(&[[1.0, 2.0]], [1, 1]), [[1.0, 2.0]]);
     }

@@ -1,4 +1,4 @@
-//! A baked map as a value: what it is, what it was made from, and its texels.
+//! A baked map as a value: its identity, its shape and its texels.
 
 use std::str::FromStr;
 
@@ -7,10 +7,10 @@ use crate::encoding::code::Codes;
 use crate::registry::UnknownName;
 use crate::{HeightMap, HeightsHash, MAX_SIDE, Metric, Wrap};
 
-/// The most layers of a map, the least that GPUs offer.
+/// Most layers of a map: the number that every GPU supports.
 pub const MAX_LAYERS: u32 = 256;
 
-/// How the values of a map are stored.
+/// Number format of a map's values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum MapFormat {
     /// 32-bit floats: the values as they were baked.
@@ -33,10 +33,10 @@ impl FromStr for MapFormat {
 }
 
 impl MapFormat {
-    /// Every format, the one of the most bits first.
+    /// All formats, from the most bits to the fewest.
     pub const ALL: [MapFormat; 3] = [MapFormat::F32, MapFormat::F16, MapFormat::Unorm8];
 
-    /// Its name, as in the texels of files.
+    /// Name of the format in the files of baked maps.
     pub const fn name(self) -> &'static str {
         match self {
             MapFormat::F32 => "float",
@@ -45,7 +45,7 @@ impl MapFormat {
         }
     }
 
-    /// Bytes of a value.
+    /// Bytes per value.
     pub const fn bytes(self) -> u64 {
         match self {
             MapFormat::F32 => 4,
@@ -55,21 +55,22 @@ impl MapFormat {
     }
 }
 
-/// The shape of a map: texels of 1, 2 or 4 channels, in layers, in levels of detail.
+/// Shape of a map: texels of 1, 2 or 4 channels, in layers and mip levels.
 ///
-/// The slices of a volume, azimuths, directions and the faces of a cube are layers. Each level has half the
-/// columns and rows of the one before, rounded down but at least one, as textures of GPUs have.
+/// Layers are the slices of a volume, azimuths, directions or the faces of a cube. Each level has
+/// half the columns and rows of the previous one, rounded down, but at least one, as in GPU
+/// textures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct MapLayout {
     /// Columns and rows of the finest level.
     pub size: [u32; 2],
-    /// Levels.
+    /// Number of mip levels.
     pub levels: u32,
-    /// Layers.
+    /// Number of layers.
     pub layers: u32,
     /// Channels of a texel: 1, 2 or 4.
     pub channels: u32,
-    /// How each value is stored.
+    /// Format of each value.
     pub format: MapFormat,
 }
 
@@ -79,22 +80,22 @@ impl MapLayout {
         self.size.map(|side| side.checked_shr(level).unwrap_or(0).max(1))
     }
 
-    /// Texels of all levels and layers.
+    /// Number of texels in all levels and layers.
     pub fn texels(&self) -> u64 {
         let of_level = |level| self.level_size(level).map(u64::from).iter().product::<u64>();
         (0..self.levels).map(of_level).sum::<u64>() * u64::from(self.layers)
     }
 
-    /// Bytes of all texels.
+    /// Bytes of all levels and layers.
     pub fn bytes(&self) -> u64 {
         self.texels() * u64::from(self.channels) * self.format.bytes()
     }
 
-    /// Whether there can be a map of that shape.
+    /// Checks that a map can have this shape.
     ///
     /// # Errors
     ///
-    /// When a side, the layers or the levels are none or too many, or the channels are not 1, 2 or 4.
+    /// When a side, the layers or the levels are 0 or too many, or the channels are not 1, 2 or 4.
     pub fn check(&self) -> Result<(), MapLayoutError> {
         let longest = self.size[0].max(self.size[1]);
         let most_levels = if longest == 0 { 0 } else { level_count(self.size) };
@@ -106,7 +107,7 @@ impl MapLayout {
     }
 }
 
-/// Why texels make no map.
+/// Why values do not make a map.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum MapLayoutError {
     /// No map has that shape.
@@ -115,7 +116,7 @@ pub enum MapLayoutError {
         .0.size[0], .0.size[1], .0.channels, .0.layers, .0.levels
     )]
     Impossible(MapLayout),
-    /// There are not as many values as the shape has.
+    /// The number of values does not fit the layout.
     #[error("the map has {wanted} values, {given} were given")]
     Length {
         /// Values of the shape.
@@ -123,39 +124,38 @@ pub enum MapLayoutError {
         /// Values given.
         given: usize,
     },
-    /// The values are of another format than the shape says.
+    /// The values have another format than the layout.
     #[error("the map's values are of another format than its layout says")]
     Format,
 }
 
-/// What decides the values of a map.
+/// Everything that determines the values of a baked map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapIdentity {
     /// Name of the kind.
     pub kind: String,
-    /// Revision of the kind, which is raised with every change of the values that it bakes.
+    /// Revision of the kind. It is raised with every change to the values that the kind bakes.
     pub revision: u32,
-    /// Name of the texture among those of the kind; empty for the only one.
+    /// Name of the texture, for kinds with several; empty for the only one.
     pub texture: String,
-    /// All of the kind's settings.
+    /// All settings of the kind.
     pub settings: Vec<(String, f32)>,
-    /// The heights that it was made from.
+    /// Hash of the heights that the map is baked from.
     pub heights: HeightsHash,
-    /// How these go on beyond their edges.
+    /// Wrap of these heights.
     pub wrap: Wrap,
-    /// The metric that it was baked in.
+    /// Metric in which the map is baked.
     pub metric: Metric,
-    /// The level of the kind's texture that is the map's finest: the finest of all, or of a chain whose
-    /// finest level says nothing that the heights do not say a coarser one.
+    /// Level of the kind's texture that is stored as the map's finest level. Usually 0; higher if
+    /// the finer levels repeat the heights themselves.
     pub first_level: u32,
-    /// The level of the height map whose place and size the map's finest level has. A map that is baked from
-    /// a coarser level begins at that level.
+    /// Mip level of the height map to which the map's finest level corresponds in place and size.
+    /// It is above 0 for maps that are baked from a coarser level.
     pub height_level: u32,
 }
 
 impl MapIdentity {
-    /// That of a kind of map which is made from something else than heights: heights, wrap and metric say
-    /// nothing.
+    /// Identity of a map that is not made from heights. Heights, wrap and metric are placeholders.
     pub fn without_heights(kind: &str) -> Self {
         Self {
             kind: kind.to_owned(),
@@ -171,15 +171,15 @@ impl MapIdentity {
     }
 }
 
-/// The values of a map: level by level from the finest, layer by layer, row by row from the top, the channels
-/// of a texel side by side.
+/// Values of a map. The order is: levels from the finest, layers, rows from the top, texels,
+/// channels.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MapTexels {
     /// 32-bit floats.
     F32(Vec<f32>),
     /// 16-bit floats, as their bits.
     F16(Vec<u16>),
-    /// Codes.
+    /// 8-bit codes; see [`Codes`].
     Unorm8(Vec<u8>),
 }
 
@@ -201,11 +201,11 @@ impl MapTexels {
     }
 }
 
-/// A map that was baked from a height map, for a shader to read: one value from the bake over the cache to
-/// the GPU and to the translated shaders.
+/// A map baked from a height map, to be read by shaders. The bake, the cache, the GPU and the CPU
+/// shaders all use this type.
 ///
-/// Where the kind promises something of its values, it holds for the stored ones: in fewer bits they are
-/// rounded to the safe side.
+/// A guarantee of the map's kind holds for the stored values. Formats with fewer bits round to the
+/// safe side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BakedMap {
     identity: MapIdentity,
@@ -215,10 +215,10 @@ pub struct BakedMap {
     places: Vec<LevelPlace>,
 }
 
-/// Where a level lies among a map's texels.
+/// Position of one mip level among a map's texels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LevelPlace {
-    /// The first of its texels.
+    /// Index of the level's first texel.
     pub start: usize,
     /// Columns.
     pub width: usize,
@@ -227,11 +227,12 @@ pub struct LevelPlace {
 }
 
 impl BakedMap {
-    /// A map of those texels. `codes` say what the codes of each channel stand for where texels are codes.
+    /// Creates a map. `codes` holds the meaning of the codes of each channel, if the texels are
+    /// codes.
     ///
     /// # Errors
     ///
-    /// When there can be no map of that shape, or the texels are not as many.
+    /// When no map can have this shape, or the number or the format of the texels differs from it.
     pub fn new(
         identity: MapIdentity,
         layout: MapLayout,
@@ -257,32 +258,33 @@ impl BakedMap {
         Ok(Self { identity, layout, codes, texels, places })
     }
 
-    /// What it was made from, and how.
+    /// Heights, kind and settings that the map is made from.
     pub fn identity(&self) -> &MapIdentity {
         &self.identity
     }
 
-    /// Its shape.
+    /// Shape of the map.
     pub fn layout(&self) -> &MapLayout {
         &self.layout
     }
 
-    /// What the codes of each channel stand for; of no meaning where texels are floats.
+    /// Meaning of the codes of each channel. Not used when the texels are floats.
     pub fn codes(&self) -> &[Codes; 4] {
         &self.codes
     }
 
-    /// Its values as they are stored.
+    /// Values as they are stored.
     pub fn texels(&self) -> &MapTexels {
         &self.texels
     }
 
-    /// Where each level begins.
+    /// Position of each level, from the finest.
     pub fn places(&self) -> &[LevelPlace] {
         &self.places
     }
 
-    /// The value of a channel of a texel, by level, layer, column and row. None where there is no such texel.
+    /// Value of one channel of a texel, by level, layer, column and row. `None` if there is no such
+    /// texel.
     pub fn value(&self, level: u32, layer: u32, [column, row]: [u32; 2], channel: u32) -> Option<f32> {
         let place = self.places.get(level as usize)?;
         let (column, row, layer) = (column as usize, row as usize, layer as usize);
@@ -303,7 +305,7 @@ impl BakedMap {
         }
     }
 
-    /// Whether it was baked from the heights and the wrap of that map.
+    /// Whether the map is baked from the heights of `map`, with the same wrap.
     pub fn is_of(&self, map: &HeightMap) -> bool {
         self.identity.wrap == map.wrap() && self.identity.heights == map.heights_hash()
     }

@@ -7,9 +7,11 @@ use std::str::FromStr;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ByteSize(pub u64);
 
-/// The text is no amount of memory.
+/// The text is not an amount of memory.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("'{0}' is no amount of memory: write a whole number of bytes, or of KiB, MiB, GiB or TiB as in 4GiB")]
+#[error(
+    "'{0}' is not an amount of memory: write a whole number of bytes, or of KiB, MiB, GiB or TiB as in 4GiB"
+)]
 pub struct BadByteSize(String);
 
 const UNITS: [(&str, u32); 5] = [("TiB", 40), ("GiB", 30), ("MiB", 20), ("KiB", 10), ("B", 0)];
@@ -46,7 +48,7 @@ mod tests {
             assert_eq!(text.parse(), Ok(ByteSize(bytes)), "{text}");
             assert_eq!(ByteSize(bytes).to_string().parse(), Ok(ByteSize(bytes)), "{text}");
         }
-        // A plain number would be read as so many of another amount beside it.
+        // Without a unit, the number would be read as a multiple of the unit beside it.
         assert_eq!(ByteSize(1).to_string(), "1B");
         for text in ["", "GiB", "B", "-1", "1.5GiB", "4GB", "20000000TiB", "4 gib"] {
             assert!(text.parse::<ByteSize>().is_err(), "{text}");

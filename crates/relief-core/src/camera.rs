@@ -4,12 +4,12 @@ use glam::{DMat4, DVec3};
 
 pub use crate::raycast::Ray;
 
-/// How close to vertical, as the cosine to `±y`, a line of sight may be before `+y` no longer says where up
-/// is. Larger and the picture spins when looking almost straight down; smaller and the directions lose their
-/// precision.
+/// Largest cosine between the view axis and `±y` at which `+y` still defines "up". With a larger
+/// limit the picture spins when the camera looks almost straight down. With a smaller one the
+/// directions lose precision.
 const VERTICAL: f64 = 1.0 - 1e-9;
 
-/// How a camera makes a plane picture of space.
+/// Projection of space onto the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Projection {
     /// All rays come from the eye.
@@ -17,7 +17,7 @@ pub enum Projection {
         /// Vertical field of view in degrees.
         fov_degrees: f64,
     },
-    /// All rays are parallel: what is far away is as large as what is near, as on a map.
+    /// All rays are parallel: size does not depend on distance, as on a map.
     Orthographic {
         /// Metres from the lower to the upper edge of the picture.
         height_m: f64,
@@ -26,8 +26,8 @@ pub enum Projection {
 
 /// A camera.
 ///
-/// `+y` points up in the picture. Looking straight down, `-z` does (so that the built-in plane's texture
-/// stands upright), and straight up, `+z`.
+/// `+y` points up in the picture. If the camera looks straight down, `-z` points up, so that the
+/// built-in plane's texture stands upright. If it looks straight up, `+z` does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     eye: DVec3,
@@ -50,7 +50,7 @@ pub enum CameraError {
         /// The point looked at.
         target: DVec3,
     },
-    /// Eye and target coincide, so there is no direction to look in.
+    /// Eye and target coincide, so there is no direction of view.
     #[error("the eye is at the target, {0}: there is no direction to look in")]
     EyeAtTarget(DVec3),
     /// The field of view is not between 0 and 180 degrees.
@@ -82,8 +82,8 @@ impl Camera {
         Self::with(eye, target, Projection::Perspective { fov_degrees })
     }
 
-    /// A camera at `eye` that looks at `target`, both in metres. What lies behind the eye is not seen, by
-    /// parallel rays neither.
+    /// A camera at `eye` that looks at `target`, both in metres. Nothing behind the eye is visible,
+    /// with parallel rays either.
     ///
     /// # Errors
     ///
@@ -121,7 +121,7 @@ impl Camera {
         self.target
     }
 
-    /// The same camera elsewhere.
+    /// Returns this camera at another position, with the same projection.
     ///
     /// # Errors
     ///
@@ -130,13 +130,13 @@ impl Camera {
         Self::with(eye, target, self.projection)
     }
 
-    /// How it makes a plane picture.
+    /// Projection of the camera.
     pub fn projection(&self) -> Projection {
         self.projection
     }
 
-    /// Half of the metres from the lower to the upper edge of the picture: at a depth of 1 m in perspective,
-    /// at any depth of an orthographic view.
+    /// Half the height of the picture in metres. In perspective it is measured at a depth of 1 m;
+    /// in an orthographic view it is the same at any depth.
     pub fn half_height(&self) -> f64 {
         self.half_height
     }
@@ -177,13 +177,14 @@ impl Camera {
         }
     }
 
-    /// The matrix from the world to clip space with depth in `[0, 1]` between the planes, as wgpu wants it:
-    /// for a picture of aspect `width / height` it is the inverse of [`Self::ray`].
+    /// Returns the matrix from world space to clip space, with depth in `[0, 1]` between the
+    /// planes, as wgpu expects it. For a picture of aspect `width / height` it is the inverse of
+    /// [`Self::ray`].
     ///
     /// # Errors
     ///
-    /// When `aspect` is not positive or the planes, in metres along the view axis, are not `0 < near < far`;
-    /// an orthographic view's near plane may be anywhere before the far one.
+    /// When `aspect` is not positive, or the planes, in metres along the view axis, are not
+    /// `0 < near < far`. The near plane of an orthographic view may be anywhere before the far one.
     pub fn view_projection(&self, aspect: f64, near: f64, far: f64) -> Result<DMat4, CameraError> {
         let is_near = self.is_orthographic() || near > 0.0;
         if !(aspect > 0.0 && aspect.is_finite() && is_near && far > near && (far - near).is_finite()) {
@@ -275,7 +276,7 @@ mod tests {
             direction in prop::array::uniform3(-1.0f64..1.0),
             tilt in prop::sample::select(vec![0.0, 1e-3, 1e-5, 1e-7, 1e-12]),
         ) {
-            // From anywhere, and as near to straight down as may be.
+            // From any direction, and as near to straight down as possible.
             let target = DVec3::from(direction) * DVec3::new(tilt, 1.0, tilt);
             prop_assume!(target.length() > 1e-3);
             let camera = Camera::new(DVec3::ZERO, target, 40.0).expect("a proper camera");

@@ -1,25 +1,28 @@
-//! What a search knows when it ends.
+//! Results of a search, as the refinement receives them.
 
-/// How a search ended.
+/// Result of a search along a path.
 ///
-/// The discriminants are the numbers that the shaders use.
+/// The discriminants are the numbers that the shaders use. `near` and `far` are the two points of
+/// the path that the search hands to the refinement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u32)]
 pub enum FoundState {
-    /// The path leaves without touching the surface.
+    /// The path leaves the map without touching the surface.
     Miss = 0,
-    /// `near` is above the surface (or on it) and nothing lies before it; `far` is the end of the path.
+    /// `near` is above the surface or on it, and no hit lies before it. `far` is the end of the
+    /// path.
     Above = 1,
-    /// `far` is below the surface; how far before it the surface was crossed is not known: `near` is the
-    /// entry.
+    /// `far` is below the surface and `near` is the entry. The path may cross the surface anywhere
+    /// between them.
     Below = 2,
     /// `near` is above the surface and `far` is below it.
     Bracket = 3,
-    /// The steps ran out at `near`, above the surface, with the rest of the path unexplored.
+    /// The search ran out of steps at `near`, above the surface. The rest of the path is not
+    /// searched.
     Exhausted = 4,
-    /// The path began below the surface.
+    /// The path begins below the surface.
     StartedBelow = 5,
-    /// Nothing was searched: `near` and `far` are the entry and the exit.
+    /// No search took place: `near` and `far` are the entry and the exit.
     Unbracketed = 6,
 }
 
@@ -35,7 +38,7 @@ impl FoundState {
         FoundState::Unbracketed,
     ];
 
-    /// What is known then, in a few words.
+    /// Describes the result in a few words.
     pub const fn description(self) -> &'static str {
         match self {
             FoundState::Miss => "a miss",
@@ -44,11 +47,11 @@ impl FoundState {
             FoundState::Bracket => "a bracket",
             FoundState::Exhausted => "the point where the steps ran out",
             FoundState::StartedBelow => "a start below the surface",
-            FoundState::Unbracketed => "a path of which nothing is known",
+            FoundState::Unbracketed => "an unsearched path",
         }
     }
 
-    /// Its name in the shaders' constants, after `FOUND_`.
+    /// Name in the shaders' constants, after `FOUND_`.
     pub const fn name(self) -> &'static str {
         match self {
             FoundState::Miss => "MISS",

@@ -1,4 +1,4 @@
-//! The height map: the one input that everything else is derived from.
+//! The height map: the input from which everything else is derived.
 
 mod surface;
 
@@ -7,28 +7,29 @@ use std::sync::{Arc, OnceLock};
 use crate::area_mean::{coarser, coarser_size, level_count};
 use crate::{HeightsHash, TexelMask, Wrap};
 
-/// The longest side of a height map, in texels. Cell numbers up to here are exact in the shaders' `f32`.
+/// Longest side of a height map, in texels. Cell numbers up to this limit are exact in the shaders'
+/// `f32`.
 pub const MAX_SIDE: u32 = 1 << 20;
 
-/// The most texels of a height map (4 GiB of `f32`).
+/// Most texels of a height map (4 GiB of `f32`).
 pub const MAX_TEXELS: u64 = 1 << 30;
 
-/// A rectangular map of heights and the surface that it stands for.
+/// A rectangular map of heights, and the surface that it defines.
 ///
-/// * Texels are `f32` in `[0, 1]`, row 0 on top, 1 is highest. Texel `(i, j)` has its centre at texture
-///   coordinates `((i + ½) / W, (j + ½) / H)`; `(0, 0)` is the top-left corner, `u` grows to the right and
-///   `v` downward.
-/// * Between texel centres the surface is *bilinear*. That surface is the truth that all error is measured
-///   against. It consists of *dual cells*: cell `(i, j)` is the square between the centres of the texels
-///   `(i, j)` and `(i + 1, j + 1)`, so that a point lies in the cell `floor(u W - ½), floor(v H - ½)`.
+/// * Texels are `f32` in `[0, 1]`, row 0 on top, 1 is highest. Texel `(i, j)` has its centre at
+///   texture coordinates `((i + ½) / W, (j + ½) / H)`. `(0, 0)` is the top-left corner, `u` grows
+///   to the right and `v` downward.
+/// * Between texel centres the surface is *bilinear*. All errors are measured against this surface.
+///   It consists of *dual cells*: cell `(i, j)` is the square between the centres of the texels
+///   `(i, j)` and `(i + 1, j + 1)`. So a point lies in the cell `floor(u W - ½), floor(v H - ½)`.
 /// * A texel displaces the base surface along its unit normal by `bias_m + scale_m * texel` metres
 ///   (Szirmay-Kalos and Umenhoffer 2008, eq. 8).
-/// * [`Wrap`] says how the map goes on beyond its edges.
+/// * [`Wrap`] continues the map beyond its edges.
 /// * `texel_size_m`, `physical_range`, `stated_displacement_m`, `filled_texels`, `holes` and
-///   `nearly_grey_texels` are metadata: slopes are set by the tangent frame alone, and holes have heights as
-///   all texels do.
+///   `nearly_grey_texels` are metadata. Slopes depend on the tangent frame alone, and holes have
+///   heights as all texels do.
 ///
-/// Clones share their texels, with another wrap or displacement too.
+/// Clones share their texels, even with another wrap or displacement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeightMap {
     width: u32,
@@ -39,9 +40,9 @@ pub struct HeightMap {
     bias_m: f64,
     texel_size_m: Option<[f64; 2]>,
     physical_range: Option<[f64; 2]>,
-    /// Whether texel size and physical range are in one unit that is not known, in place of metres.
+    /// Whether texel size and physical range are in one unknown unit instead of metres.
     unnamed_unit: bool,
-    /// Whether the source, or who reads it, names the unit of the heights.
+    /// Whether the source or the caller names the unit of the heights.
     named_heights: bool,
     stated_displacement_m: Option<[f64; 2]>,
     filled_texels: u64,
@@ -49,13 +50,13 @@ pub struct HeightMap {
     nearly_grey_texels: u64,
 }
 
-/// What clones of a map share.
+/// Data shared by the clones of a map.
 #[derive(Debug)]
 struct Heights {
     texels: Vec<f32>,
-    /// Once it was asked for.
+    /// Computed at the first request.
     hash: OnceLock<HeightsHash>,
-    /// The coarser levels, once one was asked for.
+    /// Coarser mip levels, computed at the first request.
     coarser: OnceLock<Vec<HeightMap>>,
 }
 
@@ -65,7 +66,7 @@ impl PartialEq for Heights {
     }
 }
 
-/// Why texels are no height map.
+/// Why texels do not make a height map.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum HeightMapError {
     /// A side is zero.
@@ -76,7 +77,7 @@ pub enum HeightMapError {
         /// Height in texels.
         height: u32,
     },
-    /// A side or the number of texels is above what the project works with.
+    /// A side or the number of texels is above [`MAX_SIDE`] or [`MAX_TEXELS`].
     #[error(
         "a height map of {width}x{height} is too large: at most {MAX_SIDE} texels a side and {MAX_TEXELS} in all"
     )]
@@ -86,22 +87,22 @@ pub enum HeightMapError {
         /// Height in texels.
         height: u32,
     },
-    /// Holes are marked of a map of another size.
+    /// The holes are marked for a map of another size.
     #[error("holes of {}x{} texels do not fit a height map of {}x{}", holes[0], holes[1], map[0], map[1])]
     OtherHoles {
-        /// Columns and rows of what is marked.
+        /// Columns and rows of the marked texels.
         holes: [u32; 2],
         /// Columns and rows of the map.
         map: [u32; 2],
     },
-    /// The number of texels given is not width times height.
+    /// The number of texels is not width times height.
     #[error("a height map of {width}x{height} needs {} texels, {given} were given", u64::from(*width) * u64::from(*height))]
     WrongLength {
         /// Width in texels.
         width: u32,
         /// Height in texels.
         height: u32,
-        /// How many texels were given.
+        /// Number of texels given.
         given: usize,
     },
     /// A texel is NaN, infinite, or outside `[0, 1]`.
@@ -111,17 +112,17 @@ pub enum HeightMapError {
         column: u32,
         /// Row of the first such texel.
         row: u32,
-        /// Its value.
+        /// Value of that texel.
         value: f32,
     },
     /// Scale, bias, texel size or range is NaN, infinite, or (texel size) not positive.
     #[error("{what} is {value}: it must be {must}")]
     BadNumber {
-        /// Which number.
+        /// Name of the number.
         what: &'static str,
-        /// Its value.
+        /// Value of the number.
         value: f64,
-        /// What it must be.
+        /// Accepted values.
         must: &'static str,
     },
 }
@@ -131,7 +132,7 @@ impl HeightMap {
     ///
     /// # Errors
     ///
-    /// When a side is 0 or too large, when `texels.len()` is not `width * height`, or when a texel is not in
+    /// When a side is 0 or too large, `texels.len()` is not `width * height`, or a texel is not in
     /// `[0, 1]`.
     pub fn new(width: u32, height: u32, texels: Vec<f32>, wrap: Wrap) -> Result<Self, HeightMapError> {
         Self::check_size(width, height)?;
@@ -160,7 +161,8 @@ impl HeightMap {
         })
     }
 
-    /// A height map whose texels are computed from column and row, clamped to `[0, 1]`; NaN becomes 0.
+    /// A height map whose texels are computed from column and row. They are clamped to `[0, 1]`;
+    /// NaN becomes 0.
     ///
     /// # Errors
     ///
@@ -182,7 +184,7 @@ impl HeightMap {
         Self::new(width, height, texels, wrap)
     }
 
-    /// Whether a map of that size is accepted; to be asked before memory is taken for it.
+    /// Checks that a map of that size is accepted. Call it before allocating memory for the map.
     ///
     /// # Errors
     ///
@@ -198,14 +200,14 @@ impl HeightMap {
         Ok(())
     }
 
-    /// The same map with another wrap.
+    /// Sets the wrap.
     #[must_use]
     pub fn with_wrap(mut self, wrap: Wrap) -> Self {
         self.wrap = wrap;
         self
     }
 
-    /// The same map with displacements `bias_m + scale_m * texel`, in metres.
+    /// Sets scale and bias: texels are displaced by `bias_m + scale_m * texel` metres.
     ///
     /// # Errors
     ///
@@ -223,7 +225,7 @@ impl HeightMap {
         Ok(self)
     }
 
-    /// The same map with the size of a texel along `u` and `v`, in metres.
+    /// Sets the size of a texel along `u` and `v`, in metres.
     ///
     /// # Errors
     ///
@@ -238,15 +240,16 @@ impl HeightMap {
         Ok(self)
     }
 
-    /// The same map, whose texel size and physical range are in one unit that is not known, in place of
-    /// metres. Its proportions are known, its lengths are not. A new texel size in metres makes them known.
+    /// States that texel size and physical range are in one unknown unit instead of metres. The
+    /// map's proportions are then known, its lengths are not. A new texel size in metres makes them
+    /// known.
     #[must_use]
     pub fn with_unnamed_unit(mut self) -> Self {
         self.unnamed_unit = true;
         self
     }
 
-    /// The same map, whose source names the unit of its heights, so that they need no doubt.
+    /// States that the source names the unit of the heights. Such heights need less doubt.
     #[must_use]
     pub fn with_named_heights(mut self) -> Self {
         self.named_heights = true;
@@ -258,8 +261,7 @@ impl HeightMap {
         self.named_heights
     }
 
-    /// The same map with the physical values that texel 0 and texel 1 stand for (metres for elevation
-    /// models).
+    /// Sets the physical values of texel 0 and texel 1 (metres for elevation models).
     ///
     /// # Errors
     ///
@@ -272,8 +274,8 @@ impl HeightMap {
         Ok(self)
     }
 
-    /// The same map with the displacements of texel 0 and of texel 1 in metres on the mesh that it was made
-    /// for, which are its own displacement from now on.
+    /// Sets the displacements of texel 0 and texel 1, in metres, that the source states for its
+    /// mesh. They replace the map's scale and bias.
     ///
     /// # Errors
     ///
@@ -283,19 +285,19 @@ impl HeightMap {
         Ok(Self { stated_displacement_m: Some([low, high]), ..map })
     }
 
-    /// The same map with how many of its texels had no value in the source and were filled.
+    /// Sets the number of texels that had no value in the source and were filled.
     #[must_use]
     pub fn with_filled_texels(mut self, count: u64) -> Self {
         self.filled_texels = count;
         self
     }
 
-    /// The same map with the texels that are holes: that have a height because all have, and stand for
-    /// nothing. Without any the map has no holes.
+    /// Marks texels as holes. Holes keep a height, since all texels have one, but it means nothing.
+    /// An empty mask removes all holes.
     ///
     /// # Errors
     ///
-    /// When they are those of a map of another size.
+    /// When the mask has another size than the map.
     pub fn with_holes(mut self, holes: impl Into<Arc<TexelMask>>) -> Result<Self, HeightMapError> {
         let holes = holes.into();
         let [of_holes, of_map] = [[holes.width(), holes.height()], [self.width, self.height]];
@@ -306,8 +308,7 @@ impl HeightMap {
         Ok(self)
     }
 
-    /// The same map with how many of its texels had a red, green and blue in the source that were not quite
-    /// equal.
+    /// Sets the number of texels whose red, green and blue in the source were not quite equal.
     #[must_use]
     pub fn with_nearly_grey_texels(mut self, count: u64) -> Self {
         self.nearly_grey_texels = count;
@@ -332,32 +333,34 @@ impl HeightMap {
         &self.heights.texels
     }
 
-    /// All texels, when nothing else of the map is needed any more. They are copied where a clone of the map
-    /// still has them.
+    /// Returns all texels. They are copied if a clone of the map still shares them.
     pub fn into_texels(self) -> Vec<f32> {
         Arc::try_unwrap(self.heights).map_or_else(|shared| shared.texels.clone(), |own| own.texels)
     }
 
-    /// Whether the two have the same texels in memory, as clones do.
+    /// Whether the two maps share their texels in memory, as clones do.
     pub fn shares_texels(&self, other: &HeightMap) -> bool {
         Arc::ptr_eq(&self.heights, &other.heights)
     }
 
-    /// What tells these heights from those of other maps. The first call hashes all texels.
+    /// Hash that identifies the map's size and heights. The first call hashes all texels.
     pub fn heights_hash(&self) -> HeightsHash {
         *self.heights.hash.get_or_init(|| HeightsHash::of(self.width, self.height, self.texels()))
     }
 
-    /// How many levels of detail the map has: the map itself, and coarser ones until one is a single texel.
+    /// Number of mip levels: the map itself and the coarser levels down to a single texel.
     pub fn levels(&self) -> u32 {
         level_count([self.width, self.height])
     }
 
-    /// A level of detail, of which 0 is the map itself: in each, a texel is the mean over the area that it
-    /// covers in the one before, whose sides it halves (rounded down, at least 1). Of what is coarser than a
-    /// single texel, that texel. It lies as the map lies, without its metadata.
+    /// Returns a mip level; level 0 is the map itself.
     ///
-    /// The first call for a coarser level makes all of them, which take a third of the map's memory.
+    /// Each level has half the sides of the previous one, rounded down, but at least 1. A texel is
+    /// the mean over the area that it covers. Levels beyond the coarsest are the single texel
+    /// again. Wrap, scale and bias are kept, metadata is not.
+    ///
+    /// The first call for a coarser level computes all of them. They take a third of the map's
+    /// memory.
     #[must_use]
     pub fn level(&self, level: u32) -> HeightMap {
         let Some(last) = level.min(self.levels() - 1).checked_sub(1) else { return self.clone() };
@@ -365,18 +368,19 @@ impl HeightMap {
         HeightMap { wrap, scale_m, bias_m, ..self.coarser()[last as usize].clone() }
     }
 
-    /// The least and the greatest texel.
+    /// Least and greatest texel.
     pub fn extremes(&self) -> [f32; 2] {
         let wider = |[low, high]: [f32; 2], texel: &f32| [low.min(*texel), high.max(*texel)];
         self.texels().iter().fold([f32::INFINITY, f32::NEG_INFINITY], wider)
     }
 
-    /// The mean of all texels, to rounding: the coarsest level's only one.
+    /// Mean of all texels, except for rounding: the texel of the coarsest level.
     pub fn mean(&self) -> f32 {
         self.level(self.levels() - 1).texels()[0]
     }
 
-    /// The coarser levels, from the first one on: their sizes and texels; all else is not theirs.
+    /// All mip levels from 1 on, with sizes and texels only. Their wrap, scale and bias may be
+    /// those of another clone; [`level`](Self::level) sets them.
     pub fn coarser(&self) -> &[HeightMap] {
         self.heights.coarser.get_or_init(|| {
             let mut levels: Vec<HeightMap> = Vec::new();
@@ -402,27 +406,27 @@ impl HeightMap {
         })
     }
 
-    /// How the map goes on beyond its edges.
+    /// Continuation of the map beyond its edges.
     #[inline]
     pub fn wrap(&self) -> Wrap {
         self.wrap
     }
 
-    /// The world lengths that the source states: of the tile along `u` and `v`, and from height 0 to height
-    /// 1, in metres. `None` where it does not state both, or the relief is level.
+    /// Lengths in metres that the source states: the tile along `u` and `v`, and the difference
+    /// between heights 0 and 1. `None` if it does not state both, or if the relief is level.
     pub fn stated_lengths_m(&self) -> Option<([f64; 2], f64)> {
         self.stated_lengths().filter(|_| !self.unnamed_unit)
     }
 
-    /// The same lengths in one unit: metres, unless the source [names none](Self::with_unnamed_unit). Their
-    /// ratio is known either way.
+    /// Lengths as in [`stated_lengths_m`](Self::stated_lengths_m), in metres or in an [unknown
+    /// unit](Self::with_unnamed_unit). Their ratio is known in both cases.
     pub fn stated_lengths(&self) -> Option<([f64; 2], f64)> {
         let (tile, [zero, one]) = (self.stated_tile()?, self.physical_range?);
         let span = (one - zero).abs();
         (span > 0.0).then_some((tile, span))
     }
 
-    /// Length of the tile along `u` and `v` in metres, where the source states it.
+    /// Length of the tile along `u` and `v` in metres, if the source states it.
     pub fn stated_tile_m(&self) -> Option<[f64; 2]> {
         self.stated_tile().filter(|_| !self.unnamed_unit)
     }
@@ -432,8 +436,8 @@ impl HeightMap {
         Some([u * f64::from(self.width), v * f64::from(self.height)])
     }
 
-    /// Length of the tile along `u` and `v`, the longer one 1: as the source states them, else of square
-    /// texels.
+    /// Lengths of the tile along `u` and `v`, relative to the longer one. They are as the source
+    /// states, or as for square texels.
     pub fn proportions(&self) -> [f64; 2] {
         let tile = self.stated_tile().unwrap_or([f64::from(self.width), f64::from(self.height)]);
         tile.map(|length| length / tile[0].max(tile[1]))
@@ -451,40 +455,40 @@ impl HeightMap {
         self.bias_m
     }
 
-    /// Size of a texel along `u` and `v` in metres, where the file said so.
+    /// Size of a texel along `u` and `v` in metres, if the file states it.
     #[inline]
     pub fn texel_size_m(&self) -> Option<[f64; 2]> {
         self.texel_size_m.filter(|_| !self.unnamed_unit)
     }
 
-    /// The physical values of texel 0 and texel 1, where they are known.
+    /// Physical values of texel 0 and texel 1, if known.
     #[inline]
     pub fn physical_range(&self) -> Option<[f64; 2]> {
         self.physical_range
     }
 
-    /// The displacements of texel 0 and of texel 1 in metres on the mesh that the map was made for, where the
-    /// source states them.
+    /// Displacements of texel 0 and texel 1, in metres, that the source states for its mesh, if
+    /// any.
     #[inline]
     pub fn stated_displacement_m(&self) -> Option<[f64; 2]> {
         self.stated_displacement_m
     }
 
-    /// How many texels had no value in the source and were filled from their surroundings.
+    /// Number of texels that had no value in the source and were filled from their surroundings.
     #[inline]
     pub fn filled_texels(&self) -> u64 {
         self.filled_texels
     }
 
-    /// The texels that are holes, at least one where there are any: they had no value in the source, or stand
-    /// for nothing else.
+    /// Texels that are holes: they had no value in the source, or a value that means "none". `None`
+    /// if there are no holes.
     #[inline]
     pub fn holes(&self) -> Option<&Arc<TexelMask>> {
         self.holes.as_ref()
     }
 
-    /// How many texels had a red, green and blue in the source that were not quite equal, so that their mean
-    /// was taken.
+    /// Number of texels whose red, green and blue in the source were not quite equal, so that their
+    /// mean was taken.
     #[inline]
     pub fn nearly_grey_texels(&self) -> u64 {
         self.nearly_grey_texels

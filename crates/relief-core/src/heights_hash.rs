@@ -1,17 +1,17 @@
-//! What tells one map's heights from another's.
+//! A hash that identifies the heights of a map.
 
 use std::fmt;
 
-/// The BLAKE3 hash of a height map's size and texels: of width and height as `u32` and the texels as `f32`,
-/// all little-endian. Wrap, displacement and what the file states do not count.
+/// BLAKE3 hash of a height map's size and texels: width and height as `u32`, then the texels as
+/// `f32`, all little-endian. Wrap, displacement and metadata are not hashed.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct HeightsHash(pub [u8; 32]);
 
-/// Texels that are hashed at once.
+/// Number of texels hashed at once.
 const CHUNK: usize = 1 << 14;
 
 impl HeightsHash {
-    /// Of texels, row by row from the top.
+    /// Hashes texels, row by row from the top.
     pub(crate) fn of(width: u32, height: u32, texels: &[f32]) -> Self {
         let mut hasher = blake3::Hasher::new();
         hasher.update(&width.to_le_bytes());
@@ -26,7 +26,7 @@ impl HeightsHash {
     }
 }
 
-/// In hexadecimal digits.
+/// Writes the hash in hexadecimal digits.
 impl fmt::Display for HeightsHash {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.iter().try_for_each(|byte| write!(f, "{byte:02x}"))

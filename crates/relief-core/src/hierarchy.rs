@@ -1,10 +1,12 @@
-//! Hierarchies of boxes, built by `obvhs`, in blocks where it would take too long.
+//! Bounding volume hierarchies (BVHs), built by `obvhs`, in blocks if it would take too long.
 //!
-//! Its builder joins pairs of neighbours in rounds. Where the best neighbour always lies to the same side, as
-//! in even rows, in stacks of slices that grow, and among boxes that coincide, a round joins a single pair,
-//! and the time grows with the square of the number. Such boxes are sorted along a Morton curve and cut into
-//! blocks. Each block gets a hierarchy, and another one is built above the blocks. The time then grows with
-//! the number. Others get a single hierarchy, through which rays pass about a tenth fewer boxes.
+//! The builder joins pairs of neighbours in rounds. In some inputs the best neighbour always lies
+//! to the same side: in even rows, in stacks of growing slices, and among boxes that coincide. Then
+//! a round joins a single pair, and the time grows with the square of the number of boxes.
+//!
+//! Such boxes are sorted along a Morton curve and cut into blocks. Each block gets a hierarchy, and
+//! another one is built above the blocks. The time then grows linearly. Other inputs get a single
+//! hierarchy, in which rays visit about a tenth fewer boxes.
 
 use glam::DVec3;
 use obvhs::BvhBuildParams;
@@ -12,24 +14,24 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::ploc::{PlocBuilder, morton::morton_encode_u64_unorm};
 
-/// Boxes of a trial, and of what is built without one.
+/// Number of boxes in a trial. Inputs up to this size are built without a trial.
 const TRIAL: usize = 1024;
 
-/// One trial in this number is made, before boxes are taken to be good for rounds of pairs.
+/// One in this number of possible trials is made before the boxes are accepted for rounds of pairs.
 const TRIED: usize = 4;
 
-/// Boxes in a block, which takes at most as many rounds.
+/// Number of boxes in a block. The builder takes at most as many rounds for it.
 const BLOCK: usize = 64;
 
-/// A trial that took more rounds joined next to one pair in each. The builder takes 20 to 50 rounds for usual
-/// boxes, and says how many there were as far as they are more than 95: its `max_depth` is one more.
+/// A trial with more rounds joined about one pair per round. The builder takes 20 to 50 rounds for
+/// usual boxes. Its `max_depth` is the number of rounds plus one, if they are more than 95.
 const ROUNDS: usize = TRIAL / 8;
 
-/// A hierarchy with one box in each leaf, before anything is improved or collapsed. Without boxes it is
-/// empty.
+/// Builds a hierarchy with one box in each leaf, without any optimisation or collapsing. Without
+/// boxes it is empty.
 ///
-/// Equal boxes in equal order give equal hierarchies. `params` says how far the builder searches and how
-/// exactly it sorts; its steps after that are the caller's.
+/// Equal boxes in equal order give equal hierarchies. `params` sets the builder's search distance
+/// and sort precision. The later steps of `params` are left to the caller.
 pub fn hierarchy(boxes: &[Aabb], params: &BvhBuildParams) -> Bvh2 {
     if boxes.is_empty() {
         return Bvh2::default();
@@ -62,7 +64,7 @@ pub fn hierarchy(boxes: &[Aabb], params: &BvhBuildParams) -> Bvh2 {
     joined(hierarchy(&blocks, params), &below)
 }
 
-/// The numbers of boxes in the order in which a Morton curve comes to their middles.
+/// Numbers of the boxes, sorted by their middles along a Morton curve.
 fn along_curve(boxes: &[Aabb]) -> Vec<u32> {
     let mut around = Aabb::empty();
     for of in boxes {
@@ -80,10 +82,10 @@ fn along_curve(boxes: &[Aabb]) -> Vec<u32> {
     sorted
 }
 
-/// The end of a Morton curve's last step: 1 would come round to its beginning.
+/// End of a Morton curve's last step. A value of 1 would wrap to the curve's beginning.
 const LAST_STEP: f64 = 1.0 - 1.0 / (1u64 << 22) as f64;
 
-/// A hierarchy of blocks, with the hierarchy of each block in place of its leaf.
+/// Joins a hierarchy of blocks with the hierarchies in the blocks: each replaces its block's leaf.
 fn joined(mut all: Bvh2, below: &[(&[u32], Bvh2)]) -> Bvh2 {
     let mut leaf_of = vec![0; below.len()];
     for (index, node) in all.nodes.iter().enumerate().filter(|(_, node)| node.is_leaf()) {
@@ -91,7 +93,7 @@ fn joined(mut all: Bvh2, below: &[(&[u32], Bvh2)]) -> Bvh2 {
     }
     let mut numbers = Vec::with_capacity(below.iter().map(|(block, _)| block.len()).sum());
     for ((block, of_block), leaf) in below.iter().zip(leaf_of) {
-        // A block's root takes the leaf's place, the other nodes follow those that are there, in pairs as
+        // A block's root replaces the leaf. The block's other nodes are appended, in pairs as
         // before.
         let (nodes, first_number) = (all.nodes.len() as u32 - 1, numbers.len() as u32);
         let mut moved = of_block.nodes.iter().map(|node| {
@@ -166,7 +168,7 @@ mod tests {
 
     #[test]
     fn rows_take_no_more_rounds_than_their_blocks() {
-        // Without blocks there are 8 times as many.
+        // Without blocks there would be 8 times as many rounds.
         for (name, boxes) in kinds(8 * TRIAL) {
             let bvh = hierarchy(&boxes, &BvhBuildParams::medium_build());
             assert!(bvh.max_depth <= TRIAL, "{name}: {} rounds", bvh.max_depth);

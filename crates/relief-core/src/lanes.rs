@@ -1,11 +1,11 @@
-//! How many values the CPU works on at once.
+//! SIMD widths of the CPU.
 
 use std::fmt;
 use std::str::FromStr;
 
 use pulp::WithSimd;
 
-/// How many 32-bit numbers the CPU works on at once. All of them give the same bits.
+/// SIMD width: how many 32-bit numbers the CPU computes at once. All widths give the same bits.
 ///
 /// ```
 /// use relief_core::Lanes;
@@ -16,45 +16,45 @@ use pulp::WithSimd;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Lanes {
-    /// One by one, on every machine.
+    /// One number at a time, on every machine.
     One,
-    /// Four, where the machine has NEON: on aarch64.
+    /// Four numbers, on machines with NEON (aarch64).
     Four,
-    /// Eight, where the machine has the instructions of x86-64-v3 (AVX2).
+    /// Eight numbers, on machines with the instructions of x86-64-v3 (AVX2).
     Eight,
-    /// Sixteen, where the machine has the instructions of x86-64-v4 (AVX-512).
+    /// Sixteen numbers, on machines with the instructions of x86-64-v4 (AVX-512).
     Sixteen,
 }
 
-/// Why values are not worked on in lanes of some width.
+/// Why a SIMD width cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum LanesError {
-    /// No such width.
-    #[error("{0:?} is no number of lanes: 1, 4, 8 and 16 are")]
+    /// There is no such width.
+    #[error("{0:?} is not a number of lanes: use 1, 4, 8 or 16")]
     Unknown(String),
-    /// The machine has no such vectors.
+    /// The machine has no vectors of this width.
     #[error(
-        "this machine has no vectors of {0} lanes; the widest that it has are of {widest}",
+        "this machine has no vectors of {0} lanes: use at most {widest}",
         widest = Lanes::widest()
     )]
     Missing(Lanes),
 }
 
 impl Lanes {
-    /// Every width.
+    /// All widths.
     pub const ALL: [Lanes; 4] = [Lanes::One, Lanes::Four, Lanes::Eight, Lanes::Sixteen];
 
-    /// The widest that this machine has.
+    /// Widest width that this machine supports.
     pub fn widest() -> Self {
         Self::available().last().unwrap_or(Self::One)
     }
 
-    /// Those that this machine has, from one on.
+    /// Widths that this machine supports, from 1 up.
     pub fn available() -> impl Iterator<Item = Self> {
         Self::ALL.into_iter().filter(|lanes| lanes.is_available())
     }
 
-    /// Whether this machine has them.
+    /// Whether this machine supports the width.
     pub fn is_available(self) -> bool {
         match self {
             Self::One => true,
@@ -68,9 +68,12 @@ impl Lanes {
         }
     }
 
-    /// Runs something in vectors of these lanes: what it does is compiled for them as far as it is inlined. A
-    /// closure of some length is not; a type of its own whose `with_simd` is always inlined is.
-    /// Where the machine lacks them it runs one by one, or on other processors than x86 in those that it has.
+    /// Runs `op` compiled for vectors of this width, and returns its result.
+    ///
+    /// Only code that is inlined into `op` is compiled for the width. Long closures are not
+    /// inlined. Use a type whose `with_simd` is `#[inline(always)]`. If the machine lacks the
+    /// width, x86-64 runs `op` one number at a time; other processors use the vectors that they
+    /// have.
     #[inline(always)]
     pub fn run<Op: WithSimd>(self, op: Op) -> Op::Output {
         #[cfg(target_arch = "x86_64")]
@@ -82,8 +85,8 @@ impl Lanes {
         self.min(Self::Eight).run_up_to_eight(op)
     }
 
-    /// [`run`](Self::run) in eight lanes where these are more: what sixteen do not make faster is not compiled
-    /// for them.
+    /// Runs `op` as [`run`](Self::run), in at most eight lanes. It avoids compiling code for
+    /// sixteen lanes if that is not faster.
     #[inline(always)]
     pub fn run_up_to_eight<Op: WithSimd>(self, op: Op) -> Op::Output {
         #[cfg(target_arch = "x86_64")]
@@ -99,7 +102,7 @@ impl Lanes {
         op.with_simd(pulp::Scalar::new())
     }
 
-    /// Their number.
+    /// Number of lanes.
     pub const fn count(self) -> usize {
         match self {
             Self::One => 1,
@@ -122,7 +125,7 @@ impl fmt::Display for Lanes {
     }
 }
 
-/// A width by its number, which this machine has.
+/// Parses a width from its number, if this machine supports it.
 impl FromStr for Lanes {
     type Err = LanesError;
 
@@ -139,7 +142,7 @@ mod tests {
 
     use super::*;
 
-    /// How many 32-bit floats a vector has.
+    /// Number of 32-bit floats in a vector.
     struct Width;
 
     impl WithSimd for Width {

@@ -1,10 +1,12 @@
-//! The core of Relief: a [`HeightMap`], the [`Mesh`](mesh::Mesh) that it lies on and the [`TangentFrame`]
-//! that lays it there, the [`Path`] that a ray takes through it, the [`Hit`] where the path ends, and the
-//! exact answer that every faster method is judged by.
+//! The core of Relief: height maps, meshes, rays and the exact first hit.
 //!
-//! No file access, no GPU and no shader compiler lives here. The conventions that the whole project follows
-//! are written at the types that carry them: texture axes and reconstruction at [`HeightMap`], handedness at
-//! [`TangentFrame`], the ray parameter at [`Path`].
+//! A [`HeightMap`] lies on a [`Mesh`](mesh::Mesh), oriented by a [`TangentFrame`]. A ray takes a
+//! [`Path`] through the map and ends at a [`Hit`]. The tracers in [`exact`] find the true hit, by
+//! which every faster method is judged.
+//!
+//! This crate contains no file access, no GPU code and no shader compiler. The project's
+//! conventions are documented at their types: texture axes and reconstruction at [`HeightMap`],
+//! handedness at [`TangentFrame`], the ray parameter at [`Path`].
 
 pub mod area_mean;
 mod baked_map;
@@ -47,7 +49,7 @@ pub use hit::{Cost, Hit};
 pub use lanes::{Lanes, LanesError};
 pub use metric::{Metric, MetricError};
 pub use path::{Path, PathMetric, RayUse};
-/// The vectors that [`Lanes::run`] runs something in.
+/// The SIMD vectors in which [`Lanes::run`] runs code.
 pub use pulp;
 pub use pyramid::{MaxPyramid, MinPyramid};
 pub use slice_axis::SliceAxis;

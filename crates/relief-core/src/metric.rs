@@ -2,11 +2,13 @@
 
 use crate::HeightMap;
 
-/// The metric that a map is baked in: a step `(du, dv, dh)` in texture coordinates and texel height is
+/// Lengths in metres of texture coordinates and heights, in which a map is baked. A step
+/// `(du, dv, dh)` in texture coordinates and texel height is
 /// `sqrt((tile_m[0] du)² + (tile_m[1] dv)² + (scale_m dh)²)` metres long.
 ///
-/// Maps of distances, angles and cone ratios state it. A step through such a map divides by the path's speed
-/// in it, so that neither another scale nor another size of the tile on the surface makes the map invalid.
+/// Maps of distances, angles and cone ratios state their metric. A step through such a map divides
+/// by the path's speed in that metric. So the map remains valid for any scale and any tile size on
+/// the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Metric {
     /// Length of a tile along `u` and `v` in metres.
@@ -15,26 +17,26 @@ pub struct Metric {
     pub scale_m: f64,
 }
 
-/// The least and the greatest length: their squares are still normal numbers in `f32`.
+/// Least and greatest length. Their squares are still normal numbers in `f32`.
 const LEAST_M: f64 = 1e-15;
 const MOST_M: f64 = 1e15;
 
-/// A length that is no length, or that `f32` cannot reckon with.
+/// The number is not a length, or `f32` cannot represent its square.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{what} is {value} m: it must be from {LEAST_M:e} to {MOST_M:e} m")]
 pub struct MetricError {
-    /// Which length.
+    /// Name of the length.
     pub what: &'static str,
-    /// Its value.
+    /// Value in metres.
     pub value: f64,
 }
 
 impl Metric {
-    /// Texture units and heights as they are: a metre for each tile and for the scale. The maps that searches
-    /// read are baked in it, since a ray's path is given so, too.
+    /// Metric of 1 m for each tile and for the scale: texture units and heights as they are. The
+    /// maps that searches read are baked in it, since a ray's path is in these units, too.
     pub const UNIT: Self = Self { tile_m: [1.0, 1.0], scale_m: 1.0 };
 
-    /// A metric of those lengths.
+    /// Creates a metric from the tile's lengths along `u` and `v` and the scale, in metres.
     ///
     /// # Errors
     ///
@@ -50,7 +52,7 @@ impl Metric {
         Ok(Self { tile_m, scale_m })
     }
 
-    /// A tile of 1 m by 1 m with that scale.
+    /// Creates a metric with a tile of 1 m by 1 m and this scale in metres.
     ///
     /// # Errors
     ///
@@ -59,7 +61,7 @@ impl Metric {
         Self::new([1.0, 1.0], scale_m)
     }
 
-    /// Size of a texel of that map along `u` and `v` in metres.
+    /// Size of a texel of `map` along `u` and `v` in metres.
     pub fn texel_m(&self, map: &HeightMap) -> [f64; 2] {
         [self.tile_m[0] / f64::from(map.width()), self.tile_m[1] / f64::from(map.height())]
     }

@@ -1,24 +1,27 @@
-//! How far a set of hits is from the truth, and what it took to find them.
+//! Errors of hits, compared with the true hits, and costs of tracing.
 
 use crate::exact::ExactHit;
 use crate::{Cost, HeightMap, Hit};
 
-/// A hit this many texels behind the true one counts as late, before it as early.
+/// Distance in texels beyond which a hit behind the true one counts as late, and one before it as
+/// early.
 pub const LATE_TEXELS: f64 = 0.5;
 
-/// What [`compare`] finds. Shares are of all rays, from 0 to 1; a statistic over no hits is 0.
+/// Errors of a set of hits, as [`compare`] finds them. Shares are of all rays, from 0 to 1.
+/// Statistics over no hits are 0.
 ///
-/// Hits that ran out of steps are counted in `exhausted` alone: they are neither hits nor misses for the
+/// Hits that ran out of steps count only in `exhausted`. They are neither hits nor misses for the
 /// other figures.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ErrorReport {
-    /// How many rays were compared.
+    /// Number of rays compared.
     pub rays: usize,
-    /// How many of them are hits both in truth and in the set: those that the distances are of.
+    /// Number of rays that hit both in truth and in the set. The distances are measured over these
+    /// rays.
     pub both_hit: usize,
-    /// Share of rays that truly hit and were given as misses.
+    /// Share of rays that truly hit but were given as misses.
     pub missed: f64,
-    /// Share of rays that truly miss and were given as hits.
+    /// Share of rays that truly miss but were given as hits.
     pub false_hits: f64,
     /// Share of rays that were given a hit more than [`LATE_TEXELS`] behind the true one.
     pub late: f64,
@@ -26,20 +29,21 @@ pub struct ErrorReport {
     pub early: f64,
     /// Share of rays that ran out of steps.
     pub exhausted: f64,
-    /// Distance between the given and the true place, in texels.
+    /// Distance between the given and the true hit, in texels.
     pub distance_texels: Spread,
-    /// Difference of the heights, in heights (texel values), without sign.
+    /// Difference of the heights without sign, in texel values.
     pub height: Spread,
-    /// Difference of the path parameters, without sign: the depth error in the path's unit, metres as a rule.
+    /// Difference of the path parameters without sign: the depth error in the path's unit, usually
+    /// metres.
     pub depth: Spread,
     /// Mean number of height reads over all rays.
     pub mean_reads: f64,
 }
 
-/// The spread of an error that has no sign.
+/// Distribution of an error without sign.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spread {
-    /// The mean.
+    /// Mean of all rays.
     pub mean: f64,
     /// Half of the rays are at most this wrong.
     pub median: f64,
@@ -49,20 +53,21 @@ pub struct Spread {
     pub max: f64,
 }
 
-/// The truth and the set are not about the same rays.
+/// The two sets of hits belong to different rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("there are {truth} true hits and {hits} hits to compare with them")]
 pub struct LengthMismatch {
     /// Number of true hits.
     pub truth: usize,
-    /// Number of hits to be judged.
+    /// Number of hits to be compared.
     pub hits: usize,
 }
 
-/// Compares hits with the true hits of the same rays, in the same order, on that map.
+/// Compares hits with the true hits of the same rays, in the same order, on `map`.
 ///
-/// Distances are along the texture, in texels of the map: `√((Δu W)² + (Δv H)²)`. Whether a hit is late or
-/// early is told by that distance and by its `t`; a hit at the same `t` that lies beside the ray is neither.
+/// Distances are along the texture, in texels of the map: `√((Δu W)² + (Δv H)²)`. A hit is late or
+/// early if this distance is large and its `t` is greater or less than the true one. A hit with
+/// equal `t` that lies beside the ray is neither.
 ///
 /// # Errors
 ///
@@ -115,35 +120,37 @@ pub fn compare(truth: &[ExactHit], hits: &[Hit], map: &HeightMap) -> Result<Erro
     })
 }
 
-/// Columns and rows of the pixels that [`CostReport`] takes to be traced in step: the 32 lanes of a wave of
-/// most GPUs, as a rasteriser fills them.
+/// Columns and rows of the pixels that [`CostReport`] assumes to be traced together: 32 lanes, a
+/// wave of most GPUs, in the shape in which rasterisers fill them.
 pub const WAVE: [usize; 2] = [8, 4];
 
-/// What the rays of a picture cost: see [`Cost`].
+/// Costs of the rays of a picture; see [`Cost`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CostReport {
-    /// Reads of a ray.
+    /// Reads per ray.
     pub reads: CostSpread,
-    /// Steps of a ray.
+    /// Steps per ray.
     pub steps: CostSpread,
-    /// Bytes of a ray.
+    /// Bytes per ray.
     pub bytes: CostSpread,
 }
 
-/// The spread of a cost over the rays of a picture; zeros where there are none.
+/// Distribution of a cost over the rays of a picture. All values are 0 without rays.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CostSpread {
-    /// The mean.
+    /// Mean of all rays.
     pub mean: f64,
     /// 99 of 100 rays cost at most this much.
     pub p99: f64,
-    /// The mean, over tiles of [`WAVE`], of the greatest cost in a tile: a wave's lanes wait for the slowest.
+    /// Mean over all tiles of [`WAVE`] pixels of the tile's greatest cost: the lanes of a wave wait
+    /// for the slowest.
     pub wave: f64,
 }
 
 impl CostReport {
-    /// The costs of the hits of a picture, row by row, with that many columns. What lies beyond the last
-    /// whole row is a row of its own, and tiles at the right and lower edges are as large as is left.
+    /// Computes the costs of the hits of a picture, row by row, with `columns` columns. Hits after
+    /// the last whole row form a row of their own. Tiles at the right and lower edges may be
+    /// smaller.
     pub fn of(hits: &[Hit], columns: usize) -> Self {
         let spread = |cost: fn(&Cost) -> u32| {
             let costs: Vec<f64> = hits.iter().map(|hit| f64::from(cost(&hit.cost))).collect();
@@ -176,7 +183,8 @@ struct Counts {
 }
 
 impl Spread {
-    /// The spread of some errors; the rank of a share `p` of `n` values is `⌈p n⌉`. NaN counts as the worst.
+    /// Computes the distribution of some errors. The rank of a share `p` of `n` values is `⌈p n⌉`.
+    /// NaN counts as the worst.
     fn of(mut errors: Vec<f64>) -> Self {
         errors.sort_unstable_by(f64::total_cmp);
         let rank = |per_cent: usize| errors.get((errors.len() * per_cent).div_ceil(100).saturating_sub(1));
@@ -222,7 +230,8 @@ mod tests {
     fn shifted_hits_are_late_or_early() {
         let (map, truth) = rays_on_a_plain();
         let mut shifted = hits(&truth);
-        // A tenth each: 2 texels behind, 1 texel before, and a quarter of a texel behind, which is tolerated.
+        // A tenth of the rays each: 2 texels behind, 1 texel before, and a quarter of a texel
+        // behind, which is tolerated.
         for (hits, texels) in shifted.chunks_mut(20).zip([2.0, -1.0, 0.25]) {
             for hit in hits {
                 hit.t += texels / 16.0;
@@ -261,7 +270,7 @@ mod tests {
 
     #[test]
     fn a_wave_waits_for_its_slowest_ray() {
-        // 11 columns and 6 rows: tiles of 8 x 4, 3 x 4, 8 x 2 and 3 x 2, in each of which one ray is slow.
+        // 11 columns and 6 rows: tiles of 8 x 4, 3 x 4, 8 x 2 and 3 x 2. One ray in each is slow.
         let (columns, slow) = (11, [(7, 3, 40), (8, 0, 30), (0, 4, 20), (10, 5, 60)]);
         let mut hits = vec![Hit::miss(Cost { reads: 2, steps: 1, bytes: 32 }); columns * 6];
         for (column, row, reads) in slow {

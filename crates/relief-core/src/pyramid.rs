@@ -1,8 +1,8 @@
-//! The maximum and the minimum pyramid over the dual cells of a height map.
+//! Maximum and minimum pyramids over the dual cells of a height map.
 //!
-//! Tevs, Ihrke and Seidel 2008 ("Maximum mipmaps") and the pyramids of quadtree displacement mapping take
-//! maxima over texels, which does not bound the bilinear surface between them. Here level 0 holds the maxima
-//! over dual cells.
+//! Tevs, Ihrke and Seidel 2008 ("Maximum mipmaps") and the pyramids of quadtree displacement
+//! mapping take maxima over texels. These do not bound the bilinear surface between the texels.
+//! Here level 0 holds the maxima over dual cells.
 
 use std::convert::Infallible;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -13,26 +13,26 @@ use crate::{Cancelled, HeightMap, Watch, Wrap};
 
 /// Upper bounds of the bilinear surface over squares of `2^k` by `2^k` dual cells.
 ///
-/// * Level 0 has the size `W x H` of the map; node `(i, j)` is the highest of the four texels around dual
-///   cell `(i, j)`, wrapped as the map is. A bilinear patch never rises above its corners, so that is a
-///   bound, and a tight one.
-/// * Level `k + 1` has half the size of level `k`, rounded *up*: node `(i, j)` is the highest of the nodes
-///   `(2i, 2j)` to `(2i + 1, 2j + 1)` of level `k` that exist. So node `(i, j)` of level `k` covers the cells
-///   `i 2^k .. (i + 1) 2^k` as far as they are below `W`, and rows likewise. Nothing is padded. (Texture
-///   mipmaps round down instead.)
+/// * Level 0 has the size `W x H` of the map. Node `(i, j)` is the highest of the four texels
+///   around dual cell `(i, j)`, wrapped as the map is. A bilinear patch never rises above its
+///   corners, so this is a bound, and a tight one.
+/// * Level `k + 1` has half the size of level `k`, rounded *up*. Node `(i, j)` is the highest of
+///   the nodes `(2i, 2j)` to `(2i + 1, 2j + 1)` of level `k` that exist. So node `(i, j)` of level
+///   `k` covers the cells `i 2^k .. (i + 1) 2^k` that are below `W`, and rows likewise. Nothing is
+///   padded. (Texture mipmaps round down instead.)
 /// * The last level is one node.
-/// * Cells outside of `0..W` are found through [`Self::column`]. The half cells before texel 0 of a clamped
-///   or mirrored map (cell -1) are bounded by cell 0.
+/// * Cells outside `0..W` are mapped to nodes by [`Self::column`]. The half cells before texel 0 of
+///   a clamped or mirrored map (cell -1) are bounded by cell 0.
 ///
-/// Takes 4/3 of the map's texels, as `f32`.
+/// The pyramid takes 4/3 of the map's texels, as `f32`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MaxPyramid {
     wrap: Wrap,
     levels: Vec<PyramidLevel>,
 }
 
-/// Lower bounds of the bilinear surface over squares of `2^k` by `2^k` dual cells: [`MaxPyramid`] with lowest
-/// for highest. Levels, sizes and the cells that a node covers are the same.
+/// Lower bounds of the bilinear surface over squares of `2^k` by `2^k` dual cells: like
+/// [`MaxPyramid`], with the lowest texels. Levels, sizes and the cells of each node are equal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MinPyramid {
     wrap: Wrap,
@@ -47,29 +47,33 @@ struct PyramidLevel {
 }
 
 impl MaxPyramid {
-    /// The pyramid of a map. Rows are built in parallel; the result does not depend on the number of threads.
+    /// Builds the pyramid of a map. Rows are built in parallel; the result does not depend on the
+    /// number of threads.
     pub fn new(map: &HeightMap) -> Self {
         let Ok(levels) = levels(map, higher, |_| Ok::<(), Infallible>(()));
         Self { wrap: map.wrap(), levels }
     }
 
-    /// The same as [`new`](Self::new), watched.
+    /// Builds the pyramid as [`new`](Self::new), and reports progress to `watch`.
     ///
     /// # Errors
     ///
-    /// When it is cancelled.
+    /// When the work is cancelled.
     pub fn watched(map: &HeightMap, watch: &Watch) -> Result<Self, Cancelled> {
         Ok(Self { wrap: map.wrap(), levels: levels(map, higher, |part| watch.at(part))? })
     }
 
-    /// The same pyramid, whose nodes bound the coarser [levels](HeightMap::level) of the map, too. Of the
-    /// map's level `l` node `(i, j)` of level `k > l` covers the cells from `i 2^(k - l)` up to
-    /// `(i + 1) 2^(k - l)`, counted in that level, as far as they are there, and rows likewise. So the nodes
-    /// from level `l + 1` on are a pyramid over the map's level `l`, and are walked in the same way.
+    /// Extends the nodes so that they also bound the coarser mip [levels](HeightMap::level) of the
+    /// map.
     ///
-    /// A texel of a coarser level lies half a texel of that level beside the finest cells of the same
-    /// numbers, so the bounds of the finest level are a little less tight. The two finest levels are the
-    /// same.
+    /// For the map's level `l`, node `(i, j)` of level `k > l` covers the cells from `i 2^(k - l)`
+    /// up to `(i + 1) 2^(k - l)` that exist, counted in that level, and rows likewise. So the nodes
+    /// from level `l + 1` on are a pyramid over the map's level `l`, and are traversed in the same
+    /// way.
+    ///
+    /// A texel of a coarser level lies half a texel of that level beside the finest cells of the
+    /// same numbers. So the bounds of the finest level are a little less tight. The pyramid's two
+    /// finest levels do not change.
     #[must_use]
     pub fn over_levels(mut self, map: &HeightMap) -> Self {
         reach_over_levels(&mut self.levels, map, higher);
@@ -91,49 +95,52 @@ impl MaxPyramid {
         self.levels.get(level).map_or(&[], |level| &level.nodes)
     }
 
-    /// The highest point of the surface.
+    /// Highest point of the surface.
     pub fn highest(&self) -> f32 {
         self.levels.last().map_or(0.0, |top| top.nodes[0])
     }
 
-    /// The column of level 0 whose nodes bound column `cell` of dual cells, which may lie outside of the map.
+    /// Column of level 0 whose nodes bound column `cell` of dual cells, which may lie outside the
+    /// map.
     pub fn column(&self, cell: i64) -> u32 {
         fold(self.wrap, cell, self.levels[0].width)
     }
 
-    /// The row of level 0 whose nodes bound row `cell` of dual cells, which may lie outside of the map.
+    /// Row of level 0 whose nodes bound row `cell` of dual cells, which may lie outside the map.
     pub fn row(&self, cell: i64) -> u32 {
         fold(self.wrap, cell, self.levels[0].height)
     }
 
-    /// An upper bound of the surface over the dual cells from `first` to `last`, both included and not
-    /// wrapped, and the number of nodes that were read for it. `first` must not exceed `last` on either axis.
+    /// Returns an upper bound of the surface over the dual cells from `first` to `last`, both
+    /// included, and the number of nodes read. The cell numbers are not wrapped. `first` must not
+    /// exceed `last` on either axis.
     ///
-    /// Reads the nodes of the finest level at which few suffice: at most 3 by 3 (6 by 6 across the edges of a
-    /// repeated map). The cells that these cover besides are why the bound need not be tight; over a single
-    /// cell of the map it is.
+    /// It reads the finest level at which few nodes suffice: at most 3 by 3, or 6 by 6 across the
+    /// edges of a repeated map. These nodes may cover more cells, so the bound need not be tight.
+    /// Over a single cell of the map it is tight.
     pub fn bound(&self, first: [i64; 2], last: [i64; 2]) -> (f32, u32) {
         bound(&self.levels, self.wrap, first, last, higher)
     }
 }
 
 impl MinPyramid {
-    /// The pyramid of a map. Rows are built in parallel; the result does not depend on the number of threads.
+    /// Builds the pyramid of a map. Rows are built in parallel; the result does not depend on the
+    /// number of threads.
     pub fn new(map: &HeightMap) -> Self {
         let Ok(levels) = levels(map, lower, |_| Ok::<(), Infallible>(()));
         Self { wrap: map.wrap(), levels }
     }
 
-    /// The same as [`new`](Self::new), watched.
+    /// Builds the pyramid as [`new`](Self::new), and reports progress to `watch`.
     ///
     /// # Errors
     ///
-    /// When it is cancelled.
+    /// When the work is cancelled.
     pub fn watched(map: &HeightMap, watch: &Watch) -> Result<Self, Cancelled> {
         Ok(Self { wrap: map.wrap(), levels: levels(map, lower, |part| watch.at(part))? })
     }
 
-    /// The same pyramid, whose nodes bound the coarser levels of the map, too: see
+    /// Extends the nodes so that they also bound the coarser mip levels of the map: see
     /// [`MaxPyramid::over_levels`].
     #[must_use]
     pub fn over_levels(mut self, map: &HeightMap) -> Self {
@@ -156,20 +163,20 @@ impl MinPyramid {
         self.levels.get(level).map_or(&[], |level| &level.nodes)
     }
 
-    /// The lowest point of the surface.
+    /// Lowest point of the surface.
     pub fn lowest(&self) -> f32 {
         self.levels.last().map_or(0.0, |top| top.nodes[0])
     }
 
-    /// A lower bound of the surface over the dual cells from `first` to `last`, and the number of nodes that
-    /// were read for it: see [`MaxPyramid::bound`].
+    /// Returns a lower bound of the surface over the dual cells from `first` to `last`, and the
+    /// number of nodes read: see [`MaxPyramid::bound`].
     pub fn bound(&self, first: [i64; 2], last: [i64; 2]) -> (f32, u32) {
         bound(&self.levels, self.wrap, first, last, lower)
     }
 }
 
-/// The `pick` of the nodes of the finest level at which few cover the cells from `first` to `last`, and how
-/// many were read.
+/// Returns the `pick` of the nodes of the finest level at which few cover the cells from `first` to
+/// `last`, and their number.
 fn bound(
     levels: &[PyramidLevel],
     wrap: Wrap,
@@ -197,21 +204,21 @@ fn bound(
     (bound.unwrap_or(0.0), reads)
 }
 
-/// The higher of two heights, neither of which is NaN: one instruction, where `f32::max` takes several.
+/// Higher of two heights that are not NaN. It is one instruction, while `f32::max` takes several.
 fn higher(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
-/// The lower of two heights.
+/// Lower of two heights that are not NaN.
 fn lower(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
-/// Nodes that are built between two calls of `at`: well below a millisecond of work.
+/// Nodes built between two calls of `at`: well below a millisecond of work.
 const NODES_A_CALL: usize = 1 << 18;
 
-/// All levels, where a node is the `pick` of what it covers. The two finest are built together, while their
-/// rows are cached.
+/// Builds all levels. A node is the `pick` of the nodes or texels that it covers. The two finest
+/// levels are built together, while their rows are cached.
 fn levels<E: Send>(
     map: &HeightMap,
     pick: impl Fn(f32, f32) -> f32 + Copy + Sync,
@@ -248,8 +255,9 @@ fn levels<E: Send>(
     Ok(levels)
 }
 
-/// Makes every node the `pick` of what it covers of the map's coarser levels, too. A node has what its
-/// children have; what is new in a level of nodes are two by two cells of the map's level before.
+/// Extends every node by the `pick` of the cells that it covers in the map's coarser levels. A node
+/// includes its children. New at each level of nodes are two by two cells of the map's previous
+/// level.
 fn reach_over_levels(
     levels: &mut [PyramidLevel],
     map: &HeightMap,
@@ -265,7 +273,8 @@ fn reach_over_levels(
             .par_chunks_mut(width)
             .zip(children.nodes.par_chunks(2 * children.width as usize))
             .for_each(|(nodes, rows)| pick_children(rows, children.width as usize, nodes, pick));
-        // Sides of the map's levels are rounded down, those of the pyramid's up: the last may have no cells.
+        // Sides of the map's levels are rounded down, sides of the pyramid's levels up. So the last
+        // node may have no cells.
         let rows = nodes.nodes.par_chunks_mut(width).zip(cells.nodes.par_chunks(cells.width as usize));
         rows.for_each(|(nodes, cells)| {
             for (node, cell) in nodes.iter_mut().zip(cells) {
@@ -275,7 +284,7 @@ fn reach_over_levels(
     }
 }
 
-/// One row of level 0.
+/// Builds one row of level 0.
 fn pick_cells(map: &HeightMap, row: usize, nodes: &mut [f32], pick: impl Fn(f32, f32) -> f32) {
     let texels = |row: u32| {
         let start = row as usize * nodes.len();
@@ -292,7 +301,7 @@ fn pick_cells(map: &HeightMap, row: usize, nodes: &mut [f32], pick: impl Fn(f32,
     }
 }
 
-/// A row of nodes from the one or two rows below it.
+/// Builds a row of nodes from the one or two rows below it.
 fn pick_children(rows: &[f32], below: usize, nodes: &mut [f32], pick: impl Fn(f32, f32) -> f32) {
     let (top, bottom) = rows.split_at(below);
     let bottom = if bottom.is_empty() { top } else { bottom };
@@ -334,7 +343,7 @@ impl PyramidLevel {
     }
 }
 
-/// The dual cell in `0..size` whose corners include those of `cell`, along one axis.
+/// Dual cell in `0..size` whose corners include the corners of `cell`, along one axis.
 fn fold(wrap: Wrap, cell: i64, size: u32) -> u32 {
     let size = i64::from(size);
     let folded = match wrap {
@@ -349,7 +358,7 @@ fn fold(wrap: Wrap, cell: i64, size: u32) -> u32 {
     folded as u32
 }
 
-/// The ranges, both ends included, of the cells that `fold` makes of `first..=last`.
+/// Ranges, both ends included, of the cells to which `fold` maps `first..=last`.
 fn folded_ranges(wrap: Wrap, first: i64, last: i64, size: u32) -> [Option<[u32; 2]>; 2] {
     let all = [Some([0, size - 1]), None];
     let (a, b) = (fold(wrap, first, size), fold(wrap, last, size));
@@ -362,7 +371,7 @@ fn folded_ranges(wrap: Wrap, first: i64, last: i64, size: u32) -> [Option<[u32; 
         Wrap::Repeat => [Some([a, size - 1]), Some([0, b])],
         Wrap::Mirror if span >= 2 * signed => all,
         Wrap::Mirror => {
-            // Folding turns round at the cells `size - 1` and `2 size - 1` of every period.
+            // Folding reverses direction at the cells `size - 1` and `2 size - 1` of every period.
             let start = first.rem_euclid(2 * signed);
             let turns = |at: i64| (at - start).rem_euclid(2 * signed) <= span;
             let low = if turns(2 * signed - 1) { 0 } else { a.min(b) };
@@ -390,7 +399,7 @@ mod tests {
     const SIZES: [(u32, u32); 9] =
         [(1, 1), (1, 7), (7, 1), (2, 2), (3, 5), (8, 8), (13, 9), (16, 5), (17, 33)];
 
-    /// The first dual cell, as far out as three tiles, that is above the node meant to bound it.
+    /// First dual cell, up to three tiles away, that is above the node meant to bound it.
     fn first_escape(map: &HeightMap, pyramid: &MaxPyramid) -> Option<[i64; 2]> {
         let (w, h) = (i64::from(map.width()), i64::from(map.height()));
         for j in -3 * h - 1..=4 * h {

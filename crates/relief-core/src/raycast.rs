@@ -1,13 +1,14 @@
-//! Rays against a mesh of flat triangles, without leaks.
+//! Watertight ray casting against a mesh of flat triangles.
 //!
-//! The hierarchy is built by `obvhs`; traversal and triangle test are ours. The test shears space so that the
-//! ray runs along an axis and asks on which side of each projected edge the ray passes (after Woop, Benthin
-//! and Wald, *Watertight Ray/Triangle Intersection*, JCGT 2013). It works in `f64` throughout: a product of
-//! rounded numbers keeps its order under rounding, so that the sign of `a b - c d` is never wrong and only
-//! ever lost to 0, which counts as inside. Both triangles at an edge see the same two projected corners, so a
-//! ray cannot pass between them.
+//! The BVH is built by `obvhs`; traversal and triangle test are ours. The test shears space so that
+//! the ray runs along an axis. It then checks on which side of each projected edge the ray passes
+//! (after Woop, Benthin and Wald, *Watertight Ray/Triangle Intersection*, JCGT 2013).
+//!
+//! It works in `f64` throughout. A product of rounded numbers keeps its order under rounding. So
+//! the sign of `a b - c d` is never wrong; it can only be lost to 0, which counts as inside. Both
+//! triangles at an edge use the same two projected corners, so a ray cannot pass between them.
 
-use self::found::{Found, Nearest, Several};
+use self::collector::{HitBatch, HitCollector, Nearest};
 use crate::hierarchy::hierarchy;
 use crate::mesh::Mesh;
 use glam::{DVec2, DVec3, Vec3};
@@ -17,70 +18,71 @@ use obvhs::triangle::Triangle;
 use obvhs::{Boundable, BvhBuildParams};
 use std::fmt;
 
-mod found;
+mod collector;
 pub mod tiles;
 
-/// How far boxes are grown, relative to the largest coordinate in play. It must exceed the triangle test's
-/// rounding (a few 1e-16), or a box could reject what the test would accept; larger costs visits only.
+/// Growth of boxes, relative to the largest coordinate involved. It must exceed the triangle test's
+/// rounding (a few 1e-16); otherwise a box could reject what the test would accept. A larger value
+/// only costs visits.
 const BOX_SLACK: f64 = 1e-12;
 
-/// The depth of hierarchy that is walked without taking memory. Deeper ones, which only contrived meshes
-/// have, take it.
+/// Depth up to which a BVH is traversed without allocating memory. Only contrived meshes have
+/// deeper ones.
 const STACK_DEPTH: usize = 64;
 
-/// A straight ray in the world, such as that through a pixel.
+/// A straight ray in the world, such as the ray through a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// Where it starts, in metres.
+    /// Beginning of the ray, in metres.
     pub origin: DVec3,
-    /// Where it goes; not normalised. The parameter `t` of a point `origin + t * direction` is in units of
-    /// this vector.
+    /// Direction, not normalised. The parameter `t` of a point `origin + t * direction` is in units
+    /// of this vector.
     pub direction: DVec3,
 }
 
 impl Ray {
-    /// The point at parameter `t`.
+    /// Point at parameter `t`.
     #[inline]
     pub fn at(&self, t: f64) -> DVec3 {
         self.origin + self.direction * t
     }
 }
 
-/// Which sides of a triangle a ray can hit.
+/// Sides of a triangle that a ray can hit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sides {
-    /// Only fronts: corners counter-clockwise seen from where the ray comes.
+    /// Only fronts: the corners are counter-clockwise seen from the ray's origin.
     #[default]
     Front,
     /// Fronts and backs.
     Both,
 }
 
-/// A point where a ray meets a triangle.
+/// A hit of a ray with a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceHit {
-    /// Parameter of the point along the ray, at least 0; for a camera's ray the depth along the view axis in
-    /// metres.
+    /// Parameter of the point along the ray, at least 0. For a camera's ray it is the depth along
+    /// the view axis in metres.
     pub t: f64,
     /// Number of the triangle in the mesh.
     pub triangle: u32,
-    /// Barycentric coordinates of the point: the weights of the triangle's corners, none negative, which add
+    /// Barycentric weights of the triangle's corners at the point. None is negative, and they add
     /// up to 1.
     pub weights: [f64; 3],
-    /// Whether the front was hit.
+    /// Whether the ray hits the front.
     pub front: bool,
 }
 
-/// A mesh prepared for ray casting.
+/// A mesh prepared for ray casting, with a BVH.
 ///
-/// Answers depend on the mesh and the ray alone, not on the hierarchy: hits are ordered by `(t, triangle)`,
-/// and where a ray meets an edge or a corner, every triangle there is hit.
+/// Answers depend on the mesh and the ray alone, not on the BVH. Hits are ordered by
+/// `(t, triangle)`. A ray through an edge or a corner hits every adjacent triangle.
 #[derive(Clone)]
 pub struct RayCaster {
     corners: Vec<[DVec3; 3]>,
     bvh: Bvh2,
     depth: usize,
-    /// The largest absolute coordinate of the mesh.
+    /// Largest absolute coordinate of the mesh.
     extent: f64,
 }
 
@@ -91,16 +93,16 @@ impl fmt::Debug for RayCaster {
 }
 
 impl RayCaster {
-    /// The most memory that a triangle takes while it is prepared, in bytes.
+    /// Most memory per triangle during the preparation, in bytes.
     pub const BYTES_PER_TRIANGLE: u64 = 300;
 
-    /// Prepares a mesh; takes about 300 bytes a triangle.
+    /// Prepares a mesh. It takes about 300 bytes per triangle.
     pub fn new(mesh: &Mesh) -> Self {
         let numbers = 0..mesh.triangles().len() as u32;
         Self::of_corners(numbers.map(|triangle| mesh.corners(triangle).map(|corner| corner.position)))
     }
 
-    /// Prepares triangles by their corners.
+    /// Prepares triangles from their corners.
     pub fn of_corners(corners: impl Iterator<Item = [Vec3; 3]>) -> Self {
         let triangle = |corners: [Vec3; 3]| {
             let [v0, v1, v2] = corners.map(Into::into);
@@ -122,57 +124,63 @@ impl RayCaster {
         Self { corners, bvh, depth, extent }
     }
 
-    /// How many triangles there are.
+    /// Number of triangles.
     pub fn triangles(&self) -> usize {
         self.corners.len()
     }
 
-    /// The hit with the least `(t, triangle)` that comes after the hit given, or the first one of all. A ray
-    /// whose numbers are not finite, or whose direction is 0, hits nothing.
+    /// Returns the hit with the least `(t, triangle)` behind the hit `after`, or the first hit if
+    /// that is `None`. A ray whose numbers are not finite, or whose direction is 0, hits nothing.
     pub fn next_hit(&self, ray: &Ray, sides: Sides, after: Option<&SurfaceHit>) -> Option<SurfaceHit> {
         self.next_after(ray, sides, after.map(|hit| (hit.t, hit.triangle)))
     }
 
-    /// As [`Self::next_hit`], after a hit of that `(t, triangle)`.
+    /// Returns the next hit as [`Self::next_hit`], behind a hit with this `(t, triangle)`.
     fn next_after(&self, ray: &Ray, sides: Sides, after: Option<(f64, u32)>) -> Option<SurfaceHit> {
         let mut nearest = Nearest::default();
         self.find_after(ray, sides, after, &mut nearest);
         nearest.hit
     }
 
-    /// Finds the first hits after one of that `(t, triangle)`, as many as are kept.
-    fn find_after(&self, ray: &Ray, sides: Sides, after: Option<(f64, u32)>, found: &mut impl Found) {
+    /// Collects the first hits behind one with this `(t, triangle)`.
+    fn find_after(
+        &self,
+        ray: &Ray,
+        sides: Sides,
+        after: Option<(f64, u32)>,
+        collector: &mut impl HitCollector,
+    ) {
         let Some(query) = Query::new(ray, sides, after, self.extent) else { return };
         if self.depth <= STACK_DEPTH {
-            self.walk(&query, &mut [(0.0, 0); STACK_DEPTH], found);
+            self.walk(&query, &mut [(0.0, 0); STACK_DEPTH], collector);
         } else {
-            self.walk(&query, &mut vec![(0.0, 0); self.depth], found);
+            self.walk(&query, &mut vec![(0.0, 0); self.depth], collector);
         }
     }
 
-    /// All hits in the order of `(t, triangle)`, found as they are asked for: the first one alone, those
-    /// after it several at a time.
+    /// Returns all hits in the order of `(t, triangle)`. They are found on demand: the first one
+    /// alone, the later ones in batches.
     pub fn hits<'a>(&'a self, ray: &'a Ray, sides: Sides) -> impl Iterator<Item = SurfaceHit> + 'a {
         self.hits_after(*ray, sides, None)
     }
 
-    /// Those after a hit of that `(t, triangle)`.
+    /// Returns the hits behind one with this `(t, triangle)`.
     fn hits_after(
         &self,
         ray: Ray,
         sides: Sides,
         after: Option<(f64, u32)>,
     ) -> impl Iterator<Item = SurfaceHit> {
-        let (mut last, mut several) = (after, None::<Several>);
+        let (mut last, mut batch) = (after, None::<HitBatch>);
         std::iter::from_fn(move || {
-            let hit = match several.as_mut().and_then(Several::next) {
+            let hit = match batch.as_mut().and_then(HitBatch::next) {
                 Some(hit) => hit,
                 None if last.is_none() => self.next_after(&ray, sides, None)?,
                 None => {
-                    let mut found = several.take().map_or_else(|| Some(Several::new()), Several::more)?;
-                    self.find_after(&ray, sides, last, &mut found);
-                    found.sort();
-                    several.insert(found).next()?
+                    let mut next = batch.take().map_or_else(|| Some(HitBatch::new()), HitBatch::more)?;
+                    self.find_after(&ray, sides, last, &mut next);
+                    next.sort();
+                    batch.insert(next).next()?
                 }
             };
             last = Some((hit.t, hit.triangle));
@@ -180,8 +188,8 @@ impl RayCaster {
         })
     }
 
-    /// Walks the hierarchy near to far. `stack` has room for a node on every level.
-    fn walk(&self, query: &Query, stack: &mut [(f64, u32)], found: &mut impl Found) {
+    /// Traverses the BVH from near to far. `stack` must hold a node per level.
+    fn walk(&self, query: &Query, stack: &mut [(f64, u32)], collector: &mut impl HitCollector) {
         let mut waiting = 0;
         let mut next = self.enter(query, 0).map(|entry| (entry, 0));
         loop {
@@ -191,7 +199,7 @@ impl RayCaster {
             }) else {
                 return;
             };
-            if entry > found.reach() {
+            if entry > collector.reach() {
                 continue;
             }
             let node = &self.bvh.nodes[index as usize];
@@ -199,7 +207,7 @@ impl RayCaster {
                 let first = node.first_index as usize;
                 for &triangle in &self.bvh.primitive_indices[first..first + node.prim_count as usize] {
                     if let Some(hit) = query.triangle(triangle, &self.corners[triangle as usize]) {
-                        found.offer(hit);
+                        collector.offer(hit);
                     }
                 }
                 continue;
@@ -219,8 +227,8 @@ impl RayCaster {
         }
     }
 
-    /// The parameter at which the ray enters a node's grown box, or nothing if it does not meet what it still
-    /// looks for there.
+    /// Parameter at which the ray enters a node's grown box. `None` if it misses the box or leaves
+    /// it before the hits that are still wanted.
     #[inline]
     fn enter(&self, query: &Query, node: u32) -> Option<f64> {
         let bounds = self.bvh.nodes.get(node as usize)?.aabb();
@@ -233,15 +241,15 @@ impl RayCaster {
     }
 }
 
-/// A ray with what can be computed once for all triangles.
+/// A ray with the values that are computed once for all triangles.
 struct Query {
     ray: Ray,
     sides: Sides,
-    /// Hits at or before this `(t, triangle)` are not wanted.
+    /// Hits at or before this `(t, triangle)` are skipped.
     after: (f64, Option<u32>),
     inverse: DVec3,
     slack: DVec3,
-    /// The axes that the shear maps to x, y and z; z is the one along which the direction is longest.
+    /// Axes that the shear maps to x, y and z. z is the axis along which the direction is longest.
     axes: [usize; 3],
     /// `(x, y)` of the direction, divided by its `z`.
     shear: DVec2,
@@ -255,7 +263,7 @@ impl Query {
             return None;
         }
         let z = ray.direction.abs().max_position();
-        // A cyclic order keeps the handedness and with it which side is the front; a negative z mirrors it.
+        // A cyclic order keeps the handedness, and with it the front side. A negative z mirrors it.
         let (mut x, mut y) = ((z + 1) % 3, (z + 2) % 3);
         if ray.direction[z] < 0.0 {
             std::mem::swap(&mut x, &mut y);
@@ -274,8 +282,8 @@ impl Query {
         })
     }
 
-    /// A corner in the space where the ray runs along `+z` from the origin; depends on nothing but corner and
-    /// ray.
+    /// Transforms a corner to the space in which the ray runs along `+z` from the origin. The
+    /// result depends on corner and ray alone.
     #[inline]
     fn sheared(&self, corner: DVec3) -> DVec3 {
         let p = corner - self.ray.origin;
@@ -286,8 +294,8 @@ impl Query {
     #[inline]
     fn triangle(&self, triangle: u32, corners: &[DVec3; 3]) -> Option<SurfaceHit> {
         let [a, b, c] = [self.sheared(corners[0]), self.sheared(corners[1]), self.sheared(corners[2])];
-        // Twice the areas of the parts of the projected triangle opposite each corner. Seen along the ray, a
-        // front's corners run clockwise in these right-handed axes.
+        // Twice the areas of the parts of the projected triangle opposite each corner. Seen along
+        // the ray, the corners of a front run clockwise in these right-handed axes.
         let wa = c.x * b.y - c.y * b.x;
         let wb = a.x * c.y - a.y * c.x;
         let wc = b.x * a.y - b.y * a.x;
@@ -298,7 +306,7 @@ impl Query {
         }
         let area = wa + wb + wc;
         if area == 0.0 {
-            // Seen exactly from the edge: its neighbours are hit there.
+            // The triangle is seen exactly from its edge. Its neighbours are hit there.
             return None;
         }
         let weights = [wa / area, wb / area, wc / area];
@@ -311,13 +319,13 @@ impl Query {
     }
 }
 
-/// The order of hits.
+/// Order of hits.
 #[inline]
 fn precedes(a: (f64, u32), b: (f64, u32)) -> bool {
     a.0 < b.0 || a.0 == b.0 && a.1 < b.1
 }
 
-/// A hierarchy of boxes with several in a leaf where that is quicker to walk.
+/// Builds a BVH with several boxes in a leaf where that is faster.
 fn collapsed(boxes: &[Aabb]) -> Bvh2 {
     let params = BvhBuildParams::medium_build();
     let mut bvh = hierarchy(boxes, &params);
@@ -329,8 +337,8 @@ fn collapsed(boxes: &[Aabb]) -> Bvh2 {
     bvh
 }
 
-/// How many levels of inner nodes lie below the root, itself included: the most nodes that can wait during a
-/// walk.
+/// Number of levels of inner nodes below the root, itself included: the most nodes that can wait on
+/// the stack.
 fn depth_below(bvh: &Bvh2) -> usize {
     let mut deepest = 0;
     let mut waiting = vec![(0u32, 1)];

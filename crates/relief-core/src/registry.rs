@@ -1,62 +1,62 @@
-//! What registry entries of stages and of map kinds are made of: parameters, sources, promises, the baked maps
-//! that they read, and names that nothing has.
+//! Parts of registry entries for stages and map kinds: parameters, sources, guarantees, baked maps,
+//! and the error for unknown names.
 
-/// The most parameters of an entry: they travel to the shader in one vector of four.
+/// Most parameters of an entry. They are passed to the shader in one vector of four.
 pub const MAX_PARAMS: usize = 4;
 
-/// A baked map that a stage reads: a texture of a map kind.
+/// A baked map that a stage reads: one texture of a map kind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MapInput {
     /// Name of the map kind.
     pub kind: &'static str,
-    /// Name of the texture among those of the kind; empty for the only one.
+    /// Name of the texture, for kinds with several; empty for the only one.
     pub texture: &'static str,
-    /// The kind's settings that it needs. Of the others it takes the defaults.
+    /// Settings of the kind that the stage needs. The other settings keep their defaults.
     pub settings: &'static [(&'static str, MapSetting)],
-    /// The metric that the map is baked in.
+    /// Metric in which the map is baked.
     pub metric: MapMetric,
-    /// The levels that it has.
+    /// Levels of the map.
     pub levels: MapLevels,
-    /// The most texels of the longer side of the height map's level that it is baked from: of the finest such
-    /// level. None: it is baked from the height map itself.
+    /// Most texels on the longer side of the mip level that the map is baked from. The finest such
+    /// level of the height map is used. `None`: the height map itself.
     pub side: Option<MapSetting>,
 }
 
 /// The value of a kind's setting that a stage needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MapSetting {
-    /// Always this one.
+    /// A constant.
     Fixed(f32),
-    /// That of the stage's own parameter of this name.
+    /// Value of the stage's own parameter of this name.
     Param(&'static str),
-    /// The first where all is seen in the finest level of detail, else the second, with which one map serves
-    /// all levels.
+    /// Value for rendering in the finest level of detail only, and value for a map that serves all
+    /// levels.
     Levels(f32, f32),
 }
 
-/// The metric that a map for a stage is baked in.
+/// Metric in which a map for a stage is baked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapMetric {
-    /// Texture units and heights as they are: the map is the same whatever the tile's size and the scale in
-    /// metres.
+    /// Texture units and heights as they are. The map does not depend on the tile's size and the
+    /// scale in metres.
     Texture,
-    /// The metres of the surface that the map lies on.
+    /// Metres on the surface that carries the map.
     Scene,
 }
 
-/// The levels of a map for a stage.
+/// Mip levels of a map for a stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapLevels {
-    /// The finest level of the kind's texture.
+    /// Finest level of the kind's texture.
     One,
-    /// The levels of the kind's texture from that one on. Each is padded, to the right and below, to half the
-    /// size of the one before, as textures of GPUs have it: kinds round sizes up, textures round down.
+    /// Levels of the kind's texture from this one on. Each is padded, to the right and below, to half
+    /// the size of the previous one, as in GPU textures: kinds round sizes up, textures round down.
     ChainFrom(u32),
-    /// All levels of the kind's texture, each a mean over areas. They have the sizes of the levels of detail
-    /// from that one on.
+    /// All levels of the kind's texture, each a mean over areas. Their sizes are those of the
+    /// height map's mip levels from this one on.
     MeansFrom(u32),
-    /// The finest level of the kind's texture for each [level](crate::HeightMap::level) of the height map,
-    /// baked from that level's heights.
+    /// Finest level of the kind's texture for each mip [level](crate::HeightMap::level) of the
+    /// height map, baked from the heights of that level.
     EachDetail,
 }
 
@@ -66,77 +66,78 @@ impl MapInput {
         Self { kind, texture, settings: &[], metric: MapMetric::Texture, levels: MapLevels::One, side: None }
     }
 
-    /// The same with settings.
+    /// Sets the settings of the kind.
     #[must_use]
     pub const fn with(self, settings: &'static [(&'static str, MapSetting)]) -> Self {
         Self { settings, ..self }
     }
 }
 
-/// What is promised where a parameter has a value that takes something away.
+/// A weaker guarantee for one value of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weakened {
-    /// The parameter's name.
+    /// Name of the parameter.
     pub param: &'static str,
-    /// The value.
+    /// Value that weakens the guarantee.
     pub value: f32,
-    /// What is promised then.
+    /// Guarantees with this value.
     pub to: Guarantees,
 }
 
 /// Paper and section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Publication {
-    /// Authors, year and short title, or "Relief" for what was published first here.
+    /// Authors, year and short title, or "Relief" for work first published here.
     pub paper: &'static str,
-    /// The section that defines it; empty when the whole text does, and for what was published here.
+    /// Section that defines the method. Empty if the whole paper does, and for work first published
+    /// here.
     pub section: &'static str,
 }
 
 /// A number that the user may set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Param {
-    /// Its name, as in `--set search.NAME=VALUE`.
+    /// Name, as in `--set search.NAME=VALUE`.
     pub name: &'static str,
-    /// What it does, in one line.
+    /// Effect of the parameter, in one line.
     pub summary: &'static str,
-    /// Its unit; empty for plain numbers.
+    /// Unit; empty for plain numbers.
     pub unit: &'static str,
-    /// The least accepted value.
+    /// Least accepted value.
     pub min: f32,
-    /// The greatest accepted value.
+    /// Greatest accepted value.
     pub max: f32,
-    /// The value used when nobody sets it.
+    /// Default value.
     pub default: f32,
     /// Whether only whole numbers are accepted.
     pub integer: bool,
-    /// Names of its values, from 0 on, where these stand for choices; empty where they are numbers.
+    /// Names of the values, from 0 on, if they are choices; empty if they are numbers.
     pub names: &'static [&'static str],
 }
 
 impl Param {
-    /// A choice among names, of which the first is the default.
+    /// A choice among names. The first name is the default.
     pub const fn of_names(name: &'static str, summary: &'static str, names: &'static [&'static str]) -> Self {
         let max = (names.len() - 1) as f32;
         Self { name, summary, unit: "", min: 0.0, max, default: 0.0, integer: true, names }
     }
 }
 
-/// How strong an answer is.
+/// Strength of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Guarantee {
-    /// It cannot be used for such rays; asking for it is an error.
+    /// The method cannot be used for such rays. Requesting it is an error.
     Impossible,
-    /// It may miss a hit or find a later one.
+    /// The answer may miss a hit or be a later one.
     Approximate,
-    /// It never passes a hit; it may stop before one.
+    /// The answer never lies behind a hit; it may lie before one.
     Conservative,
-    /// It ends at the first hit, to rounding.
+    /// The answer is the first hit, except for rounding.
     Exact,
 }
 
 impl Guarantee {
-    /// The word used in tables.
+    /// Word used in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Guarantee::Impossible => "impossible",
@@ -147,22 +148,22 @@ impl Guarantee {
     }
 }
 
-/// A class of rays, for which a stage has a guarantee of its own.
+/// A class of rays. A stage has a guarantee for each class.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum RayClass {
-    /// Rays from above that descend.
+    /// Descending rays from above.
     View,
-    /// Rays whose height has a quadratic term (curved surfaces).
+    /// Rays with a quadratic term in their height (curved surfaces).
     Bent,
-    /// Rays that start on the surface or above it and ascend.
+    /// Ascending rays that start on the surface or above it.
     Shadow,
 }
 
 impl RayClass {
-    /// Every class, in the order in which tables list them.
+    /// All classes, in the order of the tables.
     pub const ALL: [RayClass; 3] = [RayClass::View, RayClass::Bent, RayClass::Shadow];
 
-    /// The word used in tables.
+    /// Word used in tables.
     pub const fn name(self) -> &'static str {
         match self {
             RayClass::View => "view",
@@ -184,7 +185,7 @@ pub struct Guarantees {
 }
 
 impl Guarantees {
-    /// The same guarantee for every class of rays.
+    /// Returns one guarantee for all classes of rays.
     pub const fn all(guarantee: Guarantee) -> Self {
         Self { view: guarantee, bent: guarantee, shadow: guarantee }
     }
@@ -199,22 +200,22 @@ impl Guarantees {
     }
 }
 
-/// A name that nothing has, with the nearest name that something has.
+/// The name is unknown. The error holds the nearest known name.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("unknown {kind} '{name}'{}; known: {}", nearest.as_ref().map(|n| format!(": did you mean '{n}'?")).unwrap_or_default(), listed(known))]
 pub struct UnknownName {
-    /// What was asked for: "search", "method" and so on.
+    /// Kind of the name: "search", "method" and so on.
     pub kind: &'static str,
     /// The unknown name.
     pub name: String,
-    /// The known name nearest to it, if any is near.
+    /// Known name nearest to it, if any is near.
     pub nearest: Option<String>,
     /// All known names.
     pub known: Vec<String>,
 }
 
 impl UnknownName {
-    /// An error that suggests the nearest of the known names.
+    /// Creates an error that suggests the nearest of the known names.
     pub fn new<'a>(kind: &'static str, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
         let known: Vec<String> = known.into_iter().map(str::to_owned).collect();
         let nearest = known
@@ -227,10 +228,10 @@ impl UnknownName {
     }
 }
 
-/// The most names that an error lists.
+/// Most names that an error lists.
 const MOST_NAMES: usize = 24;
 
-/// Names between commas; of very many only the first, and how many more there are.
+/// Joins names with commas. Long lists are cut, with the number of the names left out.
 pub fn listed(names: &[String]) -> String {
     let shown = names.len().min(MOST_NAMES);
     let rest = names.len() - shown;
@@ -238,8 +239,8 @@ pub fn listed(names: &[String]) -> String {
     if rest == 0 { text } else { format!("{text} and {rest} more") }
 }
 
-/// Levenshtein distance in characters; a name longer than any of ours is cut first, so that hostile input
-/// stays cheap.
+/// Levenshtein distance in characters. Names longer than any known one are cut first, so that
+/// hostile input stays cheap.
 fn edit_distance(a: &str, b: &str) -> usize {
     let a: Vec<char> = a.chars().take(64).collect();
     let mut row: Vec<usize> = (0..=a.len()).collect();

@@ -9,12 +9,12 @@ pub struct Rng {
 }
 
 impl Rng {
-    /// A generator whose numbers depend on the seed alone.
+    /// Creates a generator whose numbers depend on the seed alone.
     pub fn new(seed: u64) -> Self {
         Self { state: seed }
     }
 
-    /// The next 64 random bits.
+    /// Returns the next 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.state;
@@ -23,27 +23,27 @@ impl Rng {
         z ^ (z >> 31)
     }
 
-    /// A number in `[0, 1)`.
+    /// Returns a number in `[0, 1)`.
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// A number in `[low, high)`.
+    /// Returns a number in `[low, high)`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
-    /// A whole number in `0..count`; 0 when `count` is 0.
+    /// Returns a whole number in `0..count`, or 0 if `count` is 0.
     pub fn below(&mut self, count: u32) -> u32 {
         ((u128::from(self.bits()) * u128::from(count)) >> 64) as u32
     }
 
-    /// One of some values, all equally likely. `values` must not be empty.
+    /// Returns one of the values, all equally likely. `values` must not be empty.
     pub fn pick<T: Copy>(&mut self, values: &[T]) -> T {
         values[self.below(values.len() as u32) as usize]
     }
 
-    /// A unit vector, all directions equally likely.
+    /// Returns a unit vector, all directions equally likely.
     pub fn direction(&mut self) -> DVec3 {
         loop {
             let point = 2.0 * DVec3::new(self.unit(), self.unit(), self.unit()) - 1.0;

@@ -1,26 +1,26 @@
-//! What tells the slices through a relief apart.
+//! The coordinate along which the slices through a relief are spaced.
 
-/// What changes from one slice through a relief to the next.
+/// Coordinate that differs between the slices through a relief.
 ///
 /// The discriminants are the numbers that the shaders use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
 pub enum SliceAxis {
-    /// The height.
+    /// Height.
     Height = 0,
-    /// The texture coordinate `u`.
+    /// Texture coordinate `u`.
     U = 1,
-    /// The texture coordinate `v`.
+    /// Texture coordinate `v`.
     V = 2,
-    /// The depth along the view axis, in metres.
+    /// Depth along the view axis, in metres.
     Depth = 3,
 }
 
 impl SliceAxis {
-    /// Every axis, in the order of the shaders' numbers.
+    /// All axes, in the order of the shaders' numbers.
     pub const ALL: [SliceAxis; 4] = [SliceAxis::Height, SliceAxis::U, SliceAxis::V, SliceAxis::Depth];
 
-    /// Its name in the shaders' constants, after `SLICES_ALONG_`.
+    /// Name in the shaders' constants, after `SLICES_ALONG_`.
     pub const fn name(self) -> &'static str {
         match self {
             SliceAxis::Height => "HEIGHT",

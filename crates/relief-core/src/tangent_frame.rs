@@ -1,17 +1,17 @@
-//! Tangent, bitangent and normal: how a height map lies on a surface.
+//! Tangent, bitangent and normal, which lay a height map on a surface.
 //!
 //! Source: Szirmay-Kalos and Umenhoffer 2008, section 2, equations 4 to 7.
 
 use glam::{DVec2, DVec3};
 
-/// The frame that carries texture space `(u, v, h)` to the world.
+/// Frame that maps texture space `(u, v, h)` to the world.
 ///
-/// * `tangent` and `bitangent` point along growing `u` and `v`. In a *true* frame they carry the world length
-///   of one tile and need not be orthogonal; in an *orthonormalised* frame they are unit vectors at right
-///   angles, which makes the inverse a transposition and shading in tangent space possible, and loses those
-///   lengths.
-/// * `normal` is the unit outward normal. With `v` downward, `normal = bitangent x tangent` on a surface that
-///   is not mirrored, where the paper, with `v` upward, has `T x B`.
+/// * `tangent` and `bitangent` point along growing `u` and `v`. In a *true* frame their lengths are
+///   the world lengths of one tile, and they need not be orthogonal. In an *orthonormalised* frame
+///   they are unit vectors at right angles. Its inverse is a transposition, which makes shading in
+///   tangent space possible, but the lengths are lost.
+/// * `normal` is the unit outward normal. With `v` downward, `normal = bitangent x tangent` on a
+///   surface that is not mirrored. The paper, with `v` upward, has `T x B`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TangentFrame {
     /// World direction of growing `u`.
@@ -22,7 +22,7 @@ pub struct TangentFrame {
     pub normal: DVec3,
 }
 
-/// A triangle has no tangent frame.
+/// The triangle has no tangent frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum TangentFrameError {
     /// The corners lie on a line or a point.
@@ -34,7 +34,7 @@ pub enum TangentFrameError {
 }
 
 impl TangentFrame {
-    /// The true frame of a triangle, counter-clockwise seen from outside (eq. 5).
+    /// The true frame of a triangle whose corners are counter-clockwise seen from outside (eq. 5).
     ///
     /// # Errors
     ///
@@ -52,13 +52,14 @@ impl TangentFrame {
         Ok(Self { tangent, bitangent, normal })
     }
 
-    /// 1, or -1 where the texture is mirrored, so that `normal` points along
+    /// Returns 1, or -1 where the texture is mirrored. `normal` points along
     /// `handedness * (bitangent x tangent)`.
     pub fn handedness(&self) -> f64 {
         if self.bitangent.cross(self.tangent).dot(self.normal) < 0.0 { -1.0 } else { 1.0 }
     }
 
-    /// The orthonormalised frame: unit tangent at right angles to the normal, bitangent recomputed from both.
+    /// Orthonormalised frame: the unit tangent at right angles to the normal, and the bitangent
+    /// computed from both.
     pub fn orthonormalised(&self) -> Self {
         let across = self.tangent - self.normal * self.normal.dot(self.tangent);
         let tangent = across.try_normalize().unwrap_or_else(|| self.normal.any_orthonormal_vector());
@@ -67,23 +68,25 @@ impl TangentFrame {
         Self { tangent, bitangent, normal: self.normal }
     }
 
-    /// The normal that grows with the object: `N |T x B| / sqrt((|T|² + |B|²) / 2)` (eq. 6; its denominator
-    /// is a square root, without which the displacement would not change with the object's size).
+    /// Normal whose length grows with the object: `N |T x B| / sqrt((|T|² + |B|²) / 2)` (eq. 6).
+    /// The denominator is a square root; without it the displacement would not change with the
+    /// object's size.
     ///
-    /// Displacing along it instead of along the unit normal makes the relief's proportions independent of a
+    /// Displacement along it instead of the unit normal keeps the relief's proportions under
     /// uniform scaling of the object.
     pub fn scaled_normal(&self) -> DVec3 {
         let mean = ((self.tangent.length_squared() + self.bitangent.length_squared()) / 2.0).sqrt();
         self.normal * (self.tangent.cross(self.bitangent).length() / mean)
     }
 
-    /// A world vector of the texture-space vector `(u, v, h)`, with `h` in metres along the unit normal.
+    /// World vector of the texture-space vector `(u, v, h)`, with `h` in metres along the unit
+    /// normal.
     pub fn world_from_texture(&self, uvh: DVec3) -> DVec3 {
         self.tangent * uvh.x + self.bitangent * uvh.y + self.normal * uvh.z
     }
 
-    /// The texture-space vector `(u, v, h)` of a world vector (eq. 7), the inverse of
-    /// [`Self::world_from_texture`] for any frame whose normal is orthogonal to tangent and bitangent.
+    /// Texture-space vector `(u, v, h)` of a world vector (eq. 7). It is the inverse of
+    /// [`Self::world_from_texture`] for frames whose normal is orthogonal to tangent and bitangent.
     pub fn texture_from_world(&self, d: DVec3) -> DVec3 {
         let (tt, tb, bb) = (
             self.tangent.length_squared(),
@@ -95,8 +98,8 @@ impl TangentFrame {
         DVec3::new((td * bb - bd * tb) / area, (bd * tt - td * tb) / area, self.normal.dot(d))
     }
 
-    /// The unit world normal of a relief with the slopes `dh/du` and `dh/dv` in metres per texture unit: eq.
-    /// 9 with the signs of a downward `v`.
+    /// Unit world normal of a relief with the slopes `dh/du` and `dh/dv`, in metres per texture
+    /// unit: eq. 9 with the signs of a downward `v`.
     pub fn mesostructure_normal(&self, slope: DVec2) -> DVec3 {
         let (n, s) = (self.normal, self.handedness());
         let du = self.tangent + n * slope.x;

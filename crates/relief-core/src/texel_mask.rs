@@ -1,6 +1,6 @@
-//! Some of the texels of a map.
+//! Sets of texels of a map.
 
-/// Some of the texels of a map, row by row from the top, at one bit a texel.
+/// A set of texels of a map, row by row from the top, at one bit per texel.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TexelMask {
     width: u32,
@@ -9,8 +9,8 @@ pub struct TexelMask {
 }
 
 impl TexelMask {
-    /// Those texels of a map of so many columns and rows for which `is_in` says so, asked with column and
-    /// row.
+    /// Creates the set of all texels for which `is_in` returns true. It is called with each column
+    /// and row of a map of `width` x `height` texels.
     pub fn from_fn(width: u32, height: u32, mut is_in: impl FnMut(u32, u32) -> bool) -> Self {
         let texels = u64::from(width) * u64::from(height);
         let mut words = vec![0u64; texels.div_ceil(64) as usize];
@@ -33,7 +33,7 @@ impl TexelMask {
         self.height
     }
 
-    /// Whether a texel is one of them; none is that lies outside of the map.
+    /// Whether the set contains a texel. Texels outside the map are never contained.
     #[inline]
     pub fn contains(&self, column: u32, row: u32) -> bool {
         if column >= self.width || row >= self.height {
@@ -43,7 +43,7 @@ impl TexelMask {
         self.words[at / 64] >> (at % 64) & 1 == 1
     }
 
-    /// How many they are.
+    /// Number of texels in the set.
     pub fn count(&self) -> u64 {
         self.words.iter().map(|word| u64::from(word.count_ones())).sum()
     }

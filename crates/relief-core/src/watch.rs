@@ -1,12 +1,12 @@
-//! Watching long work: how far it is, and whether it goes on.
+//! Progress reports and cancellation of long work.
 
 use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Watches long work: hears its task and the part done, and may cancel it.
+/// Receives the progress of long work, and may cancel it.
 ///
-/// Functions that take long accept a `&Watch`. They call [`at`](Self::at) every few milliseconds from any
-/// thread, and pass its error on.
+/// Functions that take long accept a `&Watch`. They call [`at`](Self::at) every few milliseconds
+/// from any thread, and pass on its error.
 ///
 /// ```
 /// use std::sync::atomic::{AtomicBool, Ordering};
@@ -39,7 +39,7 @@ pub struct Watch<'a> {
     tell: &'a (dyn Fn(&str, f32) + Sync),
     cancel: &'a AtomicBool,
     task: &'a str,
-    /// The ends of this work as parts of the whole.
+    /// The part of the whole work that this watch covers: its beginning and its end.
     from: f32,
     to: f32,
 }
@@ -49,10 +49,10 @@ pub struct Watch<'a> {
 #[error("the work was cancelled")]
 pub struct Cancelled;
 
-/// The flag of work that nobody cancels. It is never set.
+/// Flag of work that nobody cancels. It is never set.
 static NEVER: AtomicBool = AtomicBool::new(false);
 
-/// The callback of work whose progress nobody hears.
+/// Callback of work whose progress is not reported.
 const NOBODY: &(dyn Fn(&str, f32) + Sync) = &|_, _| {};
 
 impl<'a> Watch<'a> {
@@ -65,7 +65,7 @@ impl<'a> Watch<'a> {
         Self { tell, cancel, task: "", from: 0.0, to: 1.0 }
     }
 
-    /// Creates a watch that hears nothing and never cancels.
+    /// Creates a watch without reports that never cancels.
     pub const fn none() -> Watch<'static> {
         Watch { tell: NOBODY, cancel: &NEVER, task: "", from: 0.0, to: 1.0 }
     }
@@ -75,20 +75,20 @@ impl<'a> Watch<'a> {
         Self { tell, ..Watch::none() }
     }
 
-    /// Creates a watch that hears nothing, and cancels the work once `cancel` is set.
+    /// Creates a watch without reports that cancels the work once `cancel` is set.
     pub fn cancelled_by(cancel: &'a AtomicBool) -> Self {
         Self { cancel, ..Watch::none() }
     }
 
-    /// Returns the watch of a piece of this work, which lies between the parts `from` and `to` of it, from 0
-    /// to 1.
+    /// Returns the watch for a piece of this work: the parts between `from` and `to`, both in 0 to
+    /// 1.
     #[must_use]
     pub fn piece(&self, from: f32, to: f32) -> Self {
         let span = self.to - self.from;
         Self { from: self.from + from * span, to: self.from + to * span, ..*self }
     }
 
-    /// Returns the watch of a task of that name. Parts stay parts of the same piece of work.
+    /// Returns the watch for a task with this name. Parts still refer to the same piece of work.
     #[must_use]
     pub fn task<'b>(&self, name: &'b str) -> Watch<'b>
     where
@@ -97,14 +97,14 @@ impl<'a> Watch<'a> {
         Watch { task: name, ..*self }
     }
 
-    /// Returns a watch that hears nothing, and cancels as this one does.
+    /// Returns a watch without reports that cancels as this one does.
     #[must_use]
     pub fn quiet(&self) -> Self {
         Self { tell: NOBODY, ..*self }
     }
 
-    /// Tells the part of this work that is done, from 0 to 1. Call it every few milliseconds, so that
-    /// cancelled work ends soon.
+    /// Reports the part of this work that is done, from 0 to 1. Call it every few milliseconds, so
+    /// that cancelled work ends soon.
     ///
     /// # Errors
     ///
@@ -115,7 +115,7 @@ impl<'a> Watch<'a> {
         Ok(())
     }
 
-    /// Asks whether to go on, and tells nothing.
+    /// Returns an error if the work is cancelled. Reports nothing.
     ///
     /// # Errors
     ///
@@ -145,7 +145,7 @@ mod tests {
 
     use super::*;
 
-    /// What a watch hears of some work.
+    /// Reports that a watch receives from some work.
     fn heard(work: impl Fn(&Watch) -> Result<(), Cancelled>) -> Vec<(String, f32)> {
         let heard = Mutex::new(Vec::new());
         let tell = |task: &str, part: f32| heard.lock().expect("a list").push((task.to_owned(), part));

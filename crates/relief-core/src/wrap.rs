@@ -1,10 +1,10 @@
-//! How a height map goes on beyond its edges.
+//! Continuation of a height map beyond its edges.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// How texels outside the map are found. It is part of the height map: every bake and every method honours
-/// it.
+/// Continuation of a map beyond its edges. It belongs to the height map: every bake and every
+/// method respects it.
 ///
 /// The discriminants are the numbers that the shaders use.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -13,18 +13,19 @@ pub enum Wrap {
     /// The map is tiled: texel `W` is texel 0.
     #[default]
     Repeat = 0,
-    /// The edge texels go on for ever: texel `W` is texel `W - 1`. The footprint is `[0, 1]²`.
+    /// The edge texels are repeated for ever: texel `W` is texel `W - 1`. The footprint is
+    /// `[0, 1]²`.
     Clamp = 1,
-    /// The map is tiled and every second tile is mirrored: texel `W` is texel `W - 1`, texel `W + 1` is
-    /// `W - 2`.
+    /// The map is tiled and every second tile is mirrored: texel `W` is texel `W - 1`, texel
+    /// `W + 1` is texel `W - 2`.
     Mirror = 2,
 }
 
 impl Wrap {
-    /// Every wrap, in the order of the shaders' numbers.
+    /// All wraps, in the order of the shaders' numbers.
     pub const ALL: [Wrap; 3] = [Wrap::Repeat, Wrap::Clamp, Wrap::Mirror];
 
-    /// The name used on the command line and in scenes.
+    /// Name on the command line and in scenes.
     pub const fn name(self) -> &'static str {
         match self {
             Wrap::Repeat => "repeat",
@@ -33,11 +34,11 @@ impl Wrap {
         }
     }
 
-    /// The texel index in `0..size` that stands for `index`. `size` must not be 0.
+    /// Index of the texel in `0..size` at `index` after wrapping. `size` must not be 0.
     #[inline]
     pub const fn index(self, index: i64, size: u32) -> u32 {
         let size = size as i64;
-        // Nearly always it is inside; then nothing is divided.
+        // Indices are nearly always inside. This path avoids a division.
         if 0 <= index && index < size {
             return index as u32;
         }
@@ -60,7 +61,7 @@ impl Wrap {
         wrapped as u32
     }
 
-    /// The texel indices that stand for `index` and the one after it. `size` must not be 0.
+    /// Indices of the texels at `index` and `index + 1` after wrapping. `size` must not be 0.
     #[inline]
     pub const fn pair(self, index: i64, size: u32) -> [u32; 2] {
         let first = self.index(index, size);
@@ -87,7 +88,7 @@ impl FromStr for Wrap {
     }
 }
 
-/// The name is no wrap.
+/// The name is not a wrap.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("unknown wrap '{0}': use repeat, clamp or mirror")]
 pub struct UnknownWrap(String);

@@ -1,25 +1,26 @@
-//! Values as 8-bit codes, from which shaders make the same values on every machine.
+//! Values stored as 8-bit codes. Shaders decode them to the same values on every machine.
 
 use super::Rounding;
 
-/// The codes 0 to 255 of values from a range: code `c` stands for `low + step * c`, multiplied and added in
-/// `f32`.
+/// Codes 0 to 255 for the values of a range. Code `c` stands for `low + step * c`, computed in
+/// `f32` with separate rounding of product and sum.
 ///
-/// A GPU gives back a code over 255, which may be off by its last bit; a shader recovers the code as
-/// `floor(255 v + 1/2)` and computes the value as it is computed here.
+/// A GPU returns a code divided by 255, perhaps with a wrong last bit. A shader recovers the code
+/// as `floor(255 v + 1/2)` and then computes the value in the same way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Codes {
     /// The value of code 0.
     pub low: f32,
-    /// From one code's value to the next.
+    /// Difference between the values of consecutive codes.
     pub step: f32,
 }
 
-/// The greatest code.
+/// Greatest code.
 const MOST: f32 = 255.0;
 
 impl Codes {
-    /// Codes for the values of a range; the value of code 255 is not below its upper end.
+    /// Creates the codes for a range of values. The value of code 255 is at or above the range's
+    /// upper end.
     pub fn of_range([low, high]: [f32; 2]) -> Self {
         let mut step = (high - low) / MOST;
         while low + step * MOST < high {
@@ -34,14 +35,14 @@ impl Codes {
         self.low + self.step * f32::from(code)
     }
 
-    /// The code whose value is nearest, or nearest on the side given. None where no code lies there, and for
-    /// NaN.
+    /// Code with the value nearest to `value`, on the side that `rounding` allows. `None` if there
+    /// is no such code, and for NaN.
     pub fn code(self, value: f32, rounding: Rounding) -> Option<u8> {
         if value.is_nan() {
             return None;
         }
         let at = if self.step > 0.0 { (value - self.low) / self.step } else { 0.0 };
-        // Rounding may have put it beside its own code, never farther.
+        // Rounding can have moved it to a neighbouring code, never farther.
         let about = at.clamp(0.0, MOST) as u8;
         let mut near = about.saturating_sub(1)..=about.saturating_add(2);
         match rounding {

@@ -1,22 +1,23 @@
-//! 16-bit floats (IEEE 754 binary16) with a choice of the side to round to.
+//! 16-bit floats (IEEE 754 binary16) with a choice of rounding.
 
 use half::f16;
 
 use super::Rounding;
 
-/// The value that a 16-bit float gives back for a value stored in it. Rounded down it is at most the value,
-/// rounded up at least: what is above 65504 becomes 65504 or infinity by the side. NaN stays NaN.
+/// Value after storage as a 16-bit float. [`Rounding::Down`] returns at most `value`,
+/// [`Rounding::Up`] at least `value`. Values above 65504 become 65504 or infinity, depending on the
+/// rounding. NaN stays NaN.
 pub fn round(value: f32, rounding: Rounding) -> f32 {
     rounded(value, rounding).to_f32()
 }
 
-/// The bits of the 16-bit float that [`round`] gives.
+/// Bits of the 16-bit float that [`round`] returns.
 pub fn bits(value: f32, rounding: Rounding) -> u16 {
     rounded(value, rounding).to_bits()
 }
 
-/// The same without subnormal numbers, for which GPUs may read 0: the nearest normal number or 0 on that
-/// side.
+/// Bits of the nearest 16-bit float that is 0 or normal, on the side that `rounding` allows. GPUs
+/// may read subnormal numbers as 0.
 pub fn normal_bits(value: f32, rounding: Rounding) -> u16 {
     let least = f16::MIN_POSITIVE;
     let stored = rounded(value, rounding);
@@ -31,7 +32,7 @@ pub fn normal_bits(value: f32, rounding: Rounding) -> u16 {
     }
 }
 
-/// The value of a 16-bit float's bits.
+/// Value of the bits of a 16-bit float.
 #[inline]
 pub fn value(bits: u16) -> f32 {
     f16::from_bits(bits).to_f32()
@@ -42,13 +43,13 @@ fn rounded(value: f32, rounding: Rounding) -> f16 {
     let stored = nearest.to_f32();
     match rounding {
         Rounding::Down if stored > value => below(nearest),
-        // The next value above is the negative of the next below the negative.
+        // Rounding up is rounding down of the negated number.
         Rounding::Up if stored < value => -below(-nearest),
         _ => nearest,
     }
 }
 
-/// The next 16-bit float below a number that is not minus infinity.
+/// Next 16-bit float below a number that is not minus infinity.
 fn below(value: f16) -> f16 {
     let bits = value.to_bits();
     match bits {

@@ -1,11 +1,11 @@
-//! How values are stored in fewer bits, or in another form, without breaking what was promised of them.
+//! Storage of values in fewer bits or in another form, so that the guarantees of maps still hold.
 
 pub mod code;
 pub mod cone;
 pub mod half;
 pub mod seen_normal;
 
-/// Which side a stored value may be rounded to without breaking the map's guarantee.
+/// Direction in which a stored value may be rounded without breaking the map's guarantee.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rounding {
     /// To the nearest: the map makes no one-sided promise.

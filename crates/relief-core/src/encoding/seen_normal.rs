@@ -1,11 +1,11 @@
-//! How means of the normals that are seen from fixed directions are stored.
+//! Layout of maps of mean normals, as seen from fixed directions.
 
-/// The azimuths that are looked from where nothing else is asked for.
+/// Default number of azimuths of the directions.
 pub const AZIMUTHS: u32 = 8;
 
-/// The elevations in each azimuth where nothing else is asked for. That of number `e` has the sine
-/// `(e + 1) / ELEVATIONS`.
+/// Default number of elevations per azimuth. Elevation `e` has the sine `(e + 1) / ELEVATIONS`.
 pub const ELEVATIONS: u32 = 4;
 
-/// The [level](crate::HeightMap::level) of the map that the finest level of its means is as large as.
+/// Mip [level](crate::HeightMap::level) of the height map whose size the finest level of the means
+/// has.
 pub const FIRST_LEVEL: u32 = 2;

@@ -1,18 +1,20 @@
-//! The truth: every dual cell on the path, in order, each solved in closed form.
+//! The cell walk: visits every dual cell on the path, in order, and solves each in closed form.
 //!
-//! The walk is the 2-D DDA of Amanatides and Woo 1987 with crossings computed from the cell's number rather
-//! than by adding increments, so that its error does not grow along the path.
+//! The walk is the 2-D DDA of Amanatides and Woo 1987. It computes crossings from the cell's number
+//! instead of adding increments, so its error does not grow along the path.
 
 use super::patch::Gap;
 use super::{CELL_BYTES, ExactHit, MAX_TRAVEL, is_traceable};
 use crate::{Cost, HeightMap, Path};
 
-/// The first hit of a path, in `f64`, by a walk through every dual cell on its way.
+/// Returns the first hit of a path, in `f64`, by a walk through every dual cell on its way.
 ///
-/// At a hit `|H(t) - f(u, v)|` is at most 1e-12, unless the path begins below the surface, for maps of up to
-/// 4096 cells a side and paths within a few tiles of the origin; beyond, it grows with the number of cells
-/// between the path and the origin, times 2⁻⁵². Costs a step and a read for each cell on the path. See the
-/// [module](super) for endless paths.
+/// At a hit `|H(t) - f(u, v)|` is at most 1e-12, unless the path begins below the surface. This
+/// holds for maps of up to 4096 cells a side and paths within a few tiles of the origin. Beyond
+/// that the error grows with the number of cells between the path and the origin, times 2⁻⁵².
+///
+/// The walk costs a step and a read for each cell on the path. For endless paths see the
+/// [module](super).
 pub fn cell_walk(map: &HeightMap, path: &Path) -> ExactHit {
     if !is_traceable([map.width(), map.height()], path) {
         return ExactHit::miss(Cost::default(), 0.0);
@@ -43,17 +45,17 @@ pub fn cell_walk(map: &HeightMap, path: &Path) -> ExactHit {
     ExactHit::given_up(map, path, span.to, cost)
 }
 
-/// The highest texel. Looked for only when a path is too long to be walked to its end.
+/// Highest texel. It is computed only if a path is too long to be walked to its end.
 fn highest(map: &HeightMap) -> f64 {
     f64::from(map.texels().iter().copied().fold(0.0, f32::max))
 }
 
-/// The least gap `g` between path and surface for `t` in `[from, to]`, in `f64`; negative where the path is
-/// below the surface. This is what tells how near a path comes to being a hit, or how little it takes to lose
-/// one.
+/// Returns the least gap `g` between path and surface for `t` in `[from, to]`, in `f64`. It is
+/// negative where the path is below the surface. It shows how nearly a miss is a hit, and how small
+/// an error turns a hit into a miss.
 ///
-/// `from` and `to` must be finite, and are taken as `[0, exit]` where they are outside of it; the gap of
-/// nothing is infinite. At most [`MAX_TRAVEL`] cells are looked at.
+/// `from` and `to` must be finite, and are clamped to `[0, exit]`. The gap over an empty range is
+/// infinite. At most [`MAX_TRAVEL`] cells are visited.
 pub fn least_gap(map: &HeightMap, path: &Path, from: f64, to: f64) -> f64 {
     let (from, to) = (from.max(0.0), to.min(path.exit));
     let is_range = from <= to && to.is_finite();
@@ -68,14 +70,15 @@ pub fn least_gap(map: &HeightMap, path: &Path, from: f64, to: f64) -> f64 {
     least
 }
 
-/// How far `t` may advance until [`MAX_TRAVEL`] is used up; infinite for a path that stands still.
+/// Distance that `t` may advance until the path has moved [`MAX_TRAVEL`] cells. Infinite for a path
+/// whose position does not change.
 fn walk_limit(map: &HeightMap, path: &Path) -> f64 {
     let speed_x = (path.duv[0] * f64::from(map.width())).abs();
     let speed_y = (path.duv[1] * f64::from(map.height())).abs();
     MAX_TRAVEL / speed_x.max(speed_y)
 }
 
-/// The least height of the path for `t` in `[from, to]`; `to` may be infinite.
+/// Least height of the path for `t` in `[from, to]`; `to` may be infinite.
 fn least_height(path: &Path, from: f64, to: f64) -> f64 {
     let [_, h1, h2] = path.h;
     let height = |t: f64| path.at(t)[2];
@@ -91,21 +94,24 @@ fn least_height(path: &Path, from: f64, to: f64) -> f64 {
     height(from).min(end).min(turned)
 }
 
-/// The part of a path that has to be walked.
+/// Part of a path that must be walked.
 struct Span {
     from: f64,
     to: f64,
-    /// The path goes on, not known to be above the map, but has moved [`MAX_TRAVEL`] cells.
+    /// Whether the path goes on after [`MAX_TRAVEL`] cells and may still come below the map.
     given_up: bool,
 }
 
 impl Span {
-    /// Above 2 the gap is more than 1, and below 0 there is a hit: nothing that matters is outside of that.
+    /// Height above which a path need not be walked. Above 2 the gap is more than 1, and below 0
+    /// there is a hit, so nothing outside that range matters.
     const TOP: f64 = 2.0;
-    /// Somewhat below 0, so that rounding does not end the walk before the hit.
+    /// Height below which a path need not be walked. It is below 0, so that rounding does not end
+    /// the walk before the hit.
     const BOTTOM: f64 = -1.0;
 
-    /// `None` when the path is above the map all the way, and too high or too long for the gap to matter.
+    /// Returns `None` if the path is above the map all the way, and too high or too long for the
+    /// gap to matter.
     fn of(map: &HeightMap, path: &Path) -> Option<Self> {
         let [h0, h1, h2] = path.h;
         let top = crossings([h0 - Self::TOP, h1, h2]);
@@ -133,7 +139,7 @@ impl Span {
             return Some(Self { from, to, given_up: false });
         }
         if limit.is_infinite() {
-            // Neither the place nor the height ever changes.
+            // Neither the position nor the height ever changes.
             return Some(Self { from, to: from, given_up: false });
         }
         (least_height(path, from, path.exit) <= highest(map)).then_some(Self {
@@ -144,7 +150,7 @@ impl Span {
     }
 }
 
-/// The roots of `c[0] + c[1] t + c[2] t²` in ascending order; NaN stands for a missing root.
+/// Roots of `c[0] + c[1] t + c[2] t²` in ascending order. NaN stands for a missing root.
 fn crossings(c: [f64; 3]) -> [f64; 2] {
     let [c0, c1, c2] = c;
     if c2 == 0.0 {
@@ -159,17 +165,17 @@ fn crossings(c: [f64; 3]) -> [f64; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// One cell on the path, and the parameters where the path is in it.
+/// A cell on the path, and the parameters between which the path is in it.
 struct Visit {
     cell: [i64; 2],
     from: f64,
     to: f64,
 }
 
-/// The dual cells on a path, in order. Neighbours share the parameter at which one is left and the other
-/// entered.
+/// Dual cells on a path, in order. One parameter is both the end in a cell and the beginning in the
+/// next.
 struct Walk {
-    /// Position at `t = 0` and change a unit of `t`, in cells.
+    /// Position at `t = 0` and change per unit of `t`, in cells.
     start: [f64; 2],
     speed: [f64; 2],
     h: [f64; 3],
@@ -184,13 +190,13 @@ impl Walk {
         let size = [f64::from(map.width()), f64::from(map.height())];
         let start = [path.uv[0] * size[0] - 0.5, path.uv[1] * size[1] - 0.5];
         let speed = [path.duv[0] * size[0], path.duv[1] * size[1]];
-        // Far enough from the ends of `i64` that no step of the walk reaches them.
+        // This is far enough from the ends of `i64` that no step of the walk reaches them.
         let far = (1i64 << 60) as f64;
         let cell = [0, 1].map(|axis| (start[axis] + speed[axis] * from).floor().clamp(-far, far) as i64);
         Self { start, speed, h: path.h, cell, t: from, end: to, done: false }
     }
 
-    /// Where the path leaves the current column (axis 0) or row (axis 1) of cells.
+    /// Parameter at which the path leaves the current column (axis 0) or row (axis 1) of cells.
     fn crossing(&self, axis: usize) -> f64 {
         let line = if self.speed[axis] > 0.0 { self.cell[axis] + 1 } else { self.cell[axis] };
         if self.speed[axis] == 0.0 {
@@ -199,7 +205,7 @@ impl Walk {
         (line as f64 - self.start[axis]) / self.speed[axis]
     }
 
-    /// The next cell; the last one ends where the path does.
+    /// Returns the next cell. The last one ends at the end of the path.
     fn next(&mut self) -> Option<Visit> {
         if self.done {
             return None;
@@ -218,7 +224,7 @@ impl Walk {
         Some(Visit { cell, from, to: self.t })
     }
 
-    /// The gap in a visited cell, from where the path enters it.
+    /// Gap in a visited cell, counted from the path's entry into it.
     fn gap(&self, map: &HeightMap, visit: &Visit) -> Gap {
         let t = visit.from;
         let from = [0, 1].map(|axis| self.start[axis] + self.speed[axis] * t - visit.cell[axis] as f64);

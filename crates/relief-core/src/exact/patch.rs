@@ -1,17 +1,17 @@
-//! A path against one bilinear patch, in closed form.
+//! Intersection of a path with one bilinear patch, in closed form.
 
 /// The gap between a path and the patch of one dual cell, `g(τ) = c[0] + c[1] τ + c[2] τ²`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gap {
-    /// The coefficients.
+    /// Coefficients in ascending order.
     pub c: [f64; 3],
 }
 
 impl Gap {
-    /// The gap inside a cell with the corners `[h00, h10, h01, h11]`.
+    /// Gap inside a cell with the corners `[h00, h10, h01, h11]`.
     ///
-    /// At `τ = 0` the path is at `from`, in cell units from the corner `h00`, and has the height `h[0]`; it
-    /// moves by `step` a unit of `τ`, and its height is `h[0] + h[1] τ + h[2] τ²`.
+    /// At `τ = 0` the path is at `from`, in cell units from the corner `h00`. It moves by `step`
+    /// per unit of `τ`, and its height is `h[0] + h[1] τ + h[2] τ²`.
     #[inline(always)]
     pub fn in_cell(corners: [f32; 4], from: [f64; 2], step: [f64; 2], h: [f64; 3]) -> Self {
         let [h00, h10, h01, h11] = corners;
@@ -24,19 +24,19 @@ impl Gap {
         Self { c: [c0, c1, c2] }
     }
 
-    /// The gap at `τ`.
+    /// Gap at `τ`.
     #[inline(always)]
     pub fn at(&self, tau: f64) -> f64 {
         self.c[0] + tau * (self.c[1] + tau * self.c[2])
     }
 
-    /// The derivative at `τ`.
+    /// Derivative at `τ`.
     #[inline(always)]
     pub fn slope(&self, tau: f64) -> f64 {
         self.c[1] + 2.0 * tau * self.c[2]
     }
 
-    /// The least gap over `[0, length]`.
+    /// Least gap over `[0, length]`.
     #[inline(always)]
     pub fn least(&self, length: f64) -> f64 {
         let ends = self.c[0].min(self.at(length));
@@ -50,10 +50,10 @@ impl Gap {
         c1 < 0.0 && -c1 < 2.0 * c2 * length
     }
 
-    /// The first `τ` in `[0, length]` where the gap is not positive.
+    /// First `τ` in `[0, length]` at which the gap is not positive.
     ///
-    /// The two roots are `2 c0 / (-c1 ± √disc)`; the form with the denominator that does not cancel is used,
-    /// and a change of sign between the ends is never lost to rounding.
+    /// The two roots are `2 c0 / (-c1 ± √disc)`. The form whose denominator does not cancel is
+    /// used. A change of sign between the ends is never lost to rounding.
     #[inline(always)]
     pub fn first_root(&self, length: f64) -> Option<f64> {
         let [c0, c1, c2] = self.c;
@@ -71,7 +71,7 @@ impl Gap {
         let root = if c1 <= 0.0 {
             2.0 * c0 / (disc.sqrt() - c1)
         } else {
-            // Rising at first and yet below at the end: the parabola opens downward, c2 < 0.
+            // The path rises at first and is below at the end: the parabola opens downward, c2 < 0.
             (c1 + disc.sqrt()) / (-2.0 * c2)
         };
         Some(if root < length { if root > 0.0 { root } else { 0.0 } } else { length })

@@ -1,10 +1,10 @@
-//! The second opinion: the same answer as the cell walk by other means.
+//! A second exact tracer, which finds the same hits as the cell walk by other means.
 //!
-//! Nothing here steps from cell to cell. The path is halved until a piece is above the [`MaxPyramid`]'s bound
-//! of the cells it crosses, or crosses at most two columns and two rows. The pieces of a path inside one cell
-//! are quadratic; their first root is isolated by the signs of Bernstein coefficients (Lane and Riesenfeld
-//! 1981, "Bounds on a polynomial") and closed in on by bracketing (the Illinois method, Dowell and Jarratt
-//! 1971, with bisection for safety).
+//! It does not step from cell to cell. The path is halved until a piece is above the
+//! [`MaxPyramid`]'s bound of the cells that it crosses, or crosses at most two columns and two
+//! rows. Inside one cell the gap is quadratic. Its first root is isolated by the signs of Bernstein
+//! coefficients (Lane and Riesenfeld 1981, "Bounds on a polynomial"). Bracketing then refines it:
+//! the Illinois method (Dowell and Jarratt 1971), with bisection for safety.
 
 use super::{CELL_BYTES, ExactHit, MAX_TRAVEL, is_traceable};
 use crate::{Cost, HeightMap, MaxPyramid, Path};
@@ -12,8 +12,9 @@ use crate::{Cost, HeightMap, MaxPyramid, Path};
 /// An exact tracer in `f64` that shares neither traversal nor root finding with
 /// [`cell_walk`](super::cell_walk).
 ///
-/// Same guarantee; a read is a pyramid node or a cell, a step a piece of the path or a cell. Its clearance is
-/// a lower bound that can be loose, because whatever was passed over counts with its bound.
+/// The guarantee is the same. A read is a pyramid node or a cell; a step is a piece of the path or
+/// a cell. The clearance is a lower bound that can be loose, because pieces above a bound count
+/// with that bound.
 #[derive(Clone, Debug)]
 pub struct PyramidTracer<'a> {
     map: &'a HeightMap,
@@ -23,10 +24,11 @@ pub struct PyramidTracer<'a> {
 /// Bytes of a node of the pyramid.
 const NODE_BYTES: u32 = 4;
 
-/// How deep a piece may be halved: no interval of `f64` can be halved more often before its ends meet.
+/// Limit of the halvings of a piece: no interval of `f64` can be halved more often before its ends
+/// meet.
 const MAX_HALVINGS: u32 = 2100;
 
-/// Pieces of a path that reach higher are halved first.
+/// Height above which pieces of a path are halved first.
 const TALLEST: f64 = 1e300;
 
 impl<'a> PyramidTracer<'a> {
@@ -35,7 +37,7 @@ impl<'a> PyramidTracer<'a> {
         Self { map, pyramid: MaxPyramid::new(map) }
     }
 
-    /// The first hit of a path.
+    /// Returns the first hit of a path.
     pub fn trace(&self, path: &Path) -> ExactHit {
         if !is_traceable([self.map.width(), self.map.height()], path) {
             return ExactHit::miss(Cost::default(), 0.0);
@@ -44,8 +46,8 @@ impl<'a> PyramidTracer<'a> {
         let mut trace = Trace { tracer: self, path, clearance: f64::INFINITY, cost: Cost::default() };
         let travel = trace.speed(0).max(trace.speed(1));
         let limit = MAX_TRAVEL / travel;
-        // Pieces that double in length, beginning with about one tile, so that an endless path is searched
-        // from its start.
+        // Pieces double in length, beginning with about one tile, so that an endless path is
+        // searched from its start.
         let mut from = 0.0;
         let mut length = f64::from(self.map.width().max(self.map.height())) / travel;
         if !(length.is_finite() && length > 0.0) {
@@ -80,7 +82,7 @@ impl<'a> PyramidTracer<'a> {
     }
 }
 
-/// One path being traced.
+/// State of tracing one path.
 struct Trace<'a> {
     tracer: &'a PyramidTracer<'a>,
     path: &'a Path,
@@ -93,7 +95,7 @@ impl Trace<'_> {
         f64::from([self.tracer.map.width(), self.tracer.map.height()][axis])
     }
 
-    /// Cells a unit of `t`, without sign.
+    /// Cells per unit of `t`, without sign.
     fn speed(&self, axis: usize) -> f64 {
         (self.path.duv[axis] * self.side(axis)).abs()
     }
@@ -108,7 +110,7 @@ impl Trace<'_> {
         [h0 + t * (h1 + t * h2), h1 + 2.0 * t * h2]
     }
 
-    /// The least height of the path over `[a, b]`; `b` may be infinite.
+    /// Least height of the path over `[a, b]`; `b` may be infinite.
     fn least_height(&self, a: f64, b: f64) -> f64 {
         let [start, falling] = self.height_and_rise(a);
         if b.is_infinite() && (self.path.h[2] < 0.0 || (self.path.h[2] == 0.0 && falling < 0.0)) {
@@ -121,7 +123,7 @@ impl Trace<'_> {
         start.min(end)
     }
 
-    /// The first hit with `t` in `[a, b]`.
+    /// Returns the first hit with `t` in `[a, b]`.
     fn search(&mut self, a: f64, b: f64, halvings: u32) -> Option<ExactHit> {
         let far = (1i64 << 60) as f64;
         let cells = [0, 1].map(|axis| {
@@ -138,7 +140,7 @@ impl Trace<'_> {
             return None;
         }
         let middle = a + 0.5 * (b - a);
-        // The solver of a patch adds and doubles heights, which must not overflow.
+        // The solver of a patch adds and doubles heights. They must not overflow.
         let tame = self.height_and_rise(b)[0].abs() < TALLEST;
         let narrow = tame && (0..2).all(|axis| last[axis] - first[axis] <= 1);
         if narrow || halvings == 0 || !(a < middle && middle < b) {
@@ -147,8 +149,8 @@ impl Trace<'_> {
         self.search(a, middle, halvings - 1).or_else(|| self.search(middle, b, halvings - 1))
     }
 
-    /// The first hit with `t` in `[a, b]`, where the path crosses at most one line between columns and one
-    /// between rows.
+    /// Returns the first hit with `t` in `[a, b]`, where the path crosses at most one line between
+    /// columns and one between rows.
     fn search_cells(&mut self, a: f64, b: f64, first: [i64; 2], last: [i64; 2]) -> Option<ExactHit> {
         let mut cuts = [b, b];
         for (axis, cut) in cuts.iter_mut().enumerate() {
@@ -173,7 +175,7 @@ impl Trace<'_> {
         None
     }
 
-    /// The first hit with `t` in `[a, b]` inside one cell.
+    /// Returns the first hit with `t` in `[a, b]` inside one cell.
     fn search_patch(&mut self, a: f64, b: f64, cell: [i64; 2]) -> Option<ExactHit> {
         self.cost.step(1, CELL_BYTES);
         let corners = self.tracer.map.cell(cell[0], cell[1]).map(f64::from);
@@ -190,14 +192,14 @@ impl Trace<'_> {
         Some(ExactHit::at(self.path, t, cell, depth, slope, self.cost))
     }
 
-    /// The height of the path above the patch, blended from the corners.
+    /// Height of the path above the patch, blended from the corners.
     fn gap(&self, [h00, h10, h01, h11]: [f64; 4], cell: [i64; 2], t: f64) -> f64 {
         let [u, v] = [0, 1].map(|axis| self.place(axis, t) - cell[axis] as f64);
         let [height, _] = self.height_and_rise(t);
         height - ((1.0 - v) * ((1.0 - u) * h00 + u * h10) + v * ((1.0 - u) * h01 + u * h11))
     }
 
-    /// The gap's derivative.
+    /// Derivative of the gap.
     fn slope_at(&self, [h00, h10, h01, h11]: [f64; 4], cell: [i64; 2], t: f64) -> f64 {
         let [u, v] = [0, 1].map(|axis| self.place(axis, t) - cell[axis] as f64);
         let along_u = (1.0 - v) * (h10 - h00) + v * (h11 - h01);
@@ -208,17 +210,17 @@ impl Trace<'_> {
     }
 }
 
-/// The first piece of `[a, b]` over which a quadratic with those Bernstein coefficients falls from above 0 to
-/// 0 or below; `[a, a]` when it is not above 0 at `a`. Without one, `least` is lowered to the least value
-/// known to be reached.
+/// First piece of `[a, b]` over which a quadratic with these Bernstein coefficients falls from
+/// above 0 to 0 or below. It is `[a, a]` if the quadratic is not above 0 at `a`. Without such a
+/// piece, `least` is lowered to the least value known to be reached.
 fn first_bracket([start, control, end]: [f64; 3], a: f64, b: f64, least: &mut f64) -> Option<[f64; 2]> {
     if start <= 0.0 {
         return Some([a, a]);
     }
     let middle = a + 0.5 * (b - a);
     let divisible = a < middle && middle < b;
-    // Where the values turn before the end they may come above 0 again, and rounding at the end could hide
-    // the dip.
+    // If the values turn before the end they may rise above 0 again, and rounding at the end could
+    // hide the dip.
     if end <= 0.0 && (control >= end || !divisible) {
         return Some([a, b]);
     }
@@ -233,8 +235,8 @@ fn first_bracket([start, control, end]: [f64; 3], a: f64, b: f64, least: &mut f6
         .or_else(|| first_bracket([value, right, end], middle, b, least))
 }
 
-/// The parameter in `[above, below]` where the gap gets to 0; it is positive at the first and not at the
-/// second.
+/// Parameter in `[above, below]` at which the gap falls to 0. The gap is positive at `above` and
+/// not at `below`.
 fn close_in(gap: impl Fn(f64) -> f64, above: f64, below: f64) -> f64 {
     let (mut p, mut q) = (above, below);
     let (mut gap_p, mut gap_q) = (gap(p), gap(q));
@@ -242,7 +244,7 @@ fn close_in(gap: impl Fn(f64) -> f64, above: f64, below: f64) -> f64 {
         return p;
     }
     if gap_q > 0.0 {
-        // Rounding: the bracket was found on the coefficients, which see the root at its very end.
+        // Rounding: the bracket follows from the coefficients, which show the root at its very end.
         return q;
     }
     let mut last_moved_p = None;

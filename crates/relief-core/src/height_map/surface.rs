@@ -4,7 +4,7 @@ use super::HeightMap;
 use crate::Wrap;
 
 impl HeightMap {
-    /// The texel at any column and row, wrapped.
+    /// Texel at any column and row, wrapped.
     #[inline]
     pub fn texel(&self, column: i64, row: i64) -> f32 {
         let i = self.wrap.index(column, self.width) as usize;
@@ -12,7 +12,8 @@ impl HeightMap {
         self.heights.texels[j * self.width as usize + i]
     }
 
-    /// Whether dual cell `(i, j)` is a hole: one of its four corners is, see [`holes`](Self::holes).
+    /// Whether dual cell `(i, j)` is a hole: at least one of its four corners is, see
+    /// [`holes`](Self::holes).
     pub fn is_hole(&self, i: i64, j: i64) -> bool {
         let Some(holes) = self.holes() else { return false };
         let columns = self.wrap.pair(i, self.width);
@@ -30,21 +31,21 @@ impl HeightMap {
         [texels[j0 + i0], texels[j0 + i1], texels[j1 + i0], texels[j1 + i1]]
     }
 
-    /// The bilinear surface at texture coordinates `(u, v)`, in `[0, 1]`.
+    /// Height of the bilinear surface at texture coordinates `(u, v)`, in `[0, 1]`.
     pub fn height_at(&self, u: f64, v: f64) -> f64 {
         self.height_at_place(u * f64::from(self.width) - 0.5, v * f64::from(self.height) - 0.5)
     }
 
-    /// The bilinear surface at a place counted in texels, in `[0, 1]`: whole numbers are the centres of
-    /// texels, so that `(0, 0)` is the centre of the first one.
+    /// Height of the bilinear surface, in `[0, 1]`, at a position in texels. Whole numbers are
+    /// texel centres: `(0, 0)` is the centre of the first texel.
     #[inline(always)]
     pub fn height_at_place(&self, x: f64, y: f64) -> f64 {
         let (i, j) = (x.floor(), y.floor());
         bilinear(self.cell(i as i64, j as i64).map(f64::from), [x - i, y - j])
     }
 
-    /// Both [`height_at_place`](Self::height_at_place) and [`slope_at_place`](Self::slope_at_place), the same
-    /// bits, in less time than one after the other.
+    /// Returns [`height_at_place`](Self::height_at_place) and
+    /// [`slope_at_place`](Self::slope_at_place) with the same bits, in less time than two calls.
     #[inline(always)]
     pub fn height_and_slope_at_place(&self, x: f64, y: f64) -> (f64, [f64; 2]) {
         let (i, j) = (x.floor(), y.floor());
@@ -56,13 +57,16 @@ impl HeightMap {
         (bilinear(cell, parts), slope)
     }
 
-    /// The derivatives of the bilinear surface along `x` and `y` at such a place, in heights for each texel.
-    /// On a line between dual cells, to 2⁻¹² of a texel, where the surface has a crease, the derivative
-    /// across is the mean of both sides'. So at the centre of a texel it is the central difference.
+    /// Derivatives of the bilinear surface along `x` and `y`, in heights per texel, at a position
+    /// in texels.
     ///
-    /// From the outermost centres of a clamped map to its edge the surface is level, because nothing is known
-    /// of what lies beyond. There the cells inside give the derivatives, so that neighbouring tiles of a
-    /// terrain have no rim where they meet.
+    /// The surface has creases on the lines between dual cells. Within 2⁻¹² of a texel of such a
+    /// line, the derivative across it is the mean of both sides. So at a texel centre it is the
+    /// central difference.
+    ///
+    /// From the outermost centres of a clamped map to its edge the surface is level, because
+    /// nothing is known about what lies beyond. There the derivatives are taken from the adjacent
+    /// cells inside, so that neighbouring tiles of a terrain have no rim where they meet.
     pub fn slope_at_place(&self, x: f64, y: f64) -> [f64; 2] {
         if self.is_at_edge(x, y) {
             return self.slope_inside(x, y);
@@ -94,13 +98,14 @@ impl HeightMap {
         }
     }
 
-    /// Whether a place of a clamped map is on the line of its outermost centres, or farther out.
+    /// Whether a position on a clamped map is on the line of its outermost centres, or farther out.
     fn is_at_edge(&self, x: f64, y: f64) -> bool {
         let is_out = |at: f64, side: u32| at <= ON_A_LINE || at >= f64::from(side) - 1.0 - ON_A_LINE;
         self.wrap == Wrap::Clamp && (is_out(x, self.width) || is_out(y, self.height))
     }
 
-    /// The slope of a clamped map whose outermost cells go on to its edge. Beyond the edge it is level.
+    /// Slope of a clamped map whose outermost cells are continued to its edge. Beyond the edge it
+    /// is level.
     fn slope_inside(&self, x: f64, y: f64) -> [f64; 2] {
         let [across, down] = [self.around(x, self.width), self.around(y, self.height)];
         let height = |x: f64, y: f64| self.height_at_place(x, y);
@@ -110,8 +115,8 @@ impl HeightMap {
         ]
     }
 
-    /// Between which places along a side of a clamped map a difference is the derivative at a place. Beyond
-    /// the map's edge there is no difference.
+    /// Positions along a side of a clamped map whose difference is the derivative at `at`. Beyond
+    /// the map's edge the difference is 0.
     fn around(&self, at: f64, side: u32) -> Around {
         let last = f64::from(side) - 1.0;
         let is_beyond = at < -0.5 - ON_A_LINE || at > last + 0.5 + ON_A_LINE;
@@ -128,9 +133,12 @@ impl HeightMap {
         Around { at, before: before.max(0.0), behind: behind.min(last) }
     }
 
-    /// Texels between the heights a texel before and a texel behind texture coordinates, along `u` and `v`:
-    /// 2, or less at the edges of a clamped map, whose heights do not change beyond the outermost centres.
-    /// The difference of the two heights over it is the slope that shading takes (eq. 9).
+    /// Distance in texels between two heights: one texel before and one texel behind the texture
+    /// coordinates, along `u` and `v`.
+    ///
+    /// It is 2, or less at the edges of a clamped map, whose heights do not change beyond the
+    /// outermost centres. The difference of the two heights over it is the slope for shading (eq.
+    /// 9).
     pub fn texels_apart_at(&self, u: f64, v: f64) -> [f64; 2] {
         let apart = |place: f64, side: f64| match self.wrap {
             Wrap::Clamp => {
@@ -142,21 +150,21 @@ impl HeightMap {
         [apart(u * columns, columns), apart(v * rows, rows)]
     }
 
-    /// The displacement of a texel value, in metres (eq. 8).
+    /// Displacement of a texel value, in metres (eq. 8).
     #[inline]
     pub fn displacement_m(&self, texel: f64) -> f64 {
         self.bias_m + self.scale_m * texel
     }
 }
 
-/// How near to a line between dual cells a place is on it, in texels.
+/// Distance in texels within which a position counts as on a line between dual cells.
 const ON_A_LINE: f64 = 1.0 / 4096.0;
 
-/// At the edge itself of a clamped map, where the height a texel inside is half a texel from the outermost
-/// centre. Beyond, slopes fall to 0.
+/// Value at the edge of a clamped map: the height one texel inside is half a texel from the
+/// outermost centre. Beyond the edge, slopes fall to 0.
 const LEAST_TEXELS_APART: f64 = 0.5;
 
-/// The places along a side between which a difference is a derivative.
+/// Positions along a side whose difference is a derivative.
 struct Around {
     at: f64,
     before: f64,
@@ -164,7 +172,7 @@ struct Around {
 }
 
 impl Around {
-    /// Texels between them, at least 1: of a side of one texel there is no difference.
+    /// Texels between the two positions, at least 1: on a side of one texel the difference is 0.
     fn texels(&self) -> f64 {
         (self.behind - self.before).max(1.0)
     }
@@ -174,13 +182,13 @@ fn mix([a, b]: [f64; 2], part: f64) -> f64 {
     a + (b - a) * part
 }
 
-/// The height at a place within a cell, by parts of its sides.
+/// Height at a position within a cell, by parts of its sides.
 #[inline]
 fn bilinear([h00, h10, h01, h11]: [f64; 4], [fx, fy]: [f64; 2]) -> f64 {
     mix([mix([h00, h10], fx), mix([h01, h11], fx)], fy)
 }
 
-/// The derivatives of the height at such a place.
+/// Derivatives of the height at a position within a cell.
 #[inline]
 fn slope([h00, h10, h01, h11]: [f64; 4], [fx, fy]: [f64; 2]) -> [f64; 2] {
     [mix([h10 - h00, h11 - h01], fy), mix([h01 - h00, h11 - h10], fx)]

@@ -30,7 +30,7 @@ fn slopes_are_those_of_the_surface_and_the_mean_of_both_sides_on_its_creases() {
             if [x, y].iter().any(|at| (1e-9..1.0 / 2048.0).contains(&(at - at.round()).abs())) {
                 continue;
             }
-            // At the edge of a clamped map it is the slope inside, see below.
+            // At the edge of a clamped map the slope is taken inside, see below.
             let is_out = |at: f64, last: f64| at < 1e-3 || at > last - 1e-3;
             if wrap == Wrap::Clamp && (is_out(x, 4.0) || is_out(y, 2.0)) {
                 continue;

@@ -4,9 +4,10 @@ use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 use std::collections::HashSet;
 
-/// Every hit by solving `origin + t d = a + v (b - a) + w (c - a)` for every triangle: Cramer's rule, which
-/// shares nothing with the sheared edge test. The second part says whether the ray passes so close to an
-/// edge, or so flatly over the triangle, that two correct methods may differ.
+/// Finds every hit by solving `origin + t d = a + v (b - a) + w (c - a)` for every triangle by
+/// Cramer's rule, which shares nothing with the sheared edge test. The second result tells whether
+/// two correct methods may differ: the ray passes very near to an edge, or very flatly over the
+/// triangle.
 fn brute_force(mesh: &Mesh, ray: &Ray, sides: Sides) -> (Vec<SurfaceHit>, bool) {
     let (mut hits, mut doubtful) = (Vec::new(), false);
     for triangle in 0..mesh.triangles().len() as u32 {
@@ -34,7 +35,7 @@ fn meshes() -> Vec<Mesh> {
     Builtin::ALL.iter().map(|kind| kind.build([1.0, 1.0]).expect("a built-in")).collect()
 }
 
-/// Triangles strewn about at random: overlapping, needle-like, of very different sizes.
+/// Random triangles: overlapping, needle-like, of very different sizes.
 fn soup(numbers: &[[f32; 3]]) -> Mesh {
     let vertex = |at: &[f32; 3]| Vertex {
         position: Vec3::from_array(*at),
@@ -48,7 +49,7 @@ fn soup(numbers: &[[f32; 3]]) -> Mesh {
     Mesh::new(vertices, triangles).expect("a proper mesh")
 }
 
-/// Fails when the caster's hits are not those of brute force on the mesh, unless the ray is doubtful.
+/// Fails if the caster's hits differ from brute force on the mesh, unless the ray is doubtful.
 fn agree(caster: &RayCaster, mesh: &Mesh, ray: &Ray, sides: Sides) -> Result<(), TestCaseError> {
     let (expected, doubtful) = brute_force(mesh, ray, sides);
     if doubtful {
@@ -67,7 +68,7 @@ fn agree(caster: &RayCaster, mesh: &Mesh, ray: &Ray, sides: Sides) -> Result<(),
 
 #[test]
 fn hits_on_built_in_meshes_are_those_of_brute_force() {
-    // Rays from a lattice of origins to a lattice of targets, none of them symmetric.
+    // The rays go from a lattice of origins to a lattice of targets, none of them symmetric.
     for mesh in meshes() {
         let caster = RayCaster::new(&mesh);
         let mut compared = 0;
@@ -94,7 +95,7 @@ fn hits_on_built_in_meshes_are_those_of_brute_force() {
 
 #[test]
 fn hits_on_many_layers_come_in_order_each_once() {
-    // Three triangles at each of 400 depths lie in the same place: their numbers decide.
+    // Three triangles at each of 400 depths coincide. Their numbers decide the order.
     let layers = (0..1200).flat_map(|number: u32| {
         let y = ((number * 7) % 400) as f32 * -0.01;
         [[-1.0, y, 1.0], [1.0, y, 1.0], [0.0, y, -1.0]]
@@ -142,7 +143,7 @@ fn fronts_and_backs_are_told_apart() {
     let both: Vec<(f64, bool)> = caster.hits(&ray, Sides::Both).map(|hit| (hit.t, hit.front)).collect();
     assert_eq!(both, [(2.5, true), (3.5, false)]);
     assert_eq!(caster.hits(&ray, Sides::Front).count(), 1);
-    // From within only the back is there, and nothing lies behind the origin.
+    // From within, the ray hits only the back. Nothing lies behind the origin.
     let inside = Ray { origin: DVec3::new(0.1, 0.2, 0.0), ..ray };
     assert_eq!(caster.next_hit(&inside, Sides::Front, None), None);
     assert_eq!(caster.hits(&inside, Sides::Both).count(), 1);
@@ -151,9 +152,9 @@ fn fronts_and_backs_are_told_apart() {
     assert!(caster.next_hit(&other, Sides::Front, None).is_some_and(|hit| hit.front && hit.t == 2.5));
 }
 
-/// How many rays aimed exactly at edges and corners pass through the mesh, and how many were aimed. From
-/// outside only what lies amid front faces is aimed at, since a ray at a silhouette may well pass by; from
-/// inside, everything.
+/// Number of rays, aimed exactly at edges and corners, that pass through the mesh, and number of
+/// rays aimed. From outside only edges and corners amid front faces are targets, since a ray at a
+/// silhouette may miss. From inside all are.
 fn leaks(mesh: &Mesh, origin: DVec3, inside: bool) -> (u32, u32) {
     let caster = RayCaster::new(mesh);
     let key = |corner: &Vertex| (corner.position + Vec3::ZERO).to_array().map(f32::to_bits);
@@ -186,7 +187,8 @@ fn leaks(mesh: &Mesh, origin: DVec3, inside: bool) -> (u32, u32) {
 fn no_ray_leaks_through_an_edge_or_a_corner() {
     let meshes = [cube(7), cylinder(64, 9), sphere(100, 100), sphere(27, 19), torus(128, 64), torus(29, 27)];
     for mesh in meshes.map(|mesh| mesh.expect("divisions in range")) {
-        // The first two see many edges exactly in line with an axis; the last is a plain point of view.
+        // From the first two origins many edges are exactly in line with an axis. The last is an
+        // ordinary point of view.
         let mut aimed = 0;
         for origin in [DVec3::Z * 40.0, DVec3::Y * 50.0, DVec3::new(23.1, 17.7, -19.3)] {
             let (leaks, more) = leaks(&mesh, origin, false);
@@ -242,7 +244,7 @@ fn rays_that_are_none_hit_nothing() {
 
 #[test]
 fn deep_hierarchies_are_walked_too() {
-    // Triangles whose places and sizes double each time pair up into a chain instead of a tree.
+    // Triangles whose positions and sizes double each time pair up into a chain instead of a tree.
     let mut numbers = Vec::new();
     for i in 0..120 {
         let at = 2f32.powi(i - 60);
@@ -262,7 +264,7 @@ fn extreme_coordinates_are_survived() {
     let mesh =
         soup(&[[far, 0.0, 0.0], [0.0, far, 0.0], [0.0, 0.0, -far], [1e-45, 0.0, 0.0], [0.0; 3], [0.0; 3]]);
     let caster = RayCaster::new(&mesh);
-    // The middle of the vast triangle, aimed at with a direction far too short for f32.
+    // The ray aims at the middle of the vast triangle with a direction far too short for f32.
     let ray = Ray { origin: DVec3::ZERO, direction: DVec3::new(1.0, 1.0, -1.0) * 1e-200 };
     let hit = caster.next_hit(&ray, Sides::Both, None).expect("a hit");
     assert!(

@@ -1,9 +1,11 @@
-//! The sheet over a triangle inside one cell: a cubic Bézier triangle.
+//! The sheet over a triangle inside one cell, as a cubic Bézier triangle.
 //!
-//! Position and normal are linear over the triangle and the displacement is quadratic, because the place is
-//! linear and the bilinear patch is of degree two. So `P + D N` is cubic, and lies in the convex hull of its
-//! ten Bézier coefficients. That hull is tighter than that of a shell: its distance from the sheet falls with
-//! the square of the triangle's size, which keeps the search short where a ray grazes the sheet.
+//! Position and normal are linear over the triangle. The displacement is quadratic, because the
+//! texture position is linear and the bilinear patch has degree two. So `P + D N` is cubic, and
+//! lies in the convex hull of its ten Bézier coefficients.
+//!
+//! This hull is tighter than the hull of a shell: its distance from the sheet falls with the square
+//! of the triangle's size. That keeps the search short where a ray grazes the sheet.
 
 use glam::{DMat2, DMat3, DVec2, DVec3, Vec3Swizzles};
 
@@ -19,43 +21,45 @@ pub(super) struct Sheet<'a> {
     control: [DVec3; 10],
 }
 
-/// A point of a sheet, by the weights of the second and the third corner.
+/// A point of a sheet. Its position is given by the weights of the second and the third corner.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SheetPoint {
-    /// In ray space.
+    /// Position in ray space.
     pub point: DVec3,
-    /// The derivatives of the point by these two weights.
+    /// Derivatives of the point by these two weights.
     pub tangents: [DVec3; 2],
-    /// The volume that the derivatives of the shell by the weights and by the displacement span: positive
-    /// where the shell keeps the turn of the base triangle's corners.
+    /// Volume spanned by the shell's derivatives by the weights and by the displacement. It is
+    /// positive where the shell keeps the orientation of the base triangle's corners.
     pub volume: f64,
     pub weights: DVec3,
     pub height: f64,
 }
 
-/// What is known of the places where the ray goes through a sheet.
+/// Known crossings of the ray with a sheet.
 pub(super) enum Crossings {
     None,
-    /// There is this one and no other.
+    /// Exactly one crossing.
     One(SheetPoint),
     Unknown,
 }
 
-/// The places in `control` of the coefficients whose differences are the derivative by the second weight,
-/// and by the third: `3 (to - from)`, in the same order of the six coefficients of a quadratic.
+/// Indices into `control` of the coefficients whose differences are the derivatives by the second
+/// and by the third weight. Each derivative is `3 (to - from)`, in the order of the six
+/// coefficients of a quadratic.
 const DIFFERENCES: [[[usize; 2]; 6]; 2] =
     [[[0, 3], [3, 4], [4, 1], [8, 9], [9, 5], [7, 6]], [[0, 8], [3, 9], [4, 5], [8, 7], [9, 6], [7, 2]]];
 
-/// The corners and inner coefficients of the three sides.
+/// Corners and inner coefficients of the three sides.
 const SIDES: [[usize; 4]; 3] = [[0, 3, 4, 1], [1, 5, 6, 2], [2, 7, 8, 0]];
 
-/// How far the derivative may stray over a sheet for Newton's method to be certain.
+/// Largest deviation of the derivative over a sheet for which Newton's method is certain.
 const STRAY: f64 = 0.25;
 
-/// The rate at which Newton's method then converges at least: `2 STRAY / (1 - STRAY)`.
+/// Slowest rate of convergence of Newton's method under that limit: `2 STRAY / (1 - STRAY)`.
 const RATE: f64 = 2.0 * STRAY / (1.0 - STRAY);
 
-/// More steps than Newton's method takes to converge at that rate, and mostly it is quadratic.
+/// Limit of Newton steps, above what convergence at that rate takes. Convergence is mostly
+/// quadratic.
 const MAX_STEPS: u32 = 64;
 
 impl<'a> Sheet<'a> {
@@ -63,7 +67,7 @@ impl<'a> Sheet<'a> {
         let [a, b, c] = &corners;
         let d = |i: usize, j: usize| cell.displacement_blossom(corners[i].place, corners[j].place);
         let [daa, dbb, dcc, dab, dbc, dca] = [d(0, 0), d(1, 1), d(2, 2), d(0, 1), d(1, 2), d(2, 0)];
-        // The coefficient with two shares of one corner and one share of the other.
+        // Coefficient with two shares of one corner and one share of the other.
         let mixed = |two: &Corner, one: &Corner, d_two: f64, d_mixed: f64| {
             let positions = 2.0 * two.position + one.position;
             (positions + d_two * one.normal + 2.0 * d_mixed * two.normal) / 3.0
@@ -83,12 +87,12 @@ impl<'a> Sheet<'a> {
         Self { cell, corners, control }
     }
 
-    /// The Bézier coefficients.
+    /// Bézier coefficients, whose hull holds the sheet.
     pub fn hull(&self) -> impl Iterator<Item = DVec3> + Clone {
         self.control.iter().copied()
     }
 
-    /// The two halves on both sides of a line from the middle of the longest side.
+    /// Splits the sheet in two along a line from the middle of the longest side.
     pub fn split(&self) -> [Self; 2] {
         let length = |side: [usize; 4]| -> f64 {
             side.windows(2).map(|pair| self.control[pair[0]].distance(self.control[pair[1]])).sum()
@@ -111,7 +115,7 @@ impl<'a> Sheet<'a> {
         [with(second), with(first)]
     }
 
-    /// A point of the sheet.
+    /// Evaluates a point of the sheet.
     pub fn at(&self, weights: DVec2) -> SheetPoint {
         let [a, b, c] = &self.corners;
         let all = DVec3::new(1.0 - weights.x - weights.y, weights.x, weights.y);
@@ -130,17 +134,22 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// Where the ray goes through the sheet, to `error` metres beside it, if that can be told.
+    /// Returns the crossing of the ray with the sheet, to `error` metres beside it, if that can be
+    /// decided.
     ///
     /// Let `F` be the sheet's lateral coordinates as a function of the weights, `J` the mean of its
-    /// derivative's coefficients, and `y = J w`, so that the triangle is about as large in `y` as it looks
-    /// along the ray. If all coefficients, times the inverse of `J`, are within `STRAY` of the identity (in
-    /// the Frobenius norm), so is the derivative of `F` by `y`, at every point and on the mean between any
-    /// two, because it is a convex combination of them. Then `F` takes no value twice, and a step of
-    /// Newton's method, brought back to the nearest point of the triangle in `y`, takes any point of it
-    /// nearer to a root in it by the factor `RATE` or better. Steps that are longer than that allows tell
-    /// that there is no root. A root just outside is taken for the nearest point, which is as near to the
-    /// ray, but for the factor `1 + STRAY`, as the triangle.
+    /// derivative's coefficients, and `y = J w`, so that the triangle is about as large in `y` as
+    /// it looks along the ray.
+    ///
+    /// Suppose that all coefficients, times the inverse of `J`, are within `STRAY` of the identity
+    /// (in the Frobenius norm). Then so is the derivative of `F` by `y`, at every point and on the
+    /// mean between any two, because it is a convex combination of them. So `F` takes no value
+    /// twice. A step of Newton's method, brought back to the nearest point of the triangle in `y`,
+    /// takes any point of it nearer to a root in it by the factor `RATE` or better. Steps longer
+    /// than this allows prove that there is no root.
+    ///
+    /// A root just outside is replaced by the nearest point of the triangle. That point is as near
+    /// to the ray as the triangle is, except for the factor `1 + STRAY`.
     pub fn crossings(&self, error: f64) -> Crossings {
         let derivative = |k: usize| {
             let column = |axis: usize| {
@@ -166,7 +175,7 @@ impl<'a> Sheet<'a> {
     fn newton(&self, mean: &DMat2, error: f64) -> Crossings {
         let mut weights = DVec2::splat(1.0 / 3.0);
         let mut here = self.at(weights);
-        // No point of a triangle is further from another than its longest side is long.
+        // No two points of a triangle are further apart than its longest side is long.
         let [x, y] = [mean.x_axis, mean.y_axis];
         let mut distance = x.length().max(y.length()).max((x - y).length());
         for _ in 0..MAX_STEPS {
@@ -189,8 +198,8 @@ impl<'a> Sheet<'a> {
     }
 }
 
-/// The point with weights `x >= 0`, `y >= 0` and `x + y <= 1` that is nearest to other weights as a matrix
-/// shows them.
+/// Point with weights `x >= 0`, `y >= 0` and `x + y <= 1` that is nearest to `weights`. Distances
+/// are measured after the matrix `shown` is applied.
 fn into_triangle(weights: DVec2, shown: &DMat2) -> DVec2 {
     if weights.min_element() >= 0.0 && weights.x + weights.y <= 1.0 {
         return weights;
@@ -232,7 +241,7 @@ mod tests {
         ]
     }
 
-    /// The Bernstein polynomials in the order of the coefficients.
+    /// Bernstein polynomials in the order of the coefficients.
     fn bernstein([a, b, c]: [f64; 3]) -> [f64; 10] {
         [
             a * a * a,
@@ -276,7 +285,7 @@ mod tests {
         let sheet = Sheet::new(&cell, corners());
         let (x, y) = (0.25, 0.35);
         let [a, b, c] = [1.0 - x - y, x, y];
-        // In the order of the table: aa, ab, bb, ac, bc, cc.
+        // The order of the table is aa, ab, bb, ac, bc, cc.
         let shares = [a * a, 2.0 * a * b, b * b, 2.0 * a * c, 2.0 * b * c, c * c];
         for (axis, pairs) in DIFFERENCES.iter().enumerate() {
             let difference = |[from, to]: &[usize; 2]| 3.0 * (sheet.control[*to] - sheet.control[*from]);

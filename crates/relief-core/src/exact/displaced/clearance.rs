@@ -1,4 +1,4 @@
-//! How near a ray comes to a displaced mesh.
+//! Distance between a ray and a displaced mesh.
 
 use glam::{DVec2, DVec3, Vec3Swizzles};
 
@@ -12,12 +12,14 @@ use super::shell::Piece;
 use super::{DisplacedMesh, Sides};
 
 impl DisplacedMesh {
-    /// The least distance between a ray and the displaced mesh, in metres: 0 for a ray that hits it from
-    /// either side, infinite for what is no ray (see [`Self::first_hit`]) and for a mesh without triangles.
+    /// Returns the least distance between a ray and the displaced mesh, in metres. It is 0 for a
+    /// ray that hits the mesh from either side. It is infinite for an invalid ray (see
+    /// [`Self::first_hit`]) and for a mesh without triangles.
     ///
-    /// The distance is that of a point of the sheet, so it is never too small; too large it is by at most a
-    /// millionth of itself and [`Self::TOLERANCE`] of the scene's size. It tells a ray that almost touches
-    /// from one that is wrongly said to miss. It takes far longer than a first hit.
+    /// The distance is measured to a point of the sheet, so it is never too small. It is too large
+    /// by at most a millionth of itself and [`Self::TOLERANCE`] of the scene's size. It
+    /// distinguishes a ray that almost touches the mesh from one that is wrongly reported as a
+    /// miss. It takes far longer than a first hit.
     pub fn clearance(&self, origin: [f64; 3], direction: [f64; 3]) -> f64 {
         let Some(ray) = RaySpace::new(origin, direction) else { return f64::INFINITY };
         if self.first_hit(origin, direction, Sides::Both).is_some() {
@@ -34,32 +36,33 @@ impl DisplacedMesh {
     }
 }
 
-/// The nearest point so far.
+/// Nearest point found yet.
 struct Nearest<'a> {
     relief: &'a Relief,
     tolerance: f64,
     distance: f64,
 }
 
-/// A lower bound of the distance between the ray and a hull. It is exact in the limit of a small hull.
+/// Lower bound of the distance between the ray and a hull. It is exact in the limit of a small
+/// hull.
 fn below(hull: impl Iterator<Item = DVec3> + Clone) -> f64 {
     let lateral = least_distance(hull.clone());
     if hull.clone().any(|point| point.z >= 0.0) {
         return lateral;
     }
-    // All of it is behind the origin, which is the nearest point of the ray.
+    // All points are behind the origin, which is the nearest point of the ray.
     let nearest = hull.clone().min_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
     let Some(direction) = nearest.and_then(DVec3::try_normalize) else { return lateral };
     hull.map(|point| point.dot(direction)).fold(f64::INFINITY, f64::min).max(lateral)
 }
 
-/// The distance between the ray, which begins at the origin, and a point.
+/// Distance between the ray, which begins at the origin, and a point.
 fn distance(point: DVec3) -> f64 {
     if point.z >= 0.0 { point.xy().length() } else { point.length() }
 }
 
 impl Nearest<'_> {
-    /// Distances that are not below are of no interest any more.
+    /// Distance below which a point still matters.
     fn limit(&self) -> f64 {
         if self.distance.is_finite() {
             self.distance - self.tolerance.max(1e-6 * self.distance)
@@ -69,7 +72,7 @@ impl Nearest<'_> {
     }
 
     fn triangle(&mut self, piece: &Piece) {
-        // Where the triangle is far away, less than its rounding is not told apart.
+        // For a distant triangle, differences below its rounding are not resolved.
         self.tolerance = self.tolerance.max(rounding(piece));
         self.piece(piece);
     }

@@ -1,16 +1,16 @@
-//! A hierarchy of boxes around the shells of base triangles.
+//! A BVH over the shells of base triangles.
 
 use glam::DVec3;
 
 use super::ray_space::RaySpace;
 
-/// Boxes grow by this part of their largest coordinate, which covers the rounding of their corners.
+/// Relative growth of boxes, by their largest coordinate. It covers the rounding of their corners.
 const GROWTH: f64 = 1.0 / (1u64 << 44) as f64;
 
-/// Rounding of where a ray enters and leaves a box, as a part of the depth.
+/// Relative rounding of the depths at which a ray enters and leaves a box.
 const ROUNDING: f64 = 1.0 / (1u64 << 48) as f64;
 
-/// The most triangles of a leaf.
+/// Most triangles in a leaf.
 const LEAF: usize = 2;
 
 /// A box with edges along the world's axes.
@@ -20,12 +20,12 @@ pub(super) struct Bounds {
     pub greatest: DVec3,
 }
 
-/// A binary tree: a median split along the longest side of the box around the centres. Equal centres keep the
-/// order of the triangles, so the tree is the same everywhere.
+/// A binary tree of boxes, split at the median along the longest side of the box around the
+/// centres. Equal centres keep the order of the triangles, so the tree is the same everywhere.
 #[derive(Clone, Debug)]
 pub(super) struct Hierarchy {
     nodes: Vec<Node>,
-    /// Triangles in the order of the leaves.
+    /// Triangle numbers in the order of the leaves.
     triangles: Vec<u32>,
 }
 
@@ -37,7 +37,7 @@ struct Node {
 
 #[derive(Clone, Copy, Debug)]
 enum Content {
-    /// The first child follows its parent.
+    /// The first child follows its parent in the list.
     Children {
         second: usize,
     },
@@ -50,7 +50,7 @@ enum Content {
 impl Bounds {
     const EMPTY: Self = Self { least: DVec3::INFINITY, greatest: DVec3::NEG_INFINITY };
 
-    /// The box around points, grown by their rounding.
+    /// Box around points, grown by their rounding.
     pub fn around(points: impl Iterator<Item = DVec3>) -> Self {
         let tight =
             points.fold(Self::EMPTY, |bounds, point| bounds.with(Self { least: point, greatest: point }));
@@ -70,12 +70,12 @@ impl Bounds {
         })
     }
 
-    /// The length of the diagonal.
+    /// Length of the diagonal.
     pub fn diagonal(&self) -> f64 {
         (self.greatest - self.least).length()
     }
 
-    /// A lower bound of the depth at which a ray enters; `None` where it misses.
+    /// Lower bound of the depth at which a ray enters the box; `None` for a miss.
     fn entry(&self, ray: &RaySpace) -> Option<f64> {
         let (mut near, mut far) = (0.0f64, f64::INFINITY);
         for axis in 0..3 {
@@ -103,19 +103,20 @@ impl Hierarchy {
         Self { nodes, triangles }
     }
 
-    /// The box around everything.
+    /// Box around all triangles.
     pub fn bounds(&self) -> Bounds {
         self.nodes[0].bounds
     }
 
-    /// Goes through the triangles whose box is met before a limit, nearest box first. `visit` says the new
-    /// limit. Returns how many boxes were looked at.
+    /// Visits the triangles whose box the ray enters before a limit, nearest box first. `visit`
+    /// returns the new limit. Returns the number of boxes tested.
     pub fn walk(&self, ray: &RaySpace, visit: impl FnMut(u32) -> f64) -> u64 {
         self.visit_by(f64::INFINITY, |bounds| bounds.entry(ray), visit)
     }
 
-    /// Goes through the triangles whose box has a key below a limit, least key first. `visit` says the new
-    /// limit. A box without a key is left out. Returns for how many boxes the key was asked.
+    /// Visits the triangles whose box has a key below a limit, least key first. `visit` returns the
+    /// new limit. Boxes without a key are skipped. Returns the number of boxes for which `key` was
+    /// called.
     pub fn visit_by(
         &self,
         mut limit: f64,
@@ -138,7 +139,7 @@ impl Hierarchy {
                 Content::Children { second } => {
                     looked_at += 2;
                     let pair = [at + 1, second].map(|child| (key(&self.nodes[child].bounds), child));
-                    // The nearer one is put on the stack last.
+                    // The nearer child is pushed last.
                     let ordered = if pair[0].0 <= pair[1].0 { [pair[1], pair[0]] } else { pair };
                     stack.extend(ordered.into_iter().filter_map(|(near, child)| Some((near?, child))));
                 }
@@ -148,7 +149,8 @@ impl Hierarchy {
     }
 }
 
-/// Adds the tree of some triangles, of which the first is number `first` in the order of the leaves.
+/// Adds the tree of some triangles. `first` is the number of the first one in the order of the
+/// leaves.
 fn build(boxes: &[Bounds], triangles: &mut [u32], first: usize, nodes: &mut Vec<Node>) {
     let box_of = |triangle: u32| boxes[triangle as usize];
     let bounds = triangles.iter().fold(Bounds::EMPTY, |sum, &triangle| sum.with(box_of(triangle)));
@@ -200,7 +202,7 @@ mod tests {
                 f64::INFINITY
             });
             met.sort_unstable();
-            // Both triangles of a leaf are visited where one is met.
+            // Both triangles of a leaf are visited if the ray enters it.
             for (number, bounds) in boxes.iter().enumerate() {
                 if bounds.entry(&ray).is_some() {
                     assert!(met.contains(&(number as u32)), "ray {k} loses box {number}");

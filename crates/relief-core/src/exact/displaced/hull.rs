@@ -1,9 +1,9 @@
-//! Whether the ray misses the convex hull of some points of ray space.
+//! Tests whether the ray misses the convex hull of some points of ray space.
 
 use glam::{DVec2, DVec3, Vec3Swizzles};
 
-/// A lateral unit direction along which all of the points may lie ahead of the ray: the middle of the wedge
-/// that they fill, seen from the ray. Where they fill half a turn or more it is of no use.
+/// Lateral unit direction along which all points may lie ahead of the ray: the middle of the wedge
+/// that they fill, seen from the ray. It is useless if they fill half a turn or more.
 fn middle(points: impl Iterator<Item = DVec2>) -> Option<DVec2> {
     let mut wedge: Option<[DVec2; 2]> = None;
     for point in points {
@@ -18,15 +18,16 @@ fn middle(points: impl Iterator<Item = DVec2>) -> Option<DVec2> {
     (right.try_normalize()? + left.try_normalize()?).try_normalize()
 }
 
-/// How far the points are ahead of the ray in a lateral direction.
+/// Least distance of the points ahead of the ray along a lateral direction.
 fn ahead(points: impl Iterator<Item = DVec3>, direction: DVec2) -> f64 {
     points.map(|point| point.xy().dot(direction)).fold(f64::INFINITY, f64::min)
 }
 
 /// Whether the ray passes the hull of the points at more than `margin` metres.
 ///
-/// A yes is certain up to the rounding of a dot product, because it names a line that parts the ray from all
-/// points. A no is certain but for hulls that the ray passes at little more than the margin.
+/// `true` is certain up to the rounding of a dot product, because there is a line that separates
+/// the ray from all points. `false` is certain except for hulls that the ray passes at little more
+/// than the margin.
 pub(super) fn is_missed(points: impl Iterator<Item = DVec3> + Clone, margin: f64) -> bool {
     let (least, greatest) = lateral_box(points.clone());
     if least.x > margin || least.y > margin || greatest.x < -margin || greatest.y < -margin {
@@ -35,8 +36,8 @@ pub(super) fn is_missed(points: impl Iterator<Item = DVec3> + Clone, margin: f64
     middle(points.clone().map(DVec3::xy)).is_some_and(|direction| ahead(points, direction) > margin)
 }
 
-/// A lower bound of the lateral distance between the ray and the hull of the points, 0 where the ray may go
-/// through. It is exact in the limit of a small hull.
+/// Lower bound of the lateral distance between the ray and the hull of the points; 0 if the ray may
+/// go through. It is exact in the limit of a small hull.
 pub(super) fn least_distance(points: impl Iterator<Item = DVec3> + Clone) -> f64 {
     let (least, greatest) = lateral_box(points.clone());
     let boxed = least.max(-greatest).max(DVec2::ZERO).length();
@@ -46,13 +47,14 @@ pub(super) fn least_distance(points: impl Iterator<Item = DVec3> + Clone) -> f64
     directions.into_iter().flatten().map(|direction| ahead(points.clone(), direction)).fold(boxed, f64::max)
 }
 
-/// The depth at which the ray meets the hull of the points at the earliest, if it does, and the rounding of
-/// that depth where the points are rounded by `error`, both in metres.
+/// Returns a lower bound of the depth at which the ray enters the hull of the points, and the
+/// rounding of that bound if the points are rounded by `error`. Both are in metres.
 ///
-/// For any lateral `a` the least `z + a · (x, y)` of the points is a lower bound, because on the ray that is
-/// `z`. Here `a` lays the plane fitted to the points level. Where the points lie in one line, as seen along
-/// the ray, it is the shortest that does. This tells parts of a sheet that meet the ray at one depth from
-/// parts that do before, however far they reach towards its origin.
+/// For any lateral `a` the least `z + a · (x, y)` of the points is a lower bound, because on the
+/// ray it equals `z`. Here `a` makes the plane fitted to the points level. If the points lie in one
+/// line, as seen along the ray, the shortest such `a` is used. Parts of a sheet that meet the ray
+/// at one depth are thus separated from parts that do so before, however far they extend towards
+/// its origin.
 pub(super) fn entry_depth(points: impl Iterator<Item = DVec3> + Clone, error: f64) -> [f64; 2] {
     let (count, sum) =
         points.clone().fold((0.0, DVec3::ZERO), |(count, sum), point| (count + 1.0, sum + point));
@@ -63,7 +65,7 @@ pub(super) fn entry_depth(points: impl Iterator<Item = DVec3> + Clone, error: f6
         (xx, xy, yy) = (xx + off.x * off.x, xy + off.x * off.y, yy + off.y * off.y);
         z += off.z * off.xy();
     }
-    // The directions in which the points are spread most and least, and how much.
+    // Directions in which the points are spread most and least, and the amounts.
     let wide = DVec2::from_angle(0.5 * (2.0 * xy).atan2(xx - yy));
     let half = 0.5 * (xx - yy).hypot(2.0 * xy);
     let (most, least) = (0.5 * (xx + yy) + half, 0.5 * (xx + yy) - half);
@@ -78,7 +80,7 @@ pub(super) fn entry_depth(points: impl Iterator<Item = DVec3> + Clone, error: f6
     [level, error * (1.0 + tilt.length())]
 }
 
-/// Points whose squared spreads differ by this factor count as lying in one line.
+/// Ratio of squared spreads below which points count as lying in one line.
 const FLAT: f64 = 1e-12;
 
 fn lateral_box(points: impl Iterator<Item = DVec3>) -> (DVec2, DVec2) {
@@ -97,7 +99,8 @@ mod tests {
 
     #[test]
     fn hulls_beside_the_ray_are_missed_and_those_around_it_are_not() {
-        // Beside: a triangle whose box holds the ray at most angles, and a flat wedge of nearly half a turn.
+        // Two misses: a triangle whose box holds the ray at most angles, and a flat wedge of nearly
+        // half a turn.
         let beside = [
             vec![[0.1, 3.0], [0.1, -3.0], [2.0, 0.0]],
             vec![[0.01, 9.0], [0.01, -9.0], [0.02, 0.0]],

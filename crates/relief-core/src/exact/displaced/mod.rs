@@ -1,7 +1,8 @@
-//! The exact first hit of a displaced mesh: the judge of methods for curved surfaces.
+//! Exact first hits on a displaced mesh, by which methods for curved surfaces are judged.
 //!
-//! Nothing is tessellated. The shell over a base triangle is halved until its parts are decided, each bounded
-//! by a convex hull that holds the sheet: see `shell.rs` and `bezier.rs` for why it does.
+//! Nothing is tessellated. The shell over a base triangle is halved until every part is decided. A
+//! convex hull that holds the sheet bounds each part: see `shell.rs` and `bezier.rs` for the
+//! proofs.
 
 mod bezier;
 mod clearance;
@@ -20,39 +21,42 @@ use ray_space::RaySpace;
 use relief::Relief;
 use search::{Crossing, Search};
 
-/// A mesh that is displaced by a height map, and the exact first hit of a ray with it, in `f64`.
+/// A mesh displaced by a height map, and the exact first hit of a ray with it, in `f64`.
 ///
-/// Over each triangle with corner positions `p_k`, normals `n_k` and texture coordinates `uv_k` the displaced
-/// surface, the *sheet*, is
+/// A triangle has corner positions `p_k`, normals `n_k` and texture coordinates `uv_k`. The
+/// displaced surface over it, the *sheet*, is
 ///
 /// `X(w) = Σ w_k p_k + (bias_m + scale_m H(Σ w_k uv_k)) Σ w_k n_k`,
 ///
 /// with barycentric weights `w_k >= 0` that add up to 1 and the bilinear height `H` of
-/// [`HeightMap::height_at`]. The interpolated normal is *not* normalised; with that, neighbours that share
-/// two corners share the side between them.
+/// [`HeightMap::height_at`]. The interpolated normal is *not* normalised. Therefore neighbours that
+/// share two corners share the side between them.
 ///
 /// # Guarantee
 ///
 /// Let the size of the scene be the diagonal of [`Self::bounds`].
 ///
-/// * A hit lies on the sheet to rounding, and on the ray to within 2⁻⁴⁴ of the largest of its distances from
-///   the triangle's corners (which is what rounding of the inputs amounts to), unless it is
-///   [`grazing`](DisplacedHit::grazing): then to within [`Self::TOLERANCE`] of the scene's size.
-/// * No crossing before it is passed over, however near to tangency, but for those at the same depth to
-///   rounding (and at most [`Self::TOLERANCE`] of the scene's size before). What counts as a touch is a ray
-///   within the same rounding of the sheet.
+/// * A hit lies on the sheet, except for rounding. It lies on the ray to within 2⁻⁴⁴ of its largest
+///   distance from the triangle's corners, which is the effect of rounding the inputs. A
+///   [`grazing`](DisplacedHit::grazing) hit lies on the ray to within [`Self::TOLERANCE`] of the
+///   scene's size.
+/// * No crossing before the hit is missed, however near to tangency. Exceptions are crossings at
+///   the same depth, to rounding (and at most [`Self::TOLERANCE`] of the scene's size before). A
+///   ray that passes the sheet within the same rounding counts as touching it.
 ///
 /// # Cost
 ///
-/// [`Self::new`] builds a maximum and a minimum pyramid of the map and a hierarchy over the triangles. It
-/// keeps a copy of the mesh and shares the map's texels. A ray takes some sixty nodes where it crosses a few
-/// cells before its hit, and in proportion to the cells that it crosses inside shells where there are many.
+/// [`Self::new`] builds a maximum and a minimum pyramid of the map and a BVH over the triangles. It
+/// keeps a copy of the mesh and shares the map's texels. A ray visits about sixty nodes if it
+/// crosses a few cells before its hit. If it crosses many cells inside shells, the cost is
+/// proportional to their number.
 ///
 /// # Source
 ///
-/// Shells over triangles, whose sides neighbours share: Hirche, Ehlert, Guthe and Doggett 2004 ("Hardware
-/// accelerated per-pixel displacement mapping"). Halving until a hull is missed: Lane and Riesenfeld 1980 ("A
-/// theoretical development for the computer generation and display of piecewise polynomial surfaces").
+/// Shells over triangles whose sides neighbours share: Hirche, Ehlert, Guthe and Doggett 2004
+/// ("Hardware accelerated per-pixel displacement mapping"). Halving until a hull is missed: Lane
+/// and Riesenfeld 1980 ("A theoretical development for the computer generation and display of
+/// piecewise polynomial surfaces").
 ///
 /// ```
 /// use relief_core::exact::{DisplacedMesh, Sides};
@@ -76,7 +80,7 @@ pub struct DisplacedMesh {
 /// Why a mesh cannot be displaced.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum DisplacedMeshError {
-    /// The scale or the bias is no usable length.
+    /// The scale or the bias is not a usable length.
     #[error("{what} is {value} m: it must be a number of at most 1e9 m")]
     BadLength {
         /// The scale or the bias.
@@ -84,87 +88,89 @@ pub enum DisplacedMeshError {
         /// The length given, in metres.
         value: f64,
     },
-    /// Texture coordinates are too far from the origin to tell cells apart.
+    /// Texture coordinates are too far from the origin to distinguish cells.
     #[error("triangle {triangle} lies {cells:e} cells from the origin of the texture, too far to be exact")]
     TooFar {
         /// Number of the first such triangle.
         triangle: u32,
-        /// Its distance in cells along one axis.
+        /// Distance in cells along one axis.
         cells: f64,
     },
 }
 
-/// Which crossings of a sheet count.
+/// Crossings of a sheet that count as hits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Sides {
-    /// Only those from above.
+    /// Only crossings from above.
     #[default]
     Front,
-    /// Those from above and from below.
+    /// Crossings from above and from below.
     Both,
 }
 
-/// From which side a sheet is crossed.
+/// Side from which a sheet is crossed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Side {
     /// From above: the ray's height over the sheet, along the interpolated normal, falls.
     Front,
-    /// From below: it rises.
+    /// From below: the ray's height over the sheet rises.
     Back,
 }
 
-/// Where a ray meets a displaced mesh.
+/// A hit of a ray with a displaced mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DisplacedHit {
     /// Parameter along the ray: the hit is at `origin + t * direction`. Never negative.
     pub t: f64,
-    /// Number of the base triangle. A hit on a side or a corner names one of those that meet there.
+    /// Number of the base triangle. For a hit on a side or a corner it is one of the adjacent
+    /// triangles.
     pub triangle: u32,
     /// Barycentric weights of the triangle's corners; they are in `[0, 1]` and add up to 1, both to rounding.
     pub weights: [f64; 3],
     /// Texture coordinates, not wrapped.
     pub uv: [f64; 2],
-    /// Height of the map there, a texel value in `[0, 1]`.
+    /// Height of the map at the hit, a texel value in `[0, 1]`.
     pub height: f64,
-    /// The point of the sheet with these weights, in metres.
+    /// Point of the sheet with these weights, in metres.
     pub position: [f64; 3],
-    /// The side on which the sheet is crossed. A touch counts as a crossing from above.
+    /// Side from which the sheet is crossed. A touch counts as a crossing from above.
     pub side: Side,
-    /// Whether the shell is turned inside out there: displaced beyond the centre of curvature, or with
-    /// normals against the winding of the triangle. The sheet's own winding then says the opposite of `side`.
+    /// Whether the shell is turned inside out at the hit: displaced beyond the centre of curvature,
+    /// or with normals against the winding of the triangle. The winding of the sheet is then
+    /// opposite to `side`.
     pub folded: bool,
-    /// Whether ray and sheet are so nearly tangent that the crossing is not told from a touch, and is known
-    /// to [`DisplacedMesh::TOLERANCE`] only.
+    /// Whether ray and sheet are so nearly tangent that the hit may be a crossing or a touch. It is
+    /// then known only to [`DisplacedMesh::TOLERANCE`].
     pub grazing: bool,
 }
 
-/// What was found along a ray, and what it took.
+/// Result of tracing a ray, with its cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DisplacedTrace {
-    /// The first hit; `None` for a miss.
+    /// First hit; `None` for a miss.
     pub hit: Option<DisplacedHit>,
-    /// How many boxes of the hierarchy and hulls of parts of shells were looked at.
+    /// Number of boxes of the BVH and hulls of parts of shells that were tested.
     pub nodes: u64,
 }
 
-/// The largest scale and bias, in metres.
+/// Largest scale and bias, in metres.
 const MAX_METRES: f64 = 1e9;
 
 impl DisplacedMesh {
-    /// How large a part of a sheet may be that is no longer halved where it grazes the ray, as a part of the
-    /// scene's size.
+    /// Size, as a part of the scene's size, below which parts of a sheet that graze the ray are no
+    /// longer halved.
     pub const TOLERANCE: f64 = 1e-9;
 
-    /// Displaces a mesh by a map: texel 0 by `bias_m` metres and texel 1 by `bias_m + scale_m`, times the
-    /// normals' lengths. Either may be negative. The map's own lengths are not looked at.
+    /// Displaces a mesh by a map: texel 0 by `bias_m` metres and texel 1 by `bias_m + scale_m`,
+    /// times the normals' lengths. Both may be negative. The map's own scale and bias are ignored.
     ///
     /// # Errors
     ///
-    /// When a length is not finite or above 1e9 m, or a triangle lies [`MAX_START`] or more cells from the
-    /// origin of the texture.
+    /// When a length is not finite or above 1e9 m, or a triangle lies [`MAX_START`] or more cells
+    /// from the origin of the texture.
     pub fn new(mesh: &Mesh, map: &HeightMap, scale_m: f64, bias_m: f64) -> Result<Self, DisplacedMeshError> {
         for (what, value) in [("the scale", scale_m), ("the bias", bias_m)] {
-            // NaN is not below anything.
+            // NaN is not below any number.
             let fits = value.abs() <= MAX_METRES;
             if !fits {
                 return Err(DisplacedMeshError::BadLength { what, value });
@@ -178,23 +184,23 @@ impl DisplacedMesh {
         Ok(Self { mesh: mesh.clone(), relief, hierarchy: Hierarchy::new(&boxes) })
     }
 
-    /// The box around the shells of all triangles, least and greatest corner in metres: infinitely small, the
-    /// least above the greatest, for a mesh without triangles.
+    /// Box around the shells of all triangles, as least and greatest corner in metres. For a mesh
+    /// without triangles it is empty: the least corner is above the greatest.
     pub fn bounds(&self) -> [[f64; 3]; 2] {
         let Bounds { least, greatest } = self.hierarchy.bounds();
         [least.to_array(), greatest.to_array()]
     }
 
-    /// The first point at which a ray meets the displaced mesh on one of `sides`.
+    /// Returns the first point at which a ray hits the displaced mesh on one of `sides`.
     ///
-    /// `origin` is in metres; the ray is `origin + t * direction` with `t >= 0`. There is no hit when a
-    /// number is NaN, infinite or beyond [`MAX_RATE`](crate::exact::MAX_RATE), or the direction is shorter
-    /// than 1e-90.
+    /// `origin` is in metres; the ray is `origin + t * direction` with `t >= 0`. Returns `None` if
+    /// a number is NaN, infinite or beyond [`MAX_RATE`](crate::exact::MAX_RATE), or if the
+    /// direction is shorter than 1e-90.
     pub fn first_hit(&self, origin: [f64; 3], direction: [f64; 3], sides: Sides) -> Option<DisplacedHit> {
         self.trace(origin, direction, sides).hit
     }
 
-    /// [`Self::first_hit`], with what it took.
+    /// Returns the hit as [`Self::first_hit`], with the cost of finding it.
     pub fn trace(&self, origin: [f64; 3], direction: [f64; 3], sides: Sides) -> DisplacedTrace {
         self.search(origin, direction, sides, |ray, search| {
             self.hierarchy.walk(ray, |triangle| {
@@ -204,8 +210,8 @@ impl DisplacedMesh {
         })
     }
 
-    /// The first point at which a ray meets the sheet over one triangle, as if there were no other. A miss
-    /// when there is no such triangle.
+    /// Returns the first point at which a ray hits the sheet over one triangle, ignoring all
+    /// others. A miss if there is no such triangle.
     pub fn trace_triangle(
         &self,
         triangle: u32,
@@ -221,7 +227,8 @@ impl DisplacedMesh {
         })
     }
 
-    /// What a search finds; it says how many boxes it looked at.
+    /// Runs a search and returns its result. `search_in` returns the number of boxes that it
+    /// tested.
     fn search(
         &self,
         origin: [f64; 3],
@@ -238,7 +245,7 @@ impl DisplacedMesh {
         DisplacedTrace { hit, nodes: boxes + search.nodes }
     }
 
-    /// The tolerance in metres.
+    /// Tolerance in metres.
     fn tolerance(&self) -> f64 {
         Self::TOLERANCE * self.hierarchy.bounds().diagonal()
     }
@@ -261,7 +268,7 @@ impl DisplacedMesh {
     }
 }
 
-/// The box around the shell of one triangle.
+/// Box around the shell of one triangle.
 fn shell_box(relief: &Relief, triangle: u32, vertices: [&Vertex; 3]) -> Result<Bounds, DisplacedMeshError> {
     let places = vertices.map(|vertex| relief.place(vertex.uv.as_dvec2()));
     let cells = places.iter().map(|place| place.abs().max_element()).fold(0.0, f64::max);

@@ -1,29 +1,29 @@
-//! The ray's own space, in which it is the `z` axis.
+//! Ray space: coordinates in which the ray is the `z` axis.
 
 use glam::{DMat3, DVec3};
 
 use crate::exact::MAX_RATE;
 
-/// The least length of a direction: below, `t` could overflow.
+/// Least length of a direction. For a shorter one, `t` could overflow.
 const LEAST_DIRECTION: f64 = 1e-90;
 
-/// A ray and the right-handed orthonormal axes of which it is the third.
+/// A ray and right-handed orthonormal axes; the third axis is the ray.
 ///
-/// A point of ray space has two lateral coordinates, both 0 on the ray, and its depth: the distance from the
-/// origin along the ray, in metres.
+/// A point in ray space has two lateral coordinates, both 0 on the ray, and a depth: the distance
+/// from the origin along the ray, in metres.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RaySpace {
     pub origin: DVec3,
-    /// The direction with length 1.
+    /// Direction with length 1.
     pub unit: DVec3,
-    /// Metres for each unit of `t`.
+    /// Metres per unit of `t`.
     pub length: f64,
-    /// Takes directions of the world to ray space.
+    /// Rotation from the world to ray space.
     turn: DMat3,
 }
 
 impl RaySpace {
-    /// The space of a ray; `None` where it has no direction or its numbers are out of range.
+    /// Creates the space of a ray. `None` if it has no direction or its numbers are out of range.
     pub fn new(origin: [f64; 3], direction: [f64; 3]) -> Option<Self> {
         let (origin, direction) = (DVec3::from(origin), DVec3::from(direction));
         let largest = direction.abs().max_element();
@@ -44,12 +44,12 @@ impl RaySpace {
         Some(Self { origin, unit, length, turn: right_handed.transpose() })
     }
 
-    /// A point of the world in ray space.
+    /// Converts a point from the world to ray space.
     pub fn point(&self, point: DVec3) -> DVec3 {
         self.turn * (point - self.origin)
     }
 
-    /// A direction of the world in ray space.
+    /// Converts a direction from the world to ray space.
     pub fn direction(&self, direction: DVec3) -> DVec3 {
         self.turn * direction
     }

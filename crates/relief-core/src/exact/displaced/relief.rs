@@ -1,10 +1,10 @@
-//! The height map under a sub-shell: cells, their patches, and bounds over many of them.
+//! The height map under a piece of a shell: cells, their patches, and bounds over ranges of cells.
 
 use glam::DVec2;
 
 use crate::{HeightMap, MaxPyramid, MinPyramid, Wrap};
 
-/// A height map with bounds, laid out in metres.
+/// A height map with bounds, and displacements in metres.
 #[derive(Clone, Debug)]
 pub(super) struct Relief {
     map: HeightMap,
@@ -14,7 +14,8 @@ pub(super) struct Relief {
     bias_m: f64,
 }
 
-/// The bilinear patch of one dual cell: texel heights over places in cells, counted from the cell's corner.
+/// Bilinear patch of one dual cell: texel heights as a function of the position in cells, counted
+/// from the cell's corner.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cell {
     height: f64,
@@ -35,14 +36,14 @@ impl Relief {
         [self.map.width(), self.map.height()]
     }
 
-    /// Texture coordinates in cells: whole numbers are the centres of texels.
+    /// Texture coordinates converted to cells: whole numbers are the centres of texels.
     pub fn place(&self, uv: DVec2) -> DVec2 {
         let [width, height] = self.sides();
         uv * DVec2::new(width.into(), height.into()) - 0.5
     }
 
-    /// The first and the last dual cell of those that an interval of places touches, along one axis. Beyond
-    /// the edge of a clamped map the outermost cells go on for ever.
+    /// First and last dual cell that an interval of positions touches, along one axis. Beyond the
+    /// edge of a clamped map the outermost cells continue for ever.
     pub fn cells(&self, axis: usize, least: f64, greatest: f64) -> [i64; 2] {
         let first = least.floor() as i64;
         let last = (greatest.ceil() as i64 - 1).max(first);
@@ -52,19 +53,19 @@ impl Relief {
         }
     }
 
-    /// The least and the greatest displacement over a range of cells, in metres, or bounds of them.
+    /// Lower and upper bound of the displacement over a range of cells, in metres.
     pub fn bounds(&self, first: [i64; 2], last: [i64; 2]) -> [f64; 2] {
         let texels = [self.lowest.bound(first, last).0, self.highest.bound(first, last).0];
         let [a, b] = texels.map(|texel| self.metres(texel.into()));
         [a.min(b), a.max(b)]
     }
 
-    /// The displacement of a texel height, in metres.
+    /// Displacement of a texel height, in metres.
     pub fn metres(&self, height: f64) -> f64 {
         self.bias_m + self.scale_m * height
     }
 
-    /// The patch of a cell.
+    /// Patch of a cell.
     pub fn cell(&self, [column, row]: [i64; 2]) -> Cell {
         let [h00, h10, h01, h11] = self.map.cell(column, row).map(f64::from);
         Cell {
@@ -78,20 +79,20 @@ impl Relief {
 }
 
 impl Cell {
-    /// The texel height at a place.
+    /// Texel height at a position.
     pub fn height(&self, at: DVec2) -> f64 {
         self.blossom(at, at)
     }
 
-    /// The displacement at a place, in metres, and its derivatives by the place.
+    /// Displacement at a position, in metres, and its derivatives by the position.
     pub fn displacement(&self, at: DVec2) -> (f64, DVec2) {
         let slope = self.along + self.twist * DVec2::new(at.y, at.x);
         (self.metres(self.height(at)), self.scale_m * slope)
     }
 
-    /// The displacement's blossom, in metres: symmetric, affine in each of the two places, and the
-    /// displacement where they are equal. Over a triangle the blossoms of its corners, two by two, are the
-    /// Bézier coefficients.
+    /// Blossom of the displacement, in metres. It is symmetric, affine in each of the two
+    /// positions, and equal to the displacement if the positions are equal. Over a triangle the
+    /// blossoms of all pairs of corners are the Bézier coefficients.
     pub fn displacement_blossom(&self, a: DVec2, b: DVec2) -> f64 {
         self.metres(self.blossom(a, b))
     }

@@ -1,9 +1,10 @@
-//! The first crossing of the ray with the sheet over one base triangle.
+//! Search for the first crossing of the ray with the sheet over one base triangle.
 //!
-//! The shell is halved along the lines between cells, and the sheet inside a cell along the middles of its
-//! sides, depth first and the nearer half first. A part is left as soon as the ray misses its hull, or meets
-//! it only behind what was found. It is finished when Newton's method is certain of its crossings, or when it
-//! is smaller than the tolerance.
+//! The shell is halved along the lines between cells. The sheet inside a cell is halved through the
+//! middles of its sides. The search is depth first and takes the nearer half first. It leaves a
+//! part as soon as the ray misses its hull, or enters it only behind the best crossing. A part is
+//! finished when Newton's method is certain of its crossings, or when it is smaller than the
+//! tolerance.
 
 use glam::{DVec2, DVec3};
 
@@ -15,14 +16,13 @@ use super::shell::Piece;
 use super::{Side, Sides};
 use crate::mesh::Vertex;
 
-/// Rounding of a point in ray space, as a part of the largest length that it is reckoned from.
+/// Rounding of a point in ray space, relative to the largest length in its computation.
 const ROUNDING: f64 = 1.0 / (1u64 << 46) as f64;
 
-/// How often a sheet inside a cell is halved at most: more than it takes until the numbers of `f64` lie no
-/// closer.
+/// Limit of the halvings of a sheet inside a cell. Fewer reach the resolution of `f64`.
 pub(super) const MAX_HALVINGS: u32 = 128;
 
-/// Where the sheet is crossed, or touched.
+/// A crossing or touch of ray and sheet.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Crossing {
     pub depth: f64,
@@ -34,29 +34,29 @@ pub(super) struct Crossing {
     pub grazing: bool,
 }
 
-/// The first crossing that was found so far.
+/// State of a search, with the first crossing found yet.
 #[derive(Clone, Debug)]
 pub(super) struct Search<'a> {
     relief: &'a Relief,
     ray: &'a RaySpace,
     sides: Sides,
-    /// Parts that are smaller, or smaller than their rounding, are not told apart, in metres.
+    /// Size in metres below which parts are not divided, unless their rounding is larger.
     tolerance: f64,
     pub first: Option<Crossing>,
     pub nodes: u64,
     triangle: u32,
-    /// The rounding of the triangle's points, in metres.
+    /// Rounding of the triangle's points, in metres.
     error: f64,
 }
 
-/// The least and the greatest corner of a box around some points.
+/// Least and greatest corner of a box around some points.
 fn extent(points: impl Iterator<Item = DVec3>) -> [DVec3; 2] {
     points.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[least, greatest], point| {
         [least.min(point), greatest.max(point)]
     })
 }
 
-/// The rounding of points of a piece and its parts in ray space, in metres.
+/// Rounding of the points of a piece and its parts in ray space, in metres.
 pub(super) fn rounding(piece: &Piece) -> f64 {
     let [least, greatest] = extent(piece.hull());
     let positions = piece.corners.iter().map(|corner| corner.position.length()).fold(0.0, f64::max);
@@ -68,12 +68,12 @@ impl<'a> Search<'a> {
         Self { relief, ray, sides, tolerance, first: None, nodes: 0, triangle: 0, error: 0.0 }
     }
 
-    /// Depths that are not below are of no interest any more.
+    /// Depth below which a crossing still matters.
     pub fn limit(&self) -> f64 {
         self.first.map_or(f64::INFINITY, |crossing| crossing.depth)
     }
 
-    /// Looks for a nearer crossing in one base triangle.
+    /// Searches one base triangle for a nearer crossing.
     pub fn triangle(&mut self, number: u32, vertices: [&Vertex; 3]) {
         let piece = Piece::whole(self.relief, self.ray, vertices);
         self.triangle = number;
@@ -83,7 +83,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// A lower bound of the depth at which the ray meets a hull; `None` where it does not, or too late.
+    /// Lower bound of the depth at which the ray enters a hull; `None` if it misses, or enters too
+    /// late.
     fn entry(&mut self, hull: impl Iterator<Item = DVec3> + Clone) -> Option<f64> {
         self.nodes += 1;
         let depths = hull.clone().map(|point| point.z);
@@ -93,8 +94,9 @@ impl<'a> Search<'a> {
         if !is_ahead || is_missed(hull.clone(), self.error) {
             return None;
         }
-        // What begins before the limit and ends behind may still be met behind it. Of crossings at the same
-        // depth, to rounding, one is enough: there may be a curve of them where a sheet has no area.
+        // A hull that begins before the limit and ends behind it may still be entered behind it.
+        // One crossing at each depth, to rounding, is enough: there may be a curve of them where a
+        // sheet has no area.
         let is_behind = far >= self.limit() && {
             let [entry, rounding] = entry_depth(hull, self.error);
             entry >= self.limit() - rounding.min(self.tolerance)
@@ -146,11 +148,12 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Takes a crossing if it is on a side that counts, ahead, and before what was found.
+    /// Accepts a crossing if it is on a side that counts, ahead of the origin, and before the best
+    /// one.
     fn take(&mut self, at: &SheetPoint, grazing: bool) {
         let depth = at.point.z;
         let [x, y] = at.tangents;
-        // How fast the height above the sheet grows along the ray is this over the shell's volume.
+        // This over the shell's volume is the growth along the ray of the height above the sheet.
         let area = x.x * y.y - x.y * y.x;
         let rises = (area > 0.0 && at.volume > 0.0) || (area < 0.0 && at.volume < 0.0);
         let side = if rises && !grazing { Side::Back } else { Side::Front };

@@ -1,11 +1,14 @@
 //! Pieces of the shell of a base triangle, cut along the lines between cells.
 //!
-//! The shell is `P(w) + h N(w)`, where position and normal are affine in the barycentric weights `w` and `h`
-//! is a displacement. Let a piece be a convex polygon of weights with corners `w_k`, over which the
-//! displacement `D` stays in `[l, u]`. A point of the piece is `w = Σ c_k w_k` with `c_k >= 0` that add up to
-//! 1, so the sheet there is `P(w) + D(w) N(w) = Σ c_k (P_k + D(w) N_k)`: with the *same* `D(w)` for every
-//! corner, since `P` and `N` are affine. Each `P_k + D(w) N_k` lies between `P_k + l N_k` and `P_k + u N_k`.
-//! So the sheet over the piece is in the convex hull of the corners at `l` and at `u`.
+//! The shell is `P(w) + h N(w)`, where position and normal are affine in the barycentric weights
+//! `w` and `h` is a displacement.
+//!
+//! Let a piece be a convex polygon of weights with corners `w_k`, over which the displacement `D`
+//! stays in `[l, u]`. A point of the piece is `w = Σ c_k w_k` with `c_k >= 0` that add up to 1. The
+//! sheet there is `P(w) + D(w) N(w) = Σ c_k (P_k + D(w) N_k)`. It has the *same* `D(w)` for every
+//! corner, since `P` and `N` are affine. Each `P_k + D(w) N_k` lies between `P_k + l N_k` and
+//! `P_k + u N_k`. So the sheet over the piece is in the convex hull of the corners at `l` and at
+//! `u`.
 
 use glam::{DVec2, DVec3};
 
@@ -22,12 +25,12 @@ pub(super) struct Corner {
     pub normal: DVec3,
     /// Barycentric weights in the base triangle.
     pub weights: DVec3,
-    /// Place on the map in cells, counted from the whole numbers that the owner keeps.
+    /// Position on the map in cells, counted from whole numbers that are stored in the owner.
     pub place: DVec2,
 }
 
 impl Corner {
-    /// The point between this corner and another, at `s` in `[0, 1]`.
+    /// Point between this corner and another, at `s` in `[0, 1]`.
     pub fn towards(&self, other: &Self, s: f64) -> Self {
         Self {
             position: self.position.lerp(other.position, s),
@@ -37,7 +40,7 @@ impl Corner {
         }
     }
 
-    /// The point in the middle between this corner and another, the same seen from both.
+    /// Point in the middle between this corner and another, the same seen from both.
     pub fn middle(&self, other: &Self) -> Self {
         Self {
             position: 0.5 * (self.position + other.position),
@@ -47,28 +50,29 @@ impl Corner {
         }
     }
 
-    /// The shell above the corner, at a displacement.
+    /// Point of the shell above the corner, at a displacement.
     pub fn at(&self, metres: f64) -> DVec3 {
         self.position + metres * self.normal
     }
 }
 
-/// A convex polygon of a base triangle, with the cells that it lies on.
+/// A convex polygon of a base triangle, with the cells under it.
 #[derive(Clone, Debug)]
 pub(super) struct Piece {
-    /// In the order of the base triangle's.
+    /// Corners in the order of the base triangle's.
     pub corners: Vec<Corner>,
-    /// The cell from whose corner places are counted. Small places keep their digits far from the origin.
+    /// Cell from whose corner positions are counted. Small numbers keep their digits far from the
+    /// origin.
     base: [i64; 2],
-    /// The first and the last column and row of the cells.
+    /// First and last column and row of the cells.
     pub first: [i64; 2],
     pub last: [i64; 2],
-    /// The least and the greatest displacement over these cells.
+    /// Lower and upper bound of the displacement over these cells.
     bounds: [f64; 2],
 }
 
 impl Piece {
-    /// A whole base triangle.
+    /// Creates the piece of a whole base triangle.
     pub fn whole(relief: &Relief, ray: &RaySpace, vertices: [&Vertex; 3]) -> Self {
         let places = vertices.map(|vertex| relief.place(vertex.uv.as_dvec2()));
         let least = places[0].min(places[1]).min(places[2]);
@@ -82,7 +86,8 @@ impl Piece {
         Self::over(relief, (0..3).map(corner).collect(), base, [i64::MIN; 2], [i64::MAX; 2])
     }
 
-    /// A polygon, with those of the cells from `first` to `last` that it touches.
+    /// Creates the piece of a polygon. Its cells are those between `first` and `last` that it
+    /// touches.
     fn over(relief: &Relief, corners: Vec<Corner>, base: [i64; 2], first: [i64; 2], last: [i64; 2]) -> Self {
         let places = corners.iter().map(|corner| corner.place + whole(base));
         let empty = [DVec2::INFINITY, DVec2::NEG_INFINITY];
@@ -96,25 +101,25 @@ impl Piece {
         Self { corners, base, first, last, bounds: relief.bounds(first, last) }
     }
 
-    /// The corners of the hull that bounds the sheet over this piece.
+    /// Corners of the hull that bounds the sheet over this piece.
     pub fn hull(&self) -> impl Iterator<Item = DVec3> + Clone {
         self.corners.iter().flat_map(|corner| self.bounds.map(|metres| corner.at(metres)))
     }
 
-    /// The one cell below the piece.
+    /// The cell under the piece, if there is only one.
     pub fn only_cell(&self) -> Option<[i64; 2]> {
         (self.first == self.last).then_some(self.first)
     }
 
-    /// The triangles of a piece, each with places counted from the corner of the cell.
+    /// Triangles of the piece, with positions counted from the corner of the cell.
     pub fn triangles(&self, cell: [i64; 2]) -> impl Iterator<Item = [Corner; 3]> {
         let shift = whole([0, 1].map(|axis| cell[axis] - self.base[axis]));
         let local = move |corner: Corner| Corner { place: corner.place - shift, ..corner };
         self.corners.windows(2).skip(1).map(move |pair| [self.corners[0], pair[0], pair[1]].map(local))
     }
 
-    /// Cuts a piece that lies on several cells along a line between two of them. The cut is where nodes of
-    /// the pyramids end, so that few of them bound each part tightly.
+    /// Cuts a piece over several cells along a line between two of them. The cut is where nodes of
+    /// the pyramids end, so that few nodes bound each part tightly.
     pub fn split(&self, relief: &Relief) -> [Self; 2] {
         let spans = [0, 1].map(|axis| self.last[axis].abs_diff(self.first[axis]));
         let axis = usize::from(spans[1] > spans[0]);
@@ -131,12 +136,12 @@ impl Piece {
     }
 }
 
-/// Whole numbers of cells as a place.
+/// Position of whole numbers of cells.
 fn whole([column, row]: [i64; 2]) -> DVec2 {
     DVec2::new(column as f64, row as f64)
 }
 
-/// The number above `first`, up to `last`, that the highest power of two divides.
+/// Number above `first`, up to `last`, with the highest power of two as a divisor.
 fn roundest(first: i64, last: i64) -> i64 {
     let mut number = last;
     loop {
@@ -148,7 +153,7 @@ fn roundest(first: i64, last: i64) -> i64 {
     }
 }
 
-/// The parts of a convex polygon before and after a line. Both have the same corners on the line.
+/// Parts of a convex polygon before and after a line. Both have the same corners on the line.
 fn cut(corners: &[Corner], axis: usize, line: f64) -> [Vec<Corner>; 2] {
     let mut parts = [Vec::with_capacity(corners.len() + 1), Vec::with_capacity(corners.len() + 1)];
     let next = corners.iter().cycle().skip(1);

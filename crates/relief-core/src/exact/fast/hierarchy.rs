@@ -1,4 +1,4 @@
-//! The heights in tiles, and the maxima above them.
+//! Heights in tiles, and the hierarchy of maxima above them.
 
 use glam::Vec4;
 use rayon::prelude::*;
@@ -11,23 +11,23 @@ pub(super) const BLOCK: usize = 4;
 /// Texels along the side of a tile: its cells and their far edge.
 const TILE_TEXELS: usize = BLOCK + 1;
 
-/// One side of a map's period in dual cells, and which cell of the map is the first.
+/// One period of the map in dual cells, and the map's cell at its beginning.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Domain {
     /// Number of cells on each axis.
     pub cells: [usize; 2],
-    /// The map's cell at `(0, 0)` of the domain, on both axes.
+    /// Number of the map's cell at `(0, 0)` of the domain, on both axes.
     pub first: i64,
 }
 
-/// The texels of 4 x 4 cells, row by row.
+/// Texels of 4 x 4 cells, row by row.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tile {
     texels: [f32; TILE_TEXELS * TILE_TEXELS],
 }
 
-/// Tiles of texels, and level by level the maxima of 4 x 4 nodes of the level below; the nodes of level 0 are
-/// the tiles.
+/// Tiles of texels, and levels of maxima over 4 x 4 nodes of the level below. The nodes of level 0
+/// are the tiles.
 #[derive(Clone, Debug)]
 pub(super) struct Hierarchy {
     tiles: Vec<Tile>,
@@ -35,10 +35,10 @@ pub(super) struct Hierarchy {
     levels: Vec<MaximaLevel>,
 }
 
-/// The maxima of one level. Both sides are multiples of 4; nodes without a tile are minus infinity.
+/// Maxima of one level. Both sides are multiples of 4; nodes without a tile are minus infinity.
 ///
-/// They are kept twice: block by block for the way down, and row by row for windows that do not begin at a
-/// block.
+/// They are stored twice: block by block for the descent, and row by row for windows that do not
+/// begin at a block.
 #[derive(Clone, Debug)]
 pub(super) struct MaximaLevel {
     /// Columns and rows of nodes.
@@ -48,16 +48,16 @@ pub(super) struct MaximaLevel {
 }
 
 impl Tile {
-    /// The corners `[h00, h10, h01, h11]` of the cell in a column and row of the tile.
+    /// Corners `[h00, h10, h01, h11]` of the cell in a column and row of the tile.
     #[inline(always)]
     pub fn corners(&self, [column, row]: [u32; 2]) -> [f32; 4] {
-        // The remainders tell the compiler that no index leaves the tile.
+        // The remainders show the compiler that no index leaves the tile.
         let at = (row as usize % BLOCK) * TILE_TEXELS + column as usize % BLOCK;
         let t = &self.texels;
         [t[at], t[at + 1], t[at + TILE_TEXELS], t[at + TILE_TEXELS + 1]]
     }
 
-    /// The maxima of the cells, row by row.
+    /// Maxima of the cells, row by row.
     #[inline(always)]
     pub fn cell_maxima(&self) -> [Vec4; BLOCK] {
         let pairs = |row: usize| {
@@ -70,8 +70,9 @@ impl Tile {
 }
 
 impl Hierarchy {
-    /// Tiles stand on cells `first`, `first + 4` and so on. Where the last ones reach beyond the domain they
-    /// hold the map's continuation, so that what is found there is true.
+    /// Builds the hierarchy. Tiles begin at the cells `first`, `first + 4` and so on. The last
+    /// tiles may reach beyond the domain; there they hold the map's continuation, so that hits in
+    /// them are correct.
     pub fn new(map: &HeightMap, domain: Domain) -> Self {
         let [columns, rows] = domain.cells.map(|cells| cells.div_ceil(BLOCK));
         let mut tiles = vec![Tile { texels: [0.0; TILE_TEXELS * TILE_TEXELS] }; columns * rows];
@@ -98,13 +99,13 @@ impl Hierarchy {
         &self.levels
     }
 
-    /// The tile at a column and row of tiles.
+    /// Tile at a column and row of tiles.
     #[inline(always)]
     pub fn tile(&self, [column, row]: [u32; 2]) -> Option<&Tile> {
         self.tiles.get(row as usize * self.columns + column as usize)
     }
 
-    /// The corners of a cell of the domain.
+    /// Corners of a cell of the domain.
     pub fn corners(&self, [column, row]: [u32; 2]) -> [f32; 4] {
         let side = BLOCK as u32;
         self.tile([column / side, row / side])
@@ -113,7 +114,7 @@ impl Hierarchy {
 }
 
 impl MaximaLevel {
-    /// The level of some nodes, given row by row.
+    /// Creates a level from nodes given row by row.
     fn new(columns: usize, rows: usize, maxima: Vec<f32>) -> Self {
         let sides = [columns.next_multiple_of(BLOCK), rows.next_multiple_of(BLOCK)];
         let mut padded = vec![f32::NEG_INFINITY; sides[0] * sides[1]];
@@ -129,27 +130,27 @@ impl MaximaLevel {
         Self { sides: sides.map(|side| side as u32), rows: padded, blocks }
     }
 
-    /// The level of this one's blocks; `None` above a single block.
+    /// Level above this one; `None` above a single block.
     fn above(&self) -> Option<Self> {
         let [columns, rows] = self.sides.map(|side| side as usize / BLOCK);
         let maxima = self.blocks.iter().map(|[a, b, c, d]| a.max(*b).max(c.max(*d)).max_element()).collect();
         (columns * rows > 1).then(|| Self::new(columns, rows, maxima))
     }
 
-    /// The block at a column and row of blocks.
+    /// Block at a column and row of blocks.
     #[inline(always)]
     pub fn block(&self, [column, row]: [u32; 2]) -> Option<&[Vec4; BLOCK]> {
         self.blocks.get(row as usize * (self.sides[0] as usize / BLOCK) + column as usize)
     }
 
-    /// The maximum at a column and row, which must be inside. Packets alone ask for it.
+    /// Maximum at a column and row, which must be inside. Only packets call it.
     #[cfg(target_arch = "x86_64")]
     #[inline(always)]
     pub fn node(&self, [column, row]: [u32; 2]) -> f32 {
         self.rows[row as usize * self.sides[0] as usize + column as usize]
     }
 
-    /// Four rows of four nodes from a column and row on, which must leave room for them.
+    /// Four rows of four nodes, from a column and row on. All of them must be inside.
     #[inline(always)]
     pub fn window(&self, [column, row]: [u32; 2]) -> [Vec4; BLOCK] {
         let stride = self.sides[0] as usize;

@@ -1,35 +1,36 @@
-//! A ray in `f32`, and which nodes it touches.
+//! A ray in `f32`, and the test of which nodes it touches.
 
 use glam::Vec4;
 
 use super::hierarchy::{BLOCK, Hierarchy};
 use super::ray::{TileRay, greater};
 
-/// How far nodes are grown, as a share of the window's side. Smaller values lose hits, larger ones cost time.
+/// Growth of nodes, as a share of the window's side. Smaller values lose hits, larger ones cost
+/// time.
 ///
-/// Every place goes through at most 9 roundings of numbers that are no further from the ray's start than the
-/// window's side: so it is wrong by less than `9 · 2⁻²⁴` of that side, at every level.
+/// Every position goes through at most 9 roundings of numbers that are no further from the ray's
+/// start than the window's side. So its error is below `9 · 2⁻²⁴` of that side, at every level.
 pub(super) const GROWTH: f32 = 1.0 / (1 << 18) as f32;
 
-/// How far nodes are raised. Smaller values lose hits, larger ones cost time.
+/// Raise of nodes, in heights. Smaller values lose hits, larger ones cost time.
 ///
 /// Every height goes through at most 8 roundings of numbers up to 2.
 pub(super) const RAISE: f32 = 1.0 / (1 << 20) as f32;
 
-/// Stands for the infinite reciprocal of the slope of a level ray.
+/// Finite substitute for the infinite reciprocal of the slope of a level ray.
 pub(super) const MOST_PER_HEIGHT: f64 = (1u64 << 62) as f64;
 
-/// The numbers of the columns and rows of a block.
+/// Numbers of the columns and rows of a block.
 const COUNT: Vec4 = Vec4::new(0.0, 1.0, 2.0, 3.0);
 
-/// The choices of a search that depend on the ray. For one ray they are constants of the compiler, so that no
-/// time is spent on them; where many rays take turns they are looked up.
+/// Properties of a ray on which the search depends. For a single ray they are compile-time
+/// constants, so that they cost no time. For rays in turns they are looked up.
 pub(super) trait Kind: Copy {
-    /// The height is not linear.
+    /// Whether the height is not linear.
     fn is_bent(self) -> bool;
-    /// The ray falls; else it rises or is level.
+    /// Whether the ray falls; otherwise it rises or is level.
     fn falls(self) -> bool;
-    /// The ray goes left and down, or right and up.
+    /// Whether the ray goes left and down, or right and up.
     fn is_crosswise(self) -> bool;
 }
 
@@ -39,27 +40,27 @@ pub(super) fn is_crosswise(ray: &TileRay) -> bool {
     (ray.per_cell[0] < 0.0) != (ray.per_cell[1] < 0.0)
 }
 
-/// A ray in `f32`. Places are in cells from the cell where the ray begins.
+/// A ray in `f32`. Positions are in cells from the cell where the ray begins.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Line<K> {
     kind: K,
-    /// The cell where the ray begins.
+    /// Cell where the ray begins.
     origin: [i32; 2],
-    /// `s` a cell.
+    /// `s` per cell.
     per_cell: [f32; 2],
     /// `s` from that cell's edges to the ray's start.
     before: [f32; 2],
-    /// `s` by which nodes are grown.
+    /// Growth of nodes in `s`.
     slack: [f32; 2],
-    /// The height, lowered by [`RAISE`], and the reciprocal of its slope.
+    /// Height, lowered by [`RAISE`], and the reciprocal of its slope.
     height: [f32; 3],
     per_height: f32,
     length: f32,
-    /// The level of the window.
+    /// Level of the window.
     pub start_level: usize,
-    /// The first column and row of the window of 4 x 4 nodes that holds the ray.
+    /// First column and row of the window of 4 x 4 nodes that holds the ray.
     pub window: [u32; 2],
-    /// The ray goes left.
+    /// Whether the ray goes left.
     backward: bool,
 }
 
@@ -68,8 +69,8 @@ impl<K: Kind> Line<K> {
     pub fn new(hierarchy: &Hierarchy, ray: &TileRay, kind: K) -> Self {
         let travel = (ray.length * greater(ray.step[0].abs(), ray.step[1].abs())) as f32;
         let top = hierarchy.levels().len() - 1;
-        // The finest level at which a window of 4 x 4 nodes holds the whole ray, wherever in its node it
-        // begins.
+        // The finest level at which a window of 4 x 4 nodes holds the whole ray, wherever in its
+        // node it begins.
         let mut start_level = 0;
         let mut node = BLOCK as f32;
         while start_level < top && travel > (BLOCK - 1) as f32 * node {
@@ -103,11 +104,11 @@ impl<K: Kind> Line<K> {
         }
     }
 
-    /// Which of 4 x 4 nodes, `size` cells wide and beginning at those edges, the ray touches. Column `c` of
-    /// row `r` is bit `4 r + c`, or `4 (3 - r) + c` for a crosswise ray.
+    /// Returns which of 4 x 4 nodes the ray touches. The nodes are `size` cells wide and begin at
+    /// `edges`. Column `c` of row `r` is bit `4 r + c`, or `4 (3 - r) + c` for a crosswise ray.
     ///
-    /// Whether a node is touched is up to the ray and the node alone, so that packets of rays come to the
-    /// same nodes.
+    /// The result depends on the ray and the node alone, so that packets of rays visit the same
+    /// nodes.
     #[inline(always)]
     pub fn touched(&self, maxima: &[Vec4; BLOCK], edges: [i32; 2], size: f32) -> u32 {
         let enter_and_leave = |k: usize| {
@@ -129,7 +130,7 @@ impl<K: Kind> Line<K> {
                 let height = Vec4::splat(h0) + s * (Vec4::splat(h1) + s * Vec4::splat(h2));
                 enter.cmple(leave) & height.cmple(maxima[k])
             } else {
-                // Where the ray is as high as the node.
+                // `s` at which the ray is as high as the node.
                 let level = (maxima[k] - Vec4::splat(h0)) * Vec4::splat(self.per_height);
                 if self.kind.falls() { level.max(enter).cmple(leave) } else { enter.cmple(level.min(leave)) }
             };
@@ -141,11 +142,12 @@ impl<K: Kind> Line<K> {
             | row(3, enter_y.w, leave_y.w)
     }
 
-    /// Takes the node that the ray comes to first out of a mask: its column and row in the block.
+    /// Removes the node that the ray enters first from a mask. Returns its column and row in the
+    /// block.
     ///
-    /// A ray that goes right and down comes to the nodes in the order of their bits, and one that goes left
-    /// and up in the reverse order; for crosswise rays the rows of the mask are upside down, so that the same
-    /// holds.
+    /// A ray that goes right and down enters the nodes in the order of their bits, and a ray that
+    /// goes left and up in the reverse order. For crosswise rays the rows of the mask are upside
+    /// down, so that the same holds.
     #[inline(always)]
     pub fn take_first(&self, mask: &mut u32) -> [u32; 2] {
         let bit = if self.backward { 31 - mask.leading_zeros() } else { mask.trailing_zeros() };

@@ -1,11 +1,11 @@
-//! The exact hit at rendering speed.
+//! Exact first hits at rendering speed.
 //!
-//! Fast where rounding can be made harmless, and exact where it cannot: the search through the hierarchy of
-//! maxima runs in `f32`, sixteen nodes at a time, on nodes that are grown by more than the rounding error;
-//! the one or two cells that are left of a path are solved in `f64`.
+//! The search through the hierarchy of maxima runs in `f32`, sixteen nodes at a time. Its nodes are
+//! grown by more than the rounding error, so that rounding is harmless. The one or two remaining
+//! cells of a path are solved in `f64`.
 //!
-//! The maximum hierarchy is that of Tevs, Ihrke and Seidel 2008, over dual cells, with sixteen branches in
-//! place of four so that a block is four vectors, all of whose nodes are tested against the ray at once
+//! The hierarchy follows Tevs, Ihrke and Seidel 2008, over dual cells, with sixteen branches
+//! instead of four. A block is then four vectors, and all its nodes are tested against the ray
 //! without a branch.
 
 mod hierarchy;
@@ -21,50 +21,53 @@ pub use packet::{HitPacket, PathPacket};
 use ray::{Axis, TileRay, greater, lesser};
 use traverse::CellHit;
 
-/// An exact tracer that is fast: for view, bent and shadow rays of renderers.
+/// A fast exact tracer for the view, bent and shadow rays of renderers.
 ///
 /// # Guarantee
 ///
-/// The answer is exact up to rounding in `f64`, like that of [`cell_walk`](super::cell_walk). With
-/// [`Self::ERROR`] as `e`, for paths within 4096 cells of the origin of the texture (in proportion beyond):
+/// The answer is exact up to rounding in `f64`, as with [`cell_walk`](super::cell_walk). Let `e` be
+/// [`Self::ERROR`]. For paths within 4096 cells of the texture's origin (in proportion beyond):
 ///
 /// * at a hit `|H(t) - f(u, v)| <= e`, unless the path begins below the surface,
-/// * no point before the hit, or of a path that misses, is deeper than `e` below the surface.
+/// * no point before the hit, or on a path that misses, is deeper than `e` below the surface.
 ///
-/// So `t` is wrong by at most `e / |g'(t)|` to first order, and hit and miss are taken for each other only
-/// where the least gap of the path is within `e` of 0.
+/// So the error of `t` is at most `e / |g'(t)|` to first order. A hit and a miss can be confused
+/// only if the least gap of the path is within `e` of 0.
 ///
-/// Where that comes from: the search runs in `f32`, but on nodes that are grown and raised by more than the
-/// rounding of places and heights can amount to, so that no node is passed over that the path touches; a
-/// needless visit is all that rounding can cause. The cells that are left are solved in `f64` by the formula
-/// of the cell walk, between limits that neighbouring cells compute alike. What remains is the rounding of a
-/// place in cells, `2⁻⁵³` times its distance from the origin, on a surface that rises by at most 1 a cell.
+/// Proof: the search runs in `f32`, but its nodes are grown and raised by more than the rounding of
+/// positions and heights. So it visits every node that the path touches; rounding can only cause
+/// needless visits. The remaining cells are solved in `f64` by the formula of the cell walk,
+/// between limits that neighbouring cells compute alike. What remains is the rounding of a position
+/// in cells, `2⁻⁵³` times its distance from the origin, on a surface that rises by at most 1 per
+/// cell.
 ///
 /// # Cost
 ///
-/// [`Self::new`] is one parallel pass over the map. The tracer owns what it needs, 6.8 bytes a texel: tiles
-/// of 5 x 5 heights for 4 x 4 cells, which are read as one piece, and the maxima of tiles and of 4 x 4 such
-/// nodes, level by level. Tracing does not allocate. A step is one read: a block of
-/// sixteen nodes, 64 bytes, a tile's texels, 100 bytes, or a cell, 16 bytes.
+/// [`Self::new`] is one parallel pass over the map. The tracer owns its data, 6.8 bytes per texel:
+/// tiles of 5 x 5 heights for 4 x 4 cells, each read as one piece, and the maxima of tiles and of 4
+/// x 4 such nodes, level by level. Tracing does not allocate. A step is one read: a block of
+/// sixteen nodes (64 bytes), the texels of a tile (100 bytes) or a cell (16 bytes).
 #[derive(Clone, Debug)]
 pub struct FastTracer {
     hierarchy: Hierarchy,
     sides: [u32; 2],
     wrap: Wrap,
-    /// Where tile 0 begins, in cells.
+    /// Position where tile 0 begins, in cells.
     first_edge: f64,
     /// Cells of the domain before the map's cell 0.
     extra: f64,
-    /// The least and the greatest texel.
+    /// Least and greatest texel.
     lowest: f64,
     highest: f64,
 }
 
 impl FastTracer {
-    /// The largest height residual of a hit, and depth of a point passed over, in heights: see the guarantee.
+    /// Largest height residual of a hit, and largest depth of a missed point, in heights: see the
+    /// guarantee.
     pub const ERROR: f64 = 2e-12;
 
-    /// Heights by which the range of heights is widened, so that rounding at its ends loses nothing.
+    /// Heights by which the range of heights is widened, so that rounding at its ends loses
+    /// nothing.
     const MARGIN: f64 = 1.0 / (1 << 20) as f64;
 
     /// Builds the hierarchy of a map.
@@ -86,7 +89,7 @@ impl FastTracer {
         }
     }
 
-    /// The first hit of a path. Its clearance is 0 for every miss: it is not looked for.
+    /// Returns the first hit of a path. The clearance of a miss is always 0, as it is not computed.
     pub fn trace(&self, path: &Path) -> ExactHit {
         let mut cost = Cost::default();
         let outcome = self.search(path, &mut cost);
@@ -104,8 +107,8 @@ impl FastTracer {
         }
     }
 
-    /// Whether anything is in the way: whether [`Self::trace`] finds a hit. For shadow rays, which must begin
-    /// off the surface by more than [`Self::ERROR`] so as not to hit where they begin. A path that is given
+    /// Whether [`Self::trace`] finds a hit, for shadow rays. Shadow rays must begin off the surface
+    /// by more than [`Self::ERROR`], so that they do not hit at their start. A path that is given
     /// up is not blocked.
     pub fn is_blocked(&self, path: &Path) -> bool {
         matches!(self.search(path, &mut Cost::default()), Outcome::Hit { .. })
@@ -123,8 +126,8 @@ impl FastTracer {
         if h0 > self.highest && h1 >= 0.0 {
             return Outcome::Miss;
         }
-        // The part between the map's lowest and highest texel. For a level path both are infinite, of
-        // opposite sign.
+        // The part between the map's lowest and highest texel. For a level path both ends are
+        // infinite, with opposite signs.
         let per_height = 1.0 / h1;
         let top = (self.highest + Self::MARGIN - h0) * per_height;
         let bottom = (self.lowest - Self::MARGIN - h0) * per_height;
@@ -158,7 +161,8 @@ impl FastTracer {
         Outcome::Miss
     }
 
-    /// The part between the map's lowest and highest texel of a bent path before or after its turning point.
+    /// Part between the map's lowest and highest texel of a bent path before or after its turning
+    /// point.
     fn clip_bent(&self, [h0, h1, h2]: [f64; 3], after: bool, from: f64, to: f64) -> Option<[f64; 2]> {
         let crossing = |level: f64| {
             let c0 = h0 - level;
@@ -193,7 +197,7 @@ impl FastTracer {
             return self.search_long(path, [place, speed], t0, t1, cost);
         }
         let (mut ray, unit) = TileRay::new(place, speed, path.h, t0, t1);
-        // A renderer's rays mostly stay in one tile.
+        // The rays of a renderer mostly stay in one tile.
         let begin = ray.start;
         let end = ray.place_at(ray.length);
         let tile_x = self.common_tile(begin[0], end[0], w);
@@ -206,7 +210,8 @@ impl FastTracer {
         self.search_tile(path, &ray, shift, [t0, unit], cost)
     }
 
-    /// Searches the tile that the whole ray is in. `s` is `t - origin` in that unit, and places were shifted.
+    /// Searches the tile that holds the whole ray. `s` is `t - origin` in units of `unit`;
+    /// positions are moved by `shift`.
     #[inline(always)]
     fn search_tile(
         &self,
@@ -227,8 +232,8 @@ impl FastTracer {
         }
     }
 
-    /// The tile that holds two places on an axis with that many texels, if one does and its texels are not
-    /// mirrored.
+    /// Tile that holds two positions on an axis of `side` texels, if one does and its texels are
+    /// not mirrored.
     #[inline(always)]
     fn common_tile(&self, a: f64, b: f64, side: f64) -> Option<f64> {
         let (low, high) = (lesser(a, b) - self.first_edge, greater(a, b) - self.first_edge);
@@ -239,7 +244,7 @@ impl FastTracer {
         (self.wrap == Wrap::Repeat && high <= (tile + 1.0) * side).then_some(tile)
     }
 
-    /// Searches a piece that is longer than the longest way, or endless.
+    /// Searches a piece that is endless or longer than [`MAX_TRAVEL`].
     #[inline(never)]
     fn search_long(
         &self,
@@ -250,7 +255,7 @@ impl FastTracer {
         cost: &mut Cost,
     ) -> Outcome {
         let travel = speed[0].abs().max(speed[1].abs());
-        // A path without end that does not move has nothing beyond its start.
+        // An endless path whose position does not change has nothing beyond its start.
         let end = if travel > 0.0 { t0 + MAX_TRAVEL / travel } else { t0 };
         let (ray, unit) = TileRay::new(place, speed, path.h, t0, end);
         match self.search_tiles(path, &ray, [t0, unit], cost) {
@@ -261,8 +266,8 @@ impl FastTracer {
         }
     }
 
-    /// Searches the tiles of the texture that a ray goes through, one after the other. `s` is `t - origin` in
-    /// that unit.
+    /// Searches the tiles of the texture along a ray, one after the other. `s` is `t - origin` in
+    /// units of `unit`.
     #[inline(never)]
     fn search_tiles(&self, path: &Path, ray: &TileRay, [origin, unit]: [f64; 2], cost: &mut Cost) -> Outcome {
         let mut axes = [0, 1].map(|k| Axis::at(self.wrap, self.sides[k], ray.start[k]));
@@ -288,7 +293,7 @@ impl FastTracer {
         }
     }
 
-    /// The last point of a path that was given up.
+    /// Last point of a path that was given up.
     #[cold]
     fn given_up(&self, path: &Path, t: f64, cost: Cost) -> ExactHit {
         let [u, v, h] = path.at(t);
@@ -305,7 +310,7 @@ impl FastTracer {
     }
 }
 
-/// What a search ends with.
+/// Result of a search.
 enum Outcome {
     Hit { t: f64, column: i64, row: i64, gap: f64, slope: f64 },
     Miss,

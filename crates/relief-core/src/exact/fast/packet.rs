@@ -1,19 +1,20 @@
-//! Many paths at once: packets of neighbouring rays that go down the hierarchy together, a lane a ray.
+//! Tracing of many paths: packets of neighbouring rays descend the hierarchy together, one lane per
+//! ray.
 //!
-//! A block of the hierarchy or a cell is fetched once for all rays that come to it. Rays with no neighbours
-//! go down by themselves, in turn. Every lane does what the search one by one does, operation by operation,
-//! on the same nodes in the same order, so that its answer has the same bits.
+//! A block of the hierarchy or a cell is fetched once for all rays that visit it. Rays without
+//! neighbours descend by themselves, in turns. Every lane computes the same as the scalar search,
+//! operation by operation, on the same nodes in the same order. So its answer has the same bits.
 
 #[cfg(target_arch = "x86_64")]
 mod cell;
 #[cfg(target_arch = "x86_64")]
+mod groups;
+#[cfg(target_arch = "x86_64")]
+mod incoherent;
+#[cfg(target_arch = "x86_64")]
 mod search;
 #[cfg(target_arch = "x86_64")]
 mod setup;
-#[cfg(target_arch = "x86_64")]
-mod strays;
-#[cfg(target_arch = "x86_64")]
-mod together;
 #[cfg(target_arch = "x86_64")]
 mod vector;
 
@@ -21,10 +22,10 @@ use super::FastTracer;
 use crate::exact::ExactHit;
 use crate::{Cost, Hit, Lanes, Path, PathMetric};
 
-/// Sixteen paths, number by number: what [`Path`] holds of each, but for what tracing does not ask for.
+/// Sixteen paths as a structure of arrays: the fields of [`Path`] that tracing uses.
 ///
-/// The paths should be neighbours, such as those of 4 x 4 pixels row by row; then they share their way. A
-/// lane whose exit is NaN holds no path and is answered by a miss.
+/// The paths should be neighbours, for example 4 x 4 pixels row by row, so that they visit the same
+/// nodes. A lane whose exit is NaN holds no path; its answer is a miss.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct PathPacket {
@@ -32,43 +33,44 @@ pub struct PathPacket {
     pub uv: [[f64; Self::LEN]; 2],
     /// Change of the texture coordinates per unit of `t`.
     pub duv: [[f64; Self::LEN]; 2],
-    /// Coefficients of the normalised height.
+    /// Coefficients of the height.
     pub h: [[f64; Self::LEN]; 3],
-    /// The parameter where the path ends, NaN where there is none.
+    /// Parameter of the path's end; NaN for a lane without a path.
     pub exit: [f64; Self::LEN],
 }
 
-/// The answers to a packet, number by number, as [`ExactHit`] has them. All numbers of a miss are 0.
+/// Answers to a packet as a structure of arrays, with the fields of [`ExactHit`]. All numbers of a
+/// miss are 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct HitPacket {
-    /// The lanes with a hit, lane 0 the lowest bit.
+    /// Bit mask of the lanes with a hit; lane 0 is the lowest bit.
     pub found: u16,
-    /// The lanes that were given up.
+    /// Bit mask of the lanes that were given up.
     pub exhausted: u16,
     /// Parameter along the path.
     pub t: [f64; Self::LEN],
     /// Texture coordinates of the hit.
     pub uv: [[f64; Self::LEN]; 2],
-    /// Normalised height of the hit.
+    /// Height of the hit.
     pub height: [f64; Self::LEN],
-    /// The dual cell that was hit.
+    /// Dual cell of the hit.
     pub cell: [[i64; Self::LEN]; 2],
-    /// How fast the gap closes, in heights a unit of `t`.
+    /// Derivative of the gap at the hit, in heights per unit of `t`.
     pub slope: [f64; Self::LEN],
-    /// The gap at the hit: 0, or negative where the path begins below the surface.
+    /// Gap at the hit: 0, or negative if the path begins below the surface.
     pub clearance: [f64; Self::LEN],
-    /// Steps, each of which is one read.
+    /// Steps; each is one read.
     pub steps: [u32; Self::LEN],
-    /// Bytes that they fetched.
+    /// Bytes that the reads fetched.
     pub bytes: [u32; Self::LEN],
 }
 
 impl PathPacket {
-    /// How many paths it has room for, whatever the width of the machine's vectors.
+    /// Number of paths, for every SIMD width.
     pub const LEN: usize = 16;
 
-    /// No paths.
+    /// A packet without paths.
     pub const EMPTY: Self = Self {
         uv: [[0.0; Self::LEN]; 2],
         duv: [[0.0; Self::LEN]; 2],
@@ -76,7 +78,7 @@ impl PathPacket {
         exit: [f64::NAN; Self::LEN],
     };
 
-    /// The first sixteen of those paths, or as many as there are.
+    /// Creates a packet of the first sixteen paths, or fewer if there are fewer.
     pub fn new(paths: &[Path]) -> Self {
         let mut packet = Self::EMPTY;
         for (lane, path) in paths.iter().enumerate().take(Self::LEN) {
@@ -85,7 +87,7 @@ impl PathPacket {
         packet
     }
 
-    /// Puts a path into a lane.
+    /// Stores a path in a lane.
     ///
     /// # Panics
     ///
@@ -102,7 +104,7 @@ impl PathPacket {
         self.exit[lane] = path.exit;
     }
 
-    /// The path of a lane, with a base and a metric that are of no use.
+    /// Path of a lane, with a placeholder for base and metric.
     ///
     /// # Panics
     ///
@@ -126,10 +128,10 @@ impl Default for PathPacket {
 }
 
 impl HitPacket {
-    /// How many answers it holds.
+    /// Number of answers.
     pub const LEN: usize = PathPacket::LEN;
 
-    /// Nothing but misses.
+    /// A packet of misses.
     pub const MISSES: Self = Self {
         found: 0,
         exhausted: 0,
@@ -143,7 +145,7 @@ impl HitPacket {
         bytes: [0; Self::LEN],
     };
 
-    /// The answer of a lane.
+    /// Answer of a lane.
     ///
     /// # Panics
     ///
@@ -168,7 +170,7 @@ impl HitPacket {
         }
     }
 
-    /// Puts an answer into a lane.
+    /// Stores an answer in a lane.
     fn set(&mut self, lane: usize, answer: &ExactHit) {
         let bit = 1 << lane;
         let with = |lanes: u16, is_in: bool| lanes & !bit | if is_in { bit } else { 0 };
@@ -194,14 +196,15 @@ impl Default for HitPacket {
 }
 
 impl FastTracer {
-    /// The first hits of many paths: every answer has the bits of [`Self::trace`], its cost included. There
-    /// are as many answers as the shorter of both slices is long.
+    /// Returns the first hits of many paths. Every answer has the bits of [`Self::trace`], its cost
+    /// included. The number of answers is the length of the shorter slice.
     ///
-    /// Sixteen paths in a row make a packet, so order them by neighbours: pixels by blocks of 4 x 4. In
-    /// vectors of sixteen lanes such paths are traced four times as fast as one by one, and scattered ones,
-    /// which go their own ways in turn, one and a half times. Paths that are bent, begin below the map, leave
-    /// the tile of the texture, or are longer than [`MAX_TRAVEL`](crate::exact::MAX_TRAVEL) are traced one by
-    /// one.
+    /// Sixteen consecutive paths form a packet, so sort them by neighbourhood: pixels by blocks of
+    /// 4 x 4. In vectors of sixteen lanes such paths are traced four times as fast as one by one.
+    /// Scattered paths, which are traced in turns, are one and a half times as fast.
+    ///
+    /// Some paths are traced one by one: paths that are bent, begin below the map, leave the tile
+    /// of the texture, or are longer than [`MAX_TRAVEL`](crate::exact::MAX_TRAVEL).
     ///
     /// ```
     /// use relief_core::exact::{ExactHit, FastTracer};
@@ -237,10 +240,10 @@ impl FastTracer {
         }
     }
 
-    /// [`Self::trace_all`] for a renderer that makes its paths sixteen at a time.
+    /// Traces packets as [`Self::trace_all`], for renderers that create paths sixteen at a time.
     pub fn trace_packets(&self, paths: &[PathPacket], lanes: Lanes, answers: &mut [HitPacket]) {
         #[cfg(target_arch = "x86_64")]
-        if together::trace(self, paths, lanes, answers) {
+        if groups::trace(self, paths, lanes, answers) {
             return;
         }
         #[cfg(not(target_arch = "x86_64"))]
@@ -252,8 +255,8 @@ impl FastTracer {
         }
     }
 
-    /// Which of many paths are blocked: each answer is that of [`Self::is_blocked`]. See [`Self::trace_all`]
-    /// for the order of paths and for what is not traced together.
+    /// Tests which of many paths are blocked. Every answer equals [`Self::is_blocked`]. See
+    /// [`Self::trace_all`] for the order of paths and for paths that are not traced together.
     pub fn is_blocked_all(&self, paths: &[Path], lanes: Lanes, blocked: &mut [bool]) {
         if !is_for_packets(lanes) {
             for (path, blocked) in paths.iter().zip(blocked) {
@@ -269,12 +272,12 @@ impl FastTracer {
         }
     }
 
-    /// The blocked paths of each packet, lane 0 the lowest bit: [`Self::is_blocked_all`] for a renderer that
-    /// makes its paths sixteen at a time.
+    /// Returns a bit mask of the blocked paths of each packet, lane 0 in the lowest bit, as
+    /// [`Self::is_blocked_all`] for renderers that create paths sixteen at a time.
     pub fn blocked_packets<const N: usize>(&self, paths: &[PathPacket; N], lanes: Lanes) -> [u16; N] {
         let mut blocked = [0; N];
         #[cfg(target_arch = "x86_64")]
-        if together::blocked(self, paths, lanes, &mut blocked) {
+        if groups::blocked(self, paths, lanes, &mut blocked) {
             return blocked;
         }
         #[cfg(not(target_arch = "x86_64"))]
@@ -288,7 +291,8 @@ impl FastTracer {
     }
 }
 
-/// Whether there are vectors of so many lanes for packets, which four are too few for.
+/// Whether packets are used for this width, and the machine has such vectors. Four lanes are too
+/// few.
 fn is_for_packets(lanes: Lanes) -> bool {
     matches!(lanes, Lanes::Eight | Lanes::Sixteen) && lanes.is_available()
 }

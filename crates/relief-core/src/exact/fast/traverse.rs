@@ -1,4 +1,4 @@
-//! From the hierarchy's window around a ray down to the first cell that it hits.
+//! Descent from the hierarchy's window around a ray to the first cell that it hits.
 
 use super::hierarchy::{BLOCK, Hierarchy, Tile};
 use super::line::{Kind, Line, is_crosswise};
@@ -10,26 +10,27 @@ use crate::exact::patch::Gap;
 /// A hit in the domain of the hierarchy.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CellHit {
-    /// Where on the ray.
+    /// Parameter along the ray.
     pub s: f64,
-    /// The gap there: 0, or negative where the ray begins below the surface.
+    /// Gap at the hit: 0, or negative if the ray begins below the surface.
     pub gap: f64,
     /// Derivative of the gap by `s`.
     pub slope: f64,
-    /// The cell.
+    /// Cell of the hit.
     pub cell: [u32; 2],
 }
 
-/// Levels of 4, 16, 64 ... cells up to the longest side of a map, and some to spare.
+/// Number of levels: enough for 4, 16, 64 ... cells up to the longest side of a map, with some to
+/// spare.
 pub(super) const MAX_LEVELS: usize = 16;
 
-/// Bytes of the maxima of a block of nodes.
+/// Bytes of a block of maxima.
 pub(super) const BLOCK_BYTES: u32 = (BLOCK * BLOCK * size_of::<f32>()) as u32;
 
-/// Bytes of the texels of a tile.
+/// Bytes of a tile's texels.
 pub(super) const TILE_BYTES: u32 = size_of::<Tile>() as u32;
 
-/// The cell at the corner of a node.
+/// Cell at the corner of a node.
 #[inline(always)]
 pub(super) fn edge(node: [u32; 2], level: usize) -> [i32; 2] {
     [(node[0] << (2 * level + 2)) as i32, (node[1] << (2 * level + 2)) as i32]
@@ -41,7 +42,7 @@ pub(super) fn size(level: usize) -> f32 {
     (1i32 << (2 * level + 2)) as f32
 }
 
-/// The kind of one ray.
+/// Kind of a single ray, in constants.
 #[derive(Clone, Copy)]
 struct Always<const BENT: bool, const FALLS: bool, const CROSSWISE: bool>;
 
@@ -62,7 +63,7 @@ impl<const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Kind for Always
     }
 }
 
-/// Traces a ray that falls all the way, or rises, or is level.
+/// Traces a ray that falls, rises or is level all the way.
 #[inline(always)]
 pub(super) fn trace(hierarchy: &Hierarchy, ray: &TileRay, cost: &mut Cost) -> Option<CellHit> {
     let bent = ray.height[2] != 0.0;
@@ -79,7 +80,7 @@ pub(super) fn trace(hierarchy: &Hierarchy, ray: &TileRay, cost: &mut Cost) -> Op
     }
 }
 
-/// The search for one ray.
+/// Search for one ray.
 struct Search<'a, K> {
     hierarchy: &'a Hierarchy,
     ray: &'a TileRay,
@@ -95,7 +96,7 @@ impl<'a, K: Kind> Search<'a, K> {
     fn run(&self, cost: &mut Cost) -> Option<CellHit> {
         let levels = self.hierarchy.levels();
         let (start, window) = (self.line.start_level, self.line.window);
-        // What is left of the blocks above the one being searched.
+        // Remaining nodes of the blocks above the current one, by level.
         let mut masks = [0u16; MAX_LEVELS];
         let mut level = start;
         let mut corner = window;
@@ -128,7 +129,7 @@ impl<'a, K: Kind> Search<'a, K> {
         }
     }
 
-    /// The first hit in a tile.
+    /// First hit in a tile.
     #[inline(always)]
     fn tile(&self, node: [u32; 2], cost: &mut Cost) -> Option<CellHit> {
         let tile = self.hierarchy.tile(node)?;
@@ -146,7 +147,7 @@ impl<'a, K: Kind> Search<'a, K> {
         None
     }
 
-    /// The hit in one cell of a tile, in `f64`. Cells that share an edge compute the same `s` for it.
+    /// Hit in one cell of a tile, in `f64`. Cells that share an edge compute the same `s` for it.
     #[inline(always)]
     fn cell(&self, tile: &Tile, corner: [u32; 2], in_tile: [u32; 2]) -> Option<CellHit> {
         let ray = self.ray;

@@ -1,51 +1,53 @@
-//! The triangles that the tiles of an area may show.
+//! Sorting of triangles into the tiles of an area.
 
 use pulp::{Simd, WithSimd};
 
-use super::view::{Place, Planes, Side, View};
+use super::view::{Planes, Projected, Side, View};
 use super::{TILE, TileCaster};
 use crate::raycast::RayCaster;
 
-/// The most triangles that an area may show, and half of those that are looked at for it, a tile in the mean;
-/// with more all of its rays are cast one by one: to project them takes as long as that does.
+/// Most triangles per tile, on average, that an area may show, and half of the triangles tested for
+/// it. With more, all rays of the area are cast one by one, because projecting the triangles takes
+/// as long.
 const MOST_IN_MEAN: usize = 128;
 
-/// The most triangles of a tile, and of an area's tiles in the mean; with more the tile's rays are cast one by
-/// one, which is quicker then.
+/// Most triangles of a tile, and average per tile of an area. With more, the tile's rays are cast
+/// one by one, which is faster then.
 const MOST_OF_TILE: usize = 512;
 
 /// A range of a picture's pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Area {
-    /// The column and the row of the upper left one.
+    /// Column and row of the upper left pixel.
     pub first: [u32; 2],
     /// Columns and rows.
     pub size: [u32; 2],
 }
 
 impl Area {
-    /// How many tiles there are along each side; the last ones may reach beyond it.
+    /// Number of tiles along each side. The last ones may reach beyond the area.
     pub fn tiles(&self) -> [u32; 2] {
         self.size.map(|side| side.div_ceil(TILE as u32))
     }
 
-    /// The upper left pixel of a tile, by its number along each side.
+    /// Upper left pixel of a tile, by its number along each side.
     pub fn pixel(&self, tile: [u32; 2]) -> [u32; 2] {
         [0, 1].map(|axis| self.first[axis] + tile[axis] * TILE as u32)
     }
 }
 
-/// The triangles that the tiles of an area may show. They keep their memory from one area to the next.
+/// Lists of the triangles that the tiles of an area may show. Their memory is reused for the next
+/// area.
 #[derive(Clone, Debug, Default)]
 pub struct Bins {
     area: Area,
-    /// Whether there are lists.
+    /// Whether the lists are filled.
     is_binned: bool,
     /// Triangles within the area.
     covers: Vec<Cover>,
     /// Triangles that reach beside or behind the eye.
     through: Vec<u32>,
-    /// Where the list of each tile ends; it begins where that of the one before ends.
+    /// End of the list of each tile. A list begins at the end of the previous one.
     ends: Vec<u32>,
     entries: Vec<Entry>,
     waiting: Vec<(u32, Side)>,
@@ -55,7 +57,7 @@ pub struct Bins {
 #[derive(Clone, Copy, Debug)]
 struct Cover {
     triangle: u32,
-    /// The first and the last column in the area of a ray that may meet it, and the rows.
+    /// First and last column, and first and last row, in the area of the rays that may hit it.
     columns: [u32; 2],
     rows: [u32; 2],
 }
@@ -64,29 +66,29 @@ struct Cover {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entry {
     pub triangle: u32,
-    /// The first and the last column in the tile of a ray that may meet it, and the rows.
+    /// First and last column, and first and last row, in the tile of the rays that may hit it.
     pub columns: [u8; 2],
     pub rows: [u8; 2],
 }
 
 impl Bins {
-    /// The most memory that they take for each tile of the largest area that they were filled for, in bytes:
-    /// lists as long as they may be, in vectors that are twice as long. Where triangles are as fine as pixels
-    /// it is a tenth of that.
+    /// Most memory for each tile of the largest area that the bins were filled for, in bytes. It
+    /// counts the longest lists, in vectors of twice the length. If triangles are as fine as
+    /// pixels, a tenth of it is used.
     pub const MOST_BYTES_PER_TILE: usize =
         2 * (2 * MOST_IN_MEAN * size_of::<Cover>() + MOST_OF_TILE * (size_of::<Entry>() + 16));
 
-    /// Bins of nothing.
+    /// Creates empty bins.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// The area that they are of.
+    /// Area of the bins.
     pub fn area(&self) -> Area {
         self.area
     }
 
-    /// The list of a tile; none where its rays are to be cast one by one.
+    /// List of a tile. `None` if its rays must be cast one by one.
     pub(super) fn entries(&self, tile: [u32; 2]) -> Option<&[Entry]> {
         if !self.is_binned {
             return None;
@@ -97,7 +99,7 @@ impl Bins {
         (entries.len() <= MOST_OF_TILE).then_some(entries)
     }
 
-    /// The memory that they take, in bytes.
+    /// Memory of the bins, in bytes.
     pub fn bytes(&self) -> usize {
         self.covers.capacity() * size_of::<Cover>()
             + self.entries.capacity() * size_of::<Entry>()
@@ -105,7 +107,7 @@ impl Bins {
             + (self.through.capacity() + self.ends.capacity()) * size_of::<u32>()
     }
 
-    /// Leaves a triangle out of all lists, as no caster may.
+    /// Removes a triangle from all lists, to test that this is noticed.
     #[cfg(test)]
     pub(super) fn forget(&mut self, triangle: u32) {
         for entry in &mut self.entries {
@@ -115,7 +117,7 @@ impl Bins {
         }
     }
 
-    /// So many for each tile.
+    /// Limit for the whole area, from a limit per tile.
     fn most(&self, of_tile: usize) -> usize {
         let [across, down] = self.area.tiles().map(|side| side as usize);
         across.saturating_mul(down).saturating_mul(of_tile).min(u32::MAX as usize)
@@ -131,23 +133,23 @@ impl Bins {
         self.waiting.clear();
     }
 
-    /// Adds a triangle of the mesh where a ray of the area may meet it.
+    /// Adds a triangle of the mesh if a ray of the area may hit it.
     #[inline(always)]
     fn add(&mut self, triangle: u32, tiles: &TileCaster, view: &View, reach: &Reach) {
         let corners = &tiles.caster.corners[triangle as usize];
-        match view.place(corners, tiles.sides) {
-            Place::Unseen => {}
-            Place::Within(ranges) => {
+        match view.project(corners, tiles.sides) {
+            Projected::Culled => {}
+            Projected::Within(ranges) => {
                 let [columns, rows] = [0, 1].map(|axis| reach.pixels(axis, ranges[axis], self.area));
                 if let (Some(columns), Some(rows)) = (columns, rows) {
                     self.covers.push(Cover { triangle, columns, rows });
                 }
             }
-            Place::Through => self.through.push(triangle),
+            Projected::Unbounded => self.through.push(triangle),
         }
     }
 
-    /// Goes through the hierarchy; whether there was room for all.
+    /// Traverses the BVH. Returns false if there are too many triangles.
     #[inline(always)]
     fn collect(&mut self, tiles: &TileCaster, view: &View, reach: &Reach) -> bool {
         let most = self.most(MOST_IN_MEAN);
@@ -179,7 +181,7 @@ impl Bins {
         true
     }
 
-    /// Sorts what was collected into tiles; whether there was room for all.
+    /// Sorts the collected triangles into tiles. Returns false if there are too many.
     #[inline(always)]
     fn sort(&mut self, tiles: &TileCaster, view: &View, reach: &Reach) -> bool {
         let most = self.most(MOST_OF_TILE);
@@ -214,7 +216,7 @@ impl Bins {
         if total > most {
             return false;
         }
-        // Each end is where its list begins, until that is filled.
+        // Each end is the beginning of its list until the list is filled.
         let mut sum = 0;
         for end in &mut self.ends {
             (*end, sum) = (sum, sum + *end);
@@ -241,7 +243,7 @@ impl Bins {
     }
 }
 
-/// A range of pixels, from the first of a tile's and within it.
+/// Part of a range of pixels inside a tile, counted from the tile's first pixel.
 #[inline(always)]
 fn within(range: [u32; 2], tile: u32) -> [u8; 2] {
     let first = tile * TILE as u32;
@@ -253,11 +255,11 @@ fn side_of_node(planes: &Planes, bounds: &obvhs::aabb::Aabb) -> Side {
     planes.side_of_box(bounds.min.as_dvec3(), bounds.max.as_dvec3())
 }
 
-/// How far from a pixel's upper left corner its rays may be, in pixels.
+/// Range of a pixel's rays, in pixels from the pixel's upper left corner.
 struct Reach {
     low: [f64; 2],
     high: [f64; 2],
-    /// How far beside its projection something may be met.
+    /// Distance beside its projection at which something may still be hit.
     grown: [f64; 2],
 }
 
@@ -267,20 +269,20 @@ impl Reach {
         Self { low: low.map(from_corner), high: high.map(from_corner), grown: view.grown() }
     }
 
-    /// The first and the last pixel of an area, from its first, with rays that may meet what is projected to
-    /// a range along an axis.
+    /// First and last pixel of an area, counted from its first, whose rays may hit something that
+    /// is projected to `range` along an axis.
     #[inline(always)]
     fn pixels(&self, axis: usize, range: [f64; 2], area: Area) -> Option<[u32; 2]> {
         let from = f64::from(area.first[axis]);
         let last = f64::from(area.size[axis].checked_sub(1)?);
         let low = (range[0] - self.high[axis] - self.grown[axis] - from).ceil();
         let high = (range[1] - self.low[axis] + self.grown[axis] - from).floor();
-        // What is no number is everywhere.
+        // NaN counts as everywhere.
         let is_beside = low > last || high < 0.0 || low > high;
         (!is_beside).then(|| [low.max(0.0) as u32, if high < last { high } else { last } as u32])
     }
 
-    /// The planes around the rays of so many pixels.
+    /// Planes around the rays of a range of pixels.
     #[inline(always)]
     fn planes(&self, view: &View, first: [u32; 2], size: [u32; 2]) -> Planes {
         view.planes([0, 1].map(|axis| {
@@ -290,7 +292,7 @@ impl Reach {
     }
 }
 
-/// Fills bins.
+/// Work that fills bins.
 pub struct Binning<'a, 'b> {
     pub tiles: &'a TileCaster<'b>,
     pub area: Area,

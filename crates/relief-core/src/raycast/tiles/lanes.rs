@@ -1,17 +1,17 @@
-//! Triangles against the rays of a tile, several rays at once.
+//! Intersection of triangles with the rays of a tile, several rays at once.
 
 use glam::DVec3;
 use pulp::{Simd, WithSimd};
 
 use super::bins::Entry;
 use super::view::View;
-use super::{Corners, KEPT, PictureRays, TILE, TILE_POINTS, TileCaster, TileHits};
+use super::{Corners, PictureRays, STORED, TILE, TILE_POINTS, TileCaster, TileHits};
 use crate::raycast::Sides;
 
 /// A number for each ray of a tile.
 type Each = [f64; TILE_POINTS];
 
-/// Casts the rays of a tile.
+/// Work that casts the rays of a tile.
 pub struct Casting<'a, 'b> {
     pub tiles: &'a TileCaster<'b>,
     pub view: &'a View,
@@ -29,8 +29,8 @@ impl WithSimd for Casting<'_, '_> {
         let Some(sheared) = Sheared::new(simd, &rays) else { return };
         hits.one_by_one = false;
         hits.count = [0.0; TILE_POINTS];
-        hits.t = [[f64::INFINITY; TILE_POINTS]; KEPT];
-        hits.key = [[f64::INFINITY; TILE_POINTS]; KEPT];
+        hits.t = [[f64::INFINITY; TILE_POINTS]; STORED];
+        hits.key = [[f64::INFINITY; TILE_POINTS]; STORED];
         let corners = &tiles.caster.corners;
         match (view.is_parallel(), tiles.sides) {
             (false, Sides::Front) => sheared.cast::<S, false, false>(simd, corners, entries, hits),
@@ -41,16 +41,16 @@ impl WithSimd for Casting<'_, '_> {
     }
 }
 
-/// The rays of a tile, axis by axis.
+/// Rays of a tile, axis by axis.
 struct Rays {
-    /// Where the first one begins, and where each does if they are parallel.
+    /// Origin of the first ray, and of each ray if they are parallel.
     eye: DVec3,
     origin: [Each; 3],
     direction: [Each; 3],
 }
 
 impl Rays {
-    /// As [`PictureRays::ray`] makes them.
+    /// Computes the rays as [`PictureRays::ray`] does.
     #[inline(always)]
     fn new(rays: &PictureRays, is_parallel: bool, first: [u32; 2], offset: [f32; 2]) -> Self {
         let mut points = [[0.0f32; TILE]; 2];
@@ -77,9 +77,9 @@ impl Rays {
     }
 }
 
-/// Rays that share the axis along which they are longest, and the way in which they go along it.
+/// Rays that have the same longest axis, and the same sign along it.
 struct Sheared<'a> {
-    /// As in [`super::super::Query`].
+    /// Axes of the shear, as in [`super::super::Query`].
     axes: [usize; 3],
     rays: &'a Rays,
     shear: [Each; 2],
@@ -87,7 +87,7 @@ struct Sheared<'a> {
 }
 
 impl<'a> Sheared<'a> {
-    /// Nothing for rays that differ, and for such as are none.
+    /// Returns `None` if the rays differ in their longest axis or are invalid.
     #[inline(always)]
     fn new<S: Simd>(simd: S, rays: &'a Rays) -> Option<Self> {
         let Rays { origin, direction, .. } = rays;
@@ -99,14 +99,14 @@ impl<'a> Sheared<'a> {
             std::mem::swap(&mut x, &mut y);
         }
         let axes = [x, y, z];
-        let mut made = Self { axes, rays, shear: [[0.0; TILE_POINTS]; 2], inverse_z: [0.0; TILE_POINTS] };
+        let mut sheared = Self { axes, rays, shear: [[0.0; TILE_POINTS]; 2], inverse_z: [0.0; TILE_POINTS] };
         let (one, zero) = (simd.splat_f64s(1.0), simd.splat_f64s(0.0));
         let infinity = simd.splat_f64s(f64::INFINITY);
         let mut proper = simd.less_than_f64s(zero, one);
         for part in 0..TILE_POINTS / S::F64_LANES {
             let [dx, dy, dz] = axes.map(|axis| S::as_simd_f64s(&direction[axis]).0[part]);
             let longest = if is_negative { simd.neg_f64s(dz) } else { dz };
-            // The one axis that is longer than both others, and in that way.
+            // The longest axis must be longer than the others, with the right sign.
             for other in [dx, dy] {
                 proper = simd.and_m64s(proper, simd.less_than_f64s(simd.abs_f64s(other), longest));
             }
@@ -116,16 +116,17 @@ impl<'a> Sheared<'a> {
                 proper = simd.and_m64s(proper, simd.less_than_f64s(along, infinity));
             }
             let inverse_z = simd.div_f64s(one, dz);
-            S::as_mut_simd_f64s(&mut made.inverse_z).0[part] = inverse_z;
-            S::as_mut_simd_f64s(&mut made.shear[0]).0[part] = simd.mul_f64s(dx, inverse_z);
-            S::as_mut_simd_f64s(&mut made.shear[1]).0[part] = simd.mul_f64s(dy, inverse_z);
+            S::as_mut_simd_f64s(&mut sheared.inverse_z).0[part] = inverse_z;
+            S::as_mut_simd_f64s(&mut sheared.shear[0]).0[part] = simd.mul_f64s(dx, inverse_z);
+            S::as_mut_simd_f64s(&mut sheared.shear[1]).0[part] = simd.mul_f64s(dy, inverse_z);
         }
         let mut all = [0.0; TILE];
         S::as_mut_simd_f64s(&mut all).0[0] = simd.select_f64s(proper, one, zero);
-        all[..S::F64_LANES].iter().all(|proper| *proper == 1.0).then_some(made)
+        all[..S::F64_LANES].iter().all(|proper| *proper == 1.0).then_some(sheared)
     }
 
-    /// Tests triangles by the formula of [`super::super::Query::triangle`], and keeps the first hits.
+    /// Tests triangles by the formula of [`super::super::Query::triangle`], and stores the first
+    /// hits.
     #[inline(always)]
     fn cast<S: Simd, const PARALLEL: bool, const BOTH: bool>(
         &self,
@@ -136,7 +137,7 @@ impl<'a> Sheared<'a> {
     ) {
         let [x, y, z] = self.axes;
         for entry in entries {
-            // Parallel rays begin in different places.
+            // Parallel rays have different origins.
             let from = if PARALLEL { DVec3::ZERO } else { self.rays.eye };
             let corners = corners[entry.triangle as usize].map(|corner| {
                 let corner = corner - from;
@@ -206,29 +207,29 @@ impl<'a> Sheared<'a> {
         met = simd.and_m64s(met, simd.less_than_or_equal_f64s(zero, t));
         let number = f64::from(triangle) * 2.0;
         let key = simd.select_f64s(front, simd.splat_f64s(number + 1.0), simd.splat_f64s(number));
-        hits.keep(simd, part, met, t, key);
+        hits.store(simd, part, met, t, key);
     }
 }
 
 impl TileHits {
-    /// Counts hits of some rays, and keeps those that are among the first.
+    /// Counts the hits of some rays, and stores those that are among the first.
     #[inline(always)]
-    fn keep<S: Simd>(&mut self, simd: S, part: usize, met: S::m64s, t: S::f64s, key: S::f64s) {
+    fn store<S: Simd>(&mut self, simd: S, part: usize, met: S::m64s, t: S::f64s, key: S::f64s) {
         let count = &mut S::as_mut_simd_f64s(&mut self.count).0[part];
         let one = simd.select_f64s(met, simd.splat_f64s(1.0), simd.splat_f64s(0.0));
         *count = simd.add_f64s(*count, one);
-        // Where there is none, it is as if one were infinitely far away.
+        // A missing hit is treated as infinitely far away.
         let (mut t, mut key) = (t, key);
-        for (kept_t, kept_key) in self.t.iter_mut().zip(&mut self.key) {
-            let kept_t = &mut S::as_mut_simd_f64s(kept_t).0[part];
-            let kept_key = &mut S::as_mut_simd_f64s(kept_key).0[part];
-            let same = simd.and_m64s(simd.equal_f64s(t, *kept_t), simd.less_than_f64s(key, *kept_key));
-            let before = simd.or_m64s(simd.less_than_f64s(t, *kept_t), same);
+        for (stored_t, stored_key) in self.t.iter_mut().zip(&mut self.key) {
+            let stored_t = &mut S::as_mut_simd_f64s(stored_t).0[part];
+            let stored_key = &mut S::as_mut_simd_f64s(stored_key).0[part];
+            let same = simd.and_m64s(simd.equal_f64s(t, *stored_t), simd.less_than_f64s(key, *stored_key));
+            let before = simd.or_m64s(simd.less_than_f64s(t, *stored_t), same);
             let before = simd.and_m64s(met, before);
-            let (old_t, old_key) = (*kept_t, *kept_key);
-            *kept_t = simd.select_f64s(before, t, old_t);
-            *kept_key = simd.select_f64s(before, key, old_key);
-            // What was there moves on by one place.
+            let (old_t, old_key) = (*stored_t, *stored_key);
+            *stored_t = simd.select_f64s(before, t, old_t);
+            *stored_key = simd.select_f64s(before, key, old_key);
+            // The previous hit moves to the next slot.
             t = simd.select_f64s(before, old_t, t);
             key = simd.select_f64s(before, old_key, key);
         }

@@ -2,7 +2,7 @@ use super::*;
 use crate::camera::{Camera, Projection};
 use crate::mesh::{Mesh, cube, rectangle, sphere, torus};
 
-/// The rays of a camera's picture.
+/// Rays of a camera's picture.
 fn rays_of(camera: &Camera, [width, height]: [u32; 2]) -> PictureRays {
     let at = |x, y| camera.ray(x, y, width, height);
     let [first, right, down] = [at(0, 0), at(1, 0), at(0, 1)];
@@ -22,7 +22,7 @@ fn orthographic(eye: [f64; 3], target: [f64; 3], height_m: f64) -> Camera {
     Camera::with(eye.into(), target.into(), projection).expect("a proper camera")
 }
 
-/// How a picture is gone through.
+/// Division of a picture into areas.
 #[derive(Clone, Copy)]
 struct Way<'a> {
     size: [u32; 2],
@@ -31,13 +31,13 @@ struct Way<'a> {
     offsets: &'a [[f32; 2]],
 }
 
-/// From the corner and the middle of a pixel to its end, so that nothing is symmetric.
+/// Offsets from the corner and the middle of a pixel to its end, without symmetry.
 const OFFSETS: [[f32; 2]; 3] = [[0.0; 2], [-0.49, 0.3], [0.45, -0.13]];
 
 impl Way<'_> {
     const PLAIN: Way<'static> = Way { size: [161, 90], rows: 24, offsets: &[[0.0; 2]] };
 
-    /// The least and the greatest offset.
+    /// Least and greatest offset.
     fn reach(&self) -> [[f32; 2]; 2] {
         let of = |by: fn(f32, f32) -> f32, none: f32| {
             [0, 1].map(|axis| self.offsets.iter().map(|offset| offset[axis]).fold(none, by))
@@ -46,7 +46,7 @@ impl Way<'_> {
     }
 }
 
-/// What was compared.
+/// Counts of a comparison.
 #[derive(Clone, Copy, Debug, Default)]
 struct Compared {
     rays: u64,
@@ -66,8 +66,8 @@ impl Compared {
     }
 }
 
-/// Compares all hits of a picture's rays with those of the hierarchy. What was made and binned may be changed
-/// before.
+/// Compares all hits of a picture's rays with the hits from the BVH. `change` and `change_bins` may
+/// alter the caster and the bins first.
 fn compared_with(
     caster: &RayCaster,
     rays: PictureRays,
@@ -117,7 +117,7 @@ fn compared_with(
     compared
 }
 
-/// Fails unless all hits in all widths are those of the hierarchy.
+/// Fails unless all hits in all widths are equal to the hits from the BVH.
 fn agree(mesh: &Mesh, camera: &Camera, way: Way) -> Compared {
     let caster = RayCaster::new(mesh);
     let rays = rays_of(camera, way.size);
@@ -132,7 +132,7 @@ fn agree(mesh: &Mesh, camera: &Camera, way: Way) -> Compared {
     all
 }
 
-/// Numbers from -1 to 1 that look random.
+/// Pseudo-random numbers from -1 to 1.
 fn noise(seed: u32) -> impl FnMut() -> f32 {
     let mut state = u64::from(seed) ^ 0x9e37_79b9_7f4a_7c15;
     move || {
@@ -141,7 +141,7 @@ fn noise(seed: u32) -> impl FnMut() -> f32 {
     }
 }
 
-/// Triangles strewn about: of all sizes, slivers, such as have no area, and such as are there twice.
+/// Scattered triangles of all sizes: slivers, triangles without area, and duplicates.
 fn soup(seed: u32, count: usize) -> Vec<[Vec3; 3]> {
     let mut next = noise(seed);
     let mut point = move |size: f32| Vec3::new(next() * size, next() * size, next() * size);
@@ -151,13 +151,13 @@ fn soup(seed: u32, count: usize) -> Vec<[Vec3; 3]> {
         let size = 10f32.powi(-((number % 4) as i32));
         let (b, c) = (a + point(size), a + point(size));
         triangles.push(match number % 16 {
-            // A sliver, an edge, a point, and one on a line.
+            // A sliver, an edge, a point, and a triangle on a line.
             3 => [a, b, b + point(1e-6)],
             7 => [a, b, b],
             9 => [a, a, a],
             11 => [a, b, a + (b - a) * 0.5],
             13 => triangles[number / 2],
-            // In a plane across an axis.
+            // A triangle in a plane across an axis.
             15 => [a, Vec3::new(b.x, b.y, a.z), Vec3::new(c.x, c.y, a.z)],
             _ => [a, b, c],
         });
@@ -185,11 +185,11 @@ fn built_in_meshes_are_hit_as_by_the_hierarchy() {
         [rectangle([1.0, 0.7], 1), rectangle([1.0, 0.7], 64), sphere(96, 48), torus(96, 48), cube(7)];
     let cameras = [
         perspective([0.3, 0.9, 1.2], [0.0; 3], 45.0),
-        // Along an axis, with edges through the middles of pixels, and very near to a plane.
+        // Views along an axis, with edges through the middles of pixels, and very near to a plane.
         perspective([0.0, 0.0, 2.0], [0.0; 3], 30.0),
         perspective([0.0, 1.5, 0.0], [0.0; 3], 60.0),
         perspective([0.4, 0.05, 0.3], [-0.5, 0.0, -0.4], 70.0),
-        // So wide that directions are longest along several axes.
+        // A view so wide that directions are longest along several axes.
         perspective([0.1, 0.2, 0.05], [-0.5, 0.0, -0.4], 150.0),
         orthographic([1.0, 1.5, 0.6], [0.0; 3], 1.3),
         orthographic([0.0, 0.0, 3.0], [0.0; 3], 1.0),
@@ -204,7 +204,7 @@ fn built_in_meshes_are_hit_as_by_the_hierarchy() {
         all.add(agree(&mesh, &cameras[0], way));
         all.add(agree(&mesh, &cameras[5], way));
     }
-    // Each width that the machine has beside one casts them all.
+    // Each available width except one casts all rays.
     let widths = Lanes::available().count() as u64 - 1;
     if widths > 0 {
         assert!(all.rays > 1_500_000 * widths && all.hits > 700_000 * widths, "{all:?}");
@@ -227,7 +227,7 @@ fn pictures_of_any_size_and_any_bands_are_cast() {
 fn the_eye_may_be_anywhere_in_or_on_the_mesh() {
     let way = Way { size: [81, 60], rows: 17, offsets: &OFFSETS[..2] };
     let plane = rectangle([1.0, 1.0], 8).expect("divisions in range");
-    // In a triangle, on an edge and at a corner; looking along it and at it.
+    // The eye is in a triangle, on an edge or at a corner, and looks along the plane or at it.
     for at in [[0.03, 0.0, 0.01], [0.0625, 0.0, 0.0625], [0.0, 0.0, 0.0], [0.1, 0.0, 0.125]] {
         for target in [[0.5, 0.0, 0.2], [0.1, -1.0, 0.1], [0.7, 0.2, 0.0]] {
             agree(&plane, &perspective(at, target, 80.0), way);
@@ -252,7 +252,8 @@ fn strewn_triangles_are_hit_as_by_the_hierarchy() {
         let triangles = soup(seed, 300);
         let mut next = noise(seed + 1000);
         let mut place = |size: f64| [f64::from(next()) * size, f64::from(next()) * size, f64::from(next())];
-        // Amid them, so that some are behind and around the eye; from afar; and at a corner of one.
+        // Views from amid the triangles, so that some are behind and around the eye; from afar; and
+        // at a corner of one.
         let corner = triangles[0][1].as_dvec3().to_array();
         let cameras = [
             perspective(place(0.7), place(0.7), 75.0),
@@ -270,7 +271,7 @@ fn strewn_triangles_are_hit_as_by_the_hierarchy() {
 
 #[test]
 fn edges_and_corners_in_the_middle_of_pixels_are_met_as_by_the_hierarchy() {
-    // Corners at whole numbers of pixels and halves of them, in exact numbers.
+    // The corners lie at whole and half pixels, in exact numbers.
     let triangles: Vec<[Vec3; 3]> = (0..16u32)
         .flat_map(|number| {
             let [x, y] = [(number % 4) as f32 * 4.0 - 8.0, (number / 4) as f32 * 4.0 - 8.0];
@@ -292,8 +293,8 @@ fn views_that_are_none_are_cast_one_by_one() {
     let camera = perspective([0.3, 0.9, 1.2], [0.0; 3], 45.0);
     let way = Way { size: [24, 24], ..Way::PLAIN };
     let plain = rays_of(&camera, way.size);
-    // Rays that have no direction, rays that all are the same, such as begin and end elsewhere, and one view
-    // so narrow that single precision does not tell its pixels apart.
+    // Rays without a direction, equal rays, rays with different origins and ends, and a view so
+    // narrow that single precision does not distinguish its pixels.
     let nothing = PictureRays { direction: [Vec3::ZERO; 3], ..plain };
     let not_finite = PictureRays { direction: plain.direction.map(|along| along * f32::NAN), ..plain };
     let same = PictureRays { direction: [plain.direction[0], Vec3::ZERO, Vec3::ZERO], ..plain };
@@ -310,7 +311,7 @@ fn views_that_are_none_are_cast_one_by_one() {
 
 #[test]
 fn tiles_with_very_many_triangles_are_cast_one_by_one() {
-    // All over a picture, and in a spot of it.
+    // Many triangles all over a picture, and in a spot of it.
     for (around, down, size, distance) in [(512, 256, [24, 24], 1.5), (128, 64, [400, 16], 4.0)] {
         let mesh = sphere(around, down).expect("divisions in range");
         let caster = RayCaster::new(&mesh);

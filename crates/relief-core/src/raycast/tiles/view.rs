@@ -1,61 +1,62 @@
-//! Where on a picture points of the world are.
+//! Projection of points of the world to a picture.
 
 use glam::{DMat3, DVec3, Vec3};
 
 use super::{Corners, PictureRays};
 use crate::raycast::Sides;
 
-/// What every projection is grown by besides what rays may stray, in pixels: rounding in `f64`, which is far
-/// less unless a view is hardly one.
+/// Growth of every projection, in pixels, in addition to the rays' error. It covers rounding in
+/// `f64`, which is far smaller in all sensible views.
 const MARGIN_PIXELS: f64 = 1.0 / 16.0;
 
-/// The most that rays may stray from where they are projected, in pixels. More, and tiles list triangles that
-/// they hardly show.
-const MOST_STRAY_PIXELS: f64 = 2.0;
+/// Largest error of rays in `f32`, in pixels. With a larger one, tiles would list many triangles
+/// that they do not show.
+const MOST_ERROR_PIXELS: f64 = 2.0;
 
-/// The least depth of a corner, relative to its distance, at which it is projected: its place is then known to
-/// `1e-9` of itself.
+/// Least depth of a corner, relative to its distance, at which it is projected. The relative error
+/// of its position is then at most `1e-9`.
 const LEAST_DEPTH: f64 = 1.0 / (1 << 20) as f64;
 
-/// How far beyond a plane something must be to be left out, relative to its distance; more than rounding.
+/// Distance beyond a plane at which something is left out, relative to its distance from the eye.
+/// It exceeds rounding.
 const PLANE_SLACK: f64 = 1e-12;
 
-/// How far the eye must be behind a triangle, as the sine of an angle, for no ray to meet its front, whatever
-/// is rounded.
+/// Sine of the angle by which the eye must be behind a triangle so that no ray hits its front,
+/// whatever the rounding.
 const BEHIND: f64 = 1e-5;
 
-/// The projection of a picture's rays.
+/// Projection of a picture's rays.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     eye: DVec3,
-    /// Turns what is seen from the eye into columns, rows and depths; columns and rows from a point are to be
-    /// divided by the depth.
+    /// Rows of the matrix from directions at the eye to columns, rows and depths. Columns and rows
+    /// must be divided by the depth, unless rays are parallel.
     rows: [DVec3; 3],
-    /// The direction of parallel rays.
+    /// Direction of parallel rays.
     parallel: Option<DVec3>,
-    /// How much projections are grown.
+    /// Growth of projections, in pixels.
     grown: [f64; 2],
 }
 
-/// Where a triangle is.
-pub enum Place {
-    /// No ray of the picture meets it.
-    Unseen,
-    /// In a range of columns and rows.
+/// Projection of a triangle.
+pub enum Projected {
+    /// No ray of the picture hits it.
+    Culled,
+    /// It is inside a range of columns and rows.
     Within([[f64; 2]; 2]),
     /// It reaches beside or behind the eye.
-    Through,
+    Unbounded,
 }
 
 impl View {
-    /// That of some rays, through points of a picture of so many columns and rows; none where their place is
-    /// not known to a few pixels.
+    /// Creates the projection of some rays, for a picture of `size` columns and rows. `None` if the
+    /// rays' positions are not known to a few pixels.
     pub fn new(rays: &PictureRays, size: [u32; 2]) -> Option<Self> {
         let [eye, eye_right, eye_down] = rays.origin;
         let [corner, right, down] = rays.direction;
-        let stands = [eye_right, eye_down] == [Vec3::ZERO; 2];
+        let has_one_origin = [eye_right, eye_down] == [Vec3::ZERO; 2];
         let is_parallel = [right, down] == [Vec3::ZERO; 2];
-        if stands == is_parallel {
+        if has_one_origin == is_parallel {
             return None;
         }
         let steps = if is_parallel { [eye_right, eye_down] } else { [right, down] }.map(Vec3::as_dvec3);
@@ -67,28 +68,28 @@ impl View {
         }
         let rows = [0, 1, 2].map(|row| inverse.row(row));
         let [width, height] = size.map(f64::from);
-        // A product and two sums of three numbers, each rounded to half of a unit in the last place.
+        // A product and two sums of three numbers, each rounded to half a unit in the last place.
         let added = if is_parallel { eye.as_dvec3() } else { corner };
         let sizes = added.abs() + steps[0].abs() * width + steps[1].abs() * height;
-        let strays = rows.map(|row| row.abs().dot(sizes) * 4.0 * f64::from(f32::EPSILON));
+        let errors = rows.map(|row| row.abs().dot(sizes) * 4.0 * f64::from(f32::EPSILON));
         // The points themselves are rounded, too.
         let along = |axis: usize, length: f64| {
-            let at_depth = if is_parallel { 0.0 } else { strays[2] };
-            (strays[axis] + length * at_depth) / (1.0 - at_depth) + length * f64::from(f32::EPSILON)
+            let at_depth = if is_parallel { 0.0 } else { errors[2] };
+            (errors[axis] + length * at_depth) / (1.0 - at_depth) + length * f64::from(f32::EPSILON)
         };
-        let strays = [along(0, width), along(1, height), strays[2]];
-        let is_fine = is_parallel || strays[2] < 0.5;
-        if !(is_fine && strays[0] <= MOST_STRAY_PIXELS && strays[1] <= MOST_STRAY_PIXELS) {
+        let errors = [along(0, width), along(1, height), errors[2]];
+        let is_fine = is_parallel || errors[2] < 0.5;
+        if !(is_fine && errors[0] <= MOST_ERROR_PIXELS && errors[1] <= MOST_ERROR_PIXELS) {
             return None;
         }
-        let grown = [strays[0] + MARGIN_PIXELS, strays[1] + MARGIN_PIXELS];
+        let grown = [errors[0] + MARGIN_PIXELS, errors[1] + MARGIN_PIXELS];
         let view = Self { eye: eye.as_dvec3(), rows, parallel: is_parallel.then_some(corner), grown };
-        // A matrix that is nearly singular is no inverse.
+        // The inverse of a nearly singular matrix is not accurate.
         let ends = [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]];
         let is_inverse = ends.into_iter().all(|[x, y]| {
-            let [column, row, depth] = view.seen(corner + steps[0] * x + steps[1] * y);
-            let strays = [column - x, row - y, (depth - 1.0) * (width + height)];
-            strays.into_iter().all(|stray| stray.abs() < 0.1 * MARGIN_PIXELS)
+            let [column, row, depth] = view.coordinates(corner + steps[0] * x + steps[1] * y);
+            let errors = [column - x, row - y, (depth - 1.0) * (width + height)];
+            errors.into_iter().all(|error| error.abs() < 0.1 * MARGIN_PIXELS)
         });
         is_inverse.then_some(view)
     }
@@ -98,47 +99,48 @@ impl View {
         self.parallel.is_some()
     }
 
-    /// How far beside its projection something may be met, in pixels.
+    /// Distance beside its projection at which something may still be hit, in pixels.
     pub fn grown(&self) -> [f64; 2] {
         self.grown
     }
 
-    /// Grows projections by other pixels than these must be grown by.
+    /// Replaces the growth of projections by a wrong one.
     #[cfg(test)]
     pub fn grow(&mut self, pixels: f64) {
         self.grown = [pixels; 2];
     }
 
     #[inline(always)]
-    fn seen(&self, from_eye: DVec3) -> [f64; 3] {
+    fn coordinates(&self, from_eye: DVec3) -> [f64; 3] {
         self.rows.map(|row| row.dot(from_eye))
     }
 
-    /// Where a triangle is seen.
+    /// Projects a triangle.
     #[inline(always)]
-    pub fn place(&self, corners: &Corners, sides: Sides) -> Place {
+    pub fn project(&self, corners: &Corners, sides: Sides) -> Projected {
         let from_eye = corners.map(|corner| corner - self.eye);
-        let [a, b, c] = from_eye.map(|corner| self.seen(corner));
+        let [a, b, c] = from_eye.map(|corner| self.coordinates(corner));
         let distance = from_eye[0].abs().max(from_eye[1].abs()).max(from_eye[2].abs()).max_element();
         let least = self.rows[2].abs().max_element() * distance * LEAST_DEPTH;
         if a[2].max(b[2]).max(c[2]) < -least || sides == Sides::Front && self.is_behind(from_eye, distance) {
-            return Place::Unseen;
+            return Projected::Culled;
         }
         let range = |axis: usize, scale: [f64; 3]| {
             let [a, b, c] = [a[axis] * scale[0], b[axis] * scale[1], c[axis] * scale[2]];
             [a.min(b).min(c), a.max(b).max(c)]
         };
         if self.parallel.is_some() {
-            return Place::Within([range(0, [1.0; 3]), range(1, [1.0; 3])]);
+            return Projected::Within([range(0, [1.0; 3]), range(1, [1.0; 3])]);
         }
         if a[2].min(b[2]).min(c[2]) <= least {
-            return Place::Through;
+            return Projected::Unbounded;
         }
         let scale = [1.0 / a[2], 1.0 / b[2], 1.0 / c[2]];
-        Place::Within([range(0, scale), range(1, scale)])
+        Projected::Within([range(0, scale), range(1, scale)])
     }
 
-    /// Whether the eye is clearly behind a triangle, whose corners are seen from there so far away at most.
+    /// Whether the eye is clearly behind a triangle. `distance` is the largest coordinate of its
+    /// corners, seen from the eye.
     #[inline(always)]
     fn is_behind(&self, [a, b, c]: Corners, distance: f64) -> bool {
         let normal = (b - a).cross(c - a);
@@ -149,7 +151,7 @@ impl View {
         along > normal.abs().max_element() * length * BEHIND
     }
 
-    /// The planes around a range of columns and rows.
+    /// Planes around a range of columns and rows.
     pub fn planes(&self, [columns, rows]: [[f64; 2]; 2]) -> Planes {
         let along = |axis: usize, end: f64, sign: f64| {
             let row = self.rows[axis];
@@ -173,29 +175,29 @@ impl View {
     }
 }
 
-/// Four planes around some rays, which lie where none of them is negative.
+/// Four planes around some rays. The rays lie where no plane's value is negative.
 #[derive(Clone, Copy, Debug)]
 pub struct Planes {
     eye: DVec3,
-    /// The planes' normals, axis by axis.
+    /// Normals of the planes, axis by axis.
     normals: [[f64; 4]; 3],
-    /// What is added to a product with the normal.
+    /// Offsets added to the product with the normal.
     from: [f64; 4],
 }
 
-/// How something lies to planes.
+/// Position of something relative to planes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// All of it is beyond one of them.
+    /// It is entirely beyond one of the planes.
     Outside,
     /// It may be on both sides.
     Across,
-    /// It is clearly between them.
+    /// It is clearly between the planes.
     Inside,
 }
 
 impl Planes {
-    /// Where a box lies.
+    /// Position of a box.
     #[inline(always)]
     pub fn side_of_box(&self, low: DVec3, high: DVec3) -> Side {
         let middle = ((low + high) * 0.5 - self.eye).to_array();
@@ -220,7 +222,7 @@ impl Planes {
         }
     }
 
-    /// Whether all of a triangle is beyond one of them.
+    /// Whether a triangle is entirely beyond one of the planes.
     #[inline(always)]
     pub fn leave_out(&self, corners: &Corners) -> bool {
         let mut beyond = [true; 4];

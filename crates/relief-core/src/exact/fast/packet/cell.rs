@@ -1,14 +1,14 @@
-//! Cells in `f64` lanes.
+//! Intersection of rays with cells, in `f64` lanes.
 
 use super::PathPacket;
 use super::setup::HalfRays;
 use super::vector::{Double, Mask, Vector};
 
-/// The rays of a packet, in two halves.
+/// Rays of a packet, in two halves.
 pub(super) type Rays<V> = [HalfRays<V>; 2];
 
-/// The bilinear patch of a cell, or of a cell in each lane: where the cell begins and ends, and the height
-/// there, `h00 + bx u + by v + d u v`.
+/// Bilinear patch of a cell, or of a different cell in each lane: the beginning and the end of the
+/// cell, and the height from its beginning, `h00 + bx u + by v + d u v`.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Patch<T> {
     first: [T; 2],
@@ -20,7 +20,7 @@ pub(super) struct Patch<T> {
 }
 
 impl Patch<f64> {
-    /// The patch of a cell with those corners.
+    /// Patch of a cell with these corners.
     #[inline(always)]
     pub fn new(cell: [u32; 2], corners: [f32; 4]) -> Self {
         let first = cell.map(f64::from);
@@ -29,7 +29,7 @@ impl Patch<f64> {
         Self { first, last: [first[0] + 1.0, first[1] + 1.0], h00, bx, by, d }
     }
 
-    /// The same in every lane.
+    /// Copies the patch to every lane.
     #[inline(always)]
     fn splat<V: Vector>(self, v: V) -> Patch<Double<V>> {
         let splat = |x: f64| Double::splat(v, x);
@@ -46,11 +46,11 @@ impl Patch<f64> {
     }
 }
 
-/// A cell's patch for each lane.
+/// A patch for each lane.
 pub(super) type Patches = Patch<[f64; PathPacket::LEN]>;
 
 impl Patches {
-    /// Puts a patch into a lane.
+    /// Stores a patch in a lane.
     #[inline(always)]
     pub fn set(&mut self, lane: usize, patch: Patch<f64>) {
         for k in 0..2 {
@@ -63,7 +63,7 @@ impl Patches {
         self.d[lane] = patch.d;
     }
 
-    /// The patches of half a packet, from a lane on.
+    /// Patches of half a packet, from lane `first` on.
     #[inline(always)]
     fn load<V: Vector>(&self, v: V, first: usize) -> Patch<Double<V>> {
         let load = |numbers: &[f64; PathPacket::LEN]| Double::load(v, numbers, first);
@@ -78,9 +78,9 @@ impl Patches {
     }
 }
 
-/// Where the rays of a packet hit, as far as is known, and what that took.
+/// Hits of the rays of a packet found yet, and their cost.
 pub(super) struct CellHits<V: Vector> {
-    /// The lanes that hit.
+    /// Lanes with a hit, as bits.
     pub found: u32,
     /// See `traverse::CellHit`, for both halves.
     pub s: [Double<V>; 2],
@@ -100,7 +100,7 @@ impl<V: Vector> CellHits<V> {
         Self { found: 0, s: zero, gap: zero, slope: zero, cell: [zero; 2], steps: none, bytes: none, v }
     }
 
-    /// Adds a step of some lanes.
+    /// Adds a step to some lanes.
     #[inline(always)]
     pub fn count(&mut self, lanes: u32, bytes: u32) {
         let (v, mask) = (self.v, self.v.mask32(lanes));
@@ -108,15 +108,15 @@ impl<V: Vector> CellHits<V> {
         self.bytes = v.select_u32s(mask, v.add_u32s(self.bytes, v.splat_u32s(bytes)), self.bytes);
     }
 
-    /// Solves one cell for some lanes and returns those that hit: `traverse::Search::cell` in lanes, with
-    /// `Gap::first_root` without its branches.
+    /// Solves one cell for some lanes and returns the lanes that hit. It is
+    /// `traverse::Search::cell` in lanes, with `Gap::first_root` without its branches.
     #[inline(always)]
     pub fn cell(&mut self, v: V, rays: &Rays<V>, corners: [f32; 4], cell: [u32; 2], lanes: u32) -> u32 {
         let patch = Patch::new(cell, corners);
         self.solve(v, rays, [patch.splat(v); 2], lanes)
     }
 
-    /// Solves a cell of its own for each of some lanes and returns those that hit.
+    /// Solves a different cell for each of some lanes and returns the lanes that hit.
     #[inline(always)]
     pub fn cells(&mut self, v: V, rays: &Rays<V>, patches: &Patches, lanes: u32) -> u32 {
         self.solve(v, rays, [patches.load(v, 0), patches.load(v, V::F64_LANES)], lanes)
@@ -163,7 +163,8 @@ impl<V: Vector> CellHits<V> {
         let begins_below = c0.le(zero);
         let crosses = (c0 + way * (c1 + way * c2)).le(zero);
         let turns = c1.lt(zero).and(c1.negated().lt(splat(2.0) * c2 * way));
-        // No early return where no lane may hit: a mispredicted branch costs more than the root.
+        // There is no early return if no lane may hit: a mispredicted branch costs more than the
+        // root.
         let may_hit = inside.and(begins_below.or(crosses).or(turns));
         let disc = c1 * c1 - splat(4.0) * c0 * c2;
         let real = zero.le(disc);
@@ -186,7 +187,7 @@ impl<V: Vector> CellHits<V> {
     }
 }
 
-/// Where rays cross a cell's first and last edge on an axis, in their order.
+/// Crossings of rays with a cell's first and last edge on an axis, in their order.
 #[inline(always)]
 fn crossings<V: Vector>(
     ray: &HalfRays<V>,

@@ -1,4 +1,5 @@
-//! From the hierarchy's window around the rays of a packet down to the first cell that each of them hits.
+//! Descent from the hierarchy's window around the rays of a packet to the first cell that each ray
+//! hits.
 
 use super::cell::{CellHits, Rays};
 use super::setup::HalfRays;
@@ -11,10 +12,10 @@ use crate::exact::fast::traverse::{BLOCK_BYTES, MAX_LEVELS, TILE_BYTES, edge, si
 /// Nodes of a block or cells of a tile.
 const NODES: usize = BLOCK * BLOCK;
 
-/// Columns and rows of the largest window that rays go down from together.
+/// Columns and rows of the largest window from which rays descend together.
 pub(super) const MOST_NODES: usize = 8;
 
-/// The rays in `f32`: see `Line`.
+/// Rays in `f32`: see `Line`.
 pub(super) struct Singles<V: Vector> {
     pub origin: [Single<V>; 2],
     pub per_cell: [Single<V>; 2],
@@ -22,67 +23,69 @@ pub(super) struct Singles<V: Vector> {
     pub height: Single<V>,
     pub per_height: Single<V>,
     pub length: Single<V>,
-    /// Cells that it goes along the longer axis.
+    /// Distance in cells along the longer axis.
     pub travel: Single<V>,
 }
 
-/// Rays that go down together: alike in direction, in whether they fall, and in the level at which they
-/// begin.
+/// Rays that descend together. They go in similar directions, all fall or all rise, and begin at
+/// the same level.
 pub(super) struct Group<V: Vector> {
-    /// The lanes.
+    /// Lanes as bits.
     pub lanes: u32,
     pub level: usize,
-    /// Which way: the `i`-th column, or row, that the rays come to in a block is number `i ^ flip`.
+    /// Direction of travel: the `i`-th column, or row, that the rays enter in a block has number
+    /// `i ^ flip`.
     pub flip: [usize; 2],
-    /// The first and the last column and row of nodes that the rays come to.
+    /// First and last column and row of nodes that the rays visit.
     pub window: [[u32; 2]; 2],
-    /// The first column and row of each ray's own window.
+    /// First column and row of each ray's own window.
     pub corner: [Single<V>; 2],
 }
 
-/// What a search of one group knows.
+/// State of the search of one group.
 pub(super) struct Search<'a, V: Vector, const FALLS: bool> {
     v: V,
     hierarchy: &'a Hierarchy,
     rays: &'a Rays<V>,
     singles: &'a Singles<V>,
     group: &'a Group<V>,
-    /// `s` by which nodes are grown.
+    /// Growth of nodes in `s`.
     slack: [Single<V>; 2],
-    /// The rays that have not hit yet.
+    /// Rays without a hit yet.
     alive: u32,
     hits: &'a mut CellHits<V>,
 }
 
-/// The 4 x 4 nodes of a block, and the lanes that look at them.
+/// The 4 x 4 nodes of a block, and the lanes that test them.
 struct Nodes<'a> {
     maxima: &'a [f32; NODES],
-    /// What makes a turn's number a node's number, by an exclusive or.
+    /// Exclusive-or mask that turns the order of travel into node numbers.
     flip: usize,
     lanes: u32,
 }
 
-/// The nodes of a block that are touched: bit by bit, in the order in which rays come to them, and by whom.
+/// Touched nodes of a block: a bit for each, in the order in which rays enter them, and the lanes
+/// that touch them.
 #[derive(Clone, Copy)]
 struct Touched {
     nodes: u32,
     by: [u16; NODES],
 }
 
-/// A block, and what is left of it.
+/// A block and its remaining nodes.
 #[derive(Clone, Copy)]
-struct Left {
+struct Remaining {
     corner: [u32; 2],
     touched: Touched,
 }
 
-/// What is left of the blocks above the one that is searched, level by level. It is made once for many
-/// packets: to fill it for each search would take some hundredths of the time.
-pub(super) struct Stack([Left; MAX_LEVELS]);
+/// Remaining nodes of the blocks above the current one, level by level. It is created once for many
+/// packets. Clearing it for each search would take some hundredths of the time.
+pub(super) struct Stack([Remaining; MAX_LEVELS]);
 
 impl Stack {
     pub fn new() -> Self {
-        Self([Left { corner: [0; 2], touched: Touched { nodes: 0, by: [0; NODES] } }; MAX_LEVELS])
+        Self([Remaining { corner: [0; 2], touched: Touched { nodes: 0, by: [0; NODES] } }; MAX_LEVELS])
     }
 }
 
@@ -106,7 +109,7 @@ impl<V: Vector> Singles<V> {
     }
 }
 
-/// The cell of a place, and where in it.
+/// Cell of a position, and the position in it.
 #[inline(always)]
 fn cell_and_rest<V: Vector>(low: Double<V>, high: Double<V>) -> (Single<V>, Single<V>) {
     let cells = [low.truncate(), high.truncate()];
@@ -181,7 +184,7 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
         }
     }
 
-    /// The lanes in whose own windows a node of the first level is.
+    /// Lanes whose own windows contain a node of the first level.
     #[inline(always)]
     fn windows_with(&self, node: [u32; 2]) -> u32 {
         let middle = Single::splat(self.v, (BLOCK - 1) as f32 / 2.0);
@@ -190,7 +193,7 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
         (from_x - middle).abs().le(middle) & (from_y - middle).abs().le(middle)
     }
 
-    /// Goes down from a node of the first level.
+    /// Descends from a node of the first level.
     #[inline(always)]
     fn below(&mut self, node: [u32; 2], by: u32, stack: &mut Stack) {
         let levels = self.hierarchy.levels();
@@ -210,9 +213,9 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
                 let maxima = pulp::bytemuck::cast_ref(block);
                 self.hits.count(by, BLOCK_BYTES);
                 let touched = self.touched(maxima, edge(corner, level), size(level), by);
-                stack.0[level % MAX_LEVELS] = Left { corner, touched };
+                stack.0[level % MAX_LEVELS] = Remaining { corner, touched };
             }
-            // The next node.
+            // Goes to the next node.
             loop {
                 if level == self.group.level {
                     return;
@@ -234,14 +237,14 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
         }
     }
 
-    /// The column and row of a block's node, which is given by its turn.
+    /// Column and row of a block's node, from its number in the order of travel.
     #[inline(always)]
     fn place(&self, at: usize) -> [usize; 2] {
         let [x, y] = self.group.flip;
         [(at % BLOCK) ^ x, (at / BLOCK) ^ y]
     }
 
-    /// The first hits in a tile.
+    /// Finds the first hits in a tile.
     #[inline(always)]
     fn tile(&mut self, node: [u32; 2], by: u32) {
         let Some(tile) = self.hierarchy.tile(node) else { return };
@@ -264,7 +267,7 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
         }
     }
 
-    /// What leads from where a ray crosses a node's first edge to where it enters and leaves the node.
+    /// Offsets from the crossing of a node's first edge to the ray's entry and exit.
     #[inline(always)]
     fn near_and_far(&self, axis: usize, size: f32) -> [Single<V>; 2] {
         let zero = Single::splat(self.v, 0.0);
@@ -274,20 +277,20 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
         [near, far]
     }
 
-    /// `s` from a cell's edge to that of the cell where the ray begins.
+    /// `s` from the edge of the cell where the ray begins to another edge.
     #[inline(always)]
     fn crossing(&self, axis: usize, edge: f32) -> Single<V> {
         (Single::splat(self.v, edge) - self.singles.origin[axis]) * self.singles.per_cell[axis]
     }
 
-    /// The lanes that touch a node that they enter and leave there.
+    /// Lanes that touch a node, which they enter and leave at these `s`.
     #[inline(always)]
     fn touches(&self, maximum: Single<V>, enter: Single<V>, leave: Single<V>) -> u32 {
         let level = (maximum - self.singles.height) * self.singles.per_height;
         if FALLS { level.max(enter).le(leave) } else { enter.le(level.min(leave)) }
     }
 
-    /// Which of 4 x 4 nodes the rays touch: `Line::touched` in lanes, with the same bits.
+    /// Returns which of 4 x 4 nodes the rays touch: `Line::touched` in lanes, with the same bits.
     #[inline(always)]
     fn touched(&self, maxima: &[f32; NODES], edges: [i32; 2], size: f32, lanes: u32) -> Touched {
         let [flip_x, flip_y] = self.group.flip;
@@ -310,21 +313,21 @@ impl<'a, V: Vector, const FALLS: bool> Search<'a, V, FALLS> {
         touched
     }
 
-    /// Where rays enter and leave a column of nodes, and as far as they go at all.
+    /// `s` at which rays enter and leave a column of nodes, limited to the rays' length.
     #[inline(always)]
     fn column(&self, edge: f32, at: usize, size: f32, near: Single<V>, far: Single<V>) -> [Single<V>; 2] {
         let crossing = self.crossing(0, edge + at as f32 * size);
         [(crossing + near).max(Single::splat(self.v, 0.0)), (crossing + far).min(self.singles.length)]
     }
 
-    /// Where rays enter and leave a row of nodes.
+    /// `s` at which rays enter and leave a row of nodes.
     #[inline(always)]
     fn row(&self, edge: f32, at: usize, size: f32, near: Single<V>, far: Single<V>) -> [Single<V>; 2] {
         let crossing = self.crossing(1, edge + at as f32 * size);
         [crossing + near, crossing + far]
     }
 
-    /// The nodes of a row, from the `first` turn on.
+    /// Tests the nodes of a row, from number `first` on in the order of travel.
     #[inline(always)]
     fn touched_row(
         &self,

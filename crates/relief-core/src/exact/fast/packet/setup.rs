@@ -1,4 +1,5 @@
-//! Paths made rays of the search, in lanes: clipped to the heights of the map, in cells, in their tile.
+//! Conversion of paths to the rays of the search, in lanes: clipped to the heights of the map, in
+//! cells, in their tile.
 
 use super::vector::{Double, Mask, Vector};
 use super::{FastTracer, PathPacket};
@@ -6,14 +7,14 @@ use crate::Wrap;
 use crate::exact::fast::ray::{MOST_PER_CELL, TileRay};
 use crate::exact::{MAX_RATE, MAX_START, MAX_TRAVEL};
 
-/// Where rays of packets begin, in heights: one that begins much further off is clipped so roughly that it is
-/// left to the search one by one.
+/// Greatest height, in texel values, at which rays of packets may begin. Clipping is so inaccurate
+/// for higher ones that they are left to the scalar search.
 const MOST_HEIGHT: f64 = 4.0;
 
-/// The rays of half a packet: what `FastTracer::search` and `TileRay::new` make of paths, operation by
-/// operation.
+/// Rays of half a packet, computed from paths as in `FastTracer::search` and `TileRay::new`,
+/// operation by operation.
 ///
-/// Lanes that are in no set hold numbers without meaning.
+/// Lanes that are in no set hold meaningless numbers.
 #[derive(Clone, Copy)]
 pub(super) struct HalfRays<V: Vector> {
     /// See `TileRay`.
@@ -27,20 +28,20 @@ pub(super) struct HalfRays<V: Vector> {
     pub t0: Double<V>,
     pub unit: Double<V>,
     pub per_unit: Double<V>,
-    /// What was added to places, to be in the hierarchy's domain.
+    /// Offset of positions to the hierarchy's domain.
     pub shift: [Double<V>; 2],
-    /// Rays that can be searched for together.
-    pub together: u32,
-    /// Paths of which only the search one by one knows what they are.
-    pub alone: u32,
+    /// Rays that can be searched in packets.
+    pub packet: u32,
+    /// Lanes that must be traced by the scalar tracer.
+    pub scalar: u32,
     /// Rays that fall.
     pub falls: u32,
-    /// Rays that go left, and up.
+    /// Rays that go left, and rays that go up.
     pub backward: [u32; 2],
 }
 
 impl<V: Vector> HalfRays<V> {
-    /// The ray of a lane.
+    /// Ray of a lane.
     pub fn lane(&self, lane: usize) -> TileRay {
         TileRay {
             start: [self.start[0].lane(lane), self.start[1].lane(lane)],
@@ -52,7 +53,7 @@ impl<V: Vector> HalfRays<V> {
     }
 }
 
-/// The rays of `V::F64_LANES` paths of a packet, from a lane on.
+/// Rays of `V::F64_LANES` paths of a packet, from lane `first` on.
 #[inline(always)]
 pub(super) fn half_rays<V: Vector>(
     v: V,
@@ -116,10 +117,10 @@ pub(super) fn half_rays<V: Vector>(
     let extra = splat(tracer.extra);
     let shift = [extra - tile_x * w, extra - tile_y * h];
 
-    // Of a ray that is searched for together every number in `f32` is finite.
+    // For rays in packets every number in `f32` is finite.
     let missed = !traceable | (straight & !below & (above | passes));
     let moves = zero.lt(length).and(height[0].abs().lt(splat(MOST_HEIGHT))).bits();
-    let together = !missed & straight & !below & short & in_x & in_y & moves;
+    let packet = !missed & straight & !below & short & in_x & in_y & moves;
     HalfRays {
         start: [begin[0] + shift[0], begin[1] + shift[1]],
         end: [end[0] + shift[0], end[1] + shift[1]],
@@ -131,8 +132,8 @@ pub(super) fn half_rays<V: Vector>(
         unit,
         per_unit,
         shift,
-        together,
-        alone: !(missed | together),
+        packet,
+        scalar: !(missed | packet),
         falls: (height[1] + length * height[2]).lt(zero).bits(),
         backward: [per_cell[0].lt(zero).bits(), per_cell[1].lt(zero).bits()],
     }

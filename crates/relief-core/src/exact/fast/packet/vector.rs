@@ -1,4 +1,4 @@
-//! What packets ask of vectors, and numbers in lanes that are written like numbers.
+//! SIMD vectors of packets, and lanes of numbers with arithmetic operators.
 
 use std::ops::{Add, Div, Mul, Sub};
 use std::slice::from_ref;
@@ -9,25 +9,25 @@ use pulp::x86::{V3, V4};
 
 use super::PathPacket;
 
-/// Vectors with what `pulp` has under no common name: lanes of masks as bits, and conversions.
+/// Vectors with operations for which `pulp` has no common name: bits of masks, and conversions.
 pub(super) trait Vector: Simd {
-    /// The lanes of a mask, the first one lowest.
+    /// Lanes of a mask as bits, the first one lowest.
     fn bits32(self, mask: Self::m32s) -> u32;
-    /// The lanes of a mask, the first one lowest.
+    /// Lanes of a mask as bits, the first one lowest.
     fn bits64(self, mask: Self::m64s) -> u32;
-    /// The mask of some lanes; higher bits than there are lanes do not matter.
+    /// Mask of some lanes. Bits above the number of lanes are ignored.
     fn mask32(self, bits: u32) -> Self::m32s;
-    /// The mask of some lanes; higher bits than there are lanes do not matter.
+    /// Mask of some lanes. Bits above the number of lanes are ignored.
     fn mask64(self, bits: u32) -> Self::m64s;
     /// Both halves of a packet, rounded to `f32`.
     fn narrow(self, halves: [Self::f64s; 2]) -> Self::f32s;
     /// Numbers without their fractions.
     fn truncate(self, a: Self::f64s) -> Self::f64s;
-    /// The greatest whole numbers that are not greater.
+    /// Greatest whole numbers that are not greater than the numbers.
     fn floor(self, a: Self::f64s) -> Self::f64s;
 }
 
-/// The lanes of a set, one after the other.
+/// Lanes of a set, one after the other.
 #[inline]
 pub(super) fn lanes_of(mut set: u32) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
@@ -117,7 +117,7 @@ impl Vector for V4 {
 #[derive(Clone, Copy)]
 pub(super) struct Single<V: Vector> {
     v: V,
-    /// The numbers.
+    /// Numbers as a vector.
     pub x: V::f32s,
 }
 
@@ -125,11 +125,11 @@ pub(super) struct Single<V: Vector> {
 #[derive(Clone, Copy)]
 pub(super) struct Double<V: Vector> {
     v: V,
-    /// The numbers.
+    /// Numbers as a vector.
     pub x: V::f64s,
 }
 
-/// The lanes of half a packet in which something holds.
+/// Lanes of half a packet that satisfy a condition.
 #[derive(Clone, Copy)]
 pub(super) struct Mask<V: Vector> {
     v: V,
@@ -143,7 +143,7 @@ impl<V: Vector> Single<V> {
         Self { v, x: v.splat_f32s(x) }
     }
 
-    /// Both halves, rounded.
+    /// Both halves, rounded to `f32`.
     #[inline(always)]
     pub fn narrow([low, high]: [Double<V>; 2]) -> Self {
         Self { v: low.v, x: low.v.narrow([low.x, high.x]) }
@@ -154,50 +154,50 @@ impl<V: Vector> Single<V> {
         Self { v: self.v, x: self.v.abs_f32s(self.x) }
     }
 
-    /// The lesser number, the other one if one is NaN.
+    /// Lesser number; the other one if one is NaN.
     #[inline(always)]
     pub fn min(self, other: Self) -> Self {
         Self { v: self.v, x: self.v.min_f32s(self.x, other.x) }
     }
 
-    /// The greater number, the other one if one is NaN.
+    /// Greater number; the other one if one is NaN.
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {
         Self { v: self.v, x: self.v.max_f32s(self.x, other.x) }
     }
 
-    /// The lanes in which this number is not greater, as bits.
+    /// Lanes in which this number is not greater, as bits.
     #[inline(always)]
     pub fn le(self, other: Self) -> u32 {
         self.v.bits32(self.v.less_than_or_equal_f32s(self.x, other.x))
     }
 
-    /// This number in those lanes, the other one elsewhere.
+    /// This number in the lanes of `bits`, the other one elsewhere.
     #[inline(always)]
     pub fn where_or(self, bits: u32, other: Self) -> Self {
         Self { v: self.v, x: self.v.select_f32s(self.v.mask32(bits), self.x, other.x) }
     }
 
-    /// The number of a lane.
+    /// Number in a lane.
     #[inline(always)]
     pub fn lane(&self, lane: usize) -> f32 {
         let numbers: &[f32] = cast_slice(from_ref(&self.x));
         numbers[lane]
     }
 
-    /// The sum of all lanes.
+    /// Sum of all lanes.
     #[inline(always)]
     pub fn sum(self) -> f32 {
         self.v.reduce_sum_f32s(self.x)
     }
 
-    /// The least number of all lanes.
+    /// Least number of all lanes.
     #[inline(always)]
     pub fn least(self) -> f32 {
         self.v.reduce_min_f32s(self.x)
     }
 
-    /// The greatest number of all lanes.
+    /// Greatest number of all lanes.
     #[inline(always)]
     pub fn greatest(self) -> f32 {
         self.v.reduce_max_f32s(self.x)
@@ -210,7 +210,7 @@ impl<V: Vector> Double<V> {
         Self { v, x }
     }
 
-    /// The numbers from a lane on, of which there must be enough.
+    /// Numbers from index `first` on. There must be enough to fill the vector.
     #[inline(always)]
     pub fn load(v: V, numbers: &[f64], first: usize) -> Self {
         let (vectors, _) = V::as_simd_f64s(&numbers[first..]);
@@ -236,7 +236,7 @@ impl<V: Vector> Double<V> {
         Self { v: self.v, x: self.v.abs_f64s(self.x) }
     }
 
-    /// The number of a lane.
+    /// Number in a lane.
     #[inline(always)]
     pub fn lane(&self, lane: usize) -> f64 {
         let numbers: &[f64] = cast_slice(from_ref(&self.x));
@@ -248,25 +248,25 @@ impl<V: Vector> Double<V> {
         Self { v: self.v, x: self.v.sqrt_f64s(self.x) }
     }
 
-    /// The number without its fraction.
+    /// Number without its fraction.
     #[inline(always)]
     pub fn truncate(self) -> Self {
         Self { v: self.v, x: self.v.truncate(self.x) }
     }
 
-    /// The greatest whole number that is not greater.
+    /// Greatest whole number that is not greater than the number.
     #[inline(always)]
     pub fn floor(self) -> Self {
         Self { v: self.v, x: self.v.floor(self.x) }
     }
 
-    /// The lesser number, the other one if one is NaN or they are equal: `ray::lesser` in lanes.
+    /// Lesser number; the other one if one is NaN or they are equal: `ray::lesser` in lanes.
     #[inline(always)]
     pub fn lesser(self, other: Self) -> Self {
         Self { v: self.v, x: self.v.min_f64s(self.x, other.x) }
     }
 
-    /// The greater number, the other one if one is NaN or they are equal: `ray::greater` in lanes.
+    /// Greater number; the other one if one is NaN or they are equal: `ray::greater` in lanes.
     #[inline(always)]
     pub fn greater(self, other: Self) -> Self {
         Self { v: self.v, x: self.v.max_f64s(self.x, other.x) }
@@ -287,13 +287,13 @@ impl<V: Vector> Double<V> {
         Mask { v: self.v, m: self.v.equal_f64s(self.x, other.x) }
     }
 
-    /// The vectors that this is made of.
+    /// The vector type's token.
     #[inline(always)]
     pub fn token(self) -> V {
         self.v
     }
 
-    /// This number with the opposite sign.
+    /// Number with the opposite sign.
     #[inline(always)]
     pub fn negated(self) -> Self {
         Self { v: self.v, x: self.v.xor_f64s(self.x, self.v.splat_f64s(-0.0)) }
@@ -301,25 +301,25 @@ impl<V: Vector> Double<V> {
 }
 
 impl<V: Vector> Mask<V> {
-    /// The mask of some lanes; higher bits than there are lanes do not matter.
+    /// Mask of some lanes. Bits above the number of lanes are ignored.
     #[inline(always)]
     pub fn of(v: V, bits: u32) -> Self {
         Self { v, m: v.mask64(bits) }
     }
 
-    /// Every lane.
+    /// Mask of all lanes.
     #[inline(always)]
     pub fn all(v: V) -> Self {
         Self::of(v, !0)
     }
 
-    /// What `pulp` takes.
+    /// Mask as `pulp` takes it.
     #[inline(always)]
     pub fn mask(self) -> V::m64s {
         self.m
     }
 
-    /// The lanes, the first one lowest.
+    /// Lanes as bits, the first one lowest.
     #[inline(always)]
     pub fn bits(self) -> u32 {
         self.v.bits64(self.m)
@@ -335,7 +335,7 @@ impl<V: Vector> Mask<V> {
         Self { v: self.v, m: self.v.or_m64s(self.m, other.m) }
     }
 
-    /// One number in these lanes, the other one elsewhere.
+    /// One number in the lanes of the mask, the other one elsewhere.
     #[inline(always)]
     pub fn choose(self, yes: Double<V>, no: Double<V>) -> Double<V> {
         Double { v: self.v, x: self.v.select_f64s(self.m, yes.x, no.x) }

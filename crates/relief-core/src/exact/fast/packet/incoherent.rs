@@ -1,7 +1,9 @@
-//! Rays with no neighbours. Each goes down the hierarchy by itself, and all take turns, a step at a time.
+//! Search of incoherent rays. Each descends the hierarchy by itself, and all take turns, a step at
+//! a time.
 //!
-//! Each step of a ray waits for the ray's last one, but not for those of other rays: so the processor works
-//! on several at once. A ray that has come to a cell waits until all have; then the cells are solved in lanes.
+//! Each step of a ray depends on its previous step, but not on other rays. So the processor works
+//! on several rays at once. A ray that has reached a cell waits until all have; then the cells are
+//! solved in lanes.
 
 use glam::Vec4;
 
@@ -14,7 +16,7 @@ use crate::exact::fast::line::{Kind, Line, is_crosswise};
 use crate::exact::fast::ray::TileRay;
 use crate::exact::fast::traverse::{BLOCK_BYTES, MAX_LEVELS, TILE_BYTES};
 
-/// The kind of a ray whose height is linear.
+/// Kind of a ray whose height is linear.
 #[derive(Clone, Copy, Default)]
 struct Straight {
     falls: bool,
@@ -38,41 +40,41 @@ impl Kind for Straight {
     }
 }
 
-/// What is left of a block, or of a window.
+/// Remaining nodes of a block or a window.
 #[derive(Clone, Copy, Default)]
-struct Left {
-    /// The first column and row.
+struct Remaining {
+    /// First column and row.
     corner: [u32; 2],
-    /// The nodes that the ray touches and has not been to.
+    /// Nodes that the ray touches and has not visited.
     nodes: u32,
 }
 
-/// A ray on its way down. The nodes of depth 0 are cells, those of depth 1 tiles.
+/// A ray on its descent. Nodes of depth 0 are cells, nodes of depth 1 are tiles.
 #[derive(Clone, Copy, Default)]
-struct Stray {
+struct RayState {
     line: Line<Straight>,
-    /// The nodes left, depth by depth.
-    left: [Left; MAX_LEVELS],
-    /// The depths that have nodes left, as bits.
+    /// Remaining nodes by depth.
+    left: [Remaining; MAX_LEVELS],
+    /// Depths with remaining nodes, as bits.
     depths: u32,
-    /// The node that it has come to, and its depth.
+    /// Current node and its depth.
     node: [u32; 2],
     depth: usize,
 }
 
-/// What a ray has come to.
+/// Kind of the current node of a ray.
 #[derive(Clone, Copy)]
 enum Node {
     Cell,
     Tile,
     /// A node above tiles.
     Block,
-    /// There is no node left.
+    /// No node remains.
     End,
 }
 
-/// The lanes whose rays have come to each kind of node. All are in one number, so that no lane waits until the
-/// one before is stored.
+/// Lanes whose rays have reached each kind of node. All are in one number, so that no lane waits
+/// for the store of the previous one.
 #[derive(Clone, Copy, Default)]
 struct Turns(u64);
 
@@ -88,8 +90,8 @@ impl Turns {
     }
 }
 
-impl Stray {
-    /// Begins with a ray: looks at its window.
+impl RayState {
+    /// Begins the search of a ray by testing its window.
     #[inline(always)]
     fn begin(&mut self, hierarchy: &Hierarchy, ray: &TileRay) {
         let kind = Straight { falls: ray.height[1] < 0.0, crosswise: is_crosswise(ray) };
@@ -99,16 +101,17 @@ impl Stray {
         self.look(&hierarchy.levels()[start_level].window(window), start_level + 1, window);
     }
 
-    /// Finds which of 4 x 4 nodes it touches.
+    /// Tests which of 4 x 4 nodes the ray touches.
     #[inline(always)]
     fn look(&mut self, maxima: &[Vec4; BLOCK], depth: usize, corner: [u32; 2]) {
         let edges = corner.map(|at| (at << (2 * depth)) as i32);
         let nodes = self.line.touched(maxima, edges, (1u32 << (2 * depth)) as f32);
-        self.left[depth % MAX_LEVELS] = Left { corner, nodes };
+        self.left[depth % MAX_LEVELS] = Remaining { corner, nodes };
         self.depths |= u32::from(nodes != 0) << depth;
     }
 
-    /// Goes to the next node. There is no branch on its kind, which the processor could not foresee.
+    /// Goes to the next node. There is no branch on the kind of the node, because the processor
+    /// could not predict it.
     #[inline(always)]
     fn advance(&mut self) -> Node {
         if self.depths == 0 {
@@ -126,7 +129,7 @@ impl Stray {
         }
     }
 
-    /// Looks at the nodes of the block that it has come to.
+    /// Tests the nodes of the current block.
     #[inline(always)]
     fn block(&mut self, hierarchy: &Hierarchy) {
         let depth = self.depth - 1;
@@ -135,7 +138,7 @@ impl Stray {
         }
     }
 
-    /// Looks at the cells of the tile that it has come to.
+    /// Tests the cells of the current tile.
     #[inline(always)]
     fn tile(&mut self, hierarchy: &Hierarchy) {
         if let Some(tile) = hierarchy.tile(self.node) {
@@ -143,27 +146,27 @@ impl Stray {
         }
     }
 
-    /// The first column and row inside its node.
+    /// First column and row inside the current node.
     #[inline(always)]
     fn corner(&self) -> [u32; 2] {
         self.node.map(|at| at * BLOCK as u32)
     }
 }
 
-/// The rays, by lanes, and the cells that they have come to.
-pub(super) struct Strays {
-    strays: [Stray; PathPacket::LEN],
+/// Incoherent rays by lane, and the cells that they have reached.
+pub(super) struct IncoherentRays {
+    states: [RayState; PathPacket::LEN],
     patches: Patches,
 }
 
-impl Strays {
-    // Inlined, so that it is made in its place: to copy it takes a twentieth of a packet's time.
+impl IncoherentRays {
+    // This is inlined, so that it is built in place. A copy takes a twentieth of a packet's time.
     #[inline(always)]
     pub fn new() -> Self {
-        Self { strays: [Stray::default(); PathPacket::LEN], patches: Patches::default() }
+        Self { states: [RayState::default(); PathPacket::LEN], patches: Patches::default() }
     }
 
-    /// Finds the first hits of some lanes, whose rays have nothing to do with each other.
+    /// Finds the first hits of some lanes whose rays are incoherent.
     #[inline(always)]
     pub fn run<V: Vector>(
         &mut self,
@@ -173,10 +176,10 @@ impl Strays {
         lanes: u32,
         hits: &mut CellHits<V>,
     ) {
-        let Self { strays, patches } = self;
+        let Self { states, patches } = self;
         for lane in lanes_of(lanes) {
             let ray = rays[lane / V::F64_LANES].lane(lane % V::F64_LANES);
-            strays[lane].begin(hierarchy, &ray);
+            states[lane].begin(hierarchy, &ray);
         }
         hits.count(lanes, BLOCK_BYTES);
         let mut left = lanes;
@@ -185,14 +188,14 @@ impl Strays {
             while going != 0 {
                 let mut turns = Turns::default();
                 for lane in lanes_of(going) {
-                    turns.add(strays[lane].advance(), lane);
+                    turns.add(states[lane].advance(), lane);
                 }
                 let (blocks, tiles) = (turns.of(Node::Block), turns.of(Node::Tile));
                 for lane in lanes_of(blocks) {
-                    strays[lane].block(hierarchy);
+                    states[lane].block(hierarchy);
                 }
                 for lane in lanes_of(tiles) {
-                    strays[lane].tile(hierarchy);
+                    states[lane].tile(hierarchy);
                 }
                 hits.count(blocks, BLOCK_BYTES);
                 hits.count(tiles, TILE_BYTES);
@@ -200,7 +203,7 @@ impl Strays {
                 cells |= turns.of(Node::Cell);
             }
             for lane in lanes_of(cells) {
-                let cell = strays[lane].node;
+                let cell = states[lane].node;
                 patches.set(lane, Patch::new(cell, hierarchy.corners(cell)));
             }
             hits.count(cells, CELL_BYTES);

@@ -1,36 +1,37 @@
-//! A packet's paths sorted into groups that go down together, and its answers.
+//! Sorting of a packet's paths into groups that descend together, and the packet's answers.
 
 use pulp::NullaryFnOnce;
 use pulp::x86::{V3, V4};
 
 use super::cell::CellHits;
+use super::incoherent::IncoherentRays;
 use super::search::{Group, MOST_NODES, Search, Singles, Stack};
 use super::setup::{HalfRays, half_rays};
-use super::strays::Strays;
 use super::vector::{Double, Mask, Single, Vector, lanes_of};
 use super::{FastTracer, HitPacket, PathPacket};
 use crate::Lanes;
 use crate::exact::fast::hierarchy::BLOCK;
 use crate::exact::fast::traverse::size;
 
-/// The fewest rays that go down together. Fewer are faster each on its own way.
+/// Fewest rays in a group. Fewer rays are faster one by one.
 const FEWEST: u32 = 3;
 
-/// How many of a group's rays must come to a node of its window, on average, for packets to pay.
+/// Average number of a group's rays that must visit each node of its window for packets to pay.
 const RAYS_OF_NODE: f32 = 2.5;
 
-/// So many groups of a packet that are too small show that its rays are scattered: then no more are looked
-/// for.
-const MOST_STRAYS: u32 = 2;
+/// Number of groups below these limits that show that the rays of a packet are scattered. Then no
+/// more groups are formed.
+const MOST_SMALL_GROUPS: u32 = 2;
 
-/// By how much of a node the window of a group is larger than the way of its rays: more than nodes are grown
-/// by, so that no node that a ray touches is left out, and little, as every further column costs time.
+/// Widening of a group's window beyond the range of its rays, as a part of a node. It exceeds the
+/// growth of nodes, so that no touched node is left out. It is small, because every further column
+/// costs time.
 const WIDENING: f64 = 1.0 / (1 << 13) as f64;
 
-/// Columns and rows by which others of a group may begin before the first of its rays.
+/// Columns and rows by which other rays of a group may begin before its first ray.
 const BEFORE: f32 = 2.0;
 
-/// Traces packets in vectors; does nothing and says so where there are none.
+/// Traces packets in vectors. Without such vectors it does nothing and returns false.
 pub(super) fn trace(
     tracer: &FastTracer,
     paths: &[PathPacket],
@@ -45,7 +46,7 @@ pub(super) fn trace(
     .is_some()
 }
 
-/// Finds blocked paths in vectors; does nothing and says so where there are none.
+/// Finds blocked paths in vectors. Without such vectors it does nothing and returns false.
 pub(super) fn blocked(tracer: &FastTracer, paths: &[PathPacket], lanes: Lanes, blocked: &mut [u16]) -> bool {
     match lanes {
         Lanes::One | Lanes::Four => None,
@@ -75,11 +76,11 @@ impl<V: Vector> NullaryFnOnce for Trace<'_, V> {
     #[inline(always)]
     fn call(self) {
         let Self { v, tracer, paths, answers } = self;
-        let mut memory = Memory::new();
+        let mut scratch = Scratch::new();
         for (paths, answers) in paths.iter().zip(answers) {
             (answers.found, answers.exhausted) = (0, 0);
             for first in (0..PathPacket::LEN).step_by(V::F32_LANES) {
-                let Found { rays, hits, alone } = search(v, tracer, paths, first, &mut memory);
+                let SearchResult { rays, hits, scalar } = search(v, tracer, paths, first, &mut scratch);
                 answers.found |= (hits.found << first) as u16;
                 for (half, rays) in rays.iter().enumerate() {
                     let first = first + half * V::F64_LANES;
@@ -87,7 +88,7 @@ impl<V: Vector> NullaryFnOnce for Trace<'_, V> {
                 }
                 store(&mut answers.steps, first, hits.steps, V::as_mut_simd_u32s);
                 store(&mut answers.bytes, first, hits.bytes, V::as_mut_simd_u32s);
-                for lane in lanes_of(alone) {
+                for lane in lanes_of(scalar) {
                     answers.set(first + lane, &tracer.trace(&paths.path(first + lane)));
                 }
             }
@@ -101,13 +102,13 @@ impl<V: Vector> NullaryFnOnce for Blocked<'_, V> {
     #[inline(always)]
     fn call(self) {
         let Self { v, tracer, paths, blocked } = self;
-        let mut memory = Memory::new();
+        let mut scratch = Scratch::new();
         for (paths, blocked) in paths.iter().zip(blocked) {
             *blocked = 0;
             for first in (0..PathPacket::LEN).step_by(V::F32_LANES) {
-                let Found { hits, alone, .. } = search(v, tracer, paths, first, &mut memory);
+                let SearchResult { hits, scalar, .. } = search(v, tracer, paths, first, &mut scratch);
                 *blocked |= (hits.found << first) as u16;
-                for lane in lanes_of(alone) {
+                for lane in lanes_of(scalar) {
                     *blocked |= u16::from(tracer.is_blocked(&paths.path(first + lane))) << (first + lane);
                 }
             }
@@ -115,37 +116,37 @@ impl<V: Vector> NullaryFnOnce for Blocked<'_, V> {
     }
 }
 
-/// What searches write to on their way. It is made once for many packets.
-struct Memory {
+/// Scratch memory of searches. It is created once for many packets.
+struct Scratch {
     stack: Stack,
-    /// None before the first ray that has no neighbours: to make it for every packet would take coherent
-    /// shadow rays a fifth to a third longer.
-    strays: Option<Strays>,
+    /// `None` until the first incoherent ray. Creating it for every packet would slow down coherent
+    /// shadow rays by a fifth to a third.
+    incoherent: Option<IncoherentRays>,
 }
 
-impl Memory {
+impl Scratch {
     fn new() -> Self {
-        Self { stack: Stack::new(), strays: None }
+        Self { stack: Stack::new(), incoherent: None }
     }
 }
 
-/// What a search knows of as many paths as a vector has lanes.
-struct Found<V: Vector> {
+/// Result of searching as many paths as a vector has lanes.
+struct SearchResult<V: Vector> {
     rays: [HalfRays<V>; 2],
     hits: CellHits<V>,
-    /// Paths that are no such rays.
-    alone: u32,
+    /// Lanes that must be traced by the scalar tracer.
+    scalar: u32,
 }
 
-/// Searches for the hits of as many paths as a vector has lanes, from a lane on.
+/// Searches for the hits of as many paths as a vector has lanes, from lane `first` on.
 #[inline(always)]
 fn search<V: Vector>(
     v: V,
     tracer: &FastTracer,
     paths: &PathPacket,
     first: usize,
-    memory: &mut Memory,
-) -> Found<V> {
+    scratch: &mut Scratch,
+) -> SearchResult<V> {
     let low = half_rays(v, tracer, paths, first);
     let high = half_rays(v, tracer, paths, first + V::F64_LANES);
     let rays = [low, high];
@@ -154,30 +155,30 @@ fn search<V: Vector>(
         let mask = (1 << V::F64_LANES) - 1;
         low & mask | (high & mask) << V::F64_LANES
     };
-    let alone = both(low.alone, high.alone);
-    let mut left = both(low.together, high.together);
+    let scalar = both(low.scalar, high.scalar);
+    let mut left = both(low.packet, high.packet);
     let mut hits = CellHits::new(v);
     if left == 0 {
-        return Found { rays, hits, alone };
+        return SearchResult { rays, hits, scalar };
     }
     let falls = both(low.falls, high.falls);
     let backward = [both(low.backward[0], high.backward[0]), both(low.backward[1], high.backward[1])];
     let singles = Singles::new(v, &rays);
-    let stack = &mut memory.stack;
-    let (mut strays, mut groups) = (0, 0);
+    let stack = &mut scratch.stack;
+    let (mut incoherent, mut groups) = (0, 0);
     while left != 0 {
         let first = left.trailing_zeros();
-        // Those on whose side of a choice the first ray is.
+        // The lanes that agree with the first ray.
         let alike = |set: u32| if set >> first & 1 == 1 { set } else { !set };
         let same = left & alike(falls) & alike(backward[0]) & alike(backward[1]);
         let (level, same) = same_level(v, tracer, &singles, same, first);
         let (group, pays) = grouped(v, tracer, &rays, level, same, first, backward);
         left &= !group.lanes;
         if !pays {
-            strays |= group.lanes;
+            incoherent |= group.lanes;
             groups += 1;
-            if groups == MOST_STRAYS {
-                strays |= left;
+            if groups == MOST_SMALL_GROUPS {
+                incoherent |= left;
                 left = 0;
             }
         } else if falls >> first & 1 == 1 {
@@ -186,14 +187,14 @@ fn search<V: Vector>(
             Search::<V, false>::new(v, &tracer.hierarchy, &rays, &singles, &group, &mut hits).run(stack);
         }
     }
-    if strays != 0 {
-        let search = memory.strays.get_or_insert_with(Strays::new);
-        search.run(v, &tracer.hierarchy, &rays, strays, &mut hits);
+    if incoherent != 0 {
+        let search = scratch.incoherent.get_or_insert_with(IncoherentRays::new);
+        search.run(v, &tracer.hierarchy, &rays, incoherent, &mut hits);
     }
-    Found { rays, hits, alone }
+    SearchResult { rays, hits, scalar }
 }
 
-/// The level at which a ray begins, and those of some others that begin there.
+/// Level at which a ray begins, and the lanes among others that begin there.
 #[inline(always)]
 fn same_level<V: Vector>(
     v: V,
@@ -215,7 +216,7 @@ fn same_level<V: Vector>(
     (level, lanes)
 }
 
-/// The group of a ray and its neighbours among some lanes, and whether it pays to let them go down together.
+/// Group of a ray and its neighbours among some lanes, and whether a common descent pays.
 #[inline(always)]
 fn grouped<V: Vector>(
     v: V,
@@ -249,12 +250,12 @@ fn grouped<V: Vector>(
     (group, pays)
 }
 
-/// The ways of rays along an axis, in columns or rows of a level's nodes.
+/// Ranges of rays along an axis, in columns or rows of a level's nodes.
 struct Way<V: Vector> {
-    /// The first and the last one that a ray comes to.
+    /// First and last column or row that a ray visits.
     from: Single<V>,
     to: Single<V>,
-    /// The first one of the ray's own window: see `Line::window`.
+    /// First column or row of the ray's own window: see `Line::window`.
     corner: Single<V>,
 }
 
@@ -298,7 +299,7 @@ fn half_way<V: Vector>(
 }
 
 impl<V: Vector> Way<V> {
-    /// The first and the last column or row that some rays come to.
+    /// First and last column or row that some rays visit.
     #[inline(always)]
     fn window(&self, v: V, lanes: u32) -> [u32; 2] {
         let from = self.from.where_or(lanes, Single::splat(v, f32::MAX)).least();
@@ -306,13 +307,13 @@ impl<V: Vector> Way<V> {
         [from as u32, to as u32]
     }
 
-    /// How many columns or rows each ray comes to.
+    /// Number of columns or rows that each ray visits.
     #[inline(always)]
     fn nodes(&self, v: V) -> Single<V> {
         self.to - self.from + Single::splat(v, 1.0)
     }
 
-    /// The rays that are so near to one of them that a window holds them all.
+    /// Rays so near to one of them that a window holds them all.
     #[inline(always)]
     fn near(&self, v: V, ray: u32) -> u32 {
         let begin = Single::splat(v, self.from.lane(ray as usize) - BEFORE);
@@ -321,7 +322,7 @@ impl<V: Vector> Way<V> {
     }
 }
 
-/// Writes the answers of half a packet: what `ExactHit::at` makes of hits.
+/// Writes the answers of half a packet, as `ExactHit::at` computes them from hits.
 #[inline(always)]
 fn write<V: Vector>(
     v: V,
@@ -353,7 +354,7 @@ fn write<V: Vector>(
     store(&mut answers.clearance, first, found.choose(gap, zero).x, V::as_mut_simd_f64s);
 }
 
-/// Stores a vector from a lane on.
+/// Stores a vector from lane `first` on.
 #[inline(always)]
 fn store<T, X>(
     to: &mut [T; PathPacket::LEN],

@@ -1,32 +1,32 @@
-//! What a walk through the hierarchy keeps of the hits that it finds.
+//! Collectors of hits during the traversal of the BVH.
 
 use std::cmp::Ordering;
 
 use super::{SurfaceHit, precedes};
 
-/// How many hits are found at a time at first, where more than one is looked at.
+/// Number of hits in the first batch.
 const AT_A_TIME: usize = 16;
 
-/// How many times as many the next batch finds, and the most of a batch.
+/// Factor between the sizes of two consecutive batches, and largest batch.
 const MORE: usize = 4;
 const MOST: usize = 1 << 14;
 
-/// Keeps the first hits of a ray.
-pub trait Found {
-    /// The parameter beyond which nothing is wanted.
+/// Collects the first hits of a ray.
+pub trait HitCollector {
+    /// Parameter beyond which no hit is wanted.
     fn reach(&self) -> f64;
 
-    /// Takes a hit, where it is one of the first.
+    /// Accepts a hit if it is one of the first.
     fn offer(&mut self, hit: SurfaceHit);
 }
 
-/// The first hit alone.
+/// Collects the first hit only.
 #[derive(Default)]
 pub struct Nearest {
     pub hit: Option<SurfaceHit>,
 }
 
-impl Found for Nearest {
+impl HitCollector for Nearest {
     #[inline]
     fn reach(&self) -> f64 {
         self.hit.map_or(f64::INFINITY, |hit| hit.t)
@@ -40,25 +40,24 @@ impl Found for Nearest {
     }
 }
 
-/// Some of the first hits. Each batch wants more than the one before, so that a ray with many hits walks
-/// through the hierarchy a few times, and not as often as it hits something.
-pub struct Several {
-    /// Those that may be among the first, in no order while they are looked for, then from the last to the
-    /// first.
+/// Collects a batch of first hits. Each batch is larger than the previous one. So a ray with many
+/// hits traverses the BVH a few times, not once per hit.
+pub struct HitBatch {
+    /// Candidates for the first hits: unordered during the search, then from the last to the first.
     hits: Vec<SurfaceHit>,
-    /// How many are wanted.
+    /// Size of the batch.
     wanted: usize,
-    /// The last of the wanted ones, once all of them are found.
+    /// Last hit of the batch, once enough are found.
     last: Option<SurfaceHit>,
 }
 
-impl Several {
-    /// Some first ones.
+impl HitBatch {
+    /// Creates the first batch.
     pub fn new() -> Self {
         Self { hits: Vec::new(), wanted: AT_A_TIME, last: None }
     }
 
-    /// More, for a walk that goes on after these; none if there are no others than these.
+    /// Creates a larger batch for the hits behind this one. `None` if there are no further hits.
     pub fn more(self) -> Option<Self> {
         self.last?;
         let Self { mut hits, wanted, .. } = self;
@@ -66,18 +65,18 @@ impl Several {
         Some(Self { hits, wanted: (MORE * wanted).min(MOST), last: None })
     }
 
-    /// Ends the search.
+    /// Ends the search: sorts the hits.
     pub fn sort(&mut self) {
         self.keep_wanted();
         self.hits.sort_unstable_by(|a, b| order(b, a));
     }
 
-    /// The next one, once they are sorted.
+    /// Next hit, after sorting.
     pub fn next(&mut self) -> Option<SurfaceHit> {
         self.hits.pop()
     }
 
-    /// Drops what comes after the wanted ones, if there are more.
+    /// Drops the hits behind the last one of the batch.
     fn keep_wanted(&mut self) {
         if self.hits.len() >= self.wanted {
             self.hits.select_nth_unstable_by(self.wanted - 1, order);
@@ -87,7 +86,7 @@ impl Several {
     }
 }
 
-impl Found for Several {
+impl HitCollector for HitBatch {
     #[inline]
     fn reach(&self) -> f64 {
         self.last.map_or(f64::INFINITY, |hit| hit.t)
@@ -104,10 +103,10 @@ impl Found for Several {
     }
 }
 
-/// The order of hits along a ray.
+/// Order of hits along a ray.
 #[inline]
 fn order(a: &SurfaceHit, b: &SurfaceHit) -> Ordering {
-    // Those at the eye have a `t` of 0, of either sign.
+    // Hits at the eye have a `t` of 0, with either sign.
     a.t.partial_cmp(&b.t).unwrap_or(Ordering::Equal).then(a.triangle.cmp(&b.triangle))
 }
 
