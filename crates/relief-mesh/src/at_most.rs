@@ -1,4 +1,4 @@
-//! The mesh of least error that has no more than so many triangles.
+//! Mesh with the least error within a triangle budget.
 
 use relief_core::mesh::Mesh;
 use relief_core::{HeightMap, Watch};
@@ -8,23 +8,25 @@ use crate::{Certificate, MeshSettings, Mesher, MesherError};
 /// Tries after which the best so far is taken.
 const TRIES: u32 = 10;
 
-/// The part of the triangles that is enough.
+/// Share of the triangle budget at which the search for a tolerance ends.
 const ENOUGH: f64 = 0.98;
 
-/// The tolerance of the first try, as a part of the scale of the map.
+/// Tolerance of the first try, as a part of the map's scale.
 const FIRST: f64 = 0.01;
 
-/// By how much the tolerance changes, at most, from one try to the next.
+/// Greatest factor by which the tolerance changes from one try to the next.
 const MOST_STEP: f64 = 32.0;
 
 impl Mesher {
-    /// The mesh of least error that has no more triangles than `most`: the tolerance is sought
-    /// that gives that many, or a few less. The settings say everything else, as those of
-    /// [`within`](MeshSettings::within) do; their own tolerance does not count.
+    /// Makes the mesh of least error that has at most `most` triangles.
+    ///
+    /// Searches for the tolerance that gives `most` triangles or a few fewer. `settings` says
+    /// everything else, as for [`within`](MeshSettings::within); its own tolerance is ignored.
     ///
     /// # Errors
     ///
-    /// The same as those of [`watched`](Self::watched), and when even the coarsest mesh has more triangles.
+    /// Fails as [`watched`](Self::watched) does, and when even the coarsest mesh has more than
+    /// `most` triangles.
     pub fn with_at_most(
         mesh: &Mesh,
         map: &HeightMap,
@@ -57,7 +59,7 @@ impl Mesher {
                     fine = Some(error_m);
                     error_m = between(2.0 * error_m, fine, coarse);
                 }
-                // Finer than it can be.
+                // The tolerance is below what is possible.
                 Err(MesherError::TooFine { .. } | MesherError::NotReached { .. }) if best.is_some() => {
                     fine = Some(error_m);
                     error_m = between(2.0 * error_m, fine, coarse);
@@ -75,7 +77,8 @@ impl Mesher {
     }
 }
 
-/// A tolerance to try next: a guess, if it lies well between those known, or else their geometric mean.
+/// Returns the next tolerance to try: `guess` if it lies well between the known bounds, else their
+/// geometric mean.
 fn between(guess: f64, fine: Option<f64>, coarse: Option<f64>) -> f64 {
     match (fine, coarse) {
         (Some(fine), Some(coarse)) if !(fine * 1.002..coarse / 1.002).contains(&guess) => {

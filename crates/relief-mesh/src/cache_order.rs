@@ -1,14 +1,16 @@
-//! Triangles in an order in which a GPU's cache of vertices finds most corners again.
+//! Triangle order for a GPU's vertex cache, in which most corners are still in the cache.
 //!
-//! Source: Sander, Nehab and Barczak 2007, Fast Triangle Reordering for Vertex Locality and Reduced Overdraw,
-//! section 4 (Tipsify).
+//! Source: Sander, Nehab and Barczak 2007, Fast Triangle Reordering for Vertex Locality and Reduced
+//! Overdraw, section 4 (Tipsify).
 
 use std::collections::VecDeque;
 
-/// Vertices of the cache that the order is made for. Larger ones find more, smaller ones hardly less.
+/// Vertices in the cache that the order is made for. Larger caches hit more often, smaller ones
+/// hardly less often.
 const CACHE: u32 = 16;
 
-/// When the first vertex comes into the cache: those that never did are long gone.
+/// Time at which the first vertex enters the cache. Vertices that never entered count as evicted
+/// long ago.
 const BEGIN: u32 = CACHE + 1;
 
 /// No vertex.
@@ -16,7 +18,7 @@ const NONE: u32 = u32::MAX;
 
 /// The triangles around each vertex.
 struct Around {
-    /// Where those of each vertex begin, and where the last ones end.
+    /// Index of each vertex's first triangle in `triangles`, and the end of the last list.
     first: Vec<u32>,
     triangles: Vec<u32>,
 }
@@ -52,7 +54,7 @@ impl Around {
 
 /// A cache that holds the last vertices that were fetched.
 struct Cache {
-    /// When each vertex came into it.
+    /// Time at which each vertex entered the cache.
     entered: Vec<u32>,
     now: u32,
 }
@@ -62,7 +64,7 @@ impl Cache {
         Self { entered: vec![0; vertices], now: BEGIN }
     }
 
-    /// How many vertices came after one.
+    /// Returns the number of vertices that entered after `vertex`.
     fn age(&self, vertex: u32) -> u32 {
         self.now - self.entered[vertex as usize]
     }
@@ -74,7 +76,7 @@ impl Cache {
         }
     }
 
-    /// What triangles fetch in their order.
+    /// Returns the time after all `triangles` are fetched in order: [`BEGIN`] plus the misses.
     fn misses(triangles: &[[u32; 3]], vertices: usize) -> u32 {
         let mut cache = Self::new(vertices);
         triangles.as_flattened().iter().for_each(|&corner| cache.fetch(corner));
@@ -82,18 +84,22 @@ impl Cache {
     }
 }
 
-/// An order in which triangles over so many vertices find more of them in a cache: fans around one vertex
-/// after the other, of which the next is one that is still there, and will be until its fan is whole. None
-/// where the triangles find as many as they are, as rows do that are no longer than the cache.
+/// Returns an order of `triangles` in which a cache holds more of their corners, as triangle
+/// numbers.
+///
+/// The order is made of fans: all triangles around one vertex, then around another. The next vertex
+/// is one that stays in the cache until its fan is whole. Returns `None` where the given order has
+/// no more misses, as in grids whose rows are no longer than the cache. `vertices` is the number of
+/// vertices.
 pub fn cache_order(triangles: &[[u32; 3]], vertices: usize) -> Option<Vec<u32>> {
     let (order, misses) = fans(triangles, vertices);
     (misses < Cache::misses(triangles, vertices)).then_some(order)
 }
 
-/// Fans around vertices, and what they fetch.
+/// Returns fans around vertices, and the cache's time after them: see [`Cache::misses`].
 fn fans(triangles: &[[u32; 3]], vertices: usize) -> (Vec<u32>, u32) {
     let around = Around::new(triangles, vertices);
-    // Triangles around each vertex that are still to come.
+    // Triangles around each vertex that are not in the order yet.
     let mut live: Vec<u32> = around.first.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let mut cache = Cache::new(vertices);
     let mut is_done = vec![false; triangles.len()];
@@ -114,7 +120,7 @@ fn fans(triangles: &[[u32; 3]], vertices: usize) -> (Vec<u32>, u32) {
                 cache.fetch(corner);
             }
         }
-        // The oldest in the cache that stays there while its fan is handed over.
+        // The oldest vertex of the ring that stays in the cache until its fan is whole.
         let mut best = (NONE, 0);
         for &vertex in &ring {
             let count = live[vertex as usize];
@@ -128,7 +134,7 @@ fn fans(triangles: &[[u32; 3]], vertices: usize) -> (Vec<u32>, u32) {
             }
         }
         fan = best.0;
-        // A dead end: the last one that has any, else the first.
+        // A dead end: takes the latest vertex with triangles left, else the first one.
         while fan == NONE {
             if let Some(vertex) = recent.pop() {
                 if live[vertex as usize] > 0 {
@@ -147,8 +153,10 @@ fn fans(triangles: &[[u32; 3]], vertices: usize) -> (Vec<u32>, u32) {
     (order, cache.now)
 }
 
-/// How many vertices a cache has to fetch for a triangle, on the mean (the average cache miss ratio): the
-/// cache holds the last so many that it fetched. 0.5 is about the least for large meshes, 3 the most.
+/// Returns the vertices that a cache fetches per triangle on average (average cache miss ratio).
+///
+/// The cache holds the last `cache` vertices that it fetched. About 0.5 is the least for large
+/// meshes, 3 the most.
 ///
 /// ```
 /// use relief_mesh::cache_misses;

@@ -1,11 +1,12 @@
-//! Choices that have a few names each.
+//! Settings with a few named choices each.
 
 use std::fmt;
 use std::str::FromStr;
 
 use relief_core::registry::UnknownName;
 
-/// An enumeration whose variants have names on the command line, and errors that name the nearest.
+/// Defines an enumeration with names for the command line. Errors of unknown names suggest the
+/// nearest.
 macro_rules! choice {
     ($(#[$about:meta])* $name:ident, $kind:literal: $($(#[$of:meta])* $variant:ident = $text:literal,)+) => {
         $(#[$about])*
@@ -15,10 +16,10 @@ macro_rules! choice {
         }
 
         impl $name {
-            /// All of them, in the order in which help lists them.
+            /// All choices, in the order in which help lists them.
             pub const ALL: &[Self] = &[$(Self::$variant),+];
 
-            /// The name on the command line.
+            /// Returns the name on the command line.
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$variant => $text),+ }
             }
@@ -44,103 +45,108 @@ macro_rules! choice {
 }
 
 choice! {
-    /// The surface that is displaced.
+    /// Surface that is displaced.
     BaseSurface, "base surface":
     /// The triangles as they are.
     #[default]
     Flat = "flat",
-    /// The smooth surface that the mesh's normals promise: see
+    /// Smooth surface implied by the mesh's normals: see
     /// [`Mesh::lifts`](relief_core::mesh::Mesh::lifts).
     Lift = "lift",
-    /// Cubic triangles through the corners, at right angles to the normals there: the smooth base that
-    /// Gumhold and Hüttner 1999 ask for (section 6), by the curved point-normal triangles of Vlachos, Peters,
-    /// Boyd and Mitchell 2001 (section 3). A side follows from its two ends.
+    /// Cubic triangles through the corners, perpendicular to the normals there. This is the smooth
+    /// base that Gumhold and Hüttner 1999 ask for (section 6). It is made of the curved
+    /// point-normal triangles of Vlachos, Peters, Boyd and Mitchell 2001 (section 3). A side
+    /// depends on its two ends alone.
     Pn = "pn",
 }
 
 choice! {
-    /// Along what a point of a triangle is displaced.
+    /// Direction along which a point of a triangle is displaced.
     Directions, "directions":
-    /// The interpolated normal, not normalised, as the exact tracer of displaced meshes and the surface
-    /// `prism` have it.
+    /// The interpolated normal, not normalised, as in the exact tracer of displaced meshes and the
+    /// surface `prism`.
     #[default]
     Raw = "raw",
-    /// The interpolated normal, normalised: displacement goes as far as it says everywhere.
+    /// The interpolated normal, normalised: a displacement has its full length everywhere.
     Unit = "unit",
-    /// Normals interpolated by their angles, of length 1, too: along a side they turn evenly (Gumhold and
-    /// Hüttner 1999, section 2.1, after Kuijk and Blake 1989).
+    /// Normals interpolated by their angles, also of length 1. Along a side they turn evenly
+    /// (Gumhold and Hüttner 1999, section 2.1, after Kuijk and Blake 1989).
     Angle = "angle",
 }
 
 choice! {
-    /// The normals of the vertices.
+    /// Method that computes the normals of the vertices.
     Shading, "shading normals":
-    /// Of the bilinear surface and the base's frame, where the vertex lies, however coarse the mesh is.
+    /// Normals of the bilinear surface in the base's frame at the vertex, however coarse the mesh
+    /// is.
     #[default]
     Exact = "exact",
-    /// The same without what the direction of displacement turns by: equation 9 of Szirmay-Kalos and
-    /// Umenhoffer 2008. It is off by as much as the relief is high beside the radius of a curved base.
+    /// Like [`Exact`](Self::Exact), but ignores that the direction of displacement turns: equation
+    /// 9 of Szirmay-Kalos and Umenhoffer 2008. The error grows with the relief's height relative to
+    /// the radius of a curved base.
     Derivative = "derivative",
-    /// The interpolated normal, turned by two angles whose tangents are the slopes of the relief along `u`
-    /// and `v`, as Kugler stores them in a map (Gumhold and Hüttner 1999, sections 1 and 2.1): exact on level
-    /// ground whose texture has right angles, and off by what the base turns by and by how much the texture
-    /// is sheared.
+    /// The interpolated normal, turned by two angles whose tangents are the slopes of the relief
+    /// along `u` and `v`, as Kugler stores them in a map (Gumhold and Hüttner 1999, sections 1 and
+    /// 2.1). It is exact on level ground whose texture has right angles. Elsewhere it is off by the
+    /// turning of the base and the shear of the texture.
     Rotation = "rotation",
-    /// Of the triangles that are made: the mean over those at a vertex, weighted by their angles there.
+    /// Mean of the normals of the triangles at a vertex, weighted by their angles there.
     Mesh = "mesh",
 }
 
 choice! {
-    /// What becomes of edges along which the base's normals or texture coordinates differ.
+    /// Treatment of edges along which the base's normals or texture coordinates differ.
     Seams, "seams":
-    /// A position has one direction of displacement and one place on the map, so that the mesh is closed
+    /// Each position has one direction of displacement and one place on the map. The mesh is closed
     /// where its base is.
     #[default]
     Weld = "weld",
-    /// Every side has its own, and gapes where they differ.
+    /// Each side has its own direction and place. The sides gape where these differ.
     Keep = "keep",
 }
 
 choice! {
-    /// Where triangles are compared with the relief.
+    /// Places at which triangles are compared with the relief.
     Judge, "judge":
     /// Everywhere on the bilinear surface.
     #[default]
     Surface = "surface",
-    /// At the centres of texels alone, as other programs do: between them the surface may be farther away.
+    /// At the centres of texels alone, as in other programs. Between them the surface may be
+    /// farther away.
     Texels = "texels",
 }
 
 choice! {
-    /// Which heights the points get that are inserted where they are needed.
+    /// Heights of the points that are inserted where the tolerance needs them.
     Fit, "fit":
-    /// Such that fewer triangles are enough: a little off the surface, within the tolerance.
+    /// Heights that need fewer triangles: a little off the surface, within the tolerance.
     #[default]
     Heights = "heights",
-    /// Those of the surface.
+    /// Heights of the surface.
     None = "none",
 }
 
 choice! {
-    /// On which side of the relief triangles lie that are made to a tolerance.
+    /// Side of the relief on which triangles lie that are made to a tolerance.
     Side, "side":
-    /// On both, as far as the tolerance allows: the nearest.
+    /// Both sides, as far as the tolerance allows: the nearest fit.
     #[default]
     Both = "both",
-    /// Above it or on it: nothing that stands on the triangles sinks into them.
+    /// Above the relief or on it. Objects that stand on the triangles do not sink into the relief.
     Above = "above",
-    /// Below it or on it.
+    /// Below the relief or on it.
     Below = "below",
 }
 
 impl Side {
-    /// The part of a tolerance that triangles are made to: above alone is the same as on both sides of a
-    /// surface that is higher by half of it.
+    /// Returns the part of the tolerance to which triangles are made. `Above` equals `Both` on a
+    /// surface that is higher by half the tolerance.
     pub(crate) fn part(self) -> f64 {
         if self == Self::Both { 1.0 } else { 0.5 }
     }
 
-    /// The way that triangles are moved off the relief, along the displacement.
+    /// Returns the sign of the triangles' offset from the relief along the displacement; 0 for
+    /// none.
     pub(crate) fn sign(self) -> f64 {
         match self {
             Self::Both => 0.0,

@@ -1,4 +1,4 @@
-//! Whether a mesh has cracks.
+//! Test of a mesh for cracks.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
@@ -8,25 +8,26 @@ use relief_core::mesh::Mesh;
 
 use crate::point;
 
-/// What was found of a mesh.
+/// Result of a crack test.
 ///
-/// An edge has two ends by the bits of their positions, and a triangle runs along each of its sides one way
-/// or the other. Where a surface goes on, the edge has two sides, which run opposite ways. Sides whose ends
-/// are at one position count for nothing.
+/// An edge is identified by the bits of its ends' positions. A triangle runs along each of its
+/// sides in one of two ways. Where the surface continues, an edge has two sides, which run opposite
+/// ways. Sides whose ends have the same position are ignored.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cracks {
-    /// Triangles that were looked at.
+    /// Number of tested triangles.
     pub triangles: u64,
     /// Edges with one side: the border of a sheet, or a crack.
     pub open: u64,
     /// Edges with more than two sides, or with two that run the same way.
     pub branching: u64,
-    /// Pieces that hang together by their edges.
+    /// Components that are connected by edges.
     pub pieces: u64,
 }
 
 impl Cracks {
-    /// Whether each side of a triangle has an opposite, so that there is an inside and an outside.
+    /// Returns whether each side of a triangle has an opposite, so that there is an inside and an
+    /// outside.
     pub fn is_closed(&self) -> bool {
         self.open == 0 && self.branching == 0
     }
@@ -35,7 +36,7 @@ impl Cracks {
 /// An edge by the bits of its ends, the lesser first.
 type Ends = [[u32; 3]; 2];
 
-/// The sides of an edge, running forth and back, and a piece of the mesh at it.
+/// Number of an edge's sides that run forth and back, and a component of the mesh at the edge.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sides {
     ways: [u32; 2],
@@ -48,40 +49,40 @@ impl Sides {
     }
 }
 
-/// Looks for cracks in triangles that are handed over part by part.
+/// Test for cracks in triangles that arrive in parts.
 ///
-/// What has both its sides in one part is done with; what has not is kept until the other side comes, so that
-/// the memory is that of the borders between parts. A mesh that is handed over at once is therefore looked at
-/// whole; in one that is not, an edge with further sides in a later part is not seen to branch where it was
-/// done with, and the later sides are taken for an edge of their own.
+/// An edge with both sides in one part is finished. Other edges are stored until a later part has
+/// their second side, so that memory grows with the borders between parts. A mesh added in one part
+/// is tested completely. In a mesh of several parts, a finished edge with further sides in a later
+/// part is not seen to branch; the later sides count as an edge of their own.
 #[derive(Clone, Debug, Default)]
 pub struct CrackTest {
     edges: Map<Ends, Sides>,
     pieces: Sets,
-    /// Pieces that are done with.
+    /// Components without unfinished edges.
     whole: u64,
     triangles: u64,
 }
 
-/// A part of a mesh, looked at by itself: [`CrackTest::add`] puts parts together.
+/// Part of a mesh, tested by itself. [`CrackTest::add`] joins parts.
 #[derive(Clone, Debug, Default)]
 pub struct CrackPart {
-    /// Edges that are not done with.
+    /// Unfinished edges.
     edges: Vec<(Ends, Sides)>,
-    /// Pieces that these belong to.
+    /// Number of components that these edges belong to.
     pieces: u32,
     whole: u64,
     triangles: u64,
 }
 
 impl CrackTest {
-    /// What there is of cracks in a whole mesh.
+    /// Returns the cracks of a whole mesh.
     pub fn of_mesh(mesh: &Mesh) -> Cracks {
         let positions: Vec<Vec3> = mesh.vertices().iter().map(|vertex| vertex.position).collect();
         Self::of_part(CrackPart::of(&positions, mesh.triangles()))
     }
 
-    /// What there is of cracks in triangles, by the positions of their corners.
+    /// Returns the cracks of triangles, given by the positions of their corners.
     pub fn of_triangles(triangles: impl IntoIterator<Item = [Vec3; 3]>) -> Cracks {
         let positions: Vec<Vec3> = triangles.into_iter().flatten().collect();
         let corners: Vec<[u32; 3]> =
@@ -111,7 +112,7 @@ impl CrackTest {
         }
     }
 
-    /// What was found, when all parts are there.
+    /// Returns the result, once all parts are added.
     pub fn finish(mut self) -> Cracks {
         let open = self.edges.values().filter(|sides| sides.ways[0] + sides.ways[1] == 1).count() as u64;
         let branching = self.edges.len() as u64 - open;
@@ -121,8 +122,8 @@ impl CrackTest {
 }
 
 impl CrackPart {
-    /// Looks at a part: triangles by the places of their corners' positions in a list. Two places may hold
-    /// one position.
+    /// Tests a part. `triangles` holds the corners of each triangle as indices into `positions`.
+    /// Equal positions may occur more than once.
     pub fn of(positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
         let mut places = Places::with_capacity(positions.len());
         let numbers: Vec<u32> =
@@ -168,7 +169,7 @@ impl CrackPart {
     }
 }
 
-/// Positions by their bits, numbered as they come.
+/// Positions by their bits, numbered in order of appearance.
 struct Places {
     numbers: Map<[u32; 3], u32>,
     bits: Vec<[u32; 3]>,
@@ -188,7 +189,8 @@ impl Places {
     }
 }
 
-/// A side of a triangle, by the numbers of its ends' places, the lesser first; `way` is 1 where it runs back.
+/// Side of a triangle by the numbers of its ends' positions, the lesser first. `way` is 1 where it
+/// runs from the greater to the lesser.
 #[derive(Clone, Copy, Debug, Default)]
 struct Side {
     ends: [u32; 2],
@@ -196,8 +198,8 @@ struct Side {
     way: u32,
 }
 
-/// The sides with those between the same ends together: they are counted into their places by the first end,
-/// where few are left to be sorted by the other one.
+/// Returns the sides grouped by their ends. A counting sort by the first end leaves a few at a time
+/// to sort by the other end.
 fn by_ends(sides: &[Side], places: usize) -> Vec<Side> {
     let mut ends = vec![0_usize; places];
     for side in sides {
@@ -222,12 +224,12 @@ fn by_ends(sides: &[Side], places: usize) -> Vec<Side> {
     sorted
 }
 
-/// Sets of numbers, of which any two can be made one.
+/// Disjoint sets of numbers (union-find).
 #[derive(Clone, Debug, Default)]
 struct Sets(Vec<u32>);
 
 impl Sets {
-    /// Adds so many sets of one number each, and gives the first number.
+    /// Adds `count` sets of one number each, and returns the first number.
     fn add(&mut self, count: u32) -> u32 {
         let first = self.0.len() as u32;
         self.0.extend(first..first + count);
@@ -256,7 +258,7 @@ impl Sets {
 
 type Map<K, V> = HashMap<K, V, BuildHasherDefault<Mixing>>;
 
-/// A hasher for bits of positions, which are many and not chosen by anybody to collide.
+/// Hasher for bits of positions. They are many, and nobody chooses them to collide.
 #[derive(Clone, Copy, Debug, Default)]
 struct Mixing(u64);
 

@@ -5,8 +5,8 @@
 use glam::DVec3;
 use relief_core::mesh::BasePoint;
 
-/// The inner control points of a side: a third of the way along it, in the planes at right angles to the
-/// normals of the ends.
+/// Returns the inner control points of a side. They lie a third of the way along it, in the planes
+/// perpendicular to the normals of its ends.
 pub fn bent(ends: [BasePoint; 2]) -> [DVec3; 2] {
     [0, 1].map(|end| {
         let [from, to] = [ends[end], ends[1 - end]];
@@ -16,18 +16,19 @@ pub fn bent(ends: [BasePoint; 2]) -> [DVec3; 2] {
     })
 }
 
-/// The point of a side with those weights of its ends.
+/// Returns the point of a side with the weights `[a, b]` of its ends.
 pub fn on_side([from, to]: [DVec3; 2], [first, second]: [DVec3; 2], [a, b]: [f64; 2]) -> DVec3 {
     from * (a * a * a) + (first * a + second * b) * (3.0 * a * b) + to * (b * b * b)
 }
 
-/// The inner control point of a triangle, by the middle of its corners and the sum of its sides' control
-/// points.
+/// Returns the inner control point of a triangle. `flat` is the mean of its corners, `sum` the sum
+/// of its sides' control points.
 pub fn middle(flat: DVec3, sum: DVec3) -> DVec3 {
     sum / 4.0 - flat / 2.0
 }
 
-/// The point of a triangle with those weights of its corners; side `k` goes from corner `k` to the next.
+/// Returns the point of a triangle with the weights of its corners. Side `k` goes from corner `k`
+/// to the next.
 pub fn inside(corners: [DVec3; 3], sides: [[DVec3; 2]; 3], weights: [f64; 3]) -> DVec3 {
     let sum: DVec3 = sides.as_flattened().iter().sum();
     let flat = (corners[0] + corners[1] + corners[2]) / 3.0;
@@ -39,16 +40,19 @@ pub fn inside(corners: [DVec3; 3], sides: [[DVec3; 2]; 3], weights: [f64; 3]) ->
     point
 }
 
-/// A cubic triangle by its control points, each by the three corners that it belongs to, in any order.
+/// Cubic triangle by its control points. Each is indexed by the three corners that it belongs to,
+/// in any order.
 #[derive(Clone, Copy, Debug)]
 pub struct Cubic([[[DVec3; 3]; 3]; 3]);
 
-/// What the weights of control points along sides are together at most, and that of the one in the middle.
+/// Greatest sum of the weights of control points along sides, and greatest weight of the middle
+/// one.
 const ON_SIDES: f64 = 0.75;
 const IN_MIDDLE: f64 = 2.0 / 9.0;
 
 impl Cubic {
-    /// One with those inner control points on its sides; side `k` goes from corner `k` to the next.
+    /// Creates a triangle from the inner control points of its sides. Side `k` goes from corner `k`
+    /// to the next.
     pub fn new(corners: [DVec3; 3], sides: [[DVec3; 2]; 3]) -> Self {
         let beside = |near: usize, far: usize| {
             if (near + 1) % 3 == far { sides[near][0] } else { sides[far][1] }
@@ -66,19 +70,21 @@ impl Cubic {
         Self([0, 1, 2].map(|i| [0, 1, 2].map(|j| [0, 1, 2].map(|k| control([i, j, k])))))
     }
 
-    /// The same in other units of length.
+    /// Returns the triangle in units of `length`.
     #[must_use]
     pub fn in_units_of(self, length: f64) -> Self {
         Self(self.0.map(|rows| rows.map(|row| row.map(|point| point / length))))
     }
 
-    /// The farthest that it is from the plane piece between three of its points, by their weights, at most:
-    /// by the control points of the part of it that is over the piece, since it is a mean of these.
+    /// Returns a bound on the distance from the flat piece between three of its points, given by
+    /// their weights. The control points of the part over the piece give the bound, as that part is
+    /// a mean of them.
     pub fn off_piece(&self, pieces: [[f64; 3]; 3]) -> f64 {
         let sum =
             |weights: [f64; 3], of: [DVec3; 3]| of[0] * weights[0] + of[1] * weights[1] + of[2] * weights[2];
         let all = [0, 1, 2];
-        // A part's control points are those of the whole, mixed by the weights of three corners of the piece.
+        // A part's control points are the triangle's, mixed by the weights of three corners of the
+        // piece.
         let once = pieces.map(|weights| self.0.map(|rows| rows.map(|row| sum(weights, row))));
         let twice = |a: usize, b: usize| all.map(|i| sum(pieces[b], once[a][i]));
         let control = |a: usize, b: usize, c: usize| sum(pieces[c], twice(a, b));

@@ -1,10 +1,11 @@
-//! What a camera cannot see of a displaced mesh.
+//! Culling: parts of a displaced mesh that a camera cannot see.
 //!
 //! Source: Gumhold and Hüttner 1999. Section 3.3 moves the planes of the view out by the greatest
-//! displacement of all (equations 7 and 8); here each patch is bounded by its own least and greatest one,
-//! along its own directions. Section 6 asks for cones of normals to tell patches that turn their backs.
-//! Slopes do not bound how triangles of chords are turned, though: three points that are nearly on one line
-//! can make one that faces anywhere. So triangles themselves are looked at.
+//! displacement of all (equations 7 and 8). Here each patch is bounded by its own least and
+//! greatest displacement, along its own directions. Section 6 asks for cones of normals, to find
+//! patches that face away. Slopes of the relief do not bound how triangles over it are turned:
+//! three points nearly on one line can make a triangle that faces anywhere. So each triangle is
+//! tested itself.
 
 use glam::{DVec2, DVec3, DVec4, Vec3};
 use relief_core::camera::Camera;
@@ -12,30 +13,33 @@ use relief_core::camera::Camera;
 use crate::edge::Divides;
 use crate::{MeshSettings, MesherError, Shading, View};
 
-/// What is not made of a mesh that one camera looks at: for pictures, not for files.
-/// Nothing that the camera sees is left out, and the rest has the same bits as with neither choice. Where
-/// what is seen may lie in the shadow of what is not, see [`Outside::of_ways_to`], and backs are to be made.
+/// Parts of a mesh that are left out for one camera: for pictures, not for files.
 ///
-/// With either and with neither, flat base triangles that reach behind the eye in perspective are halved
-/// until few points are there, so that most of what is behind can be left out.
+/// Nothing that the camera sees is left out, and the rest has the same bits as without culling. If
+/// invisible parts may cast shadows on visible ones, create `outside` by [`Outside::of_ways_to`]
+/// and keep `backs` false.
+///
+/// With any value of this type, flat base triangles that reach behind the eye in perspective are
+/// halved until few points are there. Most of what is behind can then be left out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cull {
-    /// What lies beside the picture, or behind the eye: patches, whatever their relief, and single triangles.
+    /// Patches beside the picture or behind the eye, at any height of their relief, and single
+    /// triangles there.
     pub outside: Outside,
-    /// Triangles that turn their back to the eye, by more than a rasteriser rounds.
+    /// Triangles that face away from the eye, by more than a rasteriser rounds.
     pub backs: bool,
 }
 
-/// Where all of a mesh may lie, also what was left out of it.
+/// Bounds of a whole mesh, including the parts that are left out.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Everything {
-    /// From where to where along the view axis, in metres from the eye.
+    /// Least and greatest depth along the view axis, in metres from the eye.
     pub depths_m: [f64; 2],
-    /// Points whose hull has all of it within, but for rounding.
+    /// Points whose convex hull contains the mesh, up to rounding.
     pub around: Vec<DVec3>,
 }
 
-/// Beyond which planes of a view nothing is made: those of its four sides, and that of the eye.
+/// Planes of a view beyond which nothing is made: its four sides and the plane of the eye.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Outside {
     planes: [bool; 5],
@@ -43,17 +47,20 @@ pub struct Outside {
 }
 
 impl Outside {
-    /// Beyond none of them.
+    /// Leaves nothing out.
     pub const NOTHING: Self = Self { planes: [false; 5], beside_m: 0.0 };
 
-    /// Beyond all of them.
+    /// Leaves out all parts beyond any of the planes.
     pub const ALL: Self = Self { planes: [true; 5], beside_m: 0.0 };
 
-    /// Beyond those that no light lies beyond: nothing there is in the way from what is seen to a light, nor
-    /// nearer to that way than `beside_m` metres. A light is its position and 1, or the direction toward it
-    /// and 0 where it is infinitely far away.
+    /// Leaves out the parts beyond each plane that has no light beyond it.
     ///
-    /// What is seen lies behind each of the planes. If a light does, too, then so does all of the way to it.
+    /// Nothing there lies between a visible point and a light, or within `beside_m` metres of the
+    /// line between them. A light is its position and 1, or the direction toward it and 0 if it is
+    /// infinitely far away.
+    ///
+    /// Visible points lie behind each of the planes. If a light does too, so does the whole line to
+    /// it.
     pub fn of_ways_to(lights: impl IntoIterator<Item = DVec4>, view: &View, beside_m: f64) -> Self {
         let sight = Sight::new(view);
         let mut planes = [true; 5];
@@ -68,14 +75,15 @@ impl Outside {
 }
 
 impl Cull {
-    /// Whether it leaves anything out.
+    /// Returns whether anything is left out.
     pub(crate) fn leaves_out(&self) -> bool {
         self.backs || self.outside.planes.contains(&true)
     }
 
-    /// The planes beyond which something is left out, for a program that tests points of 32 bits, none of
-    /// whose coordinates is larger than that many metres: what is left out has a positive sum of the plane's
-    /// parts times the point's and 1.
+    /// Returns the planes beyond which parts are left out, for a test of `f32` points whose
+    /// coordinates are at most `largest_m` metres.
+    ///
+    /// A point is left out if the dot product of a plane and `(point, 1)` is positive.
     pub fn planes(&self, view: &View, largest_m: f64) -> [DVec4; 5] {
         let sight = Sight::new(view);
         let eye = sight.camera.eye();
@@ -92,7 +100,7 @@ impl Cull {
     }
 }
 
-/// Refuses to leave something out where that makes no sense.
+/// Returns an error where culling makes no sense with the other settings.
 pub fn check(settings: &MeshSettings) -> Result<(), MesherError> {
     if settings.cull.is_none() {
         return Ok(());
@@ -103,21 +111,22 @@ pub fn check(settings: &MeshSettings) -> Result<(), MesherError> {
     if settings.shading == Shading::Mesh { Err(MesherError::CullOfMeshNormals) } else { Ok(()) }
 }
 
-/// How far beside the picture something may be seen, in pixels: more than rays and rasterisers round.
+/// Margin around the picture in pixels: more than rays and rasterisers round.
 const BESIDE_PIXELS: f64 = 1.0;
 
-/// What shaders round positions and the eye by, and points are rounded by beside the hull of exact ones, as a
+/// Rounding of positions and the eye in shaders, and of points beside the hull of exact ones, as a
 /// part of the largest coordinate.
 pub const ROUNDING: f64 = 2e-6;
 
-/// The same where the test itself rounds, too.
+/// [`ROUNDING`] where the test itself rounds, too.
 const ROUNDING_TWICE: f64 = 2.0 * ROUNDING;
 
-/// The least distance of a corner from the opposite side of a triangle that is taken to turn its back, in
-/// pixels: nearer, and a rasteriser that rounds corners to a 256th of a pixel may see its front.
+/// Least distance in pixels of a corner from the opposite side of a triangle that counts as facing
+/// away. A rasteriser that rounds corners to 1/256 of a pixel may see the front of a thinner one.
 const LEAST_PIXELS: f64 = 1.0 / 64.0;
 
-/// What a patch is within: no point of it is farther from the hull of the points, but by rounding.
+/// Bound of a patch: its points lie within `radius_m` of the convex hull of `points`, up to
+/// rounding.
 #[derive(Clone, Copy, Debug)]
 pub struct Hull {
     pub points: [DVec3; 6],
@@ -125,7 +134,7 @@ pub struct Hull {
 }
 
 impl Hull {
-    /// Points whose hull has all of it within.
+    /// Returns points whose convex hull contains the patch.
     pub fn around(&self) -> impl Iterator<Item = DVec3> {
         // A ball lies within the octahedron whose sides touch it.
         let reach = self.radius_m * 3.0_f64.sqrt();
@@ -134,24 +143,24 @@ impl Hull {
         self.points.into_iter().flat_map(move |point| beside.clone().map(move |beside| point + beside))
     }
 
-    /// The largest coordinate of its points, and of another.
+    /// Returns the largest coordinate of the hull and of `other`.
     fn largest(&self, other: DVec3) -> f64 {
         largest(&self.points, other) + self.radius_m
     }
 }
 
-/// The largest coordinate of some points, and of another.
+/// Returns the largest coordinate of `points` and of `other`.
 fn largest(points: &[DVec3], other: DVec3) -> f64 {
     points.iter().fold(other.abs(), |most, point| most.max(point.abs())).max_element()
 }
 
-/// What the camera of a view sees.
+/// View volume of a camera.
 #[derive(Clone, Copy, Debug)]
 pub struct Sight {
     camera: Camera,
-    /// Unit normals that point out of what is seen, and how far out of the eye's place the planes lie.
+    /// Outward unit normals of the planes, and the planes' distances from the eye.
     planes: [(DVec3, f64); 5],
-    /// Pixels of a metre, in perspective at a depth of 1 m.
+    /// Pixels per metre; in perspective at a depth of 1 m.
     pixels: f64,
 }
 
@@ -172,11 +181,11 @@ impl Sight {
         Self { camera, planes, pixels }
     }
 
-    /// Whether nothing within a hull is to be made.
+    /// Returns whether nothing within a hull is to be made.
     ///
-    /// What is seen lies behind all of the planes, also behind those of the sides in perspective, as its
-    /// depth is not negative. A hull whose points are farther before one of them than its radius lies before
-    /// it.
+    /// Visible points lie behind all planes, in perspective also behind the side planes, as their
+    /// depth is not negative. A hull whose points are all farther before one plane than its radius
+    /// lies before that plane.
     pub fn misses(&self, hull: &Hull, outside: &Outside) -> bool {
         self.misses_points(&hull.points, hull.radius_m, outside)
     }
@@ -185,7 +194,7 @@ impl Sight {
     fn misses_points(&self, points: &[DVec3], radius_m: f64, outside: &Outside) -> bool {
         let eye = self.camera.eye();
         let largest = largest(points, eye) + radius_m;
-        // What is displaced beyond what is stored is kept, and refused when it is made.
+        // Points beyond the range of `f32` are not left out here: making them fails with an error.
         let is_stored = largest <= f64::from(f32::MAX);
         let room = radius_m + ROUNDING * largest + outside.beside_m;
         let is_before =
@@ -194,14 +203,14 @@ impl Sight {
         is_stored && planes.map(|(plane, _)| plane).any(is_before)
     }
 
-    /// Whether nothing of a triangle is to be made.
+    /// Returns whether a triangle is left out.
     #[inline(always)]
     pub fn is_unseen(&self, corners: [Vec3; 3], cull: &Cull) -> bool {
         (cull.backs && self.is_back(corners))
             || self.misses_points(&corners.map(Vec3::as_dvec3), 0.0, &cull.outside)
     }
 
-    /// From where to where something within a hull may lie along the view axis, in metres from the eye.
+    /// Returns the least and greatest depth of a hull along the view axis, in metres from the eye.
     pub fn depths_m(&self, hull: &Hull) -> [f64; 2] {
         let nothing = [f64::INFINITY, f64::NEG_INFINITY];
         let [near, far] = hull.points.iter().fold(nothing, |[near, far], point| {
@@ -212,8 +221,9 @@ impl Sight {
         [near - room, far + room]
     }
 
-    /// Whether no rasteriser sees the front of a triangle: it has no area, or its corners run clockwise in
-    /// the picture and are not so nearly in one line that rounding may turn it over.
+    /// Returns whether no rasteriser sees the front of a triangle: it has no area, or its corners
+    /// run clockwise in the picture and lie far enough from one line that rounding cannot turn it
+    /// over.
     #[inline(always)]
     pub fn is_back(&self, corners: [Vec3; 3]) -> bool {
         let [a, b, c] = corners.map(Vec3::as_dvec3);

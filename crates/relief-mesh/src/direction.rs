@@ -1,18 +1,19 @@
-//! Directions between others, by angles: where each turns as fast as the one before, from end to end.
+//! Interpolation of directions by angle: from end to end a direction turns at constant speed.
 //!
-//! Sources: Kuijk and Blake 1989, Faster Phong Shading via Angular Interpolation, of sides; between three
-//! directions the mean on the sphere of Buss and Fillmore 2001, Spherical Averages (section 2), which on a
-//! side is the same.
+//! Sources: Kuijk and Blake 1989, Faster Phong Shading via Angular Interpolation, for sides.
+//! Between three directions the mean on the sphere of Buss and Fillmore 2001, Spherical Averages
+//! (section 2). On a side both are the same.
 
 use glam::DVec3;
 
-/// Sines below that are those of the same direction, or of opposite ones, between which there is no way.
+/// Sine below which two directions count as equal or opposite, with no way between them.
 const LEAST_SINE: f64 = 1e-12;
 
-/// Turns after which a mean is near enough: it comes nearer by the square of the angles in each.
+/// Greatest number of iterations of a mean. Each comes nearer by the square of the angles.
 const TURNS: u32 = 64;
 
-/// The way from a unit direction to another on the sphere, at right angles to it and as long as the angle.
+/// Returns the way from a unit direction to another on the sphere: a vector perpendicular to
+/// `from`, as long as the angle (logarithmic map).
 pub fn toward(from: DVec3, to: DVec3) -> DVec3 {
     let cosine = from.dot(to);
     let beside = to - from * cosine;
@@ -20,7 +21,7 @@ pub fn toward(from: DVec3, to: DVec3) -> DVec3 {
     if sine < LEAST_SINE { DVec3::ZERO } else { beside * (sine.atan2(cosine) / sine) }
 }
 
-/// The unit direction that a way on the sphere leads to.
+/// Returns the unit direction that a way on the sphere leads to (exponential map).
 fn along(from: DVec3, way: DVec3) -> DVec3 {
     let angle = way.length();
     if angle == 0.0 {
@@ -29,15 +30,15 @@ fn along(from: DVec3, way: DVec3) -> DVec3 {
     (from * angle.cos() + way * (angle.sin() / angle)).normalize_or_zero()
 }
 
-/// The unit direction between two others of any length that has those weights of them.
+/// Returns the unit direction between two others of any length, by their weights.
 #[inline(never)]
 pub fn between([a, b]: [DVec3; 2], [of_a, of_b]: [f64; 2]) -> DVec3 {
     let [a, b] = [a, b].map(DVec3::normalize_or_zero);
     along(a, toward(a, b) * (of_b / (of_a + of_b)))
 }
 
-/// The unit direction between three others of any length that has those weights of them, whose sum is 1: that
-/// from which the ways to them cancel each other out.
+/// Returns the unit direction between three others of any length, by weights whose sum is 1. The
+/// weighted ways from it to the three cancel out.
 #[inline(never)]
 pub fn mean(corners: [DVec3; 3], weights: [f64; 3]) -> DVec3 {
     let corners = corners.map(DVec3::normalize_or_zero);

@@ -1,14 +1,14 @@
-//! What goes wrong.
+//! Errors of meshes.
 
 use relief_core::Cancelled;
 use relief_core::registry::UnknownName;
 
 use crate::{Part, Weights};
 
-/// Why there can be no mesh of a base, a height map and settings.
+/// Reason why a base, a height map and settings make no mesh.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MesherError {
-    /// An edge rule and an interior that make no sense together.
+    /// The edge rule and the interior do not go together.
     #[error("the edges '{edges}' and the interior '{interior}' make no mesh: {why}")]
     Pair {
         /// Name of the edge rule.
@@ -18,16 +18,16 @@ pub enum MesherError {
         /// The reason.
         why: &'static str,
     },
-    /// A point every no texels.
+    /// The distance of points is 0 texels.
     #[error("a point every 0 texels: at least every texel is possible")]
     NoTexels,
-    /// Edges by voxels without a view that says what these are.
+    /// Edges are divided by voxels, but no view defines these.
     #[error("the edges '{edges}' need a view: a camera and the size of its picture")]
     NoView {
         /// Name of the edge rule.
         edges: &'static str,
     },
-    /// Weights that are none.
+    /// A weight is out of its range.
     #[error(
         "weights of {} for the silhouette, {} for slopes and {} for variation cannot be used: the first must \
          be from 0 to 1, the others at least 0 and finite",
@@ -37,7 +37,7 @@ pub enum MesherError {
         /// The weights.
         weights: Weights,
     },
-    /// Weights where sides must have as many points as they have.
+    /// Weights are set, but the interior fixes the number of points on sides.
     #[error("the interior '{interior}' takes no weights: {why}")]
     Weighted {
         /// Name of the interior.
@@ -45,64 +45,64 @@ pub enum MesherError {
         /// The reason.
         why: &'static str,
     },
-    /// Levels of a map where no view says which of them is seen.
+    /// Levels of the map are set, but no view selects one of them.
     #[error("the edges '{edges}' see the height map itself: levels of it are for a view")]
     LevelsOfNoView {
         /// Name of the edge rule.
         edges: &'static str,
     },
-    /// Something to be left out that no view says.
+    /// Culling is set, but there is no view.
     #[error("the edges '{edges}' are those of no view: nothing can be left out of the mesh as not seen")]
     CullOfNoView {
         /// Name of the edge rule.
         edges: &'static str,
     },
-    /// Something left out where normals are those of all triangles.
+    /// Culling is set together with normals of the triangles.
     #[error(
         "where triangles are left out as not seen, normals cannot be those of the triangles: normals of the \
          relief can be had"
     )]
     CullOfMeshNormals,
-    /// A view that sees nothing.
+    /// The view is empty or not finite.
     #[error(
         "a view of {width}x{height} pixels, {pixels} to a voxel, near {near_m} m cannot be used: all must be \
          greater than 0, and finite"
     )]
     BadView {
-        /// Width of its picture.
+        /// Width of the picture.
         width: u32,
-        /// Height of its picture.
+        /// Height of the picture.
         height: u32,
-        /// Pixels that a voxel is wide.
+        /// Width of a voxel in pixels.
         pixels: f64,
-        /// Metres to where it begins.
+        /// Distance of the near plane in metres.
         near_m: f64,
     },
-    /// A view with more voxels a side than its grid holds.
+    /// The view has more voxels on a side than its grid holds.
     #[error(
         "{pixels} pixels to a voxel are too fine for a picture of {width}x{height}: at least {least} are \
          possible"
     )]
     FineView {
-        /// Width of its picture.
+        /// Width of the picture.
         width: u32,
-        /// Height of its picture.
+        /// Height of the picture.
         height: u32,
-        /// Pixels that a voxel is wide.
+        /// Width of a voxel in pixels.
         pixels: f64,
-        /// The least that are possible.
+        /// Least possible width of a voxel in pixels.
         least: f64,
     },
-    /// A base without triangles.
+    /// The base mesh has no triangles.
     #[error("the base mesh has no triangles")]
     Empty,
-    /// A tolerance that is none.
+    /// The tolerance is not greater than 0, or not finite.
     #[error("a tolerance of {error_m} m cannot be used: it must be greater than 0, and finite")]
     BadTolerance {
         /// The tolerance.
         error_m: f64,
     },
-    /// A tolerance below what this relief allows.
+    /// The tolerance is finer than this relief allows.
     #[error(
         "a tolerance of {error_m} m is too fine for this relief: {:.2e} m is possible, on a lattice of a \
          sixteenth of a texel with heights of 32 bits",
@@ -114,7 +114,7 @@ pub enum MesherError {
         /// The least.
         least_m: f64,
     },
-    /// A tolerance that was not kept.
+    /// The tolerance was not reached.
     #[error("a tolerance of {error_m} m was not reached: {reached_m} m is what this relief allows")]
     NotReached {
         /// The tolerance.
@@ -122,22 +122,22 @@ pub enum MesherError {
         /// The error of the mesh.
         reached_m: f64,
     },
-    /// A tolerance and something else that do not go together on a mesh that is not a plane.
+    /// An option that works with a tolerance on planes alone is set for another mesh.
     #[error("{what} cannot be kept to a tolerance on a mesh that is not a plane")]
     OnPlanesAlone {
-        /// What it is.
+        /// The option.
         what: &'static str,
     },
-    /// A solid that is none.
+    /// The thickness of a solid is not greater than 0, or not finite.
     #[error("a solid {solid_m} m thick cannot be made: it must be greater than 0, and finite")]
     BadSolid {
-        /// How thick it would be.
+        /// Thickness in metres.
         solid_m: f64,
     },
-    /// A solid of a mesh without a border.
+    /// A solid is asked for, but the mesh has no border.
     #[error("the mesh is closed, and solid as it is: one with open edges can be made solid")]
     SolidOfClosed,
-    /// A solid of a mesh whose seams are kept.
+    /// A solid is asked for, but the mesh's seams are kept.
     #[error(
         "a mesh whose seams and hard edges are kept gapes there, around {}: no solid is closed, unless they \
          are welded", place(*at_m)
@@ -146,80 +146,80 @@ pub enum MesherError {
         /// The middle of one of them, in metres.
         at_m: [f64; 3],
     },
-    /// A solid of a mesh whose surface has no two sides.
+    /// A solid is asked for, but the surface branches or its triangles face opposite ways.
     #[error(
         "{edges} edges of the mesh have more than two triangles, or two that face opposite ways, the first \
          around {}: nothing says on which side of them its inside would be", place(*at_m)
     )]
     SolidBranches {
-        /// How many there are.
+        /// Number of such edges.
         edges: u64,
-        /// The middle of one of them, in metres.
+        /// Middle of one of them, in metres.
         at_m: [f64; 3],
     },
-    /// A solid of a mesh whose border touches itself.
+    /// A solid is asked for, but the mesh's border touches itself.
     #[error(
         "the border of the mesh goes twice through {}: its walls would touch in a line, which is no solid; \
          another triangle there, or one less, parts them", place(*at_m)
     )]
     SolidTouches {
-        /// Where that is, in metres.
+        /// Position in metres.
         at_m: [f64; 3],
     },
-    /// A solid of a mesh that is made for a view.
+    /// A solid is asked for, but the mesh is made for a view.
     #[error(
         "what is made for a view is not made solid: a point every so many texels, or a tolerance, can be"
     )]
     SolidOfView,
-    /// One side of what is folded over.
+    /// One side of the relief is asked for, but the mesh folds over.
     #[error(
         "the mesh folds over where it is displaced, or nearly, at {:.4}, {:.4}, {:.4}: nothing is on one \
          side of it there", at_m[0], at_m[1], at_m[2]
     )]
     SideOfFold {
-        /// The middle of a triangle where it does, in metres.
+        /// Middle of a triangle that folds, in metres.
         at_m: [f64; 3],
     },
-    /// One side where two that meet see other heights.
+    /// One side of the relief is asked for, but the two sides of a seam read different heights.
     #[error(
         "the two sides of a seam see heights of the map that are {seams_m} m apart: what bridges them is on \
          both sides"
     )]
     SideOfSeams {
-        /// How far they are apart at most, in metres.
+        /// Greatest difference of the heights, in metres.
         seams_m: f64,
     },
-    /// A solid with holes of a mesh that is no plane.
+    /// A solid is asked for, but the map has holes and the mesh is not a plane.
     #[error("only a plane is made solid around holes: on other meshes there are no walls around them")]
     SolidOfHoles,
-    /// Nothing but holes.
+    /// All triangles lie over holes.
     #[error("every triangle lies over a hole of the height map: nothing is left")]
     AllHoles,
-    /// A part of a mesh that is not a plane.
+    /// A part is asked for, but the mesh is not a plane.
     #[error("only planes are cut into parts: two triangles that make a rectangle with straight texture")]
     PartOfNoPlane,
-    /// A part that there is not.
+    /// The part does not exist.
     #[error("there is no part {},{} of {}x{} parts", part.at[0], part.at[1], part.of[0], part.of[1])]
     NoPart {
         /// The part.
         part: Part,
     },
-    /// Parts of less than two texels.
+    /// The parts are smaller than two texels.
     #[error("{}x{} parts are too many: each must be two texels wide and high", part.of[0], part.of[1])]
     TooManyParts {
-        /// One of them.
+        /// One of the parts.
         part: Part,
     },
-    /// More triangles than were allowed.
+    /// The mesh has more triangles than are allowed.
     #[error("the coarsest mesh has more than {most} triangles")]
     MoreThan {
-        /// How many were allowed.
+        /// Greatest number allowed.
         most: u64,
     },
-    /// More memory than was allowed.
+    /// The mesh needs more memory than is allowed.
     #[error("the mesh takes more than {limit} bytes while it is made")]
     NoMemory {
-        /// How many were allowed.
+        /// Greatest number of bytes allowed.
         limit: u64,
     },
     /// The work was cancelled.
@@ -235,48 +235,48 @@ pub enum MesherError {
         /// Triangles that were counted until then.
         triangles: u64,
     },
-    /// A plane's tiles are no mesh.
+    /// The tiles of a plane are not a valid mesh.
     #[error(transparent)]
     Mesh(#[from] relief_core::mesh::MeshError),
-    /// What was made of a map is none.
+    /// A map derived from the height map is not valid.
     #[error(transparent)]
     Map(#[from] relief_core::HeightMapError),
-    /// Nothing of that name.
+    /// A name is unknown.
     #[error(transparent)]
     Unknown(#[from] UnknownName),
 }
 
-/// A position in a text.
+/// Formats a position for an error.
 fn place([x, y, z]: [f64; 3]) -> String {
     format!("({x:.6}, {y:.6}, {z:.6})")
 }
 
-/// The most vertices and triangles of a mesh.
+/// Greatest number of vertices, and of triangles, of a mesh.
 pub const MOST: u64 = u32::MAX as u64 - 1;
 
-/// Why a mesh was not handed over to its end.
+/// Reason why a mesh was not streamed to its end.
 #[derive(Debug, thiserror::Error)]
 pub enum StreamError<E> {
-    /// Whoever takes it did not want any more.
+    /// The sink returned an error.
     #[error(transparent)]
     Sink(E),
     /// The work was cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-    /// A vertex is displaced too far.
+    /// A vertex is displaced beyond the range of `f32`.
     #[error("a vertex is displaced beyond what 32-bit numbers hold")]
     NotFinite,
-    /// All of it at once is more than there is memory for.
+    /// The whole mesh does not fit into memory.
     #[error(
         "{count} {what} do not fit into the memory at once: take the mesh block by block, or make it coarser"
     )]
     OutOfMemory {
-        /// How many there are.
+        /// Number of items.
         count: u64,
-        /// Of what.
+        /// Kind of items.
         what: &'static str,
     },
-    /// The numbers of all parts are no mesh.
+    /// The vertices and triangles of all parts are not a valid mesh.
     #[error(transparent)]
     Mesh(#[from] relief_core::mesh::MeshError),
 }

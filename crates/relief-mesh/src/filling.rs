@@ -1,4 +1,4 @@
-//! Patches that are filled with as few triangles as a tolerance allows: what they have in common.
+//! Filling of patches with as few triangles as a tolerance allows: method and budget.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -9,44 +9,46 @@ use crate::interior::{Fill, Filled, STEPS, Wanted};
 use crate::surface::Relief;
 use crate::{Fit, Judge, MeshSettings, MesherError};
 
-/// The least tolerance, as a height of the map: below it numbers of `f32` are too coarse.
+/// Least tolerance, as a height of the map. Below it `f32` is too coarse.
 const LEAST: f64 = 1e-6;
 
-/// The part of a cell's twist that remains where it is cut as finely as the lattice allows: two triangles lie
-/// off by a quarter of the twist times length and width.
+/// Part of a cell's twist that remains where the cell is cut as finely as the lattice allows. Two
+/// triangles are off by a quarter of twist times length times width.
 const FINEST: f64 = 0.25 / (STEPS * STEPS) as f64;
 
-/// Bytes that a triangle takes while its patch is filled.
+/// Bytes per triangle while its patch is filled.
 const BYTES_MADE: u64 = 200;
 
-/// Bytes that a triangle takes afterwards, with its part of the points.
+/// Bytes per triangle afterwards, with its share of the points.
 const BYTES_HELD: u64 = 20;
 
-/// How patches are filled.
+/// Method by which patches are filled.
 #[derive(Clone, Copy, Debug)]
 pub struct Filling {
-    /// What fills them.
+    /// Function that fills a patch.
     pub fill: Fill,
-    /// Which knots of a side are its points.
+    /// Function that chooses the points of a side among its knots.
     pub side: Along,
-    /// The most triangles of all.
+    /// Greatest number of triangles in all.
     pub most: u64,
 }
 
-/// The least tolerance that triangles over a relief can keep to, as a height of the map.
+/// Returns the least tolerance that triangles over a relief can keep to, as a height of the map.
 pub fn least_tolerance(relief: &Relief, judge: Judge) -> f64 {
     let twist = if judge == Judge::Surface { relief.greatest_twist() } else { 0.0 };
     LEAST.max(FINEST * twist)
 }
 
-/// How many triangles there may be: numbers, so that it does not matter which patch comes first.
+/// Budget of triangles and memory for all patches. It counts triangles, so that the order of
+/// patches does not matter.
 #[derive(Debug)]
 pub struct Room<'a> {
     judge: Judge,
     fit: Fit,
-    /// The most triangles of all.
+    /// Greatest number of triangles in all.
     most: u64,
-    /// The most that may be held, and made of a patch in work: half of the memory, and a quarter of it.
+    /// Greatest number of triangles that are held (half of the memory), and of a patch in work (a
+    /// quarter of it).
     held: u64,
     made: u64,
     limit: u64,
@@ -62,12 +64,12 @@ impl<'a> Room<'a> {
         Self { judge, fit, most, held, made, limit, triangles: AtomicU64::new(0), watch }
     }
 
-    /// The most triangles of a patch.
+    /// Returns the greatest number of triangles of a patch.
     fn of_patch(&self) -> u64 {
         self.made.min(self.most).min(u64::from(u32::MAX / 4))
     }
 
-    /// How a patch is to be filled.
+    /// Returns the request to fill a patch to `tolerance`.
     pub fn wanted(&self, tolerance: f64) -> Wanted<'a> {
         Wanted {
             tolerance,
@@ -86,7 +88,7 @@ impl<'a> Room<'a> {
         }
     }
 
-    /// A patch that was filled, if there is room for it.
+    /// Adds a filled patch to the count. Returns an error if it exceeds the budget.
     pub fn taken(&self, filled: Option<Filled>) -> Result<Filled, MesherError> {
         let Some(filled) = filled else {
             self.watch.check()?;
@@ -98,7 +100,7 @@ impl<'a> Room<'a> {
         Ok(filled)
     }
 
-    /// The triangles of all patches so far.
+    /// Returns the number of triangles of all patches so far.
     pub fn triangles(&self) -> u64 {
         self.triangles.load(Ordering::Relaxed)
     }

@@ -1,45 +1,47 @@
-//! Triangles that the displacement folded over.
+//! Folds: triangles that the displacement turned over.
 
 use glam::{DVec3, Vec3};
 
-/// What a rounded position may be off by, as a part of its largest coordinate, with room to spare.
+/// Rounding of positions as a part of the largest coordinate, with a margin.
 const ROUNDING: f64 = 1.0 / (1 << 22) as f64;
 
-/// What was folded over of a mesh.
+/// Folds of a mesh.
 ///
-/// A triangle is folded over where its normal, by its corners, points against the direction of displacement
-/// there, which is the sum of those of its corners: it was turned round on the way, and shows its back.
-/// Where rounded positions could do so, it does not count, and neither does a triangle without an area. What
-/// moves along one direction, as a plane does, does not fold. How far a mesh can be displaced before it folds
-/// anywhere is said by [`Mesh::fold_range`](relief_core::mesh::Mesh::fold_range).
+/// A triangle is folded if the normal by its corners points against the direction of displacement,
+/// the sum of the directions of its corners: it was turned over and shows its back. A triangle does
+/// not count if rounded positions could have turned it, or if it has no area. A mesh that is
+/// displaced along one direction, such as a plane, does not fold.
+/// [`Mesh::fold_range`](relief_core::mesh::Mesh::fold_range) gives the displacement at which a mesh
+/// begins to fold.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Folds {
-    /// Triangles that are folded over.
+    /// Number of folded triangles.
     pub triangles: u64,
-    /// Triangles of the base that they are pieces of.
+    /// Number of base triangles with folded pieces.
     pub base_triangles: u64,
-    /// The first of these by their numbers, at most [`Folds::FIRST`].
+    /// The first of these base triangles, at most [`Folds::FIRST`].
     pub first: Vec<FoldedBase>,
-    /// The last one that was counted.
+    /// The base triangle counted last.
     last: Option<u32>,
 }
 
-/// A triangle of the base, pieces of which are folded over.
+/// Base triangle with folded pieces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoldedBase {
-    /// Its number in the base, from 0.
+    /// Number of the base triangle, from 0.
     pub triangle: u32,
-    /// Pieces that are folded over.
+    /// Number of folded pieces.
     pub pieces: u64,
-    /// Its middle before it is displaced, in metres; that of its first patch where it is filled in several.
+    /// Middle before displacement, in metres. If it is filled in several patches: the middle of the
+    /// first.
     pub middle_m: DVec3,
 }
 
 impl Folds {
-    /// How many triangles of the base are named.
+    /// Greatest number of base triangles in [`Folds::first`].
     pub const FIRST: usize = 8;
 
-    /// Counts pieces of a triangle of the base. They come in the order of its triangles.
+    /// Counts the folded pieces of a base triangle. Call it in the order of the base triangles.
     pub(crate) fn add(&mut self, found: FoldedBase) {
         self.triangles += found.pieces;
         if self.last == Some(found.triangle) {
@@ -56,17 +58,17 @@ impl Folds {
     }
 }
 
-/// Whether a triangle may be folded over where directions are sums of these.
+/// Returns whether a triangle may be folded, where the directions in it are sums of `directions`.
 #[inline(always)]
 pub fn may_be_folded([a, b, c]: [Vec3; 3], directions: &[DVec3; 3]) -> bool {
     let a = a.as_dvec3();
     let normal = (b.as_dvec3() - a).cross(c.as_dvec3() - a);
     let [along_a, along_b, along_c] = directions;
-    // Without a branch between them.
+    // Without a branch between the terms.
     (normal.dot(*along_a) < 0.0) | (normal.dot(*along_b) < 0.0) | (normal.dot(*along_c) < 0.0)
 }
 
-/// Whether a triangle is folded over, by the directions in which its corners were displaced.
+/// Returns whether a triangle is folded, by the directions in which its corners were displaced.
 pub fn is_folded(corners: [Vec3; 3], directions: [DVec3; 3]) -> bool {
     let [a, b, c] = corners.map(|corner| corner.as_dvec3());
     let along = directions[0] + directions[1] + directions[2];
@@ -93,7 +95,7 @@ mod tests {
         [found(3, 2), found(3, 5), found(4, 1)].into_iter().for_each(|part| folds.add(part));
         assert_eq!((folds.triangles, folds.base_triangles), (8, 2));
         assert_eq!(folds.first, [found(3, 7), found(4, 1)]);
-        // Also when it is not named any more.
+        // Also once its base triangle is not stored any more.
         (10..30).flat_map(|triangle| [found(triangle, 1); 2]).for_each(|part| folds.add(part));
         assert_eq!((folds.triangles, folds.base_triangles, folds.first.len()), (48, 22, Folds::FIRST));
         assert!(folds.first.iter().skip(2).all(|base| base.pieces == 2));

@@ -1,25 +1,26 @@
-//! What is left of a mesh some of whose triangles are left out: over holes, or since nothing sees them.
+//! Set of the vertices that remain where triangles are left out: over holes, or because no camera
+//! sees them.
 
-/// Vertices of a bit set's word.
+/// Vertices per word of the bit set.
 const WORD: u32 = u64::BITS;
 
-/// The vertices that triangles have which are not left out, numbered without the others.
+/// Set of the vertices of remaining triangles, with consecutive numbers.
 #[derive(Debug)]
 pub struct Kept {
-    /// A bit for each vertex.
+    /// One bit for each vertex.
     words: Vec<u64>,
-    /// How many vertices are kept before each word.
+    /// Number of the set's vertices before each word.
     before: Vec<u32>,
     triangles: u64,
 }
 
 impl Kept {
-    /// What is left of so many vertices, which are no more than 32-bit numbers count, before any triangle.
+    /// Creates an empty set over `vertices` vertices, at most 2^32.
     pub fn of_none(vertices: u64) -> Self {
         Self { words: vec![0; vertices.div_ceil(WORD.into()) as usize], before: Vec::new(), triangles: 0 }
     }
 
-    /// Keeps some triangles with their corners.
+    /// Adds triangles and their corners.
     pub fn add(&mut self, triangles: &[[u32; 3]]) {
         self.triangles += triangles.len() as u64;
         for corner in triangles.as_flattened() {
@@ -27,7 +28,7 @@ impl Kept {
         }
     }
 
-    /// Keeps more vertices, with the numbers after those of the first `vertices`.
+    /// Adds `more` vertices, numbered after the first `vertices`.
     pub fn add_vertices(&mut self, vertices: u64, more: u32) {
         let end = vertices + u64::from(more);
         self.words.resize(end.div_ceil(WORD.into()) as usize, 0);
@@ -36,7 +37,7 @@ impl Kept {
         }
     }
 
-    /// Numbers what was kept.
+    /// Numbers the set's vertices.
     pub fn count(&mut self) {
         self.before.clear();
         let mut sum = 0;
@@ -46,29 +47,29 @@ impl Kept {
         }
     }
 
-    /// Whether a vertex is kept.
+    /// Returns whether the set has a vertex.
     pub fn contains(&self, vertex: u32) -> bool {
         self.words[(vertex / WORD) as usize] >> (vertex % WORD) & 1 == 1
     }
 
-    /// The number of a vertex among those that are kept.
+    /// Returns the consecutive number of a vertex of the set.
     pub fn number(&self, vertex: u32) -> u32 {
         let word = (vertex / WORD) as usize;
         let earlier = self.words[word] & ((1 << (vertex % WORD)) - 1);
         self.before[word] + earlier.count_ones()
     }
 
-    /// How many vertices are kept.
+    /// Returns the number of vertices in the set.
     pub fn vertices(&self) -> u64 {
         self.words.iter().map(|word| u64::from(word.count_ones())).sum()
     }
 
-    /// How many triangles.
+    /// Returns the number of triangles that were added.
     pub fn triangles(&self) -> u64 {
         self.triangles
     }
 
-    /// Bytes that are held of so many vertices.
+    /// Returns the size in bytes of a set over `vertices` vertices.
     pub fn bytes(vertices: u64) -> u64 {
         vertices.div_ceil(WORD.into()) * (size_of::<u64>() + size_of::<u32>()) as u64
     }

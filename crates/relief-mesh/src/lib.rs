@@ -1,18 +1,19 @@
-//! Displaced meshes: a height map and a base mesh go in, triangles come out, without a crack between them.
+//! Displaced meshes without cracks, from a height map and a base mesh.
 //!
 //! The base is cut into *patches*: its triangles, or on a plane tiles of 128² texels. An [edge
-//! rule](EdgeRule) says at which points the sides of patches are divided, and depends on a side's two ends
-//! alone; an [interior](Interior) fills a patch between them. So both patches at a side have the same points
-//! there, each patch is made by itself, and all of them in parallel. Points are counted first and written
-//! then: a [`Mesher`] knows how large its mesh is before it makes any of it, and hands it over block by
-//! block.
+//! rule](EdgeRule) divides the sides of patches. Its points depend on a side's two ends alone. An
+//! [interior](Interior) fills a patch between its divided sides. So both patches at a side have the
+//! same points there, and all patches are made in parallel. Points are counted first and made
+//! afterwards: a [`Mesher`] knows the size of its mesh before it makes any block, and then streams
+//! it block by block.
 //!
-//! A point of a side is `(a (n - k) + b k) / n`, the ends in an order of their own, so that both sides have
-//! the same bits; the displacement is that of [`BasePoint`](relief_core::mesh::BasePoint), which the exact
-//! tracer of displaced meshes has, too. The [`CrackTest`] finds out whether it all fits.
+//! A point of a side is `(a (n - k) + b k) / n`. The order of the ends depends on the ends alone,
+//! so that both patches have the same bits. A point is displaced by the formula of
+//! [`BasePoint`](relief_core::mesh::BasePoint), as in the exact tracer of displaced meshes.
+//! [`CrackTest`] checks that the triangles fit together.
 //!
-//! Per-vertex displacement is section 3 of Szirmay-Kalos and Umenhoffer 2008; that a side's points follow
-//! from the side alone is the edge constraint of Gumhold and Hüttner 1999 (section 3).
+//! Per-vertex displacement is section 3 of Szirmay-Kalos and Umenhoffer 2008. The edge constraint,
+//! by which a side's points follow from the side alone, is section 3 of Gumhold and Hüttner 1999.
 //!
 //! ```
 //! use relief_core::{HeightMap, Wrap, mesh::torus};

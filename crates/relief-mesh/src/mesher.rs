@@ -1,4 +1,4 @@
-//! Displaced meshes, counted first and made block by block.
+//! Mesher: counts a displaced mesh first, then makes it block by block.
 
 mod block;
 mod outline;
@@ -34,13 +34,13 @@ use crate::{
     StreamError, Streamed, Weights, check_pair,
 };
 
-/// Bytes of a vertex and a triangle of a block, whichever takes more, while it is made and looked at.
+/// Bytes of a vertex or triangle of a block, whichever takes more, while it is made and tested.
 const BYTES_IN_A_BLOCK: u64 = 480;
 
-/// Blocks that a thread makes while as many are taken.
+/// Blocks that a thread makes while as many are consumed.
 const BLOCKS_PER_THREAD: usize = 2;
 
-/// A displaced mesh that is known to the last vertex, and not made yet.
+/// Displaced mesh that is counted to the last vertex, and made when it is streamed.
 #[derive(Debug)]
 pub struct Mesher {
     base: Base,
@@ -49,11 +49,11 @@ pub struct Mesher {
     shading: Shading,
     put: Put,
     blocks: Vec<Work>,
-    /// What of the triangles that are made is left out, as a camera does not see it.
+    /// Culling of triangles that a camera does not see.
     unseen: Option<(Sight, Cull)>,
-    /// What is left of all; none where nothing is left out.
+    /// Remaining vertices; `None` if nothing is left out.
     kept: Option<Kept>,
-    /// Vertices as they are made, with those that are left out.
+    /// Number of vertices before any is left out.
     made_vertices: u64,
     vertices: u64,
     triangles: u64,
@@ -69,7 +69,7 @@ enum Base {
 }
 
 impl Base {
-    /// The base of one that is not a plane.
+    /// Returns the triangles of a base that is not a plane.
     fn triangles(&self) -> Option<&Triangles> {
         match self {
             Self::Triangles(base, _) => Some(base),
@@ -78,7 +78,7 @@ impl Base {
         }
     }
 
-    /// How far the relief is from the triangles, if they were made to a tolerance.
+    /// Returns the certificate of triangles that were made to a tolerance.
     fn certificate(&self) -> Option<&Certificate> {
         match self {
             Self::Triangles(..) | Self::Grid(..) => None,
@@ -87,7 +87,7 @@ impl Base {
         }
     }
 
-    /// The rectangle of a plane.
+    /// Returns the rectangle of a plane.
     fn rectangle(&self) -> Option<&Rectangle> {
         match self {
             Self::Triangles(..) | Self::Filled(_) => None,
@@ -97,41 +97,48 @@ impl Base {
     }
 }
 
-/// The height map as it displaces.
+/// Returns the relief of a height map with these settings.
 fn relief_of(map: &HeightMap, settings: &MeshSettings) -> Relief {
     Relief::new(map, settings.directions, settings.shading).with_holes(settings.holes)
 }
 
-/// No box around nothing.
+/// Bounding box of nothing.
 const EMPTY: [Vec3; 2] = [Vec3::INFINITY, Vec3::NEG_INFINITY];
 
 impl Mesher {
-    /// Counts the displaced mesh of a base and a height map: a base point is displaced by the map's
-    /// [`displacement_m`](HeightMap::displacement_m) of the bilinear height at its texture coordinates, along
-    /// its normal, by the formula of [`BasePoint`](relief_core::mesh::BasePoint).
+    /// Counts the displaced mesh of a base and a height map.
     ///
-    /// A mesh of two triangles that make a rectangle with straight texture is a plane, and cut along the
-    /// lines of texels: its vertices are where the lines of the edge rule meet, with the border.
+    /// A base point is displaced along its normal by the map's
+    /// [`displacement_m`](HeightMap::displacement_m) of the bilinear height at its texture
+    /// coordinates, by the formula of [`BasePoint`](relief_core::mesh::BasePoint).
+    ///
+    /// A mesh of two triangles that make a rectangle with straight texture is a plane. It is cut
+    /// along the lines of texels: its vertices lie where lines of the edge rule, and the border,
+    /// meet.
     ///
     /// The same input gives the same bits, whatever the number of threads.
     ///
-    /// With the interior `adapt` the triangles are found here, because there is no other way to count them,
-    /// and held. Its [`certificate`](Self::certificate) says how far the relief is from them.
+    /// The interior `adapt` makes its triangles here and stores them, because there is no other way
+    /// to count them. [`certificate`](Self::certificate) then gives the distance of the relief from
+    /// them.
     ///
     /// # Errors
     ///
-    /// When edge rule and interior make no mesh together or not of this base, a setting is out of range, the
-    /// tolerance cannot be kept, the base has no triangles, or the mesh would have more vertices or triangles
-    /// than 32-bit numbers count, or take more than the memory allowed.
+    /// Fails if
+    /// - the edge rule and the interior do not go together, or not with this base,
+    /// - a setting is out of range, or the tolerance cannot be kept,
+    /// - the base has no triangles,
+    /// - the mesh would have more vertices or triangles than 32-bit numbers count, or
+    /// - the mesh would take more memory than is allowed.
     pub fn new(mesh: &Mesh, map: &HeightMap, settings: &MeshSettings) -> Result<Self, MesherError> {
         Self::watched(mesh, map, settings, &Watch::none())
     }
 
-    /// The same as [`new`](Self::new), watched.
+    /// Counts a mesh as [`new`](Self::new) does. `watch` shows the progress and can cancel.
     ///
     /// # Errors
     ///
-    /// The same, and when it is cancelled.
+    /// Fails as [`new`](Self::new) does, and when cancelled.
     pub fn watched(
         mesh: &Mesh,
         map: &HeightMap,
@@ -141,13 +148,15 @@ impl Mesher {
         Self::of_at_most(mesh, map, settings, MOST, watch)
     }
 
-    /// The same for a view, with coarser levels of the height map, each half as wide and high as the one
-    /// before: a point is displaced by the level whose texels are as wide as a voxel is there, and in between
-    /// by two of them. See the filter levels of `relief-bake`.
+    /// Counts the mesh of a view, with coarser levels of the height map.
+    ///
+    /// Each level is half as wide and high as the one before. A point is displaced by the level
+    /// whose texels are as wide as a voxel is there, and in between by two of them. See the filter
+    /// levels of `relief-bake`.
     ///
     /// # Errors
     ///
-    /// The same, and when the sides are not divided by voxels.
+    /// Fails as [`watched`](Self::watched) does, and if the sides are not divided by voxels.
     pub fn with_levels(
         mesh: &Mesh,
         map: &HeightMap,
@@ -162,7 +171,7 @@ impl Mesher {
         Self::of_relief(mesh, relief, settings, MOST, watch)
     }
 
-    /// The mesh, with as many triangles at most.
+    /// Counts a mesh of at most `most` triangles.
     pub(crate) fn of_at_most(
         mesh: &Mesh,
         map: &HeightMap,
@@ -216,7 +225,7 @@ impl Mesher {
                 let tiles = rectangle.map(|plane| plane.tiles(&relief, settings.part)).transpose()?;
                 let mesh = tiles.as_ref().unwrap_or(mesh);
                 let base = Triangles::new(mesh, &relief, settings, most, watch)?;
-                // Also those that are halved, and left out.
+                // Including triangles that are halved, or left out.
                 patches = base.count() as usize;
                 Base::Triangles(base.culled(&relief, settings, watch)?, pattern)
             }
@@ -234,7 +243,7 @@ impl Mesher {
                 }
             }
             (Fills::Patch(_), Divides::Along(_), Some(_)) | (Fills::Ground(_), ..) => {
-                // Pairs were checked, and their spacings are as they divide.
+                // Pairs were checked, and spacings agree with the methods that divide.
                 let (edges, interior) = (settings.edges.name, settings.interior.name);
                 return Err(MesherError::Pair { edges, interior, why: settings.interior.why });
             }
@@ -248,7 +257,7 @@ impl Mesher {
         }
         let solid = Solid::planned(&base, &relief, settings, &mut plan)?;
         let Plan { blocks, vertices, triangles, largest } = plan;
-        // Those of a solid were not counted while patches were filled.
+        // Triangles of a solid were not counted while patches were filled.
         let is_outlined = settings.solid_m.is_some() && relief.has_holes();
         if triangles > most && !is_outlined {
             return Err(MesherError::MoreThan { most });
@@ -302,8 +311,8 @@ impl Mesher {
         }
     }
 
-    /// The same without triangles over holes and those that are not seen. Which these are follows from where
-    /// points are: all triangles are made for it and thrown away.
+    /// Leaves out triangles over holes and unseen ones. They follow from the positions of points,
+    /// so all triangles are made for it and discarded.
     fn without_what_is_left_out(self, watch: &Watch) -> Result<Self, MesherError> {
         let mut kept = Kept::of_none(self.vertices);
         for group in self.blocks.chunks(rayon::current_num_threads() * BLOCKS_PER_THREAD) {
@@ -320,7 +329,7 @@ impl Mesher {
         Ok(Self { vertices: kept.vertices(), triangles: kept.triangles(), kept: Some(kept), ..self })
     }
 
-    /// The same with walls along the outline of what is left of a plane, and a bottom.
+    /// Adds walls along the outline of a plane with holes, and a bottom.
     fn outlined(
         mut self,
         solid_m: f64,
@@ -375,58 +384,60 @@ impl Mesher {
         Ok(Self { vertices, triangles, kept: Some(kept), solid, bytes, ..self })
     }
 
-    /// The blocks, as many at a time as are made at once.
+    /// Returns the blocks in groups that are made at once.
     fn groups(&self) -> impl Iterator<Item = &[Work]> {
         self.blocks.chunks(rayon::current_num_threads() * BLOCKS_PER_THREAD)
     }
 
-    /// Whether a mesh is a plane: two triangles that make a rectangle with straight texture.
+    /// Returns whether a mesh is a plane: two triangles that make a rectangle with straight
+    /// texture.
     pub fn is_plane(mesh: &Mesh) -> bool {
         Rectangle::of_mesh(mesh).is_some()
     }
 
-    /// How far the relief is from the triangles, if they were made to a tolerance.
+    /// Returns the certificate of triangles that were made to a tolerance.
     pub fn certificate(&self) -> Option<&Certificate> {
         self.base.certificate()
     }
 
-    /// The most memory that a triangle of the base takes, in bytes.
+    /// Greatest memory that a triangle of the base takes, in bytes.
     pub const BYTES_PER_TRIANGLE: u64 = 480;
 
-    /// Vertices of the mesh.
+    /// Returns the number of vertices.
     pub fn vertices(&self) -> u64 {
         self.vertices
     }
 
-    /// Triangles of the mesh.
+    /// Returns the number of triangles.
     pub fn triangles(&self) -> u64 {
         self.triangles
     }
 
-    /// Where all of the mesh may lie, also what was left out of it; none where no view says what is left out.
+    /// Returns the bounds of the whole mesh, including the parts left out. Returns `None` if there
+    /// is no culling for a view.
     pub fn everything(&self) -> Option<&Everything> {
         self.base.triangles().and_then(Triangles::everything)
     }
 
-    /// The most memory that it takes to hand the mesh over, in bytes, besides the height map and whatever the
-    /// blocks are made into. Looking for cracks takes some more, for the borders between blocks.
+    /// Returns the greatest memory that streaming takes, in bytes, without the height map and the
+    /// memory of the sink. The test for cracks takes some more, for the borders between blocks.
     pub fn bytes(&self) -> u64 {
         self.bytes
     }
 
-    /// Hands the mesh over, block by block, in an order of its own that is always the same.
+    /// Streams the mesh block by block. The order of blocks is always the same.
     ///
     /// # Errors
     ///
-    /// When the sink fails, it is cancelled, or a vertex lies beyond what `f32` holds. What was handed over
-    /// until then is worth nothing.
+    /// Fails if the sink fails, when cancelled, or if a vertex lies beyond the range of `f32`. The
+    /// blocks streamed until then are unusable.
     pub fn stream<E>(
         &self,
         how: &Stream,
         mut sink: impl FnMut(&MeshBlock) -> Result<(), E>,
     ) -> Result<Streamed, StreamError<E>> {
         let mut normals = None;
-        // With normals of triangles the mesh is made twice.
+        // With normals of the triangles the mesh is made twice.
         let mut watch = how.watch;
         if self.shading == Shading::Mesh {
             watch = how.watch.piece(0.5, 1.0);
@@ -466,12 +477,12 @@ impl Mesher {
         })
     }
 
-    /// The least and the greatest numbers of the vertices of the mesh, made larger by a factor. All of the
-    /// mesh is made for that and thrown away.
+    /// Returns the bounds of the vertices, scaled by `size`. The whole mesh is made for it and
+    /// discarded.
     ///
     /// # Errors
     ///
-    /// When it is cancelled, or a vertex lies beyond what `f32` holds.
+    /// Fails when cancelled, or if a vertex lies beyond the range of `f32`.
     pub fn bounds(&self, size: f64, watch: &Watch) -> Result<Bounds, StreamError<Infallible>> {
         let how = Stream { size, check: false, grid: None, cache_order: false, watch: *watch };
         let mut bounds = Bounds { positions_m: EMPTY, uvs: [Vec2::INFINITY, Vec2::NEG_INFINITY] };
@@ -486,11 +497,11 @@ impl Mesher {
         Ok(bounds)
     }
 
-    /// The whole mesh.
+    /// Returns the whole mesh.
     ///
     /// # Errors
     ///
-    /// When a vertex lies beyond what `f32` holds, and when the memory for all of it cannot be had.
+    /// Fails if a vertex lies beyond the range of `f32`, or if the mesh does not fit into memory.
     pub fn mesh(&self) -> Result<Mesh, StreamError<Infallible>> {
         let watch = Watch::none();
         let how = Stream { size: 1.0, check: false, grid: None, cache_order: false, watch };
@@ -504,7 +515,8 @@ impl Mesher {
         Ok(Mesh::new(vertices, triangles)?)
     }
 
-    /// Makes some blocks at once. Knows nothing of who takes them, so that it is compiled here, once.
+    /// Makes a group of blocks in parallel. It does not depend on the sink's type, so that it is
+    /// compiled here, once.
     fn made_of_all(
         &self,
         group: &[Work],
@@ -516,7 +528,7 @@ impl Mesher {
         each.map(|(work, block)| self.made(work, how, normals, block)).collect()
     }
 
-    /// Makes all blocks, some at a time, and takes them one after the other.
+    /// Makes all blocks, a group at a time, and passes them to `take` one after the other.
     fn each_block<E>(
         &self,
         how: &Stream,
@@ -533,7 +545,7 @@ impl Mesher {
             let mut next: Vec<Option<Made>> = Vec::new();
             spare.resize_with(group.len().max(spare.len()), MeshBlock::default);
             let into = spare.split_off(spare.len() - group.len());
-            // While the next ones are made, those that are ready are taken.
+            // Finished blocks are taken while the next ones are made.
             let taken: Result<(), StreamError<E>> = rayon::in_place_scope(|scope| {
                 if !group.is_empty() {
                     scope.spawn(|_| next = self.made_of_all(group, how, normals, into));
@@ -557,7 +569,7 @@ impl Mesher {
     }
 }
 
-/// An empty list with room for so many, where the memory for it can be had.
+/// Returns an empty list with capacity for `count` items, if the memory can be had.
 fn room_for<T>(what: &'static str, count: u64) -> Result<Vec<T>, StreamError<Infallible>> {
     let mut list = Vec::new();
     let room = usize::try_from(count).ok().and_then(|count| list.try_reserve_exact(count).ok());
@@ -572,8 +584,8 @@ mod tests {
     use super::*;
     use crate::Fit;
 
-    /// How long it takes to count a mesh that one thread makes, and what comes of it when it is cancelled
-    /// after a part of that.
+    /// Returns the seconds that one thread takes to count a mesh, cancelled after `seconds`, and
+    /// the result.
     fn cancelled_after(mesh: &Mesh, settings: &MeshSettings, seconds: f64) -> (f64, Result<(), MesherError>) {
         let map = rough();
         let [cancel, done] = [false; 2].map(AtomicBool::new);
@@ -612,7 +624,7 @@ mod tests {
             let settings = MeshSettings { fit, ..MeshSettings::within(2e-3) };
             let (whole, made) = cancelled_after(mesh, &settings, 1e6);
             made.expect("a mesh");
-            // Whatever else the machine does: the best of three.
+            // The best of three, as the machine may be busy.
             let early = (0..3).map(|_| {
                 let (seconds, made) = cancelled_after(mesh, &settings, whole / 8.0);
                 assert!(matches!(made, Err(MesherError::Cancelled(_))), "{made:?}");

@@ -1,4 +1,4 @@
-//! Which blocks a mesh is made in, counted before any is made.
+//! Plan of the blocks in which a mesh is made, counted before any is made.
 
 use std::ops::Range;
 
@@ -9,26 +9,26 @@ use crate::patch::Patch;
 use crate::plane::{Adapted, Grid, Solid};
 use crate::triangles::{self, Triangles};
 
-/// Vertices and triangles of a block, together, at which it ends.
+/// Number of vertices and triangles together at which a block ends.
 const BLOCK: u64 = 1 << 15;
 
 /// Walls of a block, of four corners and two triangles each.
 const WALLS: usize = BLOCK as usize / 6;
 
-/// What a block holds.
+/// Content of a block.
 #[derive(Clone, Debug)]
 pub enum Work {
     /// Vertices at corners of the base.
     Corners(Range<u32>),
     /// Vertices along edges of the base.
     Edges(Range<u32>),
-    /// Steps of patches: from one patch and step to another.
+    /// Steps of patches, from one patch and step to another.
     Patches { from: [u32; 2], to: [u32; 2], first_inner: u32, first_vertex: u32 },
-    /// Patches that are filled.
+    /// Filled patches.
     Filled(Range<u32>),
     /// A tile of a plane.
     Tile(u32),
-    /// Walls and a bottom under a plane, whose first vertex has that number.
+    /// Walls and a bottom under a plane, by the number of their first vertex.
     Solid(u32),
     /// Vertices of an underside.
     Below(Range<u32>),
@@ -38,19 +38,19 @@ pub enum Work {
     Walls(Range<u32>),
     /// Vertices that part pieces of a plane which touch at a point.
     Copies(Range<u32>),
-    /// What lies at the bottom below another block, by its place.
+    /// Bottom below another block, by its index.
     Beneath(u32),
     /// Walls along the outline of a plane.
     Outline(Range<u32>),
 }
 
-/// A plan of blocks.
+/// Plan of blocks.
 #[derive(Debug)]
 pub struct Plan {
     pub blocks: Vec<Work>,
     pub vertices: u64,
     pub triangles: u64,
-    /// Vertices and triangles of the largest block.
+    /// Number of vertices and triangles of the largest block.
     pub largest: u64,
 }
 
@@ -74,7 +74,7 @@ impl Plan {
         self.blocks.push(work);
     }
 
-    /// Vertices or triangles that are made one by one.
+    /// Plans vertices or triangles that are made one by one.
     fn each(&mut self, count: u32, work: impl Fn(Range<u32>) -> Work) {
         for first in (0..count).step_by(BLOCK as usize) {
             let last = count.min(first + BLOCK as u32);
@@ -82,7 +82,7 @@ impl Plan {
         }
     }
 
-    /// What is of different sizes, as many together as make a block.
+    /// Plans items of different sizes, as many in a block as fill it.
     fn together(&mut self, count: u32, size_of: impl Fn(u32) -> u64, work: impl Fn(Range<u32>) -> Work) {
         let (mut first, mut size) = (0, 0);
         for at in 0..count {
@@ -94,7 +94,7 @@ impl Plan {
         }
     }
 
-    /// Vertices along edges, or sides of tiles, of so many points each.
+    /// Plans vertices along edges, or along sides of tiles. `points` returns their number.
     fn edges(&mut self, count: u32, points: impl Fn(u32) -> u32) {
         self.together(count, |edge| points(edge).into(), Work::Edges);
     }
@@ -129,7 +129,7 @@ impl Plan {
         Ok(())
     }
 
-    /// Plans a mesh over triangles that are filled.
+    /// Plans a mesh over filled triangles.
     pub fn filled(&mut self, filled: &triangles::Adapted) {
         let base = filled.base();
         self.each(base.corner_count(), Work::Corners);
@@ -140,7 +140,7 @@ impl Plan {
         self.together(base.count(), size, Work::Filled);
     }
 
-    /// Plans a mesh over the tiles of a plane that are filled.
+    /// Plans a mesh over the filled tiles of a plane.
     pub fn adapted(&mut self, plane: &Adapted) {
         self.each(plane.corner_count(), Work::Corners);
         self.edges(plane.side_count(), |side| plane.points_of_side(side));
@@ -175,7 +175,7 @@ impl Plan {
         Ok(())
     }
 
-    /// The blocks that close what these make of a plane with holes.
+    /// Returns the blocks that close the mesh that `blocks` make of a plane with holes.
     pub fn closing(blocks: &[Work], copies: u32, walls: u32) -> Vec<Work> {
         let mut plan = Self::default();
         plan.each(copies, Work::Copies);

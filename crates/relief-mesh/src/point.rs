@@ -4,21 +4,23 @@ use std::ops::{Add, Div, Mul};
 
 use glam::{DVec3, Vec3};
 
-/// The barycentric weights of a triangle's corners.
+/// Barycentric weights of a triangle's corners.
 pub const CORNERS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// Point `k` of `n` between two ends, as weights of the ends: `[n - k, k]`, each times the end's share.
-/// Points at equal distances have shares of 1, those that look so in perspective the inverse depths.
+/// Returns point `k` of `n` between two ends, as weights of the ends: `[n - k, k]`, each times the
+/// end's share. Shares of 1 give equal distances. Inverse depths give equal distances in
+/// perspective.
 pub fn weights([a, b]: [f64; 2], k: u32, n: u32) -> [f64; 2] {
     [a * f64::from(n - k), b * f64::from(k)]
 }
 
-/// The point between two ends that has those weights: `(a (n - k) + b k) / n` where both shares are 1.
+/// Returns the point between two ends by their weights: `(a (n - k) + b k) / n` where both shares
+/// are 1.
 ///
-/// Products are rounded by themselves and sums do not depend on the order of their parts, so that the point
-/// is the same, bit by bit, as point `n - k` from the other end; where shares are 1 the ends themselves are
-/// points 0 and `n`. Adding up differences, as Gumhold and Hüttner 1999 do (section 3.4), gives other bits
-/// from either end.
+/// Products are rounded one by one, and the sums do not depend on the order of their terms. So the
+/// point has the same bits as point `n - k` from the other end. Where shares are 1, points 0 and
+/// `n` are the ends themselves. The accumulated differences of Gumhold and Hüttner 1999 (section
+/// 3.4) give other bits from either end.
 pub fn between<T>(a: T, b: T, [of_a, of_b]: [f64; 2]) -> T
 where
     T: Mul<f64, Output = T> + Add<Output = T> + Div<f64, Output = T>,
@@ -26,12 +28,12 @@ where
     (a * of_a + b * of_b) / (of_a + of_b)
 }
 
-/// What positions are told apart and ordered by. -0 and 0 are one.
+/// Returns the bits by which positions are compared and ordered. -0 and 0 are the same.
 pub fn bits(position: Vec3) -> [u32; 3] {
     (position + Vec3::ZERO).to_array().map(f32::to_bits)
 }
 
-/// A position as it is stored: rounded once, and never -0.
+/// Returns a position as it is stored: rounded once, and never -0.
 pub fn stored(position: DVec3) -> Vec3 {
     position.as_vec3() + Vec3::ZERO
 }

@@ -1,4 +1,4 @@
-//! How a mesh is made.
+//! Settings of a displaced mesh.
 
 use glam::DVec3;
 
@@ -7,67 +7,73 @@ use crate::{
     interior,
 };
 
-/// How a mesh is made.
+/// Settings of a displaced mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshSettings {
-    /// Where the sides of patches are divided.
+    /// Rule that divides the sides of patches.
     pub edges: &'static EdgeRule,
-    /// What fills a patch.
+    /// Rule that fills a patch.
     pub interior: &'static Interior,
-    /// For the edge rule `texels`: a point every so many texels, at least 1.
+    /// Edge rule `texels`: the distance between points in texels, at least 1. Default: 1.
     pub texels: u32,
-    /// For the edge rule `pixels`: where the mesh is looked at from.
+    /// Edge rule `pixels`: the view for which the mesh is made.
     pub view: Option<View>,
-    /// For the same: what is not made of the mesh since that view does not see it.
+    /// Edge rule `pixels`: the parts that are left out because the view does not show them.
     pub cull: Option<Cull>,
-    /// For the same, with the interior `dice`: edges that have more or fewer points than voxels.
+    /// Edge rule `pixels`, interior `dice`: weights that give edges more or fewer parts than
+    /// voxels.
     pub weights: Weights,
-    /// For the edge rule `error` and the interior `adapt`: the farthest that the relief may lie from the
-    /// triangles, along the direction of displacement, in metres.
+    /// Edge rule `error`, interior `adapt`: the tolerance. It is the greatest distance of the
+    /// relief from the triangles along the direction of displacement, in metres.
     pub error_m: f64,
-    /// For the same: where that is looked at.
+    /// Edge rule `error`, interior `adapt`: the places at which this distance is measured.
     pub judge: Judge,
-    /// For the same: which heights points get.
+    /// Edge rule `error`, interior `adapt`: the heights of inserted points.
     pub fit: Fit,
-    /// For the same: on which side of the relief triangles lie.
+    /// Edge rule `error`, interior `adapt`: the side of the relief on which triangles lie.
     pub side: Side,
-    /// Walls and an underside that make an open mesh a closed solid, so many metres thick at least.
+    /// Least thickness in metres of a solid: walls and an underside close an open mesh. Default:
+    /// none.
     ///
-    /// Under a plane the bottom is flat, as far below the lowest point of the relief. Another mesh gets its
-    /// own triangles once more, all displaced by the same: under each vertex of the relief the solid is as
-    /// thick along the direction there, as long as interpolated normals are not shorter than half of one. It
-    /// faces the way that the mesh does. Pieces that are closed stay as they are.
+    /// Under a plane the bottom is flat, this far below the lowest point of the relief. Another
+    /// mesh gets its own triangles once more, all displaced by the same amount. Under each vertex
+    /// of the relief the solid has this thickness along the direction there, as long as
+    /// interpolated normals are at least half as long as normals. The underside faces as the mesh
+    /// does. Closed pieces do not change.
     ///
-    /// All triangles at a position share its vertex, so that a solid is closed by the numbers of its vertices,
-    /// too: normals are smooth at its edges, and of a seam of the texture one side is kept.
+    /// All triangles at a position share its vertex, so that a solid is closed by vertex numbers,
+    /// too. Normals are then smooth at its edges, and a seam of the texture keeps one of its sides.
     ///
-    /// A plane with [holes](Self::holes) gets walls along the outline of what they leave, and its triangles
-    /// once more at the bottom. Where pieces touch at a point, all but the largest are drawn back from it, by
-    /// a sixteenth of a texel at most.
+    /// A plane with [holes](Self::holes) gets walls along the outline of the remaining triangles,
+    /// and these triangles once more at the bottom. Where pieces touch at a point, all but the
+    /// largest are drawn back from it, by at most 1/16 of a texel.
     pub solid_m: Option<f64>,
-    /// Which part of a plane is made.
+    /// Part of a plane that is made. Default: the whole plane.
     pub part: Part,
-    /// The most memory, in bytes, that may be held of a mesh whose triangles must be made to be counted.
+    /// Greatest memory in bytes for a mesh whose triangles must be made to be counted.
     pub max_bytes: u64,
-    /// The surface that is displaced.
+    /// Surface that is displaced.
     pub base: BaseSurface,
-    /// Along what it is displaced.
+    /// Direction of displacement.
     pub directions: Directions,
-    /// The normals of the vertices.
+    /// Method that computes the normals of the vertices.
     pub shading: Shading,
-    /// What becomes of seams and hard edges.
+    /// Treatment of seams and hard edges.
     pub seams: Seams,
-    /// Whether triangles are left out whose middle lies in a cell of the map with a
-    /// [hole](relief_core::HeightMap::holes) at a corner, with all vertices that no others have. With the
-    /// interior `adapt` there are points around holes, so that their outlines are within a texel; with others
-    /// they are as fine as the triangles are.
+    /// Whether triangles over holes are left out, with the vertices that no other triangle has.
+    /// Default: no.
+    ///
+    /// A triangle is left out if its middle lies in a cell of the map with a
+    /// [hole](relief_core::HeightMap::holes) at a corner. The interior `adapt` adds points around
+    /// holes, so that outlines are within a texel. With other interiors outlines are as fine as the
+    /// triangles.
     pub holes: bool,
-    /// Where the mesh that was made is put.
+    /// Pose of the finished mesh.
     pub put: Put,
 }
 
-/// Where a mesh is put when it was made: turned about `y`, then moved along it. A factor on its size comes after
-/// both (see [`Stream`](crate::Stream)).
+/// Pose of a finished mesh: it is turned about `y`, then moved along `y`. The factor `size` of
+/// [`Stream`](crate::Stream) applies after both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Put {
     /// Cosine and sine of the angle about `y`, from `+x` toward `-z`.
@@ -77,10 +83,10 @@ pub struct Put {
 }
 
 impl Put {
-    /// Where it was made.
+    /// No turn and no lift.
     pub const STAY: Self = Self { turn: [1.0, 0.0], lift_m: 0.0 };
 
-    /// A direction, turned.
+    /// Returns a turned direction.
     pub(crate) fn turned(&self, of: DVec3) -> DVec3 {
         let [cos, sin] = self.turn;
         if self.turn == Self::STAY.turn {
@@ -89,39 +95,41 @@ impl Put {
         DVec3::new(cos * of.x + sin * of.z, of.y, cos * of.z - sin * of.x)
     }
 
-    /// A position, made larger by a factor in the end.
+    /// Returns a turned and moved position, scaled by `size` at the end.
     pub(crate) fn position(&self, of: DVec3, size: f64) -> DVec3 {
         (self.turned(of) + DVec3::Y * self.lift_m) * DVec3::splat(size)
     }
 }
 
 impl Default for Put {
-    /// Where it was made.
+    /// No turn and no lift.
     fn default() -> Self {
         Self::STAY
     }
 }
 
-/// A part of a plane that is cut into columns and rows: a mesh of its own. Parts meet at centres of texels,
-/// and have the same points there, bit by bit.
+/// Part of a plane that is cut into columns and rows: a mesh by itself. Parts meet at centres of
+/// texels, where they have the same points, bit by bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// Columns and rows of parts.
+    /// Number of columns and rows of parts.
     pub of: [u32; 2],
-    /// The column and the row of this one, from 0.
+    /// Column and row of this part, from 0.
     pub at: [u32; 2],
 }
 
 impl Part {
-    /// All of it.
+    /// The whole plane.
     pub const WHOLE: Self = Self { of: [1, 1], at: [0, 0] };
 }
 
 impl MeshSettings {
-    /// A coarser level of detail of the same mesh: points are `2^level` times as far apart, in texels or in
-    /// pixels, and the tolerance is as many times as large. Each level has about a quarter of the triangles
-    /// of the one before where points are as far apart as they are told to be; with a tolerance it is what
-    /// the relief makes of it, from a half where it is smooth to a quarter where it is rough.
+    /// Returns the settings of a coarser level of detail of the same mesh.
+    ///
+    /// Points are `2^level` times as far apart, in texels or in pixels, and the tolerance is
+    /// `2^level` times as large. With a fixed distance of points, each level has about a quarter of
+    /// the triangles of the level before. With a tolerance it depends on the relief: half where it
+    /// is smooth, a quarter where it is rough.
     #[must_use]
     pub fn coarser(&self, level: u32) -> Self {
         let factor = 2.0_f64.powi(level.min(1000) as i32);
@@ -130,20 +138,21 @@ impl MeshSettings {
         Self { texels, view, error_m: self.error_m * factor, ..*self }
     }
 
-    /// As few triangles as a tolerance in metres allows: within it on a plane, and on other meshes by a
-    /// bound, see [`Certificate`](crate::Certificate).
+    /// Returns settings for as few triangles as a tolerance in metres allows. On a plane the error
+    /// is exact. On other meshes it is a bound: see [`Certificate`](crate::Certificate).
     pub fn within(error_m: f64) -> Self {
         Self { edges: &edge::ERROR, interior: &interior::ADAPT, error_m, ..Self::default() }
     }
 
-    /// As fine as the voxels of a view are.
+    /// Returns settings for a mesh as fine as the voxels of a view.
     pub fn seen_by(view: View) -> Self {
         Self { edges: &edge::PIXELS, interior: &interior::SWEEP, view: Some(view), ..Self::default() }
     }
 }
 
 impl Default for MeshSettings {
-    /// A point every texel, in a fixed pattern, on flat triangles along interpolated normals, without gaps.
+    /// Returns settings for a point every texel, in a fixed pattern, on flat triangles along
+    /// interpolated normals, without gaps.
     fn default() -> Self {
         Self {
             edges: &edge::TEXELS,

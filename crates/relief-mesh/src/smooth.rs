@@ -1,12 +1,12 @@
-//! Normals of the triangles that are made.
+//! Normals from the triangles of the finished mesh.
 
 use glam::Vec3;
 
-/// The sums of the normals of triangles around each smooth vertex.
+/// Sums of the normals of triangles around each smooth vertex.
 #[derive(Debug)]
 pub struct Normals(Vec<Vec3>);
 
-/// Bytes that a vertex's takes.
+/// Bytes per vertex.
 pub const BYTES_PER_VERTEX: u64 = size_of::<Vec3>() as u64;
 
 impl Normals {
@@ -26,7 +26,8 @@ impl Normals {
         }
     }
 
-    /// The unit normal of a vertex; where there is none, or they cancel each other out, `own`.
+    /// Returns the unit normal of a vertex. Returns `own` where there is none, or where normals
+    /// cancel each other out.
     pub fn of(&self, smooth: u32, own: Vec3) -> Vec3 {
         self.0[smooth as usize].try_normalize().unwrap_or(own)
     }

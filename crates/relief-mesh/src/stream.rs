@@ -1,4 +1,4 @@
-//! How a mesh is handed over, and what is known of it then.
+//! Streaming of a mesh: options and results.
 
 use glam::{Vec2, Vec3};
 use relief_core::Watch;
@@ -6,49 +6,48 @@ use relief_core::mesh::PositionGrid;
 
 use crate::{Cracks, Folds};
 
-/// How a mesh is handed over.
+/// Options of streaming a mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct Stream<'a> {
     /// Factor on all positions.
     pub size: f64,
-    /// Whether the mesh is looked at for cracks.
+    /// Whether the mesh is tested for cracks.
     pub check: bool,
-    /// The lattice that positions are rounded to, after they are made larger or smaller. Cracks are looked
-    /// for in what this leaves.
+    /// Lattice to which positions are rounded, after scaling. The test for cracks uses rounded
+    /// positions.
     pub grid: Option<PositionGrid>,
-    /// Whether the triangles of a block are put in an order in which a GPU finds most of their corners in
-    /// its cache.
+    /// Whether the triangles of a block are reordered for a GPU's vertex cache.
     pub cache_order: bool,
-    /// Hears how far it is, and may cancel it.
+    /// Progress and cancellation.
     pub watch: Watch<'a>,
 }
 
-/// What is known of a mesh that was handed over.
+/// Results of streaming a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Streamed {
-    /// The least and the greatest corner of a box around it, in metres.
+    /// Least and greatest corner of the bounding box, in metres.
     pub bounds_m: [Vec3; 2],
-    /// What there is of cracks, if it was looked at.
+    /// Cracks, if the mesh was tested.
     pub cracks: Option<Cracks>,
-    /// What was folded over.
+    /// Folded triangles.
     pub folds: Folds,
-    /// What was folded over of the underside of a solid.
+    /// Folded triangles of a solid's underside.
     pub folds_below: Folds,
-    /// What a lattice changed, if there was one.
+    /// Effects of the lattice, if there was one.
     pub rounded: Option<Rounded>,
 }
 
-/// What became of a mesh whose positions were rounded to a lattice.
+/// Effects of rounding positions to a lattice.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rounded {
-    /// The farthest that a vertex was moved, in metres. No point of the surface was moved farther.
+    /// Greatest move of a vertex in metres. No point of the surface moved farther.
     pub greatest_m: f64,
-    /// Triangles that had an area and have none now.
+    /// Number of triangles that lost their area.
     pub without_area: u64,
 }
 
 impl Rounded {
-    /// What became of two meshes together.
+    /// Returns the effects on two meshes together.
     #[must_use]
     pub fn with(self, other: Self) -> Self {
         Self {
@@ -58,17 +57,17 @@ impl Rounded {
     }
 }
 
-/// The least and the greatest numbers of a mesh's vertices.
+/// Bounds of a mesh's vertices: least and greatest values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
-    /// The positions, in metres.
+    /// Positions in metres.
     pub positions_m: [Vec3; 2],
-    /// The texture coordinates.
+    /// Texture coordinates.
     pub uvs: [Vec2; 2],
 }
 
 impl Bounds {
-    /// Those of two meshes together.
+    /// Returns the bounds of two meshes together.
     #[must_use]
     pub fn with(&self, other: &Self) -> Self {
         let ([a, b], [c, d]) = (self.positions_m, other.positions_m);

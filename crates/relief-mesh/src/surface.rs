@@ -1,4 +1,4 @@
-//! The displaced surface: where points go, and which normals they have.
+//! Displaced surface: positions and normals of its points.
 
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
@@ -7,73 +7,73 @@ use relief_core::mesh::{BasePoint, Vertex};
 
 use crate::{Directions, Shading, point};
 
-/// A height map as it displaces.
+/// Height map with the options of displacement.
 #[derive(Clone, Debug)]
 pub struct Relief {
     map: HeightMap,
-    /// Coarser ones of the same relief, each half as wide and high as the one before.
+    /// Coarser maps of the same relief, each half as wide and high as the one before.
     coarser: Vec<HeightMap>,
-    /// Whether holes of the map are seen.
+    /// Whether holes of the map count.
     has_holes: bool,
     directions: Directions,
     shading: Shading,
 }
 
-/// A base point as it is displaced.
+/// Base point with its lift and its level of the map.
 #[derive(Clone, Copy, Debug)]
 pub struct Placed {
     pub base: BasePoint,
-    /// The metres that the smooth base lies above it.
+    /// Height of the smooth base above it in metres.
     pub lift_m: f64,
-    /// The level of the map that is seen there; what lies between two of them is in between.
+    /// Level of the map. A fraction mixes two levels.
     pub level: f64,
 }
 
 impl Placed {
-    /// A point where the map itself is seen.
+    /// Creates a point on level 0, without a lift.
     pub fn new(base: BasePoint) -> Self {
         Self { base, lift_m: 0.0, level: 0.0 }
     }
 }
 
-/// What displaces a point: the map as it is seen there.
+/// Displacement of a point.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
-    /// Metres of displacement.
+    /// Displacement in metres.
     pub metres: f64,
-    /// The derivatives of the height by `u` and `v`.
+    /// Derivatives of the height by `u` and `v`.
     pub slope: [f64; 2],
 }
 
 impl Seen {
-    /// The same where the point is displaced by so many metres.
+    /// Returns the displacement with another length in metres.
     pub fn at_metres(self, metres: f64) -> Self {
         Self { metres, ..self }
     }
 }
 
-/// The map under a triangle.
+/// Extent of the map under a triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct Under {
-    /// The least and the greatest height.
+    /// Least and greatest height.
     pub heights: [f64; 2],
-    /// The greatest rise from a texel to the next one, along both axes.
+    /// Greatest rise from a texel to the next one, along both axes.
     pub steepest: [f64; 2],
 }
 
-/// The base's frame at a point, to shade it by: numbers of its corners, interpolated.
+/// Frame of the base at a point, for shading: the frames of its corners, interpolated.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
-    /// The normal, of any length.
+    /// Normal, of any length.
     pub normal: DVec3,
-    /// The derivatives of the position by `u` and `v`.
+    /// Derivatives of the position by `u` and `v`.
     pub tangents: [DVec3; 2],
-    /// The derivatives of the direction of displacement by `u` and `v`.
+    /// Derivatives of the direction of displacement by `u` and `v`.
     pub turns: [DVec3; 2],
 }
 
 impl Frame {
-    /// The frame at the barycentric weights of a triangle.
+    /// Returns the frame at barycentric weights of a triangle.
     #[inline(always)]
     pub fn weighted([a, b, c]: &[Self; 3], weights: [f64; 3]) -> Self {
         let sum = |a: DVec3, b: DVec3, c: DVec3| a * weights[0] + b * weights[1] + c * weights[2];
@@ -87,11 +87,11 @@ impl Frame {
     }
 }
 
-/// The greatest tolerance, as a height of the map: all heights are nearer.
+/// Greatest tolerance, as a height of the map. All heights are nearer.
 const MOST_TOLERANCE: f64 = 1e6;
 
-/// A unit normal, turned about the axes of a texture by the angles whose tangents are so many metres of rise
-/// over the lengths of the tangents: first along `u`, then along what is at right angles to that.
+/// Returns a unit normal, turned about the axes of a texture. The tangents of the angles are
+/// `rises` in metres over the lengths of the tangents: first along `u`, then perpendicular to that.
 fn turned(up: DVec3, tangents: [DVec3; 2], rises: [f64; 2], handed: f64) -> DVec3 {
     let level = tangents.map(|tangent| tangent - up * up.dot(tangent));
     let along = level[0].normalize_or_zero();
@@ -100,25 +100,26 @@ fn turned(up: DVec3, tangents: [DVec3; 2], rises: [f64; 2], handed: f64) -> DVec
     up - along * slopes[0] - down * slopes[1]
 }
 
-/// How much a cell is twisted: two triangles lie off by a quarter of it in their middle.
+/// Returns the twist of a cell. Two triangles are off by a quarter of it in their middle.
 pub fn twist_of(cell: [f32; 4]) -> f64 {
     let [h00, h10, h01, h11] = cell.map(f64::from);
     (h00 - h10 - h01 + h11).abs()
 }
 
-/// The place of texture coordinates in a map, counted in texels from the centre of the first one.
+/// Returns the place of texture coordinates in a map, in texels from the centre of the first texel.
 fn place_in(map: &HeightMap, uv: DVec2) -> [f64; 2] {
     [uv.x * f64::from(map.width()) - 0.5, uv.y * f64::from(map.height()) - 0.5]
 }
 
-/// The height at texture coordinates, and its derivatives by `u` and `v`.
+/// Returns the height at texture coordinates, and its derivatives by `u` and `v`.
 #[inline(always)]
 fn seen_in(map: &HeightMap, uv: DVec2) -> [f64; 3] {
     let (height, [along, down]) = per_tile(map, place_in(map, uv));
     [height, along, down]
 }
 
-/// The height at a place, counted from the centre of the first texel, and its derivatives by `u` and `v`.
+/// Returns the height at a place, counted from the centre of the first texel, and its derivatives
+/// by `u` and `v`.
 #[inline(always)]
 fn per_tile(map: &HeightMap, [x, y]: [f64; 2]) -> (f64, [f64; 2]) {
     let (height, [across, down]) = map.height_and_slope_at_place(x, y);
@@ -130,56 +131,57 @@ impl Relief {
         Self { map: map.clone(), coarser: Vec::new(), has_holes: false, directions, shading }
     }
 
-    /// The same with the holes of the map, if it has any, seen or not.
+    /// Sets whether holes of the map count, if it has any.
     #[must_use]
     pub fn with_holes(self, are_seen: bool) -> Self {
         Self { has_holes: are_seen && self.map.holes().is_some(), ..self }
     }
 
-    /// Whether there are holes that are seen.
+    /// Returns whether there are holes that count.
     pub fn has_holes(&self) -> bool {
         self.has_holes
     }
 
-    /// Whether the cell at a place, counted from the centre of the first texel, is a hole that is seen.
+    /// Returns whether the cell at a place, counted from the centre of the first texel, is a hole
+    /// that counts.
     pub fn is_hole(&self, [x, y]: [f64; 2]) -> bool {
         self.has_holes && self.map.is_hole(x.floor() as i64, y.floor() as i64)
     }
 
-    /// The same with coarser levels.
+    /// Adds coarser levels.
     #[must_use]
     pub fn with_levels(self, coarser: &[HeightMap]) -> Self {
         Self { coarser: coarser.to_vec(), ..self }
     }
 
-    /// Whether there are coarser levels.
+    /// Returns whether there are coarser levels.
     pub fn has_levels(&self) -> bool {
         !self.coarser.is_empty()
     }
 
-    /// The levels of the height map, from the finest on.
+    /// Returns the levels of the height map, the finest first.
     pub fn levels(&self) -> impl Iterator<Item = &HeightMap> {
         std::iter::once(&self.map).chain(&self.coarser)
     }
 
-    /// Columns and rows of the map.
+    /// Returns the numbers of columns and rows of the map.
     pub fn sides(&self) -> [f64; 2] {
         [self.map.width(), self.map.height()].map(f64::from)
     }
 
-    /// A base point displaced by the height that is seen there.
+    /// Returns a point displaced by the height of its level.
     #[inline(always)]
     pub fn displaced(&self, placed: &Placed) -> DVec3 {
         self.displaced_by(&placed.base, self.metres_at(placed))
     }
 
-    /// A base point displaced by so many metres.
+    /// Returns a base point displaced by `metres`.
     #[inline(always)]
     pub fn displaced_by(&self, base: &BasePoint, metres: f64) -> DVec3 {
         BasePoint { normal: self.direction(base.normal), ..*base }.displaced(metres)
     }
 
-    /// Along what a point with that normal is displaced.
+    /// Returns the direction in which a point with that normal is displaced.
     #[inline(always)]
     pub fn direction(&self, normal: DVec3) -> DVec3 {
         match self.directions {
@@ -188,17 +190,18 @@ impl Relief {
         }
     }
 
-    /// Along what points are displaced.
+    /// Returns the kind of directions of displacement.
     pub fn directions(&self) -> Directions {
         self.directions
     }
 
-    /// The directions at the corners of a triangle, where those between are sums of them by their weights.
+    /// Returns the directions at the corners of a triangle, if directions between are their
+    /// weighted sums.
     pub fn interpolated(&self, normals: [DVec3; 3]) -> Option<[DVec3; 3]> {
         (self.directions == Directions::Raw).then_some(normals)
     }
 
-    /// How far one metre of displacement goes along a normal of that length.
+    /// Returns the distance that one metre of displacement covers along a normal of that length.
     pub fn reach(&self, normal: f64) -> f64 {
         match self.directions {
             Directions::Raw => normal,
@@ -206,56 +209,58 @@ impl Relief {
         }
     }
 
-    /// The height map.
+    /// Returns the height map.
     pub fn map(&self) -> &HeightMap {
         &self.map
     }
 
-    /// The height at a place where `i + ½` is the centre of texel `i`.
+    /// Returns the height at a place, where `i + ½` is the centre of texel `i`.
     #[inline(always)]
     pub fn height(&self, [x, y]: [f64; 2]) -> f64 {
         self.map.height_at_place(x - 0.5, y - 0.5)
     }
 
-    /// The height at texture coordinates.
+    /// Returns the height at texture coordinates.
     pub fn height_at_uv(&self, uv: DVec2) -> f64 {
         self.height_at(self.place(uv))
     }
 
-    /// The place of texture coordinates in the map, counted in texels from the centre of the first one.
+    /// Returns the place of texture coordinates in the map, in texels from the centre of the first
+    /// texel.
     pub fn place(&self, uv: DVec2) -> [f64; 2] {
         place_in(&self.map, uv)
     }
 
-    /// The height at a place that is counted so.
+    /// Returns the height at a place that is counted from the centre of the first texel.
     pub fn height_at(&self, [x, y]: [f64; 2]) -> f64 {
         self.map.height_at_place(x, y)
     }
 
-    /// A tolerance in metres as a height of the map, where a direction of displacement has that length.
+    /// Returns a tolerance in metres as a height of the map, for a direction of displacement of
+    /// that length.
     pub fn tolerance(&self, error_m: f64, normal: f64) -> f64 {
         (error_m / (self.map.scale_m() * self.reach(normal))).min(MOST_TOLERANCE)
     }
 
-    /// What a height of the map counts in metres, where a tolerance is as [`tolerance`](Self::tolerance) has
-    /// it and a direction of displacement has that length.
+    /// Returns a height of the map in metres, for a direction of displacement of that length. It is
+    /// consistent with [`tolerance`](Self::tolerance).
     pub fn height_m(&self, error_m: f64, normal: f64) -> f64 {
         (self.map.scale_m() * self.reach(normal)).max(error_m / MOST_TOLERANCE)
     }
 
-    /// The displacement at height 0, in metres.
+    /// Returns the displacement at height 0 in metres.
     pub fn zero_m(&self) -> f64 {
         self.map.displacement_m(0.0)
     }
 
-    /// The map under a triangle whose corners have those places, counted from the centre of the first texel,
-    /// and around it as far as a rectangle goes.
+    /// Returns the extent of the map in the rectangle around a triangle. Places of the corners are
+    /// counted from the centre of the first texel.
     pub fn under(&self, places: [[f64; 2]; 3]) -> Under {
         let range = [0, 1].map(|axis| {
             let all = places.map(|place| place[axis]);
             let least = all.into_iter().fold(f64::INFINITY, f64::min).floor();
             let greatest = all.into_iter().fold(f64::NEG_INFINITY, f64::max).floor() + 1.0;
-            // More than the whole map repeats itself; mirrored, twice of it does.
+            // A wider range repeats the whole map; mirrored, twice of it.
             let most = 2.0 * f64::from([self.map.width(), self.map.height()][axis]) + 1.0;
             (least as i64, greatest.min(least + most) as i64)
         });
@@ -272,7 +277,7 @@ impl Relief {
         under
     }
 
-    /// The greatest twist of all cells.
+    /// Returns the greatest twist of all cells.
     pub fn greatest_twist(&self) -> f64 {
         let map = &self.map;
         let of_row =
@@ -280,7 +285,7 @@ impl Relief {
         (-1..i64::from(map.height())).into_par_iter().map(of_row).reduce(|| 0.0, f64::max)
     }
 
-    /// The displacement by a height, in metres.
+    /// Returns the displacement by a height in metres.
     pub fn metres(&self, height: f64) -> f64 {
         self.map.displacement_m(height)
     }
@@ -299,7 +304,7 @@ impl Relief {
         self.metres(height) + placed.lift_m
     }
 
-    /// What displaces a point.
+    /// Returns the displacement of a point.
     #[inline(always)]
     pub fn seen(&self, placed: &Placed) -> Seen {
         let uv = placed.base.uv;
@@ -311,14 +316,15 @@ impl Relief {
         Seen { metres: self.metres(height) + placed.lift_m, slope: [along, down] }
     }
 
-    /// What displaces the place of a map without coarser levels where `i + ½` is the centre of texel `i`.
+    /// Returns the displacement at a place of a map without coarser levels, where `i + ½` is the
+    /// centre of texel `i`.
     #[inline(always)]
     pub fn seen_at(&self, [x, y]: [f64; 2]) -> Seen {
         let (height, slope) = per_tile(&self.map, [x - 0.5, y - 0.5]);
         Seen { metres: self.metres(height), slope }
     }
 
-    /// What two levels say, mixed, where there are some.
+    /// Returns the values of two levels, mixed, or of the map where there is one level.
     fn mixed<const N: usize>(&self, level: f64, of: impl Fn(&HeightMap) -> [f64; N]) -> [f64; N] {
         let at = |level: usize| level.checked_sub(1).map_or(&self.map, |coarser| &self.coarser[coarser]);
         let level = level.clamp(0.0, self.coarser.len() as f64);
@@ -334,24 +340,26 @@ impl Relief {
         mixed
     }
 
-    /// The vertex that a base point becomes, displaced by what is seen there, in that frame.
+    /// Returns the vertex of a base point, displaced and shaded in its frame.
     #[inline(always)]
     pub fn vertex_of(&self, base: &BasePoint, seen: Seen, frame: &Frame) -> Vertex {
         self.shaded(self.displaced_by(base, seen.metres), base, seen, frame)
     }
 
-    /// The vertex at a position that another side of a seam says, whose own base point and frame those are.
+    /// Returns the vertex at a position that another side of a seam defines. `placed` and `frame`
+    /// are its own.
     pub fn vertex_at(&self, position: DVec3, placed: &Placed, frame: &Frame) -> Vertex {
         self.shaded(position, &placed.base, self.seen(placed), frame)
     }
 
-    /// The vertex at a position: its normal is that of the displaced surface, its tangents are the
-    /// derivatives of the position by `u` and `v`.
+    /// Returns the vertex at a position. Its normal is the normal of the displaced surface, its
+    /// tangents are the derivatives of the position by `u` and `v`.
     ///
-    /// With the displacement `D` along `M` they are `T + D_u M + D M_u`, and the same for `v`: equation 9 of
-    /// Szirmay-Kalos and Umenhoffer 2008 without its last simplification, that `M` does not turn; the shading
-    /// `derivative` has that, too, and `rotation` turns `M` by the slopes alone. `T` is the base's derivative
-    /// in the plane at right angles to its normal, so that where there is no relief the normal is the base's.
+    /// With the displacement `D` along `M` they are `T + D_u M + D M_u`, and likewise for `v`. This
+    /// is equation 9 of Szirmay-Kalos and Umenhoffer 2008 without its last simplification, that `M`
+    /// does not turn. The shading `derivative` makes that simplification, too, and `rotation` turns
+    /// `M` by the slopes alone. `T` is the base's derivative in the plane perpendicular to its
+    /// normal, so that the normal is the base's where there is no relief.
     #[inline(always)]
     fn shaded(&self, position: DVec3, base: &BasePoint, seen: Seen, frame: &Frame) -> Vertex {
         let up = frame.normal.normalize_or_zero();

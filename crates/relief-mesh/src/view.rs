@@ -1,53 +1,57 @@
-//! Views, and the voxels of grid space that they see a mesh in.
+//! Views, and the voxels of their grid space.
 //!
-//! Source: Gumhold and Hüttner 1999, section 3.1. Grid space is the picture's pixels, and along the view axis
-//! voxels as deep as they are wide: in perspective that is the logarithm of the depth (equation 4).
+//! Source: Gumhold and Hüttner 1999, section 3.1. Grid space has the pixels of the picture and,
+//! along the view axis, voxels as deep as they are wide: in perspective that is the logarithm of
+//! the depth (equation 4).
 
 use glam::DVec3;
 use relief_core::camera::Camera;
 
 use crate::MesherError;
 
-/// Where a mesh is looked at from: the edge rule `pixels` divides its sides by it.
+/// View for which a mesh is made. The edge rule `pixels` divides sides by it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// The camera.
+    /// Camera.
     pub camera: Camera,
     /// Width and height of the picture, in pixels.
     pub size: [u32; 2],
-    /// Pixels that a voxel is wide.
+    /// Width of a voxel in pixels. Default: 1.
     pub pixels: f64,
-    /// Metres from the eye along the view axis from which on voxels are as large as pixels are there. What is
-    /// nearer or behind the eye is divided as if it were there. Without a meaning for parallel rays.
+    /// Distance from the eye along the view axis at which grid space begins, in metres. Nearer
+    /// points, and points behind the eye, are divided as if they were there. It has no effect for
+    /// parallel rays. Default: a thousandth of the distance to the camera's target.
     pub near_m: f64,
 }
 
-/// The part of the way from the eye to the point looked at that nothing is expected within.
+/// Default of [`View::near_m`], as a part of the distance from the eye to the target.
 const NEAR: f64 = 1e-3;
 
-/// Corners are not told apart farther to the side than this, in voxels: a picture is narrower.
+/// Greatest distance to the side in voxels, where corners are clamped. A picture is narrower.
 const FARTHEST: f64 = (1 << 18) as f64;
 
-/// The same along the view axis, where all depths of a mesh are told apart.
+/// Greatest distance along the view axis in voxels. All depths of a mesh are distinct within it.
 const DEEPEST: f64 = (1 << 30) as f64;
 
 impl View {
-    /// A view with voxels of one pixel, near from a thousandth of the way to the point looked at.
+    /// Creates a view with voxels of one pixel, which begins at a thousandth of the way to the
+    /// target.
     pub fn new(camera: Camera, size: [u32; 2]) -> Self {
         Self { camera, size, pixels: 1.0, near_m: camera.eye().distance(camera.target()) * NEAR }
     }
 
-    /// Its grid space, in numbers.
+    /// Returns the parameters of its grid space.
     ///
     /// # Errors
     ///
-    /// When it sees nothing, or its picture has more voxels a side than grid space.
+    /// Fails if the view is empty or not finite, or if its picture has more voxels on a side than
+    /// grid space.
     pub fn grid_space(&self) -> Result<GridSpace, MesherError> {
         let Voxels { middle, per_m, per_doubling, near_m, .. } = self.voxels()?;
         Ok(GridSpace { middle, per_m, per_doubling, near_m })
     }
 
-    /// Its voxels.
+    /// Returns its voxels.
     pub(crate) fn voxels(&self) -> Result<Voxels, MesherError> {
         let Self { camera, size: [width, height], pixels, near_m } = *self;
         let is_positive = |of: f64| of > 0.0 && of.is_finite();
@@ -58,7 +62,7 @@ impl View {
         if side / pixels > FARTHEST {
             return Err(MesherError::FineView { width, height, pixels, least: side / FARTHEST });
         }
-        // Of the voxel's width where its depth is 1: equation 3.
+        // Width of a voxel at depth 1: equation 3.
         let size = 2.0 * camera.half_height() / f64::from(height) * pixels;
         Ok(Voxels {
             camera,
@@ -70,47 +74,50 @@ impl View {
     }
 }
 
-/// The numbers of grid space: voxels as wide as pixels, or so many of them, and as deep as they are wide.
+/// Parameters of grid space, whose voxels are one or more pixels wide, and as deep as they are
+/// wide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridSpace {
-    /// The middle of the picture, in voxels.
+    /// Middle of the picture, in voxels.
     pub middle: [f64; 2],
-    /// Voxels of a metre, in perspective at a depth of 1 m.
+    /// Voxels in a metre, in perspective at a depth of 1 m.
     pub per_m: f64,
-    /// Voxels along the view axis from a depth to twice that, in perspective.
+    /// Voxels along the view axis from a depth to twice that depth, in perspective.
     pub per_doubling: f64,
-    /// The depth before which everything is divided as if it were there, in metres.
+    /// Depth at which grid space begins, in metres. Nearer points are divided as if they were
+    /// there.
     pub near_m: f64,
 }
 
-/// Grid space, in voxels.
+/// Grid space of a camera, in voxels.
 #[derive(Clone, Copy, Debug)]
 pub struct Voxels {
     camera: Camera,
     middle: [f64; 2],
-    /// Voxels a metre, in perspective at a depth of 1 m.
+    /// Voxels in a metre, in perspective at a depth of 1 m.
     per_m: f64,
-    /// Voxels along the view axis from a depth to twice that.
+    /// Voxels along the view axis from a depth to twice that depth.
     per_doubling: f64,
     near_m: f64,
 }
 
-/// A point of the base in grid space.
+/// Point of the base in grid space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Voxel {
-    /// The voxel that it lies in: right, down and away from the eye.
+    /// Voxel that contains it: right, down and away from the eye.
     pub at: [i32; 3],
-    /// What it counts where points are divided in the picture: the inverse of its depth in perspective.
+    /// Weight where points are divided in the picture: the inverse of the depth in perspective,
+    /// else 1.
     pub share: f64,
 }
 
 impl Voxels {
-    /// How wide a voxel is, in perspective at a depth of 1 m.
+    /// Returns the width of a voxel in metres, in perspective at a depth of 1 m.
     pub fn size_m(&self) -> f64 {
         1.0 / self.per_m
     }
 
-    /// Whether a point is nearer to the eye than grid space is, or behind it.
+    /// Returns whether a point is nearer to the eye than grid space, or behind the eye.
     pub fn is_before(&self, position: DVec3) -> bool {
         self.camera.forward().dot(position - self.camera.eye()) < self.near_m
     }
@@ -127,15 +134,15 @@ impl Voxels {
             (1.0 / depth, log2(depth / near_m) * per_doubling)
         };
         let at = [right * per_m * share + middle[0], middle[1] - up * per_m * share, away];
-        // What is not a number becomes 0.
+        // NaN becomes 0.
         let farthest = [FARTHEST, FARTHEST, DEEPEST];
         let at = [0, 1, 2].map(|axis| at[axis].clamp(-farthest[axis], farthest[axis]).round() as i32);
         Voxel { at, share }
     }
 }
 
-/// The logarithm of a number above 0. By additions, products and quotients alone, so that it has the same
-/// bits on every machine.
+/// Returns the binary logarithm of a number above 0, by additions, products and quotients alone, so
+/// that it has the same bits on every machine.
 pub fn log2(of: f64) -> f64 {
     // Halved or doubled until it lies between the roots of 1/2 and 2.
     let bits = of.to_bits();

@@ -1,4 +1,4 @@
-//! The fewest points within the tolerance.
+//! Edge rule `error`: the fewest points within the tolerance.
 
 use relief_core::registry::Publication;
 
@@ -12,29 +12,31 @@ pub const RULE: EdgeRule = EdgeRule {
     divides: Divides::Along(side),
 };
 
-/// The part of the tolerance that a side takes. Triangles at it have the rest for what the surface does
-/// beside it; more points on sides are fewer inside.
+/// Part of the tolerance that a side uses. The triangles at the side need the rest for the surface
+/// beside it. More points on sides mean fewer inside.
 const PART: f64 = 0.5;
 
 fn side(rows: &[&[Knot]], tolerance: f64) -> Vec<usize> {
     fewest(rows, PART * tolerance, |knot| LONGEST * tolerance / knot.twist)
 }
 
-/// How many texels long a chord may be where the surface beside it has a twist of one tolerance a texel: a
-/// triangle that is a step of the lattice wide, 1/16 of a texel, lies off by a quarter of the twist times
-/// length and width, which is to be at most half of the tolerance.
+/// Longest chord in texels where the surface beside it has a twist of one tolerance per texel.
+///
+/// A triangle that is one step of the lattice wide, 1/16 of a texel, is off by a quarter of twist
+/// times length times width. This may be at most half of the tolerance.
 pub const LONGEST: f64 = 32.0;
 
-/// The fewest of some points of a line, the first and the last among them, whose chords pass all others in
-/// every row within the tolerance, and are no longer than `longest` says for each knot that they leave
-/// behind; of the ways with as many points the one whose chords are the most even.
+/// Returns the fewest points of a line, first and last included, whose chords pass all others in
+/// every row within the tolerance. No chord is longer than `longest` allows for any knot that it
+/// leaves behind. Of several ways with equally many points, returns the one with the most even
+/// chords.
 fn fewest(rows: &[&[Knot]], tolerance: f64, longest: impl Fn(&Knot) -> f64) -> Vec<usize> {
     let count = rows[0].len();
     let longest = |at: usize| rows.iter().map(|row| longest(&row[at])).fold(f64::INFINITY, f64::min);
-    // The number of chords to a point, the sum of their squared lengths, and the point before.
+    // For each point: number of chords to it, sum of their squared lengths, and previous point.
     let mut best = vec![(usize::MAX, f64::INFINITY, 0); count];
     best[0] = (0, 0.0, 0);
-    // The least and the greatest slope that passes all points so far, in each row.
+    // Least and greatest slope that passes all points so far, in each row.
     let mut slopes = vec![[0.0; 2]; rows.len()];
     for from in 0..count {
         let (chords, squares, _) = best[from];

@@ -1,4 +1,4 @@
-//! The edge rules, one file each. A new one is a file here and its name in the list below.
+//! Edge rules, one file each. To add one, add a file here and its name to [`EDGE_RULES`].
 
 mod error;
 mod pixels;
@@ -13,50 +13,52 @@ pub use weights::Weights;
 
 use crate::MeshSettings;
 
-/// How the points of a side lie.
+/// Spacing of the points of a side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spacing {
     /// At equal distances.
     Even,
-    /// Where they are needed.
+    /// Where the tolerance needs them.
     Uneven,
     /// One in every voxel along the side's main direction, in the grid space of a view.
     Voxels,
 }
 
-/// Where the sides of patches are divided. What it says of a side follows from the side's two ends alone.
+/// Rule that divides the sides of patches. Its result for a side depends on the side's two ends
+/// alone.
 #[derive(Clone, Copy, Debug)]
 pub struct EdgeRule {
     /// The name on the command line.
     pub name: &'static str,
-    /// One line on what it does.
+    /// Summary in one line.
     pub summary: &'static str,
-    /// Where it was published.
+    /// Publication that describes it.
     pub publication: Publication,
-    /// How its points lie.
+    /// Spacing of its points.
     pub spacing: Spacing,
-    /// How it divides them.
+    /// Method that divides the sides.
     pub(crate) divides: Divides,
 }
 
-/// How sides are divided.
+/// Method that divides sides.
 #[derive(Clone, Copy, Debug)]
 pub enum Divides {
     /// At equal distances.
     Evenly(Evenly),
-    /// By the voxels that their ends lie in: in how many parts.
+    /// By the voxels of the ends: returns the number of parts.
     Voxels(fn([[i32; 3]; 2]) -> u64),
-    /// By what lies along the side.
+    /// By the heights along the side.
     Along(Along),
 }
 
-/// Which knots of a side are its points, the first and the last among them, rising. There is a row of knots
-/// for every height map's edge that the side is, at the same places: one on a plane, two at a seam. The
-/// tolerance is a height of the map.
+/// Returns which knots of a side are its points, rising, first and last included.
+///
+/// Each edge of a height map that the side lies on is one row of knots, at the same places: one row
+/// on a plane, two at a seam. The tolerance is a height of the map.
 pub type Along = fn(rows: &[&[Knot]], tolerance: f64) -> Vec<usize>;
 
-/// The same where some of the knots, rising and without the ends, are points in any case: what lies between
-/// two of them is divided by itself.
+/// Divides a side by `divide`, with the knots `fixed` as points in any case. They rise and exclude
+/// the ends. Each stretch between two of them is divided by itself.
 pub fn divided(divide: Along, rows: &[&[Knot]], fixed: &[usize], tolerance: f64) -> Vec<usize> {
     let last = rows.first().map_or(0, |row| row.len() - 1);
     let mut chosen = vec![0];
@@ -69,39 +71,40 @@ pub fn divided(divide: Along, rows: &[&[Knot]], fixed: &[usize], tolerance: f64)
     chosen
 }
 
-/// Where sides are divided evenly.
+/// Rule that divides sides evenly.
 #[derive(Clone, Copy, Debug)]
 pub struct Evenly {
-    /// In how many parts, at least 1, a side of a base triangle is divided that has so many texels from end
-    /// to end along `u` and along `v`.
+    /// Returns the number of parts, at least 1, of a base triangle's side that has `texels` from
+    /// end to end along `u` and `v`.
     pub parts: fn(texels: [f64; 2], &MeshSettings) -> u64,
-    /// The least distance of the lines of a plane, in texels: an upper bound of their number follows from it.
+    /// Returns the least distance between lines of a plane, in texels. It bounds their number from
+    /// above.
     pub step: fn(&MeshSettings) -> f64,
-    /// The lines across an axis of a plane that goes from one place to another, counted in texels so that
-    /// `i + ½` is the centre of texel `i`: rising, with both ends.
+    /// Returns the lines across an axis of a plane, rising, with both ends. Places are counted in
+    /// texels: `i + ½` is the centre of texel `i`.
     pub lines: fn(from: f64, to: f64, &MeshSettings) -> Vec<f64>,
 }
 
-/// A point that a side may have.
+/// Possible point of a side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Knot {
-    /// Where it is, in texels along the side.
+    /// Position along the side, in texels.
     pub place: f64,
-    /// The height of the map there.
+    /// Height of the map there.
     pub height: f64,
-    /// By how much the bilinear surface is twisted between it and the next one, on either side of the line:
-    /// the greatest `|h00 - h10 - h01 + h11|`.
+    /// Twist of the bilinear surface between this knot and the next: the greatest
+    /// `|h00 - h10 - h01 + h11|` on either side of the line.
     pub twist: f64,
 }
 
 /// All edge rules.
 pub static EDGE_RULES: &[EdgeRule] = &[TEXELS, PIXELS, ERROR];
 
-/// The edge rule of that name.
+/// Returns the edge rule `name`.
 ///
 /// # Errors
 ///
-/// When none has that name; the error names the nearest.
+/// Fails if no edge rule has that name. The error names the nearest.
 pub fn edge_rule(name: &str) -> Result<&'static EdgeRule, UnknownName> {
     EDGE_RULES
         .iter()

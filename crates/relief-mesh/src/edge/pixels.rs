@@ -1,7 +1,7 @@
-//! A point every voxel of grid space.
+//! Edge rule `pixels`: a point in every voxel of grid space.
 //!
 //! Source: Gumhold and Hüttner 1999, section 3.4, definition 1: an edge is divided along its *main
-//! direction*, that along which its ends are most voxels apart.
+//! direction*, the axis along which its ends are most voxels apart.
 
 use relief_core::registry::Publication;
 

@@ -1,7 +1,7 @@
-//! A point every so many texels.
+//! Edge rule `texels`: a point every N texels.
 //!
-//! Source: Szirmay-Kalos and Umenhoffer 2008, section 3.1, which displaces the vertices of a mesh that was
-//! finely divided before.
+//! Source: Szirmay-Kalos and Umenhoffer 2008, section 3.1, which displaces the vertices of a mesh
+//! that was finely divided before.
 
 use relief_core::registry::Publication;
 
@@ -19,8 +19,7 @@ pub const RULE: EdgeRule = EdgeRule {
     divides: Divides::Evenly(Evenly { parts, step, lines }),
 };
 
-/// What a distance in texels may be longer than a whole number by rounding, as texture coordinates are
-/// stored.
+/// Rounding of a distance in texels, as texture coordinates are stored.
 const ROUNDING: f64 = 1.0 / 1024.0;
 
 fn parts([across, down]: [f64; 2], settings: &MeshSettings) -> u64 {
@@ -35,7 +34,7 @@ fn step(settings: &MeshSettings) -> f64 {
 
 fn lines(from: f64, to: f64, settings: &MeshSettings) -> Vec<f64> {
     let mut lines = vec![from];
-    // The first centre inside, and every so many from there on; from a centre that is an end so many.
+    // The first line inside: the first centre, or one step from an end that is a centre.
     let inside = (from - 0.5 + ROUNDING).ceil() + 0.5;
     let first = if inside - from > 1.0 - ROUNDING { from + step(settings) } else { inside };
     let inside = (0..).map(|k| first + f64::from(k) * step(settings)).take_while(|at| *at < to - ROUNDING);

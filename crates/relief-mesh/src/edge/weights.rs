@@ -1,8 +1,8 @@
 //! Weights of edges that are divided by voxels.
 //!
-//! Source: Szirmay-Kalos and Umenhoffer 2008, section 3.2, which asks for more triangles where heights vary
-//! and toward the silhouette, and Gumhold and Hüttner 1999, section 6, for fewer where a surface faces the
-//! eye and more where the relief is steep.
+//! Source: Szirmay-Kalos and Umenhoffer 2008, section 3.2, which asks for more triangles where
+//! heights vary and toward the silhouette. Gumhold and Hüttner 1999, section 6, asks for fewer
+//! where a surface faces the eye and more where the relief is steep.
 
 use glam::DVec3;
 use relief_core::mesh::{BasePoint, Vertex};
@@ -10,31 +10,34 @@ use relief_core::mesh::{BasePoint, Vertex};
 use crate::surface::Relief;
 use crate::{MesherError, View};
 
-/// By how much more or fewer points an edge has than voxels. It follows from the edge's two ends, and from
-/// what the height map has between their texture coordinates.
+/// Weights that give an edge more or fewer parts than voxels.
 ///
-/// An edge has `(1 - silhouette f) (1 + slope s + variation v)` times as many parts as voxels: `f` is the
-/// cosine between the directions of its ends and those to the eye, from 0 at the silhouette to 1; `s` the
-/// mean slope of the relief along it, in metres a metre; `v` the greatest difference of heights along it, as
-/// a part of what the map can hold.
+/// The result depends on the edge's two ends, and on the height map between their texture
+/// coordinates. An edge has `(1 - silhouette f) (1 + slope s + variation v)` times as many parts as
+/// voxels:
+///
+/// - `f` is the cosine between the directions of its ends and those to the eye, from 0 at the
+///   silhouette to 1.
+/// - `s` is the mean slope of the relief along it, in metres a metre.
+/// - `v` is the greatest difference of heights along it, as a part of what the map can hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Weights {
-    /// From 0, not at all, to 1: an edge that faces the eye has one part.
+    /// Weight of `f`, from 0 to 1. At 1 an edge that faces the eye has one part.
     pub silhouette: f64,
-    /// At least 0.
+    /// Weight of `s`, at least 0.
     pub slope: f64,
-    /// At least 0.
+    /// Weight of `v`, at least 0.
     pub variation: f64,
 }
 
-/// Parts between which heights are looked at along an edge.
+/// Parts of an edge between which heights are sampled.
 const LOOKS: u32 = 16;
 
 impl Weights {
-    /// Edges have as many parts as voxels.
+    /// No weights: edges have as many parts as voxels.
     pub const NONE: Self = Self { silhouette: 0.0, slope: 0.0, variation: 0.0 };
 
-    /// Whether they are numbers of weights.
+    /// Returns an error if a weight is out of its range.
     pub(crate) fn check(&self) -> Result<(), MesherError> {
         let Self { silhouette, slope, variation } = *self;
         let is_weight = |weight: f64| weight >= 0.0 && weight.is_finite();
@@ -45,7 +48,7 @@ impl Weights {
         }
     }
 
-    /// How many times as many parts an edge has as voxels.
+    /// Returns the number of parts of an edge, as a multiple of its voxels.
     pub(crate) fn factor(&self, relief: &Relief, view: &View, ends: [&Vertex; 2]) -> f64 {
         let facing = ends.map(|end| {
             let camera = &view.camera;

@@ -1,17 +1,17 @@
-//! A fixed pattern for the three counts of a triangle, and the grid of a tile.
+//! Fixed pattern for the three counts of a triangle, and the grid of a tile.
 //!
-//! A triangle is cut in rows that run along its side of fewest parts, from the corner `A` across from it. The
-//! other two sides have `n` and `m >= n` parts. Row `r` of `m` goes from point `⌈r n / m⌉` of the one to
-//! point `r` of the other, so that each point of either is the end of a row, and rows do not meet but at
-//! their ends. It is divided into the part of the short side's parts that it is as long as, rounded up, and
-//! the last row is that side. Two neighbouring rows are zipped: of the two next points the one that lies less
-//! far along its row makes the next triangle with the last two.
+//! A triangle is cut into rows that run along its side of fewest parts, from the opposite corner
+//! `A`. The other two sides have `n` and `m >= n` parts. Row `r` of `m` goes from point `⌈r n / m⌉`
+//! of the one to point `r` of the other. So each point of either side is the end of a row, and rows
+//! meet only at their ends. A row has the part of the short side's parts that it has of its length,
+//! rounded up. The last row is that side. Two neighbouring rows are zipped: of the two next points,
+//! the one that is less far along its row makes the next triangle with the last two.
 //!
-//! Rows are straight, and both ends of each are further from `A` than those of the one before, or one is and
-//! the other the same. So all triangles between two rows have the turn of the base triangle. Rows that share
-//! an end differ by at most one part, and then zipping takes their points by turns: nothing is without an
-//! area. With equal counts it is the regular lattice, and long narrow triangles get no more rows across than
-//! they are wide.
+//! Rows are straight. Both ends of each are farther from `A` than the ends of the row before, or
+//! one is and the other is the same. So all triangles between two rows turn like the base triangle.
+//! Rows that share an end differ by at most one part. Zipping then takes their points by turns, and
+//! no triangle is without an area. Equal counts give the regular lattice. Long narrow triangles get
+//! no more rows across than they are wide.
 
 use std::ops::Range;
 
@@ -30,16 +30,16 @@ pub const INTERIOR: Interior = Interior {
     fills: Fills::Patch(Pattern { steps, counts, cut }),
 };
 
-/// A triangle seen from its corner `A`.
+/// Rows of a triangle, seen from its corner `A`.
 #[derive(Clone, Copy, Debug)]
 struct Rows {
-    /// The sides from `A` onward, of fewest parts, and back to `A`.
+    /// Numbers of its sides: from `A` onward, of fewest parts, and back to `A`.
     sides: [u32; 3],
-    /// Their parts.
+    /// Number of parts of each.
     parts: [u32; 3],
 }
 
-/// A row of points: where it ends and in how many parts it is divided.
+/// Row of points: its two ends, and its number of parts.
 #[derive(Clone, Copy, Debug)]
 struct Row {
     ends: [u32; 2],
@@ -53,7 +53,7 @@ impl Rows {
         Self { sides, parts: sides.map(|side| parts[side as usize]) }
     }
 
-    /// How many rows there are after `A`.
+    /// Returns the number of rows after `A`.
     fn count(&self) -> u32 {
         self.parts[0].max(self.parts[2])
     }
@@ -68,7 +68,7 @@ impl Rows {
         Row { ends: [share(self.parts[0]), share(self.parts[2])], parts }
     }
 
-    /// Inner points of a row.
+    /// Returns the number of inner points of a row.
     fn inner(&self, row: u32) -> u32 {
         if row == 0 || row == self.count() { 0 } else { self.row(row).parts - 1 }
     }
@@ -79,8 +79,8 @@ impl Rows {
         u64::from(above.parts) + u64::from(below.parts) - shared
     }
 
-    /// The point of a side that so many parts lie before, counted from `A`, or on the short side from its
-    /// first corner.
+    /// Returns the point `at` of a side, counted from `A`, or on the short side from its first
+    /// corner.
     fn border(&self, side: usize, at: u32) -> PatchPoint {
         let (number, parts) = (self.sides[side], self.parts[side]);
         let at = if side == 2 { parts - at } else { at };
@@ -92,7 +92,8 @@ impl Rows {
         }
     }
 
-    /// Adds the points of a row, whose first inner one has that number, and gives their places.
+    /// Adds the points of a row and returns their indices. `first` is the number of its first inner
+    /// point.
     fn add(&self, number: u32, first: u32, cut: &mut Cut) -> Range<u32> {
         let from = cut.points.len() as u32;
         let Row { ends, parts } = self.row(number);
@@ -106,7 +107,7 @@ impl Rows {
                 [0, 1].map(|end| f64::from(ends[end]) / f64::from(self.parts[2 * end]));
             cut.points.extend((1..parts).map(|at| {
                 let part = f64::from(at) / f64::from(parts);
-                // Of the two corners at the ends of the short side, and of `A`.
+                // Weights of the two corners at the ends of the short side, and of `A`.
                 let of_ends = [(1.0 - part) * of_first, part * of_second];
                 let mut weights = [0.0; 3];
                 weights[self.sides[1] as usize] = of_ends[0];
@@ -133,7 +134,7 @@ impl Rows {
     }
 }
 
-/// The triangles between two rows, without those at ends that the rows share.
+/// Adds the triangles between two rows, without the ones at shared ends.
 fn zip([above, below]: [Range<u32>; 2], shared: [bool; 2], cut: &mut Cut) {
     let [last_above, last_below] = [&above, &below].map(|row| row.len() as u64 - 1);
     let (mut i, mut j) = (0, 0);
@@ -200,7 +201,7 @@ fn cut(patch: &Patch, steps: Range<u32>, first: u32, cut: &mut Cut) {
 mod tests {
     use super::*;
 
-    /// The weights of a point, times the parts of all sides, which makes those of borders whole.
+    /// Returns the barycentric weights of a point.
     fn weights(point: PatchPoint, parts: [u32; 3]) -> [f64; 3] {
         match point {
             PatchPoint::Border { side, at } => {

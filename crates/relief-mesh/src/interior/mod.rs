@@ -1,4 +1,4 @@
-//! The interiors, one file each. A new one is a file here and its name in the list below.
+//! Interiors, one file each. To add one, add a file here and its name to [`INTERIORS`].
 
 mod adapt;
 mod dice;
@@ -15,101 +15,101 @@ pub use sweep::INTERIOR as SWEEP;
 use crate::patch::{Patch, PatchPoint};
 use crate::{EdgeRule, MesherError, Spacing};
 
-/// What fills a patch between the points of its sides. All points of the sides are used, and no others lie on
-/// them.
+/// Rule that fills a patch between the points of its sides. It uses all points of the sides, and
+/// adds none on them.
 ///
-/// A patch is cut in steps, one after the other, so that a large one need not be held at once.
+/// A patch is cut in steps, so that a large one need not be in memory at once.
 #[derive(Clone, Copy, Debug)]
 pub struct Interior {
-    /// The name on the command line.
+    /// Name on the command line.
     pub name: &'static str,
-    /// One line on what it does.
+    /// Summary in one line.
     pub summary: &'static str,
-    /// Where it was published.
+    /// Publication that describes it.
     pub publication: Publication,
-    /// The spacings of sides that it fills.
+    /// Spacings of sides that it accepts.
     pub takes: &'static [Spacing],
-    /// Why it does not take the others.
+    /// Reason why it does not accept other spacings.
     pub why: &'static str,
-    /// How it fills them.
+    /// Method that fills patches.
     pub(crate) fills: Fills,
 }
 
-/// What an interior fills, and how.
+/// Method that fills patches.
 #[derive(Clone, Copy, Debug)]
 pub enum Fills {
-    /// Any patch, by a pattern.
+    /// Fills any patch by a pattern.
     Patch(Pattern),
-    /// Any patch, by what is on it.
+    /// Fills any patch by the surface over it.
     Ground(Fill),
 }
 
-/// Fills patches whose borders have those points, with heights. None where there would be too many triangles,
-/// or it is cancelled.
+/// Functions that fill patches whose borders have given points and heights. They return `None` if
+/// there would be too many triangles, or if cancelled.
 #[derive(Clone, Copy, Debug)]
 pub struct Fill {
-    /// A tile of a plane.
+    /// Fills a tile of a plane.
     pub tile: FillOf<Window>,
-    /// A base triangle.
+    /// Fills a base triangle.
     pub facet: FillOf<Facet>,
 }
 
-/// Fills a patch over some ground.
+/// Function that fills a patch over a ground.
 pub type FillOf<G> = fn(&G, border: &[([i32; 2], f32)], Wanted<'_>) -> Option<Filled>;
 
-/// A pattern that follows from the points of the sides alone.
+/// Pattern that depends on the points of the sides alone.
 #[derive(Clone, Copy, Debug)]
 pub struct Pattern {
-    /// In how many steps a patch is cut.
+    /// Returns the number of steps in which a patch is cut.
     pub steps: fn(&Patch) -> u32,
-    /// What a step makes.
+    /// Returns the counts of a step.
     pub counts: fn(&Patch, step: u32) -> PatchCounts,
-    /// Makes what these steps do; `first` is the number of their first inner point.
+    /// Cuts the given steps. `first` is the number of their first inner point.
     pub cut: fn(&Patch, steps: Range<u32>, first: u32, &mut Cut),
 }
 
-/// How much is made.
+/// Counts of a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PatchCounts {
-    /// Points inside of the patch; on a tile those of the border, too.
+    /// Points inside the patch; on a tile also the points of its border.
     pub points: u64,
-    /// Triangles.
+    /// Number of triangles.
     pub triangles: u64,
 }
 
-/// What some steps make of a patch.
+/// Points and triangles of some steps.
 #[derive(Clone, Debug, Default)]
 pub struct Cut {
-    /// Points that triangles have for corners. Inner ones of earlier steps are among them; those of the steps
-    /// themselves are there once each, in the order of their numbers.
+    /// Corners of the triangles. Inner points of earlier steps may be among them. Inner points of
+    /// these steps occur once each, in the order of their numbers.
     pub points: Vec<PatchPoint>,
-    /// Corners by their places in the points, in the sense of rotation of the patch's own.
+    /// Corners of the triangles as indices into `points`. They turn like the patch.
     pub triangles: Vec<[u32; 3]>,
 }
 
 impl Cut {
-    /// Empties it, to be filled again.
+    /// Clears it for reuse.
     pub fn clear(&mut self) {
         self.points.clear();
         self.triangles.clear();
     }
 
-    /// Adds a point and gives its place.
+    /// Adds a point and returns its index.
     pub fn point(&mut self, point: PatchPoint) -> u32 {
-        // Steps are cut apart long before that many points.
+        // Steps are split long before this number overflows.
         self.points.push(point);
         self.points.len() as u32 - 1
     }
 }
 
-/// All interiors; those that take more edge rules come first.
+/// All interiors. Those that accept more edge rules come first.
 pub static INTERIORS: &[Interior] = &[DICE, SWEEP, ADAPT];
 
-/// The interior of that name.
+/// Returns the interior `name`.
 ///
 /// # Errors
 ///
-/// When none has that name; the error names the nearest.
+/// Fails if no interior has that name. The error names the nearest.
 pub fn interior(name: &str) -> Result<&'static Interior, UnknownName> {
     INTERIORS
         .iter()
@@ -117,11 +117,11 @@ pub fn interior(name: &str) -> Result<&'static Interior, UnknownName> {
         .ok_or_else(|| UnknownName::new("interior", name, INTERIORS.iter().map(|interior| interior.name)))
 }
 
-/// Whether an edge rule and an interior make a mesh together.
+/// Checks that an edge rule and an interior go together.
 ///
 /// # Errors
 ///
-/// When they do not, with the reason.
+/// Fails with the reason if they do not.
 pub fn check_pair(edges: &EdgeRule, interior: &Interior) -> Result<(), MesherError> {
     if interior.takes.contains(&edges.spacing) {
         return Ok(());

@@ -1,26 +1,30 @@
-//! The sweep of a triangle through a grid of voxels.
+//! Sweep of a triangle through a grid of voxels.
 //!
-//! Source: Gumhold and Hüttner 1999, section 3.4. Corners lie on whole numbers of grid space, and each side
-//! is divided along the direction in which it is longest (its *main direction*), one part a voxel. A *primary
-//! edge* is one between whose ends, along its main direction, the third corner lies: there always is one
-//! (theorem 1), and the longest says along which axis is *swept*. Of the two coordinate planes that hold this
-//! axis the triangle is cut in the one that it covers more of; the other axis of that plane is the *side*.
+//! Source: Gumhold and Hüttner 1999, section 3.4. Corners lie on integers of grid space. Each side
+//! is divided along the axis in which it is longest (its *main direction*), one part a voxel. An
+//! edge is *primary* if the third corner lies between its ends along its main direction. There is
+//! always one (theorem 1). The longest primary edge is *swept* along its main direction. Two
+//! coordinate planes contain this axis. The triangle is cut in the plane in which its area is
+//! larger. The other axis of that plane is the *side*.
 //!
-//! So the primary edge has one point in each *column*, at its bottom. The two other sides make the top: the
-//! points of theirs that round to a column belong to it. Between are the grid's own points, but those that
-//! lie within a voxel of a side are left out: they are dragged to it, in the paper's words. Neighbouring
-//! columns are zipped from below, by the shorter diagonal of the two that turn nothing over. How far a
-//! diagonal goes along and up is added up, so that whole numbers compare it exactly. Points of the top that
-//! lie before the third corner are zipped with the next column, those behind it with the last one; what
-//! there is of both in the third corner's own column is closed there, as a roof.
+//! So the primary edge has one point in each *column*, at its bottom. The two other sides are the
+//! top: their points belong to the column to which they round. Points of the grid lie between.
+//! Those within a voxel of a side are left out: they are dragged to it, in the paper's words.
 //!
-//! The shaders have the same sweep in 32 bits, for GPUs, with sides of at most 1,023 voxels. Here sides are
-//! of any length. A test of `relief-render` finds the same triangles by both.
+//! Neighbouring columns are zipped from below, by the shorter of the two diagonals that turn
+//! nothing over. The length of a diagonal is the sum of its extents along both axes, so that
+//! integers compare it exactly. Points of the top before the third corner are zipped with the next
+//! column, those behind it with the previous one. If the third corner's own column has both, they
+//! are closed there, as a roof.
 //!
-//! No piece has three corners on one side: the neighbour could have the same, and an edge four triangles.
+//! The shaders have the same sweep in 32 bits, for GPUs, with sides of at most 1,023 voxels. Here
+//! sides have any length. A test of `relief-render` finds the same triangles by both.
 //!
-//! Unlike in the paper no differences are added up: each column follows from the three corners, so that
-//! columns are cut apart, and points are the same whoever asks.
+//! No piece has three corners on one side: the neighbour could have the same piece, and an edge
+//! would have four triangles.
+//!
+//! Unlike in the paper no differences are accumulated. Each column follows from the three corners
+//! alone. So columns can be cut apart, and a point is the same in every block.
 
 use std::ops::Range;
 
@@ -42,69 +46,71 @@ pub const INTERIOR: Interior = Interior {
     fills: Fills::Patch(Pattern { steps, counts, cut }),
 };
 
-/// A triangle as it is swept. Coordinates are those along the sweep and along the side, counted from the
-/// first end of the primary edge, and such that the third corner lies above it.
+/// Triangle with the axes of its sweep. Coordinates are along the sweep and along the side, counted
+/// from the first end of the primary edge. The third corner, the apex, lies above that edge.
 #[derive(Clone, Copy, Debug)]
 struct Sweep {
-    /// The ends of the primary edge and the third corner, as numbers of the patch's corners.
+    /// Numbers of the patch's corners: the ends of the primary edge, and the apex.
     corners: [u32; 3],
-    /// The end of the primary edge: `[columns - 1, rise]`.
+    /// Other end of the primary edge: `[columns - 1, rise]`.
     end: [i64; 2],
-    /// The third corner.
+    /// Third corner.
     apex: [i64; 2],
-    /// Parts of the sides from the first end to the apex, and from there to the other end.
+    /// Number of parts of the sides from the first end to the apex, and from there to the other
+    /// end.
     parts: [i64; 2],
-    /// Whether pieces are turned over, as seen from the patch.
+    /// Whether pieces are turned over, relative to the patch.
     is_turned: bool,
 }
 
-/// A point in the plane of the sweep.
+/// Point in the plane of the sweep.
 #[derive(Clone, Copy, Debug)]
 struct Place {
-    /// It lies at `[x / w, y / w]`.
+    /// Coordinates are `[x / w, y / w]`.
     x: i64,
     y: i64,
     w: i64,
-    /// Which sides it lies on.
+    /// Bits of the sides on which it lies.
     sides: u8,
 }
 
-/// The primary edge, the side from its first end to the apex, and that from there to its other end.
+/// Bits of the primary edge, the side from its first end to the apex, and the side from there to
+/// its other end.
 const SIDES: [u8; 3] = [1, 2, 4];
 
-/// A point, and its place among those of the cut.
+/// Index of a point in the cut, and its coordinates.
 type Point = (u32, Place);
 
-/// A column of points.
+/// Column of points.
 #[derive(Debug, Default)]
 struct Column {
-    /// From below: that of the primary edge, those of the grid, then those of the top along the sweep.
+    /// Points from below: of the primary edge, of the grid, then of the top along the sweep.
     points: Vec<Point>,
-    /// How many come before the top.
+    /// Number of points below the top.
     below_top: usize,
-    /// Where the apex is among the points, if it is.
+    /// Index of the apex in `points`, if the column has it.
     apex: Option<usize>,
     top: Top,
 }
 
-/// What the points of a column's top are zipped with.
+/// Partner with which the points of a column's top are zipped.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Top {
-    /// They lie before the apex, or are the apex: the next column.
+    /// The next column: the points lie before the apex, or are the apex.
     #[default]
     Next,
-    /// They lie behind it: the column before.
+    /// The previous column: the points lie behind the apex.
     Before,
-    /// There are both: each other.
+    /// Each other: there are points before the apex and behind it.
     Roof,
 }
 
 impl Sweep {
-    /// The sweep of a triangle; none where all corners are in one voxel.
+    /// Creates the sweep of a triangle. Returns `None` if all corners are in one voxel.
     fn new(voxels: [[i32; 3]; 3]) -> Option<Self> {
         let voxels = voxels.map(|voxel| voxel.map(i64::from));
         let length = |k: usize, axis: usize| (voxels[(k + 1) % 3][axis] - voxels[k][axis]).abs();
-        // Of axes along which an edge is equally long the first.
+        // Of axes along which an edge is equally long, the first counts.
         let main = |k: usize| (0..3).rev().max_by_key(|&axis| length(k, axis)).unwrap_or_default();
         let is_primary = |k: usize| {
             let [from, to, third] = [0, 1, 2].map(|next| voxels[(k + next) % 3][main(k)]);
@@ -142,21 +148,21 @@ impl Sweep {
         })
     }
 
-    /// Strips between columns.
+    /// Returns the number of strips between columns.
     fn strips(&self) -> u32 {
         self.end[0] as u32
     }
 
-    /// Twice the area.
+    /// Returns twice the area.
     fn twice_area(&self) -> i64 {
         self.end[0] * self.apex[1] - self.end[1] * self.apex[0]
     }
 
-    /// Points of the top, the apex and both ends among them, are counted along the sweep: that number has the
-    /// first of a column.
+    /// Returns the number of the first top point of a column. Points of the top, with the apex and
+    /// both ends, are numbered along the sweep.
     fn first_of(&self, column: i64) -> i64 {
         let ([n, m], [x, _]) = (self.parts, self.apex);
-        // A point belongs to the column if it lies less than half a voxel before its middle, or just that.
+        // A point belongs to the column if it lies half a voxel or less before its middle.
         let doubled = 2 * column - 1;
         if column <= 0 {
             0
@@ -169,7 +175,7 @@ impl Sweep {
         }
     }
 
-    /// The point of the top of that number.
+    /// Returns the top point of a number.
     fn upper(&self, number: i64) -> Place {
         let ([n, m], [x, y], [end_x, end_y]) = (self.parts, self.apex, self.end);
         if number <= n {
@@ -181,7 +187,7 @@ impl Sweep {
         }
     }
 
-    /// The numbers of a column's points of the top, and what they are zipped with.
+    /// Returns the numbers of a column's top points, and their partner.
     fn top(&self, column: i64) -> (Range<i64>, Top) {
         let [n, m] = self.parts;
         let [first, next] = [column, column + 1].map(|column| self.first_of(column));
@@ -194,7 +200,7 @@ impl Sweep {
         (first.max(1)..next.min(n + m), top)
     }
 
-    /// The grid's points inside of a column.
+    /// Returns the grid's points inside a column.
     fn inner(&self, column: i64) -> Range<i64> {
         if column <= 0 || column >= self.end[0] {
             return 0..0;
@@ -225,7 +231,7 @@ impl Sweep {
         PatchCounts { points: inner(after) as u64, triangles: (left + right + in_roofs) as u64 }
     }
 
-    /// A point between two corners of the triangle, that so many parts lie before.
+    /// Returns the point `at` of `parts` between two corners of the triangle.
     fn border(&self, [from, to]: [usize; 2], at: i64, parts: i64) -> PatchPoint {
         let [from, to] = [from, to].map(|corner| self.corners[corner]);
         let (side, at) = match at {
@@ -237,7 +243,7 @@ impl Sweep {
         PatchPoint::Border { side, at: at as u32 }
     }
 
-    /// The weights of the second and the third corner of the patch at a point of the grid.
+    /// Returns the weights of the patch's second and third corner at a point of the grid.
     fn weights(&self, [x, y]: [i64; 2]) -> [f64; 2] {
         let twice = self.twice_area() as f64;
         let of_end = (x * self.apex[1] - y * self.apex[0]) as f64 / twice;
@@ -250,7 +256,7 @@ impl Sweep {
         [weights[1], weights[2]]
     }
 
-    /// Makes a column, whose first inner point has that number.
+    /// Fills a column, whose first inner point has the number `first`.
     fn column(&self, column: i64, first: u32, into: &mut Column, cut: &mut Cut) {
         into.points.clear();
         let bottom = self.border([0, 1], column, self.end[0]);
@@ -299,7 +305,7 @@ impl Sweep {
     /// Closes the roof of a column, if it has one.
     fn roof(&self, column: &Column, cut: &mut Cut) {
         let (Top::Roof, Some(apex)) = (column.top, column.apex) else { return };
-        // The apex goes with the side that has more room for it.
+        // The apex is in the right chain, or in the left one if that were empty without it.
         let apex = if apex == column.below_top { apex + 1 } else { apex };
         let (left, right) = column.points[column.below_top..].split_at(apex - column.below_top);
         let under = column.points[column.below_top - 1];
@@ -310,8 +316,9 @@ impl Sweep {
         self.zip(left, &right, [0; 2], cut);
     }
 
-    /// The triangles between two chains from below, the first one to the left of the second. `in_grid` says
-    /// how many points each begins with before the top: one at the bottom, then the grid's. It is 0 in roofs.
+    /// Adds the triangles between two chains from below, `left` to the left of `right`. `in_grid`
+    /// is the number of points that each has before the top: one at the bottom, then the grid's. It
+    /// is 0 in roofs.
     fn zip(&self, left: &[Point], right: &[Point], in_grid: [usize; 2], cut: &mut Cut) {
         let (mut i, mut j) = (0, 0);
         // Whether the end of a chain lies on the side on which the other one ends.
@@ -329,7 +336,7 @@ impl Sweep {
                 (None, None) => return,
                 (Some(_), None) => true,
                 (None, Some(_)) => false,
-                // The end comes last, or the triangles with it would have three corners on that side.
+                // The end comes last, or its triangles would have three corners on that side.
                 (Some(_), Some(_)) if keeps_right && j + 2 == right.len() => true,
                 (Some(_), Some(_)) if keeps_left && i + 2 == left.len() => false,
                 (Some(up_left), Some(up_right)) => {
@@ -350,9 +357,10 @@ impl Sweep {
         }
     }
 
-    /// The triangles between the grid's points of two columns, from these on, until either column has none
-    /// left. Gives where both are then. Each point is a voxel above the one before, so that nothing is turned
-    /// over, and the shorter diagonal is the one to the point above the lower of the two.
+    /// Adds the triangles between the grid's points of two columns, from these points on, until
+    /// either column has none left. Returns the indices of both columns then. Each point is a voxel
+    /// above the one before. So nothing is turned over, and the shorter diagonal leads to the point
+    /// above the lower of the two.
     fn zip_grid(&self, from: [Point; 2], at: [usize; 2], in_grid: [usize; 2], cut: &mut Cut) -> [usize; 2] {
         let [(mut left, Place { y: mut y_left, .. }), (mut right, Place { y: mut y_right, .. })] = from;
         let [mut i, mut j] = at;
@@ -376,7 +384,7 @@ impl Sweep {
 }
 
 impl Column {
-    /// Its points from below, as they are zipped with the next column or the one before.
+    /// Collects the points from below, as they are zipped with the next column or the previous one.
     fn chain(&self, with: Top, into: &mut Vec<Point>) {
         let (below, top) = self.points.split_at(self.below_top);
         into.clear();
@@ -384,7 +392,7 @@ impl Column {
         match (with, top) {
             (Top::Before, top) if self.top == with => into.extend(top.iter().rev()),
             (_, top) if self.top == with => into.extend_from_slice(top),
-            // Of a top that is not zipped here there is the end that is nearest.
+            // A top that is zipped elsewhere has only its nearest end here.
             (Top::Before, [first, ..]) => into.push(*first),
             (_, [.., last]) => into.push(*last),
             (_, []) => {}
@@ -392,14 +400,14 @@ impl Column {
     }
 }
 
-/// The sign of twice the area of a triangle.
+/// Returns the sign of a triangle's area.
 fn turn([a, b, c]: [Place; 3]) -> i32 {
     let along = |to: Place| [to.x * a.w - a.x * to.w, to.y * a.w - a.y * to.w].map(i128::from);
     let ([bx, by], [cx, cy]) = (along(b), along(c));
     (bx * cy - by * cx).signum() as i32
 }
 
-/// Whether a way is no longer than another one, along and up together.
+/// Returns whether a way is no longer than another one, as the sum of its extents along both axes.
 fn is_no_longer(way: [Place; 2], other: [Place; 2]) -> bool {
     let length =
         |[a, b]: [Place; 2]| [(b.x * a.w - a.x * b.w).abs() + (b.y * a.w - a.y * b.w).abs(), a.w * b.w];
@@ -407,12 +415,12 @@ fn is_no_longer(way: [Place; 2], other: [Place; 2]) -> bool {
     of * by_other <= of_other * by
 }
 
-/// A quotient of whole numbers, the second above 0, rounded up.
+/// Returns a quotient of integers, rounded up. The divisor is greater than 0.
 fn div_ceil(of: i64, by: i64) -> i64 {
     -(-of).div_euclid(by)
 }
 
-/// A quotient of whole numbers, the second above 0, rounded to the nearest.
+/// Returns a quotient of integers, rounded to the nearest. The divisor is greater than 0.
 fn rounded(of: i64, by: i64) -> i64 {
     (2 * of + by).div_euclid(2 * by)
 }

@@ -1,4 +1,4 @@
-//! Blocks of a mesh, each made by itself.
+//! Building of blocks, each by itself.
 
 use std::collections::{HashMap, HashSet};
 
@@ -23,22 +23,23 @@ use crate::surface::Relief;
 use crate::triangles::{self, EdgeVertices, Inside, Numbered, PatchBorder, Triangles};
 use crate::{Put, Rounded, Shading, Stream};
 
-/// A block that was made.
+/// Finished block with its measurements.
 pub struct Made {
     pub block: MeshBlock,
     pub part: Option<CrackPart>,
-    /// The smooth numbers of the triangles' corners.
+    /// Numbers of the triangles' corners for smooth normals.
     pub smooth: Vec<[u32; 3]>,
     pub bounds_m: [Vec3; 2],
-    /// What is folded over, in the order of the base's triangles.
+    /// Folds, in the order of the base's triangles.
     pub folds: Vec<FoldedBase>,
-    /// The same of the underside of a solid.
+    /// Folds of a solid's underside.
     pub folds_below: Vec<FoldedBase>,
     pub rounded: Rounded,
 }
 
 impl Mesher {
-    /// A block, in the memory of one that is not needed any more; none where a position is not finite.
+    /// Builds a block, in the memory of one that is not needed any more. Returns `None` if a
+    /// position is not finite.
     pub fn made(
         &self,
         work: &Work,
@@ -73,9 +74,10 @@ impl Mesher {
         Some(Made { block, part, smooth, bounds_m, folds, folds_below, rounded })
     }
 
-    /// The triangles of a block that are not left out, by the numbers of vertices with those that are.
+    /// Returns the triangles of a block that are not left out. Their corners have the numbers of
+    /// all vertices, before any is left out.
     pub fn left(&self, work: &Work) -> Vec<[u32; 3]> {
-        // These have none.
+        // Vertices alone make no triangles.
         if matches!(work, Work::Corners(_) | Work::Edges(_)) {
             return Vec::new();
         }
@@ -84,7 +86,7 @@ impl Mesher {
         making.block.triangles
     }
 
-    /// The vertices of a block that are wanted, by their numbers.
+    /// Returns the vertices of a block that are in `wanted`, with their numbers.
     pub fn wanted(&self, work: &Work, wanted: &HashSet<u32>) -> Vec<(u32, Vertex)> {
         let mut making = Making { wanted: Some(wanted), ..Making::default() };
         self.make(work, &mut making);
@@ -228,10 +230,10 @@ impl Mesher {
                 making,
                 points: &mut points,
             };
-            // Compiled for the vectors that the machine has; the bits are the same.
+            // Compiled for the machine's SIMD width; the bits are the same.
             let own = Lanes::Eight.run_up_to_eight(placing);
             if let Some((sight, cull)) = &self.unseen {
-                // Those without all of their corners were left out when they were counted.
+                // Triangles without all of their corners were left out when they were counted.
                 cut.triangles.retain(|corners| {
                     let corners = corners.map(|corner| points[corner as usize]);
                     corners.iter().all(|(numbered, _)| making.knows(numbered.number))
@@ -246,7 +248,7 @@ impl Mesher {
         }
     }
 
-    /// What of a patch is folded over.
+    /// Returns the folded pieces of a patch, if there are any.
     fn folded(
         &self,
         base: &Triangles,
@@ -257,7 +259,8 @@ impl Mesher {
         if !base.can_fold() {
             return None;
         }
-        // Directions between are sums of the corners'. Nearly always that is all.
+        // Directions between are sums of the corners' directions. Nearly always this test is
+        // enough.
         let directions = base.directions(patch);
         if !Lanes::Eight.run_up_to_eight(Folding { triangles: &cut.triangles, points, directions }) {
             return None;
@@ -273,14 +276,14 @@ impl Mesher {
         (pieces > 0).then(|| FoldedBase { triangle: base.whole(patch), pieces, middle_m: base.middle(patch) })
     }
 
-    /// Leaves out the triangles whose middle lies over a hole, by the places of points, counted from the
-    /// centre of the first texel.
+    /// Leaves out triangles whose middle lies over a hole. `place` returns the place of a point,
+    /// counted from the centre of the first texel.
     fn leave_out(&self, cut: &mut Cut, place: impl Fn(&PatchPoint) -> [f64; 2]) {
         let Cut { points, triangles } = cut;
         self.leave_out_of(triangles, |at| place(&points[at as usize]));
     }
 
-    /// The same, by the numbers of points.
+    /// Leaves out triangles as [`leave_out`](Self::leave_out) does, by the numbers of points.
     fn leave_out_of(&self, triangles: &mut Vec<[u32; 3]>, place: impl Fn(u32) -> [f64; 2]) {
         if !self.relief.has_holes() {
             return;
@@ -301,7 +304,7 @@ impl Mesher {
             let numbered = Numbered::both(plane.first_of_tile(tile) + at);
             points.push((numbered, making.vertex(plane.inner_vertex(&self.relief, tile, at), numbered)));
         }
-        // They turn from `u` to `v`, those of patterns from `v` to `u`.
+        // Filled tiles turn from `u` to `v`, patterns from `v` to `u`.
         making.triangles(&triangles, &points, !plane.is_turned());
     }
 
@@ -336,7 +339,7 @@ impl Mesher {
                 let lines = [tile.first[0] + side as usize, tile.first[1] + at as usize];
                 plane.place(lines).map(|place| place - 0.5)
             }
-            // A grid has lines alone.
+            // A grid has points on its lines alone.
             PatchPoint::Inner { .. } => [f64::NAN; 2],
         });
         let points =
@@ -345,20 +348,20 @@ impl Mesher {
     }
 }
 
-/// The points of a patch, about to be placed.
+/// Points of a patch to be computed.
 struct Placing<'a, 'm> {
     cut: &'a Cut,
     border: &'a PatchBorder<'a>,
     inside: &'a Inside,
     relief: &'a Relief,
-    /// The first inner point of the patch that belongs to this block, and the number of its vertex.
+    /// First inner point of the patch that belongs to this block, and the number of its vertex.
     numbers: [u32; 2],
     making: &'a mut Making<'m>,
     points: &'a mut Vec<(Numbered, Vec3)>,
 }
 
 impl WithSimd for Placing<'_, '_> {
-    /// How many vertices were made.
+    /// Number of vertices that belong to this block.
     type Output = u32;
 
     #[inline(always)]
@@ -391,7 +394,7 @@ impl WithSimd for Placing<'_, '_> {
     }
 }
 
-/// The points of a tile of a plane, about to be placed.
+/// Points of a tile of a plane to be computed.
 struct Tiling<'a, 'm> {
     cut: &'a Cut,
     plane: &'a Grid,
@@ -401,7 +404,7 @@ struct Tiling<'a, 'm> {
 }
 
 impl WithSimd for Tiling<'_, '_> {
-    /// Where they are.
+    /// Numbers and positions of the points.
     type Output = Vec<(Numbered, Vec3)>;
 
     #[inline(always)]
@@ -424,7 +427,7 @@ impl WithSimd for Tiling<'_, '_> {
     }
 }
 
-/// Triangles that are looked at for folds, with the directions of displacement at their patch's corners.
+/// Triangles to be tested for folds, with the directions of displacement at their patch's corners.
 struct Folding<'a> {
     triangles: &'a [[u32; 3]],
     points: &'a [(Numbered, Vec3)],
@@ -432,7 +435,7 @@ struct Folding<'a> {
 }
 
 impl WithSimd for Folding<'_> {
-    /// Whether any of them may be folded over.
+    /// Whether any triangle may be folded.
     type Output = bool;
 
     #[inline(always)]
@@ -446,30 +449,30 @@ impl WithSimd for Folding<'_> {
     }
 }
 
-/// A block while it is made.
+/// Block under construction.
 #[derive(Default)]
 struct Making<'a> {
     block: MeshBlock,
-    /// The smooth numbers of the triangles' corners, if normals are to be made of these triangles.
+    /// Smooth numbers of the triangles' corners, if normals are computed from these triangles.
     smooth: Option<Vec<[u32; 3]>>,
     normals: Option<&'a Normals>,
-    /// What is left, once it is known.
+    /// Remaining vertices, once they are known.
     kept: Option<&'a Kept>,
-    /// Whether it is only to be known which triangles there are.
+    /// Whether triangles alone are needed.
     is_counted: bool,
-    /// Where pieces that touch are parted.
+    /// Outline along which touching pieces are parted.
     outline: Option<&'a Outline>,
-    /// Vertices that are looked for, and those that were found.
+    /// Vertices that are searched for, and the ones found.
     wanted: Option<&'a HashSet<u32>>,
     found: Vec<(u32, Vertex)>,
     folds: Vec<FoldedBase>,
     folds_below: Vec<FoldedBase>,
-    /// The triangle of the base on which those lie that come.
+    /// Base triangle of the triangles that are added next.
     owner: u32,
 }
 
 impl Making<'_> {
-    /// Adds a vertex, unless no triangle has it, and gives its position.
+    /// Adds a vertex, unless no triangle uses it, and returns its position.
     #[inline(always)]
     fn vertex(&mut self, mut vertex: Vertex, numbered: Numbered) -> Vec3 {
         if let Some(normals) = self.normals {
@@ -485,13 +488,13 @@ impl Making<'_> {
         vertex.position
     }
 
-    /// Whether a triangle may have the vertex of that number.
+    /// Returns whether a triangle may use the vertex `number`.
     #[inline(always)]
     fn knows(&self, number: u32) -> bool {
         self.kept.is_none_or(|kept| kept.contains(number))
     }
 
-    /// Adds faces, with the vertices that are made for them.
+    /// Adds faces with their own vertices.
     fn faces(&mut self, Faces { own, points, triangles }: Faces, is_turned: bool) {
         for (vertex, numbered) in own {
             self.vertex(vertex, numbered);
@@ -500,7 +503,7 @@ impl Making<'_> {
         self.triangles(&triangles, &points, is_turned);
     }
 
-    /// Adds triangles of the base as they lie at an underside, turned over.
+    /// Adds triangles of the base as an underside, turned over.
     fn underside(&mut self, base: &Triangles, all: impl Iterator<Item = (u32, [(Numbered, Vec3); 3])>) {
         let (mut places, mut points, mut triangles) = (HashMap::new(), Vec::new(), Vec::new());
         let mut owners = std::mem::take(&mut self.block.owners);
@@ -569,7 +572,7 @@ impl Making<'_> {
         self.block.corners.push(corners);
     }
 
-    /// Adds what lies at the bottom below a block: it faces the other way.
+    /// Adds the bottom below a block. It faces the other way.
     fn beneath(&mut self, above: MeshBlock, outline: &Outline) {
         let MeshBlock { vertices, triangles, points, corners, owners } = above;
         let first = outline.first_below;
@@ -594,7 +597,7 @@ impl Making<'_> {
         }
     }
 
-    /// Puts the triangles in an order for caches.
+    /// Reorders the triangles for vertex caches.
     fn order(&mut self) {
         let Some(order) = cache_order(&self.block.corners, self.block.points.len()) else { return };
         self.block.triangles = ordered(&self.block.triangles, &order);
@@ -619,7 +622,7 @@ fn ordered<T: Copy>(list: &[T], order: &[u32]) -> Vec<T> {
     order.iter().map(|&at| list[at as usize]).collect()
 }
 
-/// Puts a block where it belongs, and makes it larger or smaller. Equal positions stay equal.
+/// Moves, turns and scales a block into place. Equal positions stay equal.
 fn put(block: &mut MeshBlock, put: &Put, size: f64) {
     if size == 1.0 && *put == Put::STAY {
         return;

@@ -1,4 +1,4 @@
-//! A plane with holes made solid: walls along its outline, and its triangles once more at the bottom.
+//! Solid of a plane with holes: walls along its outline, and its triangles once more at the bottom.
 
 use std::collections::{HashMap, HashSet};
 
@@ -9,67 +9,70 @@ use relief_core::mesh::Vertex;
 use crate::point;
 use crate::triangles::Numbered;
 
-/// How far vertices that touch are moved apart, at most: as a part of a texel, and of the distance of a
-/// triangle's corner from its opposite side.
+/// Greatest distance by which touching vertices are moved apart: as a part of a texel, and of the
+/// distance of a triangle's corner from its opposite side.
 const APART: [f64; 2] = [1.0 / 16.0, 1.0 / 8.0];
 
-/// What heights may change by that, as a part of the tolerance.
+/// Greatest change of heights by that, as a part of the tolerance.
 const CHANGE: f64 = 0.01;
 
-/// The least that vertices are apart, as a part of the largest coordinate: more than floats round.
+/// Least distance by which vertices are moved apart, as a part of the largest coordinate: more than
+/// floats round.
 const LEAST: f64 = 8.0 * f32::EPSILON as f64;
 
-/// The plane that the bottom lies in.
+/// Plane of a solid's bottom.
 #[derive(Clone, Copy, Debug)]
 pub struct Bottom {
-    /// A point of the plane that is displaced.
+    /// Point of the base plane.
     pub corner: DVec3,
-    /// The unit normal.
+    /// Unit normal of the base plane.
     pub up: DVec3,
-    /// How far above that plane the bottom lies: below 0.
+    /// Height of the bottom above the base plane in metres, below 0.
     pub height_m: f64,
 }
 
 impl Bottom {
-    /// The point below a position.
+    /// Returns the point of the bottom below a position.
     fn below(&self, position: Vec3) -> Vec3 {
         let position = position.as_dvec3();
         point::stored(position + self.up * (self.height_m - (position - self.corner).dot(self.up)))
     }
 
-    /// A vector along the plane.
+    /// Returns the component of a vector along the plane.
     fn flat(&self, vector: DVec3) -> DVec3 {
         vector - self.up * vector.dot(self.up)
     }
 }
 
-/// How far vertices may be moved apart.
+/// Limits on moving vertices apart.
 #[derive(Clone, Copy, Debug)]
 pub struct Room {
-    /// The side of a texel, in metres.
+    /// Side of a texel in metres.
     pub texel_m: f64,
-    /// What the heights of triangles may be wrong by, in metres.
+    /// Tolerance of the triangles' heights in metres.
     pub tolerance_m: f64,
 }
 
-/// The sides of the triangles that are left which have no other triangle, and where pieces touch at a point.
+/// Sides of the remaining triangles that have no other triangle, and vertices at which pieces
+/// touch.
 ///
-/// A position that the outline goes through twice is no place for a wall: four walls would meet in one line.
-/// So each piece but the largest gets a vertex of its own there, moved a little into it.
+/// A wall cannot pass a position through which the outline goes twice: four walls would meet in one
+/// line. So each piece but the largest gets a vertex of its own there, moved a little into the
+/// piece.
 #[derive(Debug)]
 pub struct Sides {
-    /// Each from corner to corner as its triangle turns, with the triangle's third corner.
+    /// Corners of each side as its triangle turns, and the triangle's third corner.
     border: Vec<[u32; 3]>,
-    /// The triangles around touching vertices, but for the largest piece: lists of the two other corners,
-    /// each list from side to side.
+    /// Triangles around touching vertices, without the largest piece: for each piece the two other
+    /// corners of its triangles, from side to side.
     fans: Vec<(u32, Vec<[u32; 2]>)>,
 }
 
 impl Sides {
-    /// Bytes that a triangle takes while they are found.
+    /// Bytes per triangle while sides are searched.
     pub const BYTES_PER_TRIANGLE: u64 = 48;
 
-    /// Finds the sides of triangles. There are fewer triangles than a third of what 32 bits count.
+    /// Finds the sides of fewer than 2^32 / 3 triangles.
     pub fn of(triangles: &[[u32; 3]]) -> Self {
         let mut sides: Vec<[u32; 3]> = Vec::with_capacity(3 * triangles.len());
         for (number, corners) in triangles.iter().enumerate() {
@@ -108,7 +111,7 @@ impl Sides {
             let fan = |start: u32| {
                 let step = |[_, last]: &[u32; 2]| next.get(last).map(|&after| [*last, after]);
                 let first = next.get(&start).map(|&after| [start, after]);
-                // A fan has no more triangles than there are.
+                // A fan has no more triangles than the vertex.
                 std::iter::successors(first, step).take(next.len()).collect::<Vec<[u32; 2]>>()
             };
             let mut here: Vec<Vec<[u32; 2]>> = sides.iter().map(|&[_, start, _]| fan(start)).collect();
@@ -118,7 +121,7 @@ impl Sides {
         Self { border, fans }
     }
 
-    /// The vertices whose places have to be known.
+    /// Returns the vertices whose positions are needed.
     pub fn wanted(&self) -> HashSet<u32> {
         let ends = self.border.iter().map(|[start, ..]| *start);
         let around =
@@ -131,22 +134,22 @@ impl Sides {
 #[derive(Debug)]
 pub struct Outline {
     bottom: Bottom,
-    /// The vertices of the plane as they are made: those that part pieces have the next numbers.
+    /// Number of vertices before pieces are parted. Copies have the next numbers.
     made: u32,
-    /// Vertices at which pieces touched: which they are copies of, and as they are.
+    /// Copies of vertices at which pieces touch: the number of the original, and the copy.
     copies: Vec<(u32, Vertex)>,
-    /// The place in these that a triangle has, by the vertex and the next corner.
+    /// Index of the copy that a triangle uses, by the vertex and the next corner.
     places: HashMap<[u32; 2], u32>,
     /// The sides of the border, as their triangles turn.
     border: Vec<[u32; 2]>,
-    /// Where the vertices of the border are.
+    /// Positions of the border's vertices.
     positions: HashMap<u32, Vec3>,
-    /// The number of the first vertex of the bottom: how many there are above.
+    /// Number of the bottom's first vertex: the number of vertices above.
     pub first_below: u32,
 }
 
 impl Outline {
-    /// The walls along those sides, whose vertices were found.
+    /// Creates the walls along `sides`, whose vertices are in `found`.
     pub fn new(sides: Sides, found: &HashMap<u32, Vertex>, made: u32, bottom: Bottom, room: Room) -> Self {
         let (mut copies, mut places) = (Vec::new(), HashMap::new());
         for (vertex, fan) in &sides.fans {
@@ -168,30 +171,30 @@ impl Outline {
         outline
     }
 
-    /// Vertices that part pieces.
+    /// Returns the number of copies, which part pieces.
     pub fn copy_count(&self) -> u32 {
         self.copies.len() as u32
     }
 
-    /// Sides of the border. Each has a wall of two triangles.
+    /// Returns the number of walls, one for each side of the border. Each has two triangles.
     pub fn wall_count(&self) -> u32 {
         self.border.len() as u32
     }
 
-    /// Bytes that are held.
+    /// Returns the number of bytes in use.
     pub fn bytes(&self) -> u64 {
         let of_maps = 2 * (self.places.len() * 12 + self.positions.len() * 16);
         (of_maps + size_of_val(&self.copies[..]) + size_of_val(&self.border[..])) as u64
     }
 
-    /// A vertex that parts pieces.
+    /// Returns a copy, which parts pieces.
     pub fn copy(&self, at: u32) -> (Vertex, Numbered) {
         let (of, vertex) = self.copies[at as usize];
         (vertex, Numbered { number: self.made + at, smooth: of })
     }
 
-    /// The vertex that a triangle has in the place of another, by the next corner, if it has: its number and
-    /// position.
+    /// Returns number and position of the copy that a triangle uses in place of a vertex, if it
+    /// does. The next corner identifies the triangle.
     #[inline]
     pub fn instead(&self, vertex: u32, next: u32) -> Option<(u32, Vec3)> {
         let at = *self.places.get(&[vertex, next])?;
@@ -209,25 +212,25 @@ impl Outline {
         }
     }
 
-    /// A vertex of the bottom, below one of the plane.
+    /// Returns the vertex of the bottom below a vertex of the plane.
     pub fn vertex_below(&self, vertex: &Vertex) -> Vertex {
         let position = self.bottom.below(vertex.position);
         Vertex { position, normal: -self.bottom.up.as_vec3(), ..*vertex }
     }
 
-    /// The point below a position.
+    /// Returns the point of the bottom below a position.
     pub fn below(&self, position: Vec3) -> Vec3 {
         self.bottom.below(position)
     }
 
-    /// The ends of a wall above, as its triangle turns: numbers and positions.
+    /// Returns the upper ends of a wall, as its triangle turns: numbers and positions.
     pub fn wall(&self, at: u32) -> [(u32, Vec3); 2] {
         self.border[at as usize].map(|number| (number, self.position(number)))
     }
 }
 
-/// A copy of a vertex, moved into the triangles around it: along the one in their middle, so that it stays in
-/// its plane.
+/// Returns a copy of a vertex, moved into the triangles around it. It moves along the triangle in
+/// their middle, so that it stays in its plane.
 fn moved(
     vertex: u32,
     fan: &[[u32; 2]],
@@ -242,8 +245,7 @@ fn moved(
     let [Some(a), Some(b)] = middle else { return None };
     let toward = (a.position.as_dvec3() + b.position.as_dvec3() - 2.0 * from) / 3.0;
     let toward_uv = (a.uv + b.uv - 2.0 * own.uv) / 3.0;
-    // The distance from the opposite sides, and how much heights change where the vertex is moved all the
-    // way.
+    // Distance from the opposite sides, and change of heights if the vertex moves all the way.
     let (mut nearest, mut change) = (f64::INFINITY, 0.0_f64);
     for &[next, last] in fan {
         let [b, c] = [at(next)?, at(last)?];

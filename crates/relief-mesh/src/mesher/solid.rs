@@ -1,4 +1,4 @@
-//! Meshes made solid.
+//! Solids: meshes that are closed by walls and a bottom.
 
 use super::Base;
 use super::outline::Outline;
@@ -6,26 +6,27 @@ use crate::plan::Plan;
 use crate::surface::Relief;
 use crate::{MeshSettings, MesherError, plane, triangles};
 
-/// What closes a mesh.
+/// Parts that close a mesh.
 #[derive(Debug)]
 pub enum Solid {
     /// Walls and a flat bottom under a plane.
     Plane(plane::Solid),
     /// Walls and an underside of the mesh's own triangles.
     Triangles(triangles::Solid),
-    /// Walls around what holes leave of a plane, and its triangles at the bottom.
+    /// Walls around the remaining triangles of a plane with holes, and these triangles at the
+    /// bottom.
     Outline(Outline),
 }
 
 impl Solid {
-    /// What closes the mesh of a base, if that is wanted, planned after everything else.
+    /// Plans the parts that close a mesh after everything else, if the settings ask for a solid.
     pub fn planned(
         base: &Base,
         relief: &Relief,
         settings: &MeshSettings,
         plan: &mut Plan,
     ) -> Result<Option<Self>, MesherError> {
-        // Around holes it is known when these are.
+        // Around holes the solid is planned once they are known.
         let Some(solid_m) = settings.solid_m.filter(|_| !relief.has_holes()) else { return Ok(None) };
         // Triangles may lie below the relief by their error.
         let error_m = error_m(base);
@@ -60,7 +61,7 @@ impl Solid {
         Ok(Self::Triangles(triangles::Solid::new(base, relief, metres, plan.vertices)?))
     }
 
-    /// Bytes that are held.
+    /// Returns the number of bytes in use.
     pub fn bytes(&self) -> u64 {
         match self {
             Self::Plane(solid) => solid.bytes(),
@@ -70,12 +71,12 @@ impl Solid {
     }
 }
 
-/// How far the relief may be from the triangles.
+/// Returns the greatest distance of the relief from the triangles, in metres.
 pub fn error_m(base: &Base) -> f64 {
     base.certificate().map_or(0.0, |certificate| certificate.error_m)
 }
 
-/// The lowest displacement.
+/// Returns the lowest displacement in metres.
 pub fn lowest_m(relief: &Relief) -> f64 {
     relief.metres(f64::from(relief.map().extremes()[0]))
 }

@@ -16,23 +16,23 @@ use crate::interior::{Filled, Gap, STEPS, Seen, Window};
 use crate::surface::{Relief, twist_of};
 use crate::{Certificate, Judge, MeshSettings, MesherError};
 
-/// Bytes that a tile of two triangles takes, with its sides.
+/// Bytes of a tile of two triangles, with its sides.
 const BYTES_PER_TILE: u64 = 400;
 
-/// A rectangle in tiles that are filled.
+/// Rectangle in filled tiles.
 #[derive(Debug)]
 pub struct Adapted {
     rectangle: Rectangle,
     spans: [Vec<Span>; 2],
-    /// The points along the sides between corners, without these: those across `u` row by row, then those
-    /// across `v`.
+    /// Points along the sides, without corners of tiles: the sides across `u` row by row, then the
+    /// sides across `v`.
     sides: Vec<Vec<(i32, f32)>>,
-    /// The number of the first vertex of each side, and one more.
+    /// Number of the first vertex of each side, and the end of the last side.
     first_of_side: Vec<u32>,
     tiles: Vec<Filled>,
-    /// What all heights are raised by.
+    /// Amount by which all heights are raised.
     raise: f64,
-    /// The number of the first vertex within each tile, and one more.
+    /// Number of the first vertex within each tile, and the end of the last tile.
     first_of_tile: Vec<u32>,
     certificate: Certificate,
 }
@@ -50,7 +50,7 @@ impl Adapted {
         let range = rectangle.range(relief, settings.part)?;
         check_tiles(range, settings.max_bytes)?;
         let spans = range.map(|[from, to]| spans(from, to));
-        // A height of the map in metres.
+        // Height 1 of the map in metres.
         let metres = relief.map().scale_m() * relief.reach(rectangle.reach());
         let tolerance = relief.tolerance(settings.error_m, rectangle.reach());
         let part = settings.side.part();
@@ -106,9 +106,9 @@ impl Adapted {
         Ok(adapted)
     }
 
-    /// Gathers what the tiles know of their errors.
+    /// Collects the errors of the tiles.
     fn certify(&mut self, relief: &Relief, metres: f64) {
-        // How far the relief is from the triangles where they are, and where.
+        // Returns the greatest distance of the relief from the raised triangles, and its place.
         let farthest = |seen: &Seen| -> Gap {
             let [above, below] = [seen.above, seen.below].map(|gap| (gap.height - self.raise, gap.place));
             let (height, place) = if above.0.abs() >= below.0.abs() { above } else { below };
@@ -123,7 +123,7 @@ impl Adapted {
         let (spans, sides) = (self.spans_of(worst), relief.sides());
         let uv = [0, 1].map(|axis| {
             let span: Span = spans[axis];
-            // Between two steps, which may have places of their own at the ends.
+            // Between two steps. The ends of a span may have places of their own.
             let step = place[axis].floor();
             let [here, next] = [step, step + 1.0].map(|step| span.place(step as i32));
             let part = place[axis] - step;
@@ -139,44 +139,44 @@ impl Adapted {
         self.certificate = Certificate { error_m, uv, mean_m: metres * mean, ..Certificate::exact(judge) };
     }
 
-    /// How far the relief is from the triangles.
+    /// Returns the certificate.
     pub fn certificate(&self) -> &Certificate {
         &self.certificate
     }
 
-    /// Vertices at corners of tiles.
+    /// Returns the number of vertices at corners of tiles.
     pub fn corner_count(&self) -> u32 {
         let [across, down] = self.across();
         ((across + 1) * (down + 1)) as u32
     }
 
-    /// Sides of tiles.
+    /// Returns the number of sides of tiles.
     pub fn side_count(&self) -> u32 {
         self.sides.len() as u32
     }
 
-    /// Vertices along a side, without its ends.
+    /// Returns the number of vertices along a side, without its ends.
     pub fn points_of_side(&self, side: u32) -> u32 {
         self.sides[side as usize].len() as u32
     }
 
-    /// Tiles.
+    /// Returns the number of tiles.
     pub fn tile_count(&self) -> u32 {
         self.tiles.len() as u32
     }
 
-    /// Vertices within a tile, and its triangles.
+    /// Returns the numbers of vertices within a tile, and of its triangles.
     pub fn counts(&self, tile: u32) -> [u32; 2] {
         let [first, last] = [0, 1].map(|more| self.first_of_tile[tile as usize + more]);
         [last - first, self.tiles[tile as usize].triangles.len() as u32]
     }
 
-    /// Vertices of all tiles.
+    /// Returns the number of vertices of all tiles.
     pub fn vertices(&self) -> u64 {
         u64::from(self.first_of_tile[self.tiles.len()])
     }
 
-    /// Bytes that are held.
+    /// Returns the number of bytes in use.
     pub fn bytes(&self) -> u64 {
         let of_tile = |tile: &Filled| {
             size_of_val(&tile.points[..]) + size_of_val(&tile.heights[..]) + size_of_val(&tile.triangles[..])
@@ -189,12 +189,12 @@ impl Adapted {
         self.rectangle.is_turned
     }
 
-    /// The rectangle.
+    /// Returns the rectangle.
     pub fn rectangle(&self) -> &Rectangle {
         &self.rectangle
     }
 
-    /// The border, in the order of [`Solid`](super::Solid).
+    /// Returns the border, in the order of [`Solid`](super::Solid).
     pub fn walls(&self, relief: &Relief) -> [Vec<BorderPoint>; 4] {
         let [across, down] = self.across();
         let corner = |i: usize, j: usize| {
@@ -219,40 +219,41 @@ impl Adapted {
         [level(0), upright(across), back(level(down)), back(upright(0))]
     }
 
-    /// The points of a side, without its ends.
+    /// Returns the points of a side, without its ends.
     fn points_on(&self, side: usize) -> impl Iterator<Item = BorderPoint> {
         (self.first_of_side[side]..).zip(&self.sides[side]).map(move |(number, &(step, height))| {
             (self.place_on(side, step), f64::from(height) + self.raise, number)
         })
     }
 
-    /// The vertex at a corner of tiles.
+    /// Returns the vertex at a corner of tiles.
     pub fn corner_vertex(&self, relief: &Relief, number: u32) -> Vertex {
         let (place, height) = self.corner(relief, number as usize);
         self.rectangle.vertex_at(relief, place, f64::from(height) + self.raise)
     }
 
-    /// A vertex along a side.
+    /// Returns a vertex along a side.
     pub fn side_vertex(&self, relief: &Relief, side: u32, at: u32) -> Vertex {
         let (step, height) = self.sides[side as usize][at as usize];
         self.rectangle.vertex_at(relief, self.place_on(side as usize, step), f64::from(height) + self.raise)
     }
 
-    /// The place of a point of a tile, those of its border first, in texels, `i + ½` the centre of texel `i`.
+    /// Returns the place of a point of a tile in texels: `i + ½` is the centre of texel `i`. The
+    /// points of the border come first.
     pub fn place(&self, tile: u32, at: u32) -> [f64; 2] {
         let steps = self.tiles[tile as usize].points[at as usize].map(i32::from);
         let spans = self.spans_of(tile as usize);
         [0, 1].map(|axis| spans[axis].place(steps[axis]))
     }
 
-    /// A vertex within a tile.
+    /// Returns a vertex within a tile.
     pub fn inner_vertex(&self, relief: &Relief, tile: u32, at: u32) -> Vertex {
         let at = self.border_count(tile as usize) as u32 + at;
         let height = self.tiles[tile as usize].heights[at as usize];
         self.rectangle.vertex_at(relief, self.place(tile, at), f64::from(height) + self.raise)
     }
 
-    /// The border of a tile, in the order of its points: numbers and positions.
+    /// Returns the border of a tile, in the order of its points: numbers and positions.
     pub fn border_points(&self, relief: &Relief, tile: u32) -> Vec<(u32, Vec3)> {
         let tile = tile as usize;
         let mut all = Vec::with_capacity(self.border_count(tile));
@@ -269,22 +270,22 @@ impl Adapted {
         all
     }
 
-    /// The number of the first vertex along a side.
+    /// Returns the number of the first vertex along a side.
     pub fn first_of_side(&self, side: u32) -> u32 {
         self.first_of_side[side as usize]
     }
 
-    /// The number of the first vertex within a tile.
+    /// Returns the number of the first vertex within a tile.
     pub fn first_of_tile(&self, tile: u32) -> u32 {
         self.first_of_tile[tile as usize]
     }
 
-    /// The triangles of a tile by its points: first those of the border, then its own.
+    /// Returns the triangles of a tile by its points: first the border's points, then its own.
     pub fn triangles(&self, tile: u32) -> &[[u32; 3]] {
         &self.tiles[tile as usize].triangles
     }
 
-    /// Tiles along `u` and `v`.
+    /// Returns the number of tiles along `u` and `v`.
     fn across(&self) -> [usize; 2] {
         self.spans.each_ref().map(Vec::len)
     }
@@ -294,27 +295,27 @@ impl Adapted {
         [self.spans[0][tile % across], self.spans[1][tile / across]]
     }
 
-    /// The place of line `number` across an axis.
+    /// Returns the place of line `number` across an axis.
     fn line(&self, axis: usize, number: usize) -> f64 {
         let spans = &self.spans[axis];
         spans.get(number).map_or_else(|| spans[number - 1].ends[1], |span| span.ends[0])
     }
 
-    /// Where a corner of tiles is, and how high.
+    /// Returns place and height of a corner of tiles.
     fn corner(&self, relief: &Relief, number: usize) -> ([f64; 2], f32) {
         let corners = self.across()[0] + 1;
         let place = [self.line(0, number % corners), self.line(1, number / corners)];
         (place, relief.height(place) as f32)
     }
 
-    /// The corners of a tile, by rows.
+    /// Returns the corners of a tile, by rows.
     fn corners_of(&self, tile: usize) -> [usize; 4] {
         let across = self.across()[0];
         let first = tile / across * (across + 1) + tile % across;
         [first, first + 1, first + across + 1, first + across + 2]
     }
 
-    /// The sides of a tile: where `v` is least and greatest, then where `u` is.
+    /// Returns the sides of a tile: where `v` is least and greatest, then where `u` is.
     fn sides_of(&self, tile: usize) -> [usize; 4] {
         let [across, down] = self.across();
         let (i, j) = (tile % across, tile / across);
@@ -322,7 +323,8 @@ impl Adapted {
         [tile, tile + across, upright, upright + 1]
     }
 
-    /// The axis that a side runs along, its span, and the place of its line across the other axis.
+    /// Returns the axis that a side runs along, its span, and the place of its line across the
+    /// other axis.
     fn along(&self, side: usize) -> (usize, Span, f64) {
         let [across, down] = self.across();
         let level = across * (down + 1);
@@ -339,7 +341,7 @@ impl Adapted {
         if axis == 0 { [span.place(step), line] } else { [line, span.place(step)] }
     }
 
-    /// The points of a side, without its ends.
+    /// Returns the points of a side, without its ends.
     fn side(&self, relief: &Relief, side: usize, divide: Along, tolerance: f64) -> Vec<(i32, f32)> {
         let (axis, span, line) = self.along(side);
         let [first, last] = span.steps;
@@ -357,7 +359,7 @@ impl Adapted {
         while step < last {
             let next = ((step / STEPS + 1) * STEPS).min(last);
             let twist = if self.certificate.judge == Judge::Surface { twist_after(step) } else { 0.0 };
-            // As finely as a chord beside so much twist may have to be.
+            // As finely as a chord beside this twist may need.
             let pieces = (twist / (LONGEST * tolerance)).ceil().clamp(1.0, f64::from(STEPS)) as u32;
             let every = STEPS / pieces.next_power_of_two() as i32;
             let mut at = step;
@@ -370,7 +372,7 @@ impl Adapted {
         steps.push((last, 0.0));
         let knot = |&(step, twist): &(i32, f64)| {
             let place = self.place_on(side, step);
-            // As it is stored.
+            // Rounded as it is stored.
             let height = f64::from(relief.height(place) as f32);
             Knot { place: span.place(step), height, twist }
         };
@@ -394,7 +396,7 @@ impl Adapted {
         4 + self.sides_of(tile).map(|side| self.sides[side].len()).iter().sum::<usize>()
     }
 
-    /// The border of a tile: its corners, by rows, and the points along its sides.
+    /// Returns the border of a tile: its corners, by rows, and the points along its sides.
     fn border(&self, relief: &Relief, tile: usize) -> Vec<([i32; 2], f32)> {
         let [across, down] = self.spans_of(tile).map(|span| span.steps);
         let corners = self.corners_of(tile).map(|corner| self.corner(relief, corner).1);
@@ -408,7 +410,7 @@ impl Adapted {
         border
     }
 
-    /// The heights of a tile.
+    /// Returns the heights of a tile.
     fn window(&self, relief: &Relief, tile: usize) -> Window {
         let spans = self.spans_of(tile);
         let [from, to] = [0, 1].map(|end| spans.map(|span| span.steps[end]));
@@ -423,7 +425,7 @@ impl Adapted {
         }
         let place = |axis: usize, corner: usize| {
             let (span, step) = (&spans[axis], corner as i32 * STEPS);
-            // Beyond the ends there are texels, too.
+            // Places beyond the ends have texels, too.
             if span.steps.contains(&step) {
                 span.place(step)
             } else {
@@ -439,7 +441,7 @@ impl Adapted {
     }
 }
 
-/// Whether there are not too many tiles over these texels, before memory is taken for them.
+/// Returns an error if these texels have too many tiles, before memory is taken for them.
 fn check_tiles(range: [[f64; 2]; 2], max_bytes: u64) -> Result<(), MesherError> {
     let tiles = range.map(|[from, to]| (from - to).abs() / TILE + 1.0);
     let count = (tiles[0] * tiles[1]) as u64;
@@ -452,7 +454,7 @@ fn check_tiles(range: [[f64; 2]; 2], max_bytes: u64) -> Result<(), MesherError> 
     Ok(())
 }
 
-/// Vertices, if there are not too many.
+/// Returns the number of vertices as `u32`, or an error if there are too many.
 fn numbered(vertices: u64, triangles: u64) -> Result<u32, MesherError> {
     if vertices.max(triangles) > MOST {
         return Err(MesherError::TooLarge { vertices, triangles });
@@ -460,7 +462,7 @@ fn numbered(vertices: u64, triangles: u64) -> Result<u32, MesherError> {
     Ok(vertices as u32)
 }
 
-/// How much the cell at a place is twisted.
+/// Returns the twist of the cell at a place.
 fn twist_at(relief: &Relief, [x, y]: [f64; 2]) -> f64 {
     twist_of(relief.map().cell((x - 0.5).floor() as i64, (y - 0.5).floor() as i64))
 }

@@ -1,4 +1,4 @@
-//! Planes as grids: lines across both axes, and a vertex wherever two of them meet.
+//! Planes as grids: lines across both axes, and a vertex at each of their crossings.
 
 use glam::Vec3;
 use relief_core::mesh::Vertex;
@@ -12,15 +12,16 @@ use crate::{MeshSettings, MesherError};
 /// Cells of a tile along a side.
 const TILE: usize = 128;
 
-/// A rectangle, with the lines across it. Its vertices are where these meet: the same whichever tile asks.
+/// Rectangle with the lines across it. Its vertices are the crossings, with the same bits in every
+/// tile.
 #[derive(Debug)]
 pub struct Grid {
     rectangle: Rectangle,
-    /// The places of the lines across `u` and `v`, counted in texels, `i + ½` the centre of texel `i`.
+    /// Places of the lines across `u` and `v` in texels: `i + ½` is the centre of texel `i`.
     lines: [Vec<f64>; 2],
 }
 
-/// A tile: the first and the last line across `u` and across `v`.
+/// Tile by the first and the last line across `u` and across `v`.
 #[derive(Clone, Copy, Debug)]
 pub struct Tile {
     pub first: [usize; 2],
@@ -28,7 +29,7 @@ pub struct Tile {
 }
 
 impl Grid {
-    /// The grid over a rectangle.
+    /// Creates the grid over a rectangle.
     pub fn new(
         rectangle: Rectangle,
         relief: &Relief,
@@ -36,7 +37,7 @@ impl Grid {
         settings: &MeshSettings,
     ) -> Result<Self, MesherError> {
         let range = rectangle.range(relief, settings.part)?;
-        // Before memory is taken for so many lines.
+        // Before memory is taken for the lines.
         let step = (evenly.step)(settings);
         let most = range.map(|[from, to]| ((to - from) / step + 2.0) as u64);
         let vertices = most[0].saturating_mul(most[1]);
@@ -47,7 +48,7 @@ impl Grid {
         Ok(Self { rectangle, lines })
     }
 
-    /// Tiles along `u` and `v`.
+    /// Returns the number of tiles along `u` and `v`.
     fn tiles(&self) -> [usize; 2] {
         [0, 1].map(|axis| (self.lines[axis].len() - 1).div_ceil(TILE))
     }
@@ -64,29 +65,30 @@ impl Grid {
         Tile { first, last: [0, 1].map(|axis| (first[axis] + TILE).min(self.lines[axis].len() - 1)) }
     }
 
-    /// The lines of a tile.
+    /// Returns the lines of a tile.
     pub fn lines(&self, tile: &Tile) -> [&[f64]; 2] {
         [0, 1].map(|axis| &self.lines[axis][tile.first[axis]..=tile.last[axis]])
     }
 
-    /// The first lines whose vertices are a tile's own: those before belong to its neighbours.
+    /// Returns the first lines whose vertices belong to a tile. Vertices on earlier lines belong to
+    /// its neighbours.
     fn own(tile: &Tile) -> [usize; 2] {
         tile.first.map(|first| if first == 0 { 0 } else { first + 1 })
     }
 
-    /// Whether the vertex where two lines of a tile meet is the tile's own.
+    /// Returns whether the vertex at the crossing of two lines belongs to a tile.
     pub fn is_own(tile: &Tile, [i, j]: [usize; 2]) -> bool {
         let [first_i, first_j] = Self::own(tile);
         i >= first_i && j >= first_j
     }
 
-    /// How many vertices a tile has of its own.
+    /// Returns the number of vertices that belong to a tile.
     pub fn own_count(tile: &Tile) -> u64 {
         let own = Self::own(tile);
         (0..2).map(|axis| (tile.last[axis] + 1 - own[axis]) as u64).product()
     }
 
-    /// The number of the vertex where two lines meet: tile by tile, and in a tile row by row.
+    /// Returns the number of the vertex at a crossing: tile by tile, and in a tile row by row.
     pub fn number(&self, [i, j]: [usize; 2]) -> u32 {
         let across = self.tiles()[0];
         let place = [i, j].map(|line| line.saturating_sub(1) / TILE);
@@ -100,12 +102,12 @@ impl Grid {
         self.rectangle.is_turned
     }
 
-    /// The rectangle.
+    /// Returns the rectangle.
     pub fn rectangle(&self) -> &Rectangle {
         &self.rectangle
     }
 
-    /// The border, in the order of [`Solid`](super::Solid).
+    /// Returns the border, in the order of [`Solid`](super::Solid).
     pub fn walls(&self, relief: &Relief) -> [Vec<BorderPoint>; 4] {
         let [last_i, last_j] = self.lines.each_ref().map(|lines| lines.len() - 1);
         let point = |lines: [usize; 2]| {
@@ -120,19 +122,19 @@ impl Grid {
         ]
     }
 
-    /// The place where two lines meet, in texels, `i + ½` the centre of texel `i`.
+    /// Returns the place of a crossing in texels: `i + ½` is the centre of texel `i`.
     pub fn place(&self, [i, j]: [usize; 2]) -> [f64; 2] {
         [self.lines[0][i], self.lines[1][j]]
     }
 
-    /// The position where two lines meet.
+    /// Returns the position of a crossing.
     #[inline(always)]
     pub fn position(&self, relief: &Relief, lines: [usize; 2]) -> Vec3 {
         let place = self.place(lines);
         self.rectangle.position(relief, place, relief.height(place))
     }
 
-    /// The vertex where two lines meet.
+    /// Returns the vertex at a crossing.
     #[inline(always)]
     pub fn vertex(&self, relief: &Relief, lines: [usize; 2]) -> Vertex {
         self.rectangle.vertex(relief, self.place(lines))

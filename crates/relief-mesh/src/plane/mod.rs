@@ -1,4 +1,4 @@
-//! Planes: rectangles whose texture lies straight, cut along the lines of texels.
+//! Planes: rectangles with straight texture, cut along the lines of texels.
 
 mod adapted;
 mod grid;
@@ -20,24 +20,25 @@ use crate::{MesherError, Part, point};
 /// Texels of a tile along a side.
 const TILE: f64 = 128.0;
 
-/// How much the corners of a rectangle may differ from one, as a part of its sides.
+/// Greatest deviation of the corners from a rectangle, as a part of its sides.
 const ROUNDING: f64 = 1e-5;
 
-/// A rectangle as two triangles make it.
+/// Rectangle made of two triangles.
 #[derive(Debug)]
 pub struct Rectangle {
     corner: DVec3,
-    /// The derivatives of the position by `u` and `v`.
+    /// Derivatives of the position by `u` and `v`.
     tangents: [DVec3; 2],
     normal: DVec3,
-    /// Texture coordinates of the corner, and of the one across.
+    /// Texture coordinates of the corner, and of the opposite corner.
     uvs: [DVec2; 2],
     /// Whether triangles are turned over, as seen along growing `u` and `v`.
     pub is_turned: bool,
 }
 
 impl Rectangle {
-    /// The rectangle that a mesh is, if it is two triangles that make one, with straight texture.
+    /// Returns the rectangle of a mesh, if it is two triangles that make one, with straight
+    /// texture.
     pub fn of_mesh(mesh: &Mesh) -> Option<Self> {
         let [first, second] = mesh.triangles() else { return None };
         let vertex = |at: &u32| &mesh.vertices()[*at as usize];
@@ -61,14 +62,15 @@ impl Rectangle {
             && sides[0].dot(sides[1]).abs() <= ROUNDING * sides[0].length() * sides[1].length()
             && corners.iter().all(|corner| corner.normal == normal)
             && up.normalize_or_zero().cross(normal.as_dvec3()).length() <= ROUNDING;
-        // Seen along growing u and v a triangle runs one way or the other; both of them the same.
+        // As seen along growing u and v a triangle turns one way or the other; both must turn the
+        // same way.
         let turn = |corners: &[&Vertex]| {
             let [a, b, c] = [0, 1, 2].map(|k| corners[k].uv.as_dvec2());
             (b - a).perp_dot(c - a)
         };
         let turns = [turn(&corners[..3]), turn(&corners[3..])];
         let area = (to - from).x * (to - from).y;
-        // The corner that a half has not is its own, turned around the middle.
+        // The corner that a half lacks is its own corner, turned around the middle.
         let left_out = |half: &[&Vertex]| {
             let sum: DVec2 = half.iter().map(|corner| corner.uv.as_dvec2()).sum();
             2.0 * (from + to) - sum
@@ -85,12 +87,12 @@ impl Rectangle {
         })
     }
 
-    /// The length of the direction of displacement.
+    /// Returns the length of the direction of displacement.
     pub fn reach(&self) -> f64 {
         self.normal.length()
     }
 
-    /// From where to where a part of it goes along `u` and `v`, in texels, `i + ½` the centre of texel `i`.
+    /// Returns the range of a part along `u` and `v` in texels: `i + ½` is the centre of texel `i`.
     /// Parts meet at centres.
     pub fn range(&self, relief: &Relief, part: Part) -> Result<[[f64; 2]; 2], MesherError> {
         let sides = relief.sides();
@@ -107,7 +109,7 @@ impl Rectangle {
                 _ => centre(from + (to - from) * f64::from(number) / f64::from(of)),
             };
             range[axis] = [cut(at), cut(at + 1)];
-            // Parts of less than a texel have no centre to meet at.
+            // Parts of less than a texel have no centre at which to meet.
             if of > 1 && (to - from) / f64::from(of) < 2.0 {
                 return Err(MesherError::TooManyParts { part });
             }
@@ -115,11 +117,11 @@ impl Rectangle {
         Ok(range)
     }
 
-    /// A part of it cut into tiles of texels, two triangles each. Lines between them go through the same
-    /// centres, whatever the part.
+    /// Cuts a part into tiles of texels, two triangles each. Lines between tiles go through the
+    /// same centres in every part.
     pub fn tiles(&self, relief: &Relief, part: Part) -> Result<Mesh, MesherError> {
         let range = self.range(relief, part)?;
-        // Before memory is taken for them.
+        // Before memory is taken for the vertices.
         let most = range.map(|[from, to]| ((to - from) / TILE) as u64 + 2);
         let vertices = most[0].saturating_mul(most[1]);
         if vertices > MOST / 2 {
@@ -168,12 +170,12 @@ impl Rectangle {
         BasePoint { position, normal: self.normal, uv }
     }
 
-    /// The texture coordinates of a place.
+    /// Returns the texture coordinates of a place.
     fn uv(&self, relief: &Relief, place: [f64; 2]) -> DVec2 {
         self.base(relief, place).uv
     }
 
-    /// The plane of a bottom that is displaced by `metres`.
+    /// Returns the plane of a bottom that is displaced by `metres`.
     pub fn bottom(&self, relief: &Relief, metres: f64) -> Bottom {
         let up = self.normal.normalize_or_zero();
         let base = BasePoint { position: self.corner, normal: self.normal, uv: self.uvs[0] };
@@ -181,7 +183,7 @@ impl Rectangle {
         Bottom { corner: self.corner, up, height_m }
     }
 
-    /// The shorter side of a texel in metres.
+    /// Returns the shorter side of a texel in metres.
     pub fn texel_m(&self, relief: &Relief) -> f64 {
         let sides = relief.sides();
         [0, 1]
@@ -190,25 +192,25 @@ impl Rectangle {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// The position of a place displaced by so many metres.
+    /// Returns the position of a place, displaced by `metres`.
     #[inline(always)]
     fn displaced(&self, relief: &Relief, place: [f64; 2], metres: f64) -> Vec3 {
         point::stored(relief.displaced_by(&self.base(relief, place), metres))
     }
 
-    /// The position of a place at a height of the map.
+    /// Returns the position of a place at a height of the map.
     #[inline(always)]
     pub fn position(&self, relief: &Relief, place: [f64; 2], height: f64) -> Vec3 {
         self.displaced(relief, place, relief.metres(height))
     }
 
-    /// The vertex of a place on the relief.
+    /// Returns the vertex of a place on the relief.
     #[inline(always)]
     pub fn vertex(&self, relief: &Relief, place: [f64; 2]) -> Vertex {
         self.vertex_of(relief, place, relief.seen_at(place))
     }
 
-    /// The vertex of a place at a height of the map.
+    /// Returns the vertex of a place at a height of the map.
     pub fn vertex_at(&self, relief: &Relief, place: [f64; 2], height: f64) -> Vertex {
         self.vertex_of(relief, place, relief.seen_at(place).at_metres(relief.metres(height)))
     }
@@ -220,7 +222,7 @@ impl Rectangle {
     }
 }
 
-/// The centre of a texel that is nearest to a place.
+/// Returns the centre of a texel that is nearest to a place.
 fn centre(place: f64) -> f64 {
     (place - 0.5).round() + 0.5
 }

@@ -1,4 +1,4 @@
-//! A plane made solid: walls down from its border, and a flat bottom.
+//! Solid of a plane: walls down from its border, and a flat bottom.
 
 use glam::Vec3;
 use relief_core::mesh::Vertex;
@@ -7,23 +7,23 @@ use super::Rectangle;
 use crate::surface::Relief;
 use crate::triangles::Numbered;
 
-/// A point of a plane's border: its place, its height, and the number of its vertex.
+/// Point of a plane's border: its place, its height, and the number of its vertex.
 pub type BorderPoint = ([f64; 2], f64, u32);
 
 /// Walls and a bottom.
 #[derive(Debug)]
 pub struct Solid {
-    /// The border in four walls, each with both of its ends: where `v` is least and `u` grows, where `u` is
-    /// greatest and `v` grows, and back.
+    /// Border in four walls, each with both of its ends: where `v` is least and `u` grows, where
+    /// `u` is greatest and `v` grows, and back.
     walls: [Vec<BorderPoint>; 4],
-    /// Metres of displacement at the bottom.
+    /// Displacement of the bottom in metres.
     bottom_m: f64,
 }
 
-/// Faces between vertices, which triangles name by their places.
+/// Faces between vertices. Triangles name them by their indices in `points`.
 #[derive(Debug, Default)]
 pub struct Faces {
-    /// Vertices that are made for them.
+    /// Vertices of these faces alone.
     pub own: Vec<(Vertex, Numbered)>,
     /// All corners.
     pub points: Vec<(Numbered, Vec3)>,
@@ -35,28 +35,29 @@ impl Solid {
         Self { walls, bottom_m }
     }
 
-    /// Points of the border.
+    /// Returns the number of points of the border.
     fn border(&self) -> u64 {
         self.walls.iter().map(|wall| wall.len() as u64 - 1).sum()
     }
 
-    /// Vertices: one below each of the border, and one in the middle of the bottom.
+    /// Returns the number of vertices: one below each point of the border, and one in the middle of
+    /// the bottom.
     pub fn vertices(&self) -> u64 {
         self.border() + 1
     }
 
-    /// Triangles.
+    /// Returns the number of triangles.
     pub fn triangles(&self) -> u64 {
         3 * self.border()
     }
 
-    /// Bytes that are held.
+    /// Returns the number of bytes in use.
     pub fn bytes(&self) -> u64 {
         self.walls.iter().map(|wall| size_of_val(&wall[..]) as u64).sum()
     }
 
-    /// Makes them, with vertices numbered from `first` on. They turn as the triangles of a grid do, and share
-    /// the vertices of the plane's border.
+    /// Makes the faces, with vertices numbered from `first` on. They turn like the triangles of a
+    /// grid, and share the vertices of the plane's border.
     pub fn faces(&self, rectangle: &Rectangle, relief: &Relief, first: u32) -> Faces {
         let mut faces = Faces::default();
         let [tangent, bitangent] = rectangle.tangents.map(|tangent| tangent.normalize_or_zero().as_vec3());

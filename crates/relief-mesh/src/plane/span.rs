@@ -1,37 +1,37 @@
-//! The tiles along an axis of a plane.
+//! Tiles along an axis of a plane.
 
 use crate::interior::STEPS;
 
 use super::centre;
 
-/// Cells of a tile along a side, about.
+/// Approximate number of cells of a tile along a side.
 pub const TILE: f64 = 128.0;
 
-/// What the end of a plane may lie beside the lattice by rounding, in texels: texture coordinates are numbers
-/// of `f32`.
+/// Returns the distance in texels by which rounding can move an end of a plane off the lattice, as
+/// texture coordinates are `f32`.
 fn rounding(at: f64) -> f64 {
     f64::from(f32::EPSILON) * at.abs().max(1.0)
 }
 
-/// A tile along an axis, and the lattice over it.
+/// Tile along an axis, with the lattice over it.
 ///
-/// Steps are sixteenths of a texel, and centres of texels are at multiples of sixteen. A tile that ends
-/// beside that lattice is a strip within one cell, and has sixteen steps of its own: the surface has no
+/// Steps are 1/16 of a texel, and centres of texels are at multiples of 16 steps. A tile that ends
+/// beside that lattice is a strip within one cell, with 16 steps of its own. The surface has no
 /// crease in it, so that it needs no centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span {
-    /// Where it begins and ends, in texels, `i + ½` the centre of texel `i`.
+    /// Both ends in texels: `i + ½` is the centre of texel `i`.
     pub ends: [f64; 2],
-    /// The steps at its beginning and its end.
+    /// Steps at both ends.
     pub steps: [i32; 2],
-    /// Where step 0 is.
+    /// Place of step 0.
     pub origin: f64,
-    /// A step, in texels.
+    /// Length of a step in texels.
     pub step: f64,
 }
 
 impl Span {
-    /// The place of a step, the same from both tiles at it.
+    /// Returns the place of a step. Both tiles at a step have the same place.
     pub fn place(&self, step: i32) -> f64 {
         match self.steps {
             [first, _] if step == first => self.ends[0],
@@ -40,7 +40,7 @@ impl Span {
         }
     }
 
-    /// The texel at step 0, unless this is a strip.
+    /// Returns the texel at step 0, unless this is a strip.
     pub fn first_texel(&self) -> Option<i64> {
         (self.step == 1.0 / f64::from(STEPS)).then_some((self.origin - 0.5) as i64)
     }
@@ -56,7 +56,7 @@ impl Span {
     }
 }
 
-/// The tiles of an axis that goes from one place to another.
+/// Returns the tiles of an axis between two places.
 pub fn spans(from: f64, to: f64) -> Vec<Span> {
     let is_on_lattice = |at: f64| {
         let steps = at * f64::from(STEPS);

@@ -1,7 +1,7 @@
-//! Slices through a box, for objects that are known from images.
+//! Slices through a box, for objects that are defined by images.
 //!
-//! Source: Kautz and Seidel 2001, section 4.1: the slices go through the space that the images look at, and
-//! are drawn where all of these see something. Which image sees what is not known here.
+//! Source: Kautz and Seidel 2001, section 4.1. The slices go through the space that all images look
+//! at, and are drawn where each image shows the object. The images themselves are not used here.
 
 use glam::DVec3;
 use relief_core::Watch;
@@ -9,12 +9,12 @@ use relief_core::camera::Camera;
 
 use super::{SliceAnchor, SliceDirection, SliceError};
 
-/// The corners of a convex slice through a box, in their order around it: 3 to 6.
+/// Corners of a convex slice through a box, in their order around it: 3 to 6.
 pub type BoxSlice = Vec<DVec3>;
 
-/// Makes the slices of a box along the axes of the world.
+/// Slices of a box along the axes of the world.
 ///
-/// Of the directions `Surface`, `AcrossU` and `AcrossV` are slices at equal `x`, `y` and `z`.
+/// The directions `Surface`, `AcrossU` and `AcrossV` are slices at equal `x`, `y` and `z`.
 ///
 /// ```
 /// use glam::DVec3;
@@ -31,25 +31,25 @@ pub type BoxSlice = Vec<DVec3>;
 #[derive(Clone, Copy, Debug)]
 pub struct BoxSlicer {
     bounds: [DVec3; 2],
-    /// The unit normal of all slices.
+    /// Unit normal of all slices.
     normal: DVec3,
-    /// Where the first one lies along it, and how far others are apart, in metres.
+    /// Place of the first slice along it, and the distance between slices, in metres.
     first_m: f64,
     spacing_m: f64,
     count: u64,
 }
 
 impl BoxSlicer {
-    /// The slices of the box between two corners, the least and the greatest coordinates, that are so many
+    /// Creates slices through the box between the least and the greatest coordinates, `spacing_m`
     /// metres apart.
     ///
-    /// Those along two axes of the world lie evenly in the box, however thin it is, half a distance or less
-    /// from its sides; those at equal depths are a multiple of their distance away from what they stand with,
-    /// and before the eye.
+    /// Slices along two axes of the world lie evenly in the box, however thin it is, at most half
+    /// of the spacing from its sides. Slices at equal depths lie before the eye, at multiples of
+    /// the spacing from their anchor.
     ///
     /// # Errors
     ///
-    /// When the box has no volume or the distance is not positive, or not finite.
+    /// Fails if the box has no volume, or if the spacing is not positive or not finite.
     pub fn new(bounds: [DVec3; 2], spacing_m: f64, direction: SliceDirection) -> Result<Self, SliceError> {
         let [low, high] = bounds;
         let is_length = |length: f64| length > 0.0 && length.is_finite();
@@ -72,7 +72,7 @@ impl BoxSlicer {
         Ok(Self { bounds, normal: DVec3::AXES[axis], first_m, spacing_m, count })
     }
 
-    /// The slices at equal depths from a camera.
+    /// Creates slices at equal depths from a camera.
     fn facing(bounds: [DVec3; 2], spacing_m: f64, camera: &Camera, anchor: SliceAnchor) -> Self {
         let normal = camera.forward();
         let eye_m = normal.dot(camera.eye());
@@ -87,13 +87,13 @@ impl BoxSlicer {
         Self { bounds, normal, first_m, spacing_m, count: (last - before).max(0.0) as u64 }
     }
 
-    /// How many slices there are.
+    /// Returns the number of slices.
     pub fn slices(&self) -> u64 {
         self.count
     }
 
-    /// How far the slice with that corner is from a camera's eye, or from its plane where rays are parallel:
-    /// no ray comes to a slice that is farther away before it comes to one that is nearer.
+    /// Returns the distance of the slice with that corner from a camera's eye, or from the camera's
+    /// plane where rays are parallel. A ray meets nearer slices before farther ones.
     pub fn distance_m(&self, corner: &DVec3, camera: &Camera) -> f64 {
         if camera.is_orthographic() {
             return self.normal.dot(*corner) * self.normal.dot(camera.forward()).signum();
@@ -101,11 +101,11 @@ impl BoxSlicer {
         self.normal.dot(*corner - camera.eye()).abs()
     }
 
-    /// Hands over all slices in the order of their places along the normal.
+    /// Calls `take` with all slices, in the order of their places along the normal.
     ///
     /// # Errors
     ///
-    /// When it was cancelled, or a corner lies farther away than `f32` can tell.
+    /// Fails when cancelled, or if a corner lies beyond the range of `f32`.
     pub fn each(&self, watch: &Watch, mut take: impl FnMut(&BoxSlice)) -> Result<(), SliceError> {
         for number in 0..self.count {
             watch.check()?;
@@ -113,7 +113,7 @@ impl BoxSlicer {
             if !slice.iter().all(|corner| corner.as_vec3().is_finite()) {
                 return Err(SliceError::NotFinite);
             }
-            // Of a box that is touched nothing is seen.
+            // A box that is only touched shows nothing.
             if slice.len() >= 3 {
                 take(&slice);
             }
@@ -122,7 +122,7 @@ impl BoxSlicer {
         Ok(())
     }
 
-    /// What a plane at a place along the normal cuts out of the box.
+    /// Returns the cut of the box by a plane at a place along the normal.
     fn slice(&self, at_m: f64) -> BoxSlice {
         let corners = corners_of(self.bounds);
         let off = corners.map(|corner| self.normal.dot(corner) - at_m);
@@ -143,7 +143,8 @@ impl BoxSlicer {
     }
 }
 
-/// The corners of a box: of the number of each, the bit of an axis says on which of its sides it is.
+/// Returns the corners of a box. The bits of a corner's number say on which side of each axis it
+/// is.
 fn corners_of([low, high]: [DVec3; 2]) -> [DVec3; 8] {
     std::array::from_fn(|number| {
         let side = |axis: usize| if number >> axis & 1 == 0 { low[axis] } else { high[axis] };
@@ -151,7 +152,7 @@ fn corners_of([low, high]: [DVec3; 2]) -> [DVec3; 8] {
     })
 }
 
-/// The axis of which the planes face a camera most.
+/// Returns the axis whose planes face a camera most.
 fn facing_axis([low, high]: [DVec3; 2], camera: &Camera) -> usize {
     let view = if camera.is_orthographic() { camera.forward() } else { 0.5 * (low + high) - camera.eye() };
     let [x, y, z] = view.abs().to_array();
@@ -180,7 +181,7 @@ mod tests {
         all
     }
 
-    /// The area of a convex polygon that is turned one way all around.
+    /// Returns the area of a convex polygon that turns one way all around.
     fn area(slice: &BoxSlice, normal: DVec3) -> f64 {
         let turns =
             (2..slice.len()).map(|k| 0.5 * (slice[k - 1] - slice[0]).cross(slice[k] - slice[0]).dot(normal));
@@ -212,7 +213,7 @@ mod tests {
                 assert!(inside, "{direction:?}: {corner:?}");
             }
         }
-        // Where most of it lies behind the eye, what is before it is sliced.
+        // Where most of the box lies behind the eye, the part before it is sliced.
         let within = camera(DVec3::new(0.9, 0.6, 0.4));
         let direction = SliceDirection::Screen(within, SliceAnchor::Eye);
         for corner in slices(0.01, direction).iter().flatten() {

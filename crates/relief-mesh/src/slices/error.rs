@@ -1,23 +1,23 @@
-//! What goes wrong with slices.
+//! Errors of slices.
 
 use relief_core::Cancelled;
 
-/// Why there are no slices.
+/// Reason why there are no slices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SliceError {
-    /// Slices would all lie in one place.
+    /// All slices would lie in one place.
     #[error(
         "its slices would lie in one place: they need a displacement, and texture coordinates that say how \
          far they are apart"
     )]
     Together,
-    /// No border of a texture clips them.
+    /// No border of a texture clips the slices.
     #[error(
         "no border of a texture clips its slices: they need the wrap 'clamp' and flat polygons, at most 256, \
          each of which shows the whole map once"
     )]
     NoBorder,
-    /// A corner lies too far away.
+    /// A corner lies beyond the range of `f32`.
     #[error(
         "a corner of a slice lies beyond what 32-bit numbers hold: choose a smaller displacement or mesh"
     )]

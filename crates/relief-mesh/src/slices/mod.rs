@@ -1,8 +1,9 @@
-//! Slices through the space above a base that a relief fills, as triangles with a height at each corner.
+//! Slices through the space above a base that a relief fills: triangles with a height at each
+//! corner.
 //!
-//! Source: Kautz and Seidel 2001, *Hardware Accelerated Displacement Mapping for Image Based Rendering*,
-//! section 3. A slice is drawn where the height map is as high as the slice; whatever draws it decides that
-//! point by point. A new way to slice is a file here and a variant of [`SliceDirection`].
+//! Source: Kautz and Seidel 2001, *Hardware Accelerated Displacement Mapping for Image Based
+//! Rendering*, section 3. The renderer draws a slice at points where the height map is as high as
+//! the slice. To add a way to slice, add a file here and a variant of [`SliceDirection`].
 
 mod boxed;
 mod error;
@@ -21,33 +22,33 @@ pub use self::error::SliceError;
 use self::quads::FlatPolygon;
 pub use self::settings::{SliceAnchor, SliceDirection, SliceSettings};
 
-/// By how much the lengths of a mesh's tiles are rounded, as a part of a slice's distance.
+/// Rounding of the lengths of a mesh's tiles, as a part of the spacing of slices.
 const ROUNDING: f64 = 1e-5;
 
-/// A corner of a slice.
+/// Corner of a slice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SliceVertex {
-    /// The corner in the world, with the normal, the tangents and the texture coordinates of the point of the
-    /// base under it.
+    /// Corner in the world. Normal, tangents and texture coordinates are taken from the point of
+    /// the base under it.
     pub vertex: Vertex,
-    /// Its height, from 0 to 1.
+    /// Height of the corner, from 0 to 1.
     pub height: f32,
-    /// How far the next slice is along its axis.
+    /// Distance to the next slice along `axis`, in the units of that axis.
     pub step: f32,
-    /// That axis, the same for all corners of a slice.
+    /// Axis of the slice, the same for all its corners.
     pub axis: SliceAxis,
 }
 
-/// Some slices, or parts of them.
+/// Some slices, or parts of slices.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SliceBlock {
-    /// The corners.
+    /// Corners of all triangles.
     pub vertices: Vec<SliceVertex>,
-    /// The corners of each triangle.
+    /// Triangles as indices into `vertices`.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// Makes the slices of a mesh under a height map.
+/// Slices of a mesh under a height map.
 ///
 /// ```
 /// use relief_core::{HeightMap, Watch, Wrap, mesh::torus};
@@ -66,30 +67,32 @@ pub struct SliceBlock {
 pub struct Slicer<'a> {
     base: &'a Mesh,
     direction: SliceDirection,
-    /// Metres between the heights 0 and 1, and of the height 0.
+    /// Metres between the heights 0 and 1, and displacement of height 0.
     scale_m: f64,
     bias_m: f64,
-    /// Slices between the heights 0 and 1.
+    /// Number of slices between the heights 0 and 1.
     layers: u64,
-    /// How far slices of constant `u` and `v` are apart.
+    /// Distance between slices of constant `u` and `v`.
     step_uv: [f64; 2],
-    /// How far slices of constant depth are apart, in metres.
+    /// Distance between slices of constant depth, in metres.
     spacing_m: f64,
-    /// For every vertex the number of the first one at the same place, where triangles are cut by these.
+    /// Number of the first vertex at the same position, for every vertex, where triangles are cut
+    /// by depth.
     welded: Vec<u32>,
-    /// What is clipped by a texture's border.
+    /// Polygons whose slices are clipped by a texture's border.
     polygons: Vec<FlatPolygon>,
     vertices: u64,
     triangles: u64,
 }
 
 impl<'a> Slicer<'a> {
-    /// The slices of a base through the displacement of a height map.
+    /// Creates the slices of a base through the displacement of a height map.
     ///
     /// # Errors
     ///
-    /// When slices would lie in one place: there is no displacement, or no texture to say how far they are
-    /// apart; or when no border of a texture clips what is to be clipped by it.
+    /// Fails if all slices would lie in one place, because there is no displacement, or no texture
+    /// that defines their spacing. Fails if slices need a border of a texture that clips them, and
+    /// there is none.
     pub fn new(base: &'a Mesh, map: &HeightMap, settings: SliceSettings) -> Result<Self, SliceError> {
         let SliceSettings { count, direction } = settings;
         let (scale_m, size) = (map.scale_m(), [map.width(), map.height()].map(f64::from));
@@ -133,17 +136,17 @@ impl<'a> Slicer<'a> {
         Ok(Self { vertices, triangles, ..slicer })
     }
 
-    /// How many corners its slices have at most.
+    /// Returns an upper bound on the number of corners.
     pub fn vertices(&self) -> u64 {
         self.vertices
     }
 
-    /// How many triangles its slices have at most.
+    /// Returns an upper bound on the number of triangles.
     pub fn triangles(&self) -> u64 {
         self.triangles
     }
 
-    /// The most corners and triangles that there are.
+    /// Returns upper bounds on the numbers of corners and triangles.
     fn counted(&self) -> (u64, u64) {
         if self.direction == SliceDirection::Surface {
             let of = |count: usize| self.layers.saturating_mul(count as u64);
@@ -162,12 +165,12 @@ impl<'a> Slicer<'a> {
         })
     }
 
-    /// Hands over all slices, block by block, always in the same order; the triangles of a block name its own
-    /// corners.
+    /// Calls `take` with all slices, block by block, always in the same order. The triangles of a
+    /// block refer to its own corners.
     ///
     /// # Errors
     ///
-    /// When it was cancelled, or a corner lies farther away than `f32` can tell.
+    /// Fails when cancelled, or if a corner lies beyond the range of `f32`.
     pub fn each(&self, watch: &Watch, mut take: impl FnMut(&SliceBlock)) -> Result<(), SliceError> {
         let is_whole = self.direction == SliceDirection::Surface;
         let count = if is_whole { self.layers } else { u64::from(self.numbers().end) };
@@ -180,15 +183,15 @@ impl<'a> Slicer<'a> {
         Ok(())
     }
 
-    /// The numbers of the parts of the base over which slices are made one by one: its triangles, or flat
-    /// polygons.
+    /// Returns the numbers of the parts of the base over which slices are made one by one:
+    /// triangles or flat polygons.
     fn numbers(&self) -> std::ops::Range<u32> {
         let is_flat = matches!(self.direction, SliceDirection::Quads(..));
         let count = if is_flat { self.polygons.len() } else { self.base.triangles().len() };
         0..count as u32
     }
 
-    /// The slices over a part of the base.
+    /// Returns the slices over a part of the base.
     fn of_part(&self, number: u32) -> Result<SliceBlock, SliceError> {
         let mut block = SliceBlock::default();
         match self.direction_at(number) {
@@ -201,8 +204,8 @@ impl<'a> Slicer<'a> {
         Ok(block)
     }
 
-    /// The direction of the slices over a triangle, where these may differ: that of which the planes face the
-    /// camera most.
+    /// Returns the direction of the slices over a triangle. If directions may differ between
+    /// triangles, it is the one whose planes face the camera most.
     fn direction_at(&self, number: u32) -> SliceDirection {
         let SliceDirection::Facing(camera) = self.direction else { return self.direction };
         let corners = self.base.corners(number);
@@ -223,7 +226,7 @@ impl<'a> Slicer<'a> {
         }
     }
 
-    /// A corner that lies at a height over a point of the base.
+    /// Returns the corner at a height over a point of the base.
     fn corner(
         &self,
         base: &Vertex,
@@ -250,8 +253,8 @@ impl SliceBlock {
     }
 }
 
-/// The point between two vertices of the base, that part of the way from the one to the other. Nothing is
-/// normalised. From either end it has the same bits.
+/// Returns the point between two vertices of the base, at `part` of the way. Nothing is normalised.
+/// From either end it has the same bits.
 fn between(a: &Vertex, b: &Vertex, part: f64) -> Vertex {
     let key = |vertex: &Vertex| vertex.position.to_array().map(f32::to_bits);
     let (a, b, part) = if key(a) <= key(b) { (a, b, part) } else { (b, a, 1.0 - part) };

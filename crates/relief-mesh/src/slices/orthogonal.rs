@@ -1,27 +1,28 @@
-//! Slices that stand upright on the base, at equal `u` or `v`: lines on the base, extruded along its normals.
+//! Slices that stand upright on the base, at equal `u` or `v`: lines on the base, extruded along
+//! its normals.
 //!
-//! Source: Kautz and Seidel 2001, section 3.2. Lines lie on one lattice of texture space, so that those of
-//! neighbouring triangles meet.
+//! Source: Kautz and Seidel 2001, section 3.2. Lines lie on one lattice of texture space, so that
+//! the slices of neighbouring triangles meet.
 
 use relief_core::SliceAxis;
 
 use super::{SliceBlock, SliceError, Slicer, between};
 
 impl Slicer<'_> {
-    /// The numbers of the first and the last line over a triangle.
+    /// Returns the numbers of the first and the last line over a triangle.
     fn line_numbers(&self, number: u32, axis: usize) -> [f64; 2] {
         let places = self.base.corners(number).map(|corner| f64::from(corner.uv[axis]) / self.step_uv[axis]);
         let [low, high] = [f64::min, f64::max].map(|of| places.into_iter().reduce(of).unwrap_or(0.0));
         [low.ceil(), high.floor()]
     }
 
-    /// How many lines there are over a triangle at most.
+    /// Returns an upper bound on the number of lines over a triangle.
     pub(super) fn lines(&self, number: u32, axis: usize) -> u64 {
         let [first, last] = self.line_numbers(number, axis);
         (last - first + 1.0).max(0.0) as u64
     }
 
-    /// The slices over a triangle, at equal `u` or `v`.
+    /// Adds the slices over a triangle, at equal `u` or `v`.
     pub(super) fn across(&self, number: u32, axis: usize, block: &mut SliceBlock) -> Result<(), SliceError> {
         let corners = self.base.corners(number);
         let step = self.step_uv[axis];

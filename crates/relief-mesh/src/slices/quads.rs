@@ -1,8 +1,9 @@
-//! Slices at equal depths from a camera as quads of one size, which the border of the texture clips.
+//! Slices at equal depths from a camera as quads of one size, which the border of the texture
+//! clips.
 //!
-//! Source: Kautz and Seidel 2001, section 3.3. Over a flat polygon texture coordinates and heights follow
-//! from places by one matrix, so that a quad may be larger than what the relief fills: beside the texture,
-//! below height 0 and above height 1 nothing is drawn.
+//! Source: Kautz and Seidel 2001, section 3.3. Over a flat polygon one matrix maps positions to
+//! texture coordinates and heights. So a quad may be larger than the space of the relief: beside
+//! the texture, below height 0 and above height 1 nothing is drawn.
 
 use glam::{DMat3, DVec2, DVec3, Vec3};
 use relief_core::camera::Camera;
@@ -11,26 +12,27 @@ use relief_core::{HeightMap, SliceAxis, Wrap};
 
 use super::{SliceAnchor, SliceBlock, SliceError, SliceVertex, Slicer};
 
-/// How many flat polygons a mesh may have.
+/// Greatest number of flat polygons of a mesh.
 const MOST_POLYGONS: usize = 256;
 
-/// How much corners of one polygon may differ, as a part of the polygon, and what they show of the map from
-/// the whole of it.
+/// Tolerance for the corners of one polygon, as a part of the polygon, and for the area of the map
+/// that they show, as a part of the whole map.
 const APART: f64 = 1e-4;
 
-/// A flat polygon that shows the whole map once.
+/// Flat polygon that shows the whole map once.
 #[derive(Clone, Debug)]
 pub(super) struct FlatPolygon {
-    /// The base where the texture coordinates are 0.
+    /// Point of the base at texture coordinates 0.
     at_zero: Vertex,
-    /// The way to the end of the texture along `u`, the same along `v`, and a metre along the normal.
+    /// Columns: the way to the end of the texture along `u`, the way along `v`, and a metre along
+    /// the normal.
     of_texture: DMat3,
-    /// The part of the texture that triangles have shown so far.
+    /// Part of the texture that triangles have shown so far.
     shown: f64,
 }
 
 impl FlatPolygon {
-    /// All of a mesh.
+    /// Returns all polygons of a mesh.
     pub(super) fn all_of(mesh: &Mesh, map: &HeightMap) -> Result<Vec<Self>, SliceError> {
         let mut polygons: Vec<Self> = Vec::new();
         for number in 0..mesh.triangles().len() as u32 {
@@ -40,7 +42,7 @@ impl FlatPolygon {
                 let on_map = |uv: f32| (-APART..=1.0 + APART).contains(&f64::from(uv));
                 on_map(corner.uv.x) && on_map(corner.uv.y) && polygon.is_of(corner)
             });
-            // The last one first: triangles of one polygon often come one after another.
+            // The last polygon first: its triangles often come one after another.
             let known = polygons.iter().rposition(|known| known.is_of(corners[0]));
             if !is_whole || (known.is_none() && polygons.len() == MOST_POLYGONS) {
                 return Err(SliceError::NoBorder);
@@ -68,7 +70,7 @@ impl FlatPolygon {
         Self { at_zero, of_texture: DMat3::from_cols(tangent, bitangent, normal), shown: 0.0 }
     }
 
-    /// Whether a corner of the base is one of this polygon.
+    /// Returns whether a corner of the base belongs to this polygon.
     fn is_of(&self, corner: &Vertex) -> bool {
         let (own, other) = (&self.at_zero, Self::of(corner).at_zero);
         let side = own.tangent.length().max(own.bitangent.length()).max(own.position.length());
@@ -79,7 +81,7 @@ impl FlatPolygon {
             && is_near(own.normal, other.normal, 1.0)
     }
 
-    /// The corners of the space that the relief fills over it.
+    /// Returns the corners of the space that the relief fills over the polygon.
     fn space(&self, bias_m: f64, scale_m: f64) -> [DVec3; 8] {
         std::array::from_fn(|place| {
             let [u, v, height] = [0, 1, 2].map(|axis| f64::from(u8::from(place >> axis & 1 == 1)));
@@ -90,14 +92,15 @@ impl FlatPolygon {
 }
 
 impl Slicer<'_> {
-    /// How many quads there are over a polygon at most.
+    /// Returns an upper bound on the number of quads over a polygon.
     pub(super) fn quads(&self, number: u32, camera: &Camera, anchor: SliceAnchor) -> u64 {
         let space = self.polygons[number as usize].space(self.bias_m, self.scale_m);
         let depths = space.map(|place| camera.forward().dot(place - camera.eye()));
         self.planes_between(depths, Self::first_depth(camera, anchor)).1
     }
 
-    /// The quads over a polygon, all of one size, and each as large as what the relief fills looks.
+    /// Adds the quads over a polygon. All have one size, which covers the space of the relief in
+    /// the picture.
     pub(super) fn bordered(
         &self,
         number: u32,

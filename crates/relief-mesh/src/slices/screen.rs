@@ -1,9 +1,9 @@
 //! Slices at equal depths from a camera.
 //!
-//! Source: Kautz and Seidel 2001, section 3.3. The space over a triangle of the base is cut into three
-//! tetrahedra. In each, heights and texture coordinates are linear, so that the corners of what a plane cuts
-//! out say all of it. Which way sides are cut follows from their own ends, as in the surface `tetrahedra`:
-//! neighbours agree.
+//! Source: Kautz and Seidel 2001, section 3.3. The space over a triangle of the base is cut into
+//! three tetrahedra. In each, heights and texture coordinates are linear. So the corners of a cut
+//! by a plane define the whole cut. The diagonal of a side depends on the side's own ends, as in
+//! the surface `tetrahedra`, so that neighbours agree.
 
 use glam::DVec3;
 use relief_core::SliceAxis;
@@ -12,7 +12,7 @@ use relief_core::mesh::Vertex;
 
 use super::{SliceAnchor, SliceBlock, SliceError, SliceVertex, Slicer, between};
 
-/// A corner of a tetrahedron: a point of the base with a height, where that lies, and how deep.
+/// Corner of a tetrahedron: a point of the base with a height, its position, and its depth.
 #[derive(Clone, Copy)]
 struct Corner {
     base: Vertex,
@@ -22,7 +22,7 @@ struct Corner {
 }
 
 impl Slicer<'_> {
-    /// The corners of the space over a triangle: those on its floor, then those above them.
+    /// Returns the corners of the space over a triangle: on its floor, then above them.
     fn prism(&self, number: u32, camera: &Camera) -> [Corner; 6] {
         let mut corners = self.base.triangles()[number as usize];
         corners.sort_by_key(|corner| self.welded[*corner as usize]);
@@ -35,7 +35,7 @@ impl Slicer<'_> {
         })
     }
 
-    /// The depth of the plane of number 0.
+    /// Returns the depth of plane 0.
     pub(super) fn first_depth(camera: &Camera, anchor: SliceAnchor) -> f64 {
         match anchor {
             SliceAnchor::Eye => 0.0,
@@ -43,7 +43,8 @@ impl Slicer<'_> {
         }
     }
 
-    /// The number before that of the first plane between some depths, before the eye, and how many there are.
+    /// Returns the number before the first plane between some depths, and the number of planes
+    /// there, all before the eye.
     pub(super) fn planes_between<const N: usize>(&self, depths: [f64; N], start: f64) -> (f64, u64) {
         let [low, high] = [f64::min, f64::max].map(|of| depths.into_iter().reduce(of).unwrap_or(0.0));
         let [before, last] =
@@ -51,13 +52,13 @@ impl Slicer<'_> {
         (before, (last - before).max(0.0) as u64)
     }
 
-    /// How many planes there are over a triangle at most.
+    /// Returns an upper bound on the number of planes over a triangle.
     pub(super) fn planes(&self, number: u32, camera: &Camera, anchor: SliceAnchor) -> u64 {
         let depths = self.prism(number, camera).map(|corner| corner.depth);
         self.planes_between(depths, Self::first_depth(camera, anchor)).1
     }
 
-    /// The slices over a triangle, at equal depths.
+    /// Adds the slices over a triangle, at equal depths.
     pub(super) fn facing(
         &self,
         number: u32,
@@ -67,7 +68,8 @@ impl Slicer<'_> {
     ) -> Result<(), SliceError> {
         let start = Self::first_depth(camera, anchor);
         let prism = self.prism(number, camera);
-        // Sides are cut from the lower end on the floor to the other end above it, in the order of positions.
+        // Sides are cut from the lower end on the floor to the other end above it, in the order of
+        // positions.
         for tetrahedron in [[0, 1, 2, 5], [0, 1, 4, 5], [0, 3, 4, 5]] {
             let corners = tetrahedron.map(|place: usize| prism[place]);
             let (before, count) = self.planes_between(corners.map(|corner| corner.depth), start);
@@ -79,7 +81,7 @@ impl Slicer<'_> {
         Ok(())
     }
 
-    /// What a plane cuts out of a tetrahedron.
+    /// Adds the cut of a tetrahedron by a plane.
     fn cut(&self, corners: &[Corner; 4], depth: f64, block: &mut SliceBlock) -> Result<(), SliceError> {
         let is_behind = corners.map(|corner| corner.depth > depth);
         let (behind, before): (Vec<usize>, Vec<usize>) = (0..4).partition(|place| is_behind[*place]);
@@ -94,7 +96,7 @@ impl Slicer<'_> {
         Ok(())
     }
 
-    /// The point of an edge at a depth.
+    /// Returns the point of an edge at a depth.
     fn at_depth(&self, a: &Corner, b: &Corner, depth: f64) -> Result<SliceVertex, SliceError> {
         let part = (depth - a.depth) / (b.depth - a.depth);
         let position = a.position.lerp(b.position, part).as_vec3();

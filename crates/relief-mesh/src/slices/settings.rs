@@ -1,18 +1,18 @@
-//! Which slices there are.
+//! Settings of slices.
 
 use relief_core::camera::Camera;
 
-/// Which slices there are.
+/// Settings of slices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SliceSettings {
-    /// Slices over the displacement from height 0 to 1; those that run in other directions are as many metres
-    /// apart (section 3.4). 0: they are a texel apart.
+    /// Number of slices over the displacement from height 0 to 1. Slices in other directions are as
+    /// many metres apart (section 3.4). 0: slices are a texel apart.
     pub count: u32,
-    /// How they run.
+    /// Direction of the slices.
     pub direction: SliceDirection,
 }
 
-/// How slices run.
+/// Direction of slices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SliceDirection {
     /// Along the base, at equal heights: direction a (section 3.1).
@@ -21,20 +21,22 @@ pub enum SliceDirection {
     AcrossU,
     /// At equal `v`, upright on the base: direction c.
     AcrossV,
-    /// Over each triangle of the base as one of those three, of which the planes face the camera most.
+    /// One of the three directions above for each triangle of the base: the one whose planes face
+    /// the camera most.
     Facing(Camera),
     /// At equal depths from a camera (section 3.3).
     Screen(Camera, SliceAnchor),
-    /// The same as quads of one size over flat polygons, each of which shows the whole map once: they are
-    /// clipped by whatever draws them, where the texture or the displacement ends.
+    /// At equal depths from a camera, as quads of one size over flat polygons. Each polygon shows
+    /// the whole map once. The renderer clips the quads where the texture or the displacement ends.
     Quads(Camera, SliceAnchor),
 }
 
-/// With what slices of equal depth move.
+/// Anchor with which slices of equal depth move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SliceAnchor {
-    /// With the eye, as in the paper: what is at rest is cut elsewhere when the camera comes nearer.
+    /// The eye, as in the paper. Slices then move through objects at rest as the camera comes
+    /// nearer.
     Eye,
-    /// With the origin of the world.
+    /// The origin of the world.
     Object,
 }

@@ -1,4 +1,4 @@
-//! Slices that run along the base, at equal heights.
+//! Slices along the base, at equal heights.
 //!
 //! Source: Kautz and Seidel 2001, section 3.1.
 
@@ -8,14 +8,14 @@ use relief_core::mesh::Vertex;
 use super::{SliceBlock, SliceError, SliceVertex, Slicer};
 
 impl Slicer<'_> {
-    /// The whole slice of that number, from 1 on, from the top: the last one lies at height 0.
+    /// Returns a whole slice. Numbers begin with 1 at the top; the last slice lies at height 0.
     pub(super) fn of_surface(&self, number: u64) -> Result<SliceBlock, SliceError> {
         let corners = self.base.vertices().iter().map(|vertex| self.at_layer(vertex, number));
         let triangles = self.base.triangles().to_vec();
         Ok(SliceBlock { vertices: corners.collect::<Result<_, _>>()?, triangles })
     }
 
-    /// All of them over a triangle of the base.
+    /// Adds all slices over a triangle of the base.
     pub(super) fn along(&self, number: u32, block: &mut SliceBlock) -> Result<(), SliceError> {
         let [a, b, c] = self.base.corners(number);
         for layer in 1..=self.layers {

@@ -30,7 +30,7 @@ fn blocks(slicer: &Slicer) -> Vec<SliceBlock> {
     blocks
 }
 
-/// Where the base under a corner is.
+/// Returns the position of the base under a corner.
 fn below(corner: &SliceVertex, map: &HeightMap) -> DVec3 {
     let metres = map.bias_m() + map.scale_m() * f64::from(corner.height);
     corner.vertex.position.as_dvec3() - corner.vertex.normal.as_dvec3() * metres
@@ -102,7 +102,7 @@ fn slices_of_the_screen_lie_at_equal_depths_in_the_space_over_their_triangle() {
                 area += 0.5 * (b - a).cross(c - a).length();
             }
         }
-        // What slices cut out of a space, times their distance, is about its volume.
+        // The area of the slices, times their distance, is about the volume of the space.
         let volume = area * 0.3 / 9.0;
         let [mut expected, flat] = [0.0, 0.4];
         for number in 0..base.triangles().len() as u32 {
@@ -134,7 +134,7 @@ fn quads_lie_at_equal_depths_around_what_a_border_clips() {
                     let place = corner.vertex.position.as_dvec3();
                     let plane = camera.forward().dot(place - camera.eye()) / (0.3 / 9.0);
                     assert!((plane - plane.round()).abs() < 1e-4, "{plane}");
-                    // The texture coordinates are those of the point of the plane under it.
+                    // The texture coordinates are taken from the point of the plane under it.
                     let (at, of) = (below(corner, &map), &base.vertices()[base.triangles()[0][0] as usize]);
                     if polygons == 1 {
                         let uv = corner.vertex.uv - of.uv;
@@ -189,7 +189,7 @@ fn without_a_count_a_ray_goes_at_most_a_texel_aside_from_slice_to_slice() {
     let map = HeightMap::new(64, 64, vec![0.5; 64 * 64], Wrap::Repeat).expect("a map");
     let map = map.with_displacement(0.2, -0.2).expect("lengths");
     for eye in [[0.1, 2.0, 0.2], [1.5, 1.4, 0.1], [0.8, 0.9, 1.1], [0.2, 0.3, 2.0]] {
-        // In perspective the rays of a triangle differ from that of its middle.
+        // In perspective the rays of a triangle differ from the ray of its middle.
         let parallel = Projection::Orthographic { height_m: 0.6 };
         let camera = Camera::with(eye.into(), DVec3::ZERO, parallel).expect("a camera");
         for direction in [SliceDirection::Facing(camera), SliceDirection::Screen(camera, SliceAnchor::Eye)] {

@@ -15,26 +15,26 @@ use crate::patch::PatchPoint;
 use crate::surface::Relief;
 use crate::{BaseSurface, Certificate, Directions, MeshSettings, MesherError, Side};
 
-/// Patches that are filled one after the other.
+/// Patches that one task fills.
 const TOGETHER: usize = 64;
 
-/// How far heights may be apart at a seam that are the same but for rounding, as a part of the tolerance.
+/// Greatest difference of heights at a seam that counts as rounding, as a part of the tolerance.
 const SEAMS: f64 = 1e-3;
 
-/// A base of triangles that are filled.
+/// Base of filled triangles.
 #[derive(Debug)]
 pub struct Adapted {
     base: Triangles,
-    /// The points within patches, on the lattice of each, and their heights.
+    /// Points within patches, on the lattice of each, and their heights.
     inner: Vec<([u16; 2], f32)>,
-    /// Triangles by the points of their patch: first those of its border, then its own.
+    /// Triangles by the points of their patch: first the border's points, then its own.
     triangles: Vec<[u32; 3]>,
-    /// The places of each patch's first point and first triangle in these, and one more.
+    /// Indices of each patch's first point and first triangle in these lists, and of the ends.
     first: Vec<[u32; 2]>,
     certificate: Certificate,
 }
 
-/// What some patches are filled with.
+/// Fillings of several patches.
 struct Several {
     inner: Vec<([u16; 2], f32)>,
     triangles: Vec<[u32; 3]>,
@@ -42,7 +42,7 @@ struct Several {
     error: Errors,
 }
 
-/// What is known of the errors of some patches.
+/// Errors of several patches.
 #[derive(Clone, Copy)]
 struct Errors {
     error_m: f64,
@@ -142,28 +142,29 @@ impl Adapted {
         Ok(adapted)
     }
 
-    /// How far the relief is from the triangles.
+    /// Returns the certificate.
     pub fn certificate(&self) -> &Certificate {
         &self.certificate
     }
 
-    /// The base.
+    /// Returns the base.
     pub fn base(&self) -> &Triangles {
         &self.base
     }
 
-    /// Vertices of all patches.
+    /// Returns the number of vertices of all patches.
     pub fn vertices(&self) -> u64 {
         self.base.border_count() + self.inner.len() as u64
     }
 
-    /// Vertices within a patch, and its triangles.
+    /// Returns the numbers of vertices within a patch, and of its triangles.
     pub fn counts(&self, patch: u32) -> [u32; 2] {
         let [from, to] = [0, 1].map(|more| self.first[patch as usize + more]);
         [to[0] - from[0], to[1] - from[1]]
     }
 
-    /// What a patch is filled with: the points of its border, then its own, and triangles between them.
+    /// Returns the filling of a patch: the points of its border, then its own, and triangles
+    /// between them.
     pub fn cut(&self, patch: u32) -> Cut {
         let [from, to] = [0, 1].map(|more| self.first[patch as usize + more]);
         let border = self.base.border_of(patch).map(|[side, at]| PatchPoint::Border { side, at });
@@ -176,19 +177,19 @@ impl Adapted {
         Cut { points: border.chain(inner).collect(), triangles }
     }
 
-    /// The number of the first vertex within a patch.
+    /// Returns the number of the first vertex within a patch.
     pub fn first_of_patch(&self, patch: u32) -> u32 {
         // All vertices were counted.
         (self.base.border_count() + u64::from(self.first[patch as usize][0])) as u32
     }
 
-    /// The height of the map that a vertex within a patch lies at.
+    /// Returns the height of the map at a vertex within a patch.
     pub fn inner_height(&self, patch: u32, at: u32) -> f64 {
         let (_, height) = self.inner[(self.first[patch as usize][0] + at) as usize];
         f64::from(height)
     }
 
-    /// Bytes that are held.
+    /// Returns the number of bytes in use.
     pub fn bytes(&self) -> u64 {
         (size_of_val(&self.inner[..]) + size_of_val(&self.triangles[..]) + size_of_val(&self.first[..]))
             as u64
@@ -196,25 +197,28 @@ impl Adapted {
 }
 
 impl Triangles {
-    /// Steps of a patch's lattice along a side: those of all sides go into it.
+    /// Returns the number of steps of a patch's lattice along a side, a multiple of the steps of
+    /// all its sides.
     fn size(&self, patch: u32) -> u32 {
         self.edges.sides(patch).map(|edge| self.edges.size(edge)).into_iter().fold(1, u32::max)
     }
 
-    /// The barycentric weights of the second and the third corner at a point of a patch's lattice.
+    /// Returns the barycentric weights of the second and the third corner at a point of a patch's
+    /// lattice.
     fn weights(&self, patch: u32, lattice: [u16; 2]) -> [f64; 2] {
         let size = f64::from(self.size(patch));
         lattice.map(|steps| f64::from(steps) / size)
     }
 
-    /// The points of a patch's border by their sides: its corners, then the points along each side.
+    /// Returns the points of a patch's border by their sides: its corners, then the points along
+    /// each side.
     fn border_of(&self, patch: u32) -> impl Iterator<Item = [u32; 2]> + use<'_> {
         let sides = self.edges.sides(patch);
         let along = move |side: u32| (1..self.edges.parts(sides[side as usize])).map(move |at| [side, at]);
         (0..3).map(|side| [side, 0]).chain((0..3).flat_map(along))
     }
 
-    /// Where a point of a patch's border is on its lattice.
+    /// Returns a point of a patch's border on the patch's lattice.
     fn on_lattice(&self, patch: u32, [side, at]: [u32; 2]) -> [i32; 2] {
         let size = self.size(patch) as i32;
         let steps = match at {
@@ -234,14 +238,15 @@ impl Triangles {
         }
     }
 
-    /// A patch as triangles are laid over it, and the length of its longest direction of displacement.
+    /// Returns a patch as ground for triangulation, and the length of its longest direction of
+    /// displacement.
     fn facet(&self, relief: &Relief, patch: u32, error_m: f64) -> (Facet, f64) {
         let corners = self.triangles[patch as usize].map(|vertex| self.corners.base(vertex));
         let places = corners.map(|corner| relief.place(corner.uv));
         let map = relief.map();
         let normals = corners.map(|corner| corner.normal);
         let longest = match self.one_side {
-            // All are as far from the relief on one side.
+            // On one side all patches have the same distance from the relief.
             Some(_) => self.corners.longest(),
             None => normals.iter().map(|normal| normal.length()).fold(0.0, f64::max),
         };
@@ -255,8 +260,8 @@ impl Triangles {
         (facet, longest)
     }
 
-    /// By how many metres the heights of a border's point differ between a patch and the side of the seam
-    /// that says where the point is.
+    /// Returns the difference in metres between a patch's own height at a point of its border and
+    /// the height of the side of the seam that defines the point.
     fn apart_m(&self, relief: &Relief, patch: u32, [side, at]: [u32; 2], own: f64) -> f64 {
         if !self.is_welded {
             return 0.0;

@@ -1,4 +1,4 @@
-//! The points along an edge.
+//! Points along an edge.
 
 use glam::{DVec2, DVec3, Vec3};
 use relief_core::mesh::{BasePoint, Vertex};
@@ -8,30 +8,30 @@ use super::{Corners, Numbered, Triangles, level};
 use crate::surface::{Frame, Placed, Relief};
 use crate::{BaseSurface, cubic, point};
 
-/// An edge as its points are made of it: what belongs to its ends, looked up once for all of them.
+/// Edge with the values at its ends, looked up once for all of its points.
 #[derive(Debug)]
 pub struct AlongEdge<'a> {
     corners: &'a Corners,
-    /// By how much all points are displaced farther.
+    /// Extra displacement of all points in metres.
     raise_m: f64,
-    /// The ends as the displacement sees them.
+    /// Ends whose texture coordinates define the displacement.
     ends: [BasePoint; 2],
     shares: [f64; 2],
     smooth: Smooth,
-    /// The ends' depths in the picture, and texels of the map in a voxel where the depth is 1; none where no
-    /// coarser level is seen.
+    /// Depths of the ends in the picture, and texels of the map in a voxel where the depth is 1.
+    /// `None` if there are no coarser levels.
     footprints: Option<[[f64; 2]; 2]>,
 }
 
-/// How the base surface leaves the straight edge.
+/// Deviation of the base surface from the straight edge.
 #[derive(Debug)]
 enum Smooth {
     Flat,
-    /// By so many metres: see [`Mesh::lifts`](relief_core::mesh::Mesh::lifts).
+    /// By metres: see [`Mesh::lifts`](relief_core::mesh::Mesh::lifts).
     Lift(f64),
-    /// As a cubic with those inner control points.
+    /// Cubic with these inner control points.
     Cubic([DVec3; 2]),
-    /// As a part of that shape, by the weights of the ends in it.
+    /// Part of a shape, by the weights of the ends in it.
     Part(Box<(Shape, [[f64; 3]; 2])>),
 }
 
@@ -59,12 +59,13 @@ impl<'a> AlongEdge<'a> {
         }
     }
 
-    /// The weights that the ends have where so many steps of all lie before.
+    /// Returns the weights of the ends for a point with `before` of `all` steps before it.
     fn weights(&self, [before, all]: [u32; 2]) -> [f64; 2] {
         point::weights(self.shares, before, all)
     }
 
-    /// A point as the displacement sees it: in a welded mesh all sides see the same.
+    /// Returns a point on the side that defines the displacement: in a welded mesh all sides use
+    /// the same.
     #[inline(always)]
     pub fn placed(&self, place: [u32; 2]) -> Placed {
         let weights = self.weights(place);
@@ -95,20 +96,20 @@ impl<'a> AlongEdge<'a> {
         Placed { base, lift_m: lift_m + self.raise_m, level }
     }
 
-    /// The position of a point.
+    /// Returns the position of a point.
     #[inline(always)]
     pub fn position(&self, relief: &Relief, place: [u32; 2]) -> Vec3 {
         point::stored(relief.displaced(&self.placed(place)))
     }
 }
 
-/// The vertices between the ends of an edge.
+/// Vertices between the ends of an edge.
 #[derive(Debug)]
 pub struct EdgeVertices<'a> {
     base: &'a Triangles,
     edge: u32,
     along: AlongEdge<'a>,
-    /// The texture coordinates and the frames of its own ends.
+    /// Texture coordinates and frames of its own ends.
     uvs: [DVec2; 2],
     frames: [Frame; 2],
 }
@@ -125,7 +126,7 @@ impl<'a> EdgeVertices<'a> {
         }
     }
 
-    /// The vertex that so many parts lie before, and how it is numbered.
+    /// Returns the vertex with `at` parts before it, and its numbers.
     pub fn at(&self, relief: &Relief, at: u32) -> (Vertex, Numbered) {
         let place = self.base.edges.place(self.edge, at);
         let seen = self.along.placed(place);

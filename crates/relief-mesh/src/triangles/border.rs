@@ -1,4 +1,4 @@
-//! The border of an open base: the sides that one triangle alone has.
+//! Border of an open base: the sides that belong to one triangle alone.
 
 use std::collections::HashSet;
 
@@ -7,19 +7,20 @@ use relief_core::mesh::Mesh;
 use super::edges::{Side, sorted_sides};
 use crate::MesherError;
 
-/// The border of a base, and the pieces that have one.
+/// Border of a base, and the pieces that have one.
 #[derive(Debug)]
 pub struct Border {
-    /// Triangles of pieces that are not closed. Those with two corners at one position are left out.
+    /// Triangles of pieces that are not closed. Triangles with two corners at one position are left
+    /// out.
     pub patches: Vec<u32>,
-    /// The sides without another: a triangle and its side.
+    /// Sides without another: the number of the triangle and of its side.
     pub sides: Vec<[u32; 2]>,
 }
 
 impl Border {
-    /// The border of a mesh, by the positions of its vertices: an inside and an outside follow from it where
-    /// no side has more than one other, these run opposite ways, and the border goes through no position
-    /// twice.
+    /// Finds the border of a mesh, by the positions of its vertices. The border defines an inside
+    /// and an outside if no side has more than one other, both run opposite ways, and the border
+    /// goes through no position twice. Otherwise this is an error.
     pub fn new(mesh: &Mesh, point_of: &[u32], is_welded: bool) -> Result<Self, MesherError> {
         let all = mesh.triangles();
         let has_extent = |triangle: u32| {

@@ -1,4 +1,4 @@
-//! The vertices of a base: along what they are displaced, and the frames that they are shaded by.
+//! Vertices of a base: their directions of displacement, and the frames that shade them.
 
 use std::collections::HashMap;
 
@@ -9,40 +9,41 @@ use super::{Numbered, surface_bits};
 use crate::surface::Frame;
 use crate::{Directions, direction, point};
 
-/// The longest direction of displacement at a hard edge, in lengths of a normal: beyond it sharp edges would
-/// become spikes.
+/// Longest direction of displacement at a hard edge, in lengths of a normal. Longer ones would turn
+/// sharp edges into spikes.
 const LONGEST: f64 = 2.0;
 
 /// Stands for a vertex that no triangle has.
 const UNUSED: u32 = u32::MAX;
 
-/// The vertices of a base.
+/// Vertices of a base.
 #[derive(Debug)]
 pub struct Corners {
     vertices: Vec<Vertex>,
-    /// Whether directions between are found by angles.
+    /// Whether directions between are interpolated by angles.
     is_by_angle: bool,
-    /// Along what each is displaced; empty where that is its normal.
+    /// Direction of displacement of each vertex; empty where it is the normal.
     directions: Vec<Vec3>,
-    /// What vertices are displaced by that lie between others, and the others; empty where there are none.
+    /// Base points, including vertices between others; empty where there are none of these.
     between: Vec<BasePoint>,
-    /// The derivatives of the directions by `u` and `v`.
+    /// Derivatives of the directions by `u` and `v`.
     turns: Vec<[Vec3; 2]>,
-    /// The vertex whose texture coordinates say how far each is displaced; empty where it is itself.
+    /// Vertex whose texture coordinates define the displacement of each vertex; empty where it is
+    /// the vertex itself.
     seen: Vec<u32>,
-    /// Vertices that triangles have, in the order in which they are written.
+    /// Vertices that triangles use, in the order in which they are written.
     pub used: Vec<u32>,
-    /// The place of each vertex in these.
+    /// Index of each vertex in `used`.
     numbers: Vec<u32>,
-    /// The number of the first vertex at the same position with the same normal, for each.
+    /// Number of the first vertex at the same position with the same normal, for each vertex.
     smooth: Vec<u32>,
     /// Whether all vertices at a position are one, as in a solid.
     is_shared: bool,
 }
 
 impl Corners {
-    /// Finds the corners of a mesh. In a welded one the vertices at a position may be `shared`: one for all
-    /// of them.
+    /// Finds the corners of a mesh. In a welded mesh with `shared`, all vertices at a position
+    /// become one.
     pub fn new(mesh: &Mesh, point_of: &[u32], [is_welded, shared]: [bool; 2], along: Directions) -> Self {
         let vertices = mesh.vertices().to_vec();
         let directions = if is_welded { welded_directions(mesh, point_of) } else { Vec::new() };
@@ -72,7 +73,8 @@ impl Corners {
         corners
     }
 
-    /// Numbers the vertices that some triangles have, and no others. What these say of others stays.
+    /// Numbers the vertices that some triangles use, and no others. References to other vertices
+    /// stay valid.
     pub fn keep(&mut self, triangles: &[[u32; 3]]) {
         let vertices = &self.vertices;
         let mut is_used = vec![false; vertices.len()];
@@ -92,7 +94,7 @@ impl Corners {
         self.smooth = smooth.collect();
     }
 
-    /// Makes all vertices at a position the first of them.
+    /// Replaces all vertices at a position by the first of them.
     fn share(&mut self) {
         self.is_shared = true;
         let all = std::mem::take(&mut self.used);
@@ -106,14 +108,14 @@ impl Corners {
         self.smooth.clone_from(&self.numbers);
     }
 
-    /// Whether all vertices at a position are one.
+    /// Returns whether all vertices at a position are one.
     pub fn is_shared(&self) -> bool {
         self.is_shared
     }
 
-    /// The same with vertices that lie half-way between others: the first ones are those of a whole mesh, and
-    /// for each further one there are two before it. They are not rounded, so that the surface stays as it
-    /// is.
+    /// Adds vertices half-way between others. The first ones are the vertices of a whole mesh, and
+    /// each further one has two parents before it. They are not rounded, so that the surface does
+    /// not change.
     #[must_use]
     pub fn between(mut self, whole: &Self, parents: &[[u32; 2]]) -> Self {
         let mut all: Vec<BasePoint> = (0..whole.vertices.len() as u32).map(|at| whole.base(at)).collect();
@@ -132,7 +134,7 @@ impl Corners {
         self
     }
 
-    /// How many vertices there are.
+    /// Returns the number of vertices.
     pub fn count(&self) -> usize {
         self.vertices.len()
     }
@@ -141,7 +143,7 @@ impl Corners {
         &self.vertices[vertex as usize]
     }
 
-    /// The vertex that says how far a vertex is displaced.
+    /// Returns the vertex that defines the displacement of a vertex.
     pub fn seen(&self, vertex: u32) -> u32 {
         self.seen.get(vertex as usize).copied().unwrap_or(vertex)
     }
@@ -151,7 +153,7 @@ impl Corners {
         Numbered { number, smooth }
     }
 
-    /// What a vertex is displaced by.
+    /// Returns the base point of a vertex, with its direction of displacement.
     pub fn base(&self, vertex: u32) -> BasePoint {
         if let Some(base) = self.between.get(vertex as usize) {
             return *base;
@@ -163,22 +165,23 @@ impl Corners {
         base
     }
 
-    /// The direction of displacement, of any length, between the ends of a side, by their weights.
+    /// Returns the direction of displacement, of any length, between the ends of a side, by their
+    /// weights.
     pub fn direction_on_side(&self, [a, b]: [DVec3; 2], weights: [f64; 2]) -> DVec3 {
         if self.is_by_angle { direction::between([a, b], weights) } else { point::between(a, b, weights) }
     }
 
-    /// Whether directions between are found by angles, and not as sums.
+    /// Returns whether directions between are interpolated by angles, and not as sums.
     pub fn is_by_angle(&self) -> bool {
         self.is_by_angle
     }
 
-    /// The length of the longest direction of displacement.
+    /// Returns the length of the longest direction of displacement.
     pub fn longest(&self) -> f64 {
         self.used.iter().map(|&vertex| self.base(vertex).normal.length()).fold(0.0, f64::max)
     }
 
-    /// What a vertex is shaded by.
+    /// Returns the frame that shades a vertex.
     pub fn frame(&self, vertex: u32) -> Frame {
         let Vertex { normal, tangent, bitangent, .. } = self.vertex(vertex);
         Frame {
@@ -188,9 +191,9 @@ impl Corners {
         }
     }
 
-    /// The derivatives of the directions: of each triangle they are constant, or by angles those at each
-    /// corner, and a vertex has the mean over those triangles around its position that have its very frame,
-    /// weighted by their areas.
+    /// Returns the derivatives of the directions. They are constant over a triangle, or by angles
+    /// differ at its corners. A vertex has their mean over the triangles around its position that
+    /// have the same frame, weighted by area.
     fn turns_of(&self, mesh: &Mesh) -> Vec<[Vec3; 2]> {
         let frame_bits = |vertex: &Vertex| {
             let Vertex { position, normal, tangent, bitangent, .. } = vertex;
@@ -226,7 +229,7 @@ impl Corners {
             };
             for vertex in corners {
                 let turns = turns_at(self.base(*vertex).normal);
-                // Triangles without an area in the texture say nothing.
+                // Triangles without an area in the texture define no derivatives.
                 if !turns.iter().all(|turn| turn.is_finite()) {
                     continue;
                 }
@@ -243,7 +246,7 @@ impl Corners {
     }
 }
 
-/// For each vertex the first of those at its position that triangles have.
+/// Returns the first vertex in use at the position of each vertex.
 fn first_used(point_of: &[u32], used: &[u32]) -> Vec<u32> {
     let mut first = vec![UNUSED; point_of.len()];
     for &vertex in used {
@@ -253,10 +256,10 @@ fn first_used(point_of: &[u32], used: &[u32]) -> Vec<u32> {
     point_of.iter().map(|&point| first[point as usize]).collect()
 }
 
-/// One direction of displacement a position. Where the normals there are the same it is these. At hard edges
-/// it is the sum `S` of the normals, weighted by the angles of the triangles that have them, made as long as
-/// it takes for the faces on both sides to move by what the displacement says: `S W / |S|²`, `W` the sum of
-/// the weights, and at most twice as long as a normal.
+/// Returns one direction of displacement for each position. Where all normals there are the same,
+/// it is that normal. At hard edges it is the sum `S` of the normals, weighted by the angles of
+/// their triangles, in such a length that the faces on both sides move by the displacement:
+/// `S W / |S|²`, `W` the sum of the weights. It is at most twice as long as a normal.
 fn welded_directions(mesh: &Mesh, point_of: &[u32]) -> Vec<Vec3> {
     let vertices = mesh.vertices();
     let differs = |at: usize| vertices[at].normal != vertices[point_of[at] as usize].normal;

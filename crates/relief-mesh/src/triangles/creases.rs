@@ -1,5 +1,5 @@
-//! How finely sides must be cut: the surface has a crease wherever a side crosses a line between cells, and a
-//! step of the side's lattice that goes over one is off by a quarter of the step times the change of slope.
+//! Fineness of sides. The surface has a crease wherever a side crosses a line between cells. A step
+//! of the side's lattice over a crease is off by a quarter of the step times the change of slope.
 
 use relief_core::{HeightMap, MaxPyramid};
 
@@ -8,33 +8,32 @@ use crate::interior::STEPS;
 use crate::surface::Relief;
 use crate::{MeshSettings, MesherError};
 
-/// The longest side of a patch, in texels.
+/// Longest side of a patch, in texels.
 pub const LONGEST: f64 = 128.0;
 
-/// The most steps of a side's lattice, and the fewest.
+/// Greatest and least number of steps of a side's lattice.
 pub const MOST_STEPS: u32 = 1 << 11;
 const FEWEST_STEPS: u32 = 16;
 
-/// The most steps a texel.
+/// Greatest number of steps per texel.
 const FINEST: u32 = 1 << 9;
 
-/// The part of a change of slope that remains over a step that is as fine as can be, with something left for
-/// all else.
+/// Part of a change of slope that remains over the finest step, with a margin for all else.
 const LEFT: f64 = 0.6 / FINEST as f64;
 
-/// The greatest change of slope that a map can have at a texel, along both axes together.
+/// Greatest change of slope that a map can have at a texel, along both axes together.
 const MOST_CHANGE: f32 = 4.0;
 
-/// The changes of slope of a relief.
+/// Changes of slope of a relief.
 pub struct Creases {
-    /// As parts of [`MOST_CHANGE`].
+    /// Changes as parts of [`MOST_CHANGE`].
     changes: MaxPyramid,
-    /// As a height of the map.
+    /// Tolerance as a height of the map.
     tolerance: f64,
 }
 
 impl Creases {
-    /// Those of a relief, for a tolerance that is a height of its map.
+    /// Finds the creases of a relief. `tolerance` is a height of its map.
     pub fn new(relief: &Relief, tolerance: f64) -> Result<Self, MesherError> {
         let map = relief.map();
         let change = |i: u32, j: u32| {
@@ -47,8 +46,8 @@ impl Creases {
         Ok(Self { changes: MaxPyramid::new(&changes), tolerance })
     }
 
-    /// Whether sides and triangles can keep to the tolerance, which was that many metres where directions of
-    /// displacement are that long.
+    /// Returns an error if sides and triangles cannot keep to the tolerance. `longest` is the
+    /// length of directions at which it was converted to metres.
     pub fn check(&self, relief: &Relief, settings: &MeshSettings, longest: f64) -> Result<(), MesherError> {
         let greatest = f64::from(self.changes.highest() * MOST_CHANGE);
         let least = least_tolerance(relief, settings.judge).max(LEFT * greatest);
@@ -59,8 +58,8 @@ impl Creases {
         Ok(())
     }
 
-    /// Steps that a side needs, whose ends have those places in the map, `i` the centre of texel `i`: a power
-    /// of two.
+    /// Returns the number of steps that a side needs, a power of two. Its ends are places in the
+    /// map: the centre of texel `i` is at `i`.
     fn needed(&self, [from, to]: [[f64; 2]; 2]) -> u64 {
         let first = [0, 1].map(|axis| from[axis].min(to[axis]).floor() as i64);
         let last = [0, 1].map(|axis| from[axis].max(to[axis]).floor() as i64);
@@ -72,24 +71,25 @@ impl Creases {
         steps.checked_next_power_of_two().unwrap_or(u64::MAX)
     }
 
-    /// Steps of the lattice of a side.
+    /// Returns the number of steps of a side's lattice.
     pub fn steps(&self, ends: [[f64; 2]; 2]) -> u32 {
         self.needed(ends).min(MOST_STEPS.into()) as u32
     }
 
-    /// Whether a side is too long for its lattice, or to be filled at once.
+    /// Returns whether a side is too long for its lattice, or for one filling.
     pub fn is_long(&self, ends: [[f64; 2]; 2]) -> bool {
         let [from, to] = ends;
-        // A little longer by rounding is as good.
+        // A little longer by rounding is allowed.
         (to[0] - from[0]).hypot(to[1] - from[1]) > LONGEST * 1.001 || self.needed(ends) > MOST_STEPS.into()
     }
 
-    /// How many triangles one becomes at least, whose corners have those places.
+    /// Returns a lower bound on the number of triangles that a triangle is cut into, by the places
+    /// of its corners.
     pub fn fewest([a, b, c]: [[f64; 2]; 3]) -> u64 {
         let [ab, ac, bc] = [[a, b], [a, c], [b, c]].map(|[from, to]| [to[0] - from[0], to[1] - from[1]]);
         let area = 0.5 * (ab[0] * ac[1] - ab[1] * ac[0]).abs();
         let longest = [ab, ac, bc].map(|side| side[0].hypot(side[1])).into_iter().fold(0.0, f64::max);
-        // None has more area than half of the square over its longest side.
+        // No piece has more area than half of the square over its longest side.
         (area / (0.5 * LONGEST * LONGEST)).max(longest / LONGEST).max(1.0) as u64
     }
 }

@@ -1,4 +1,4 @@
-//! Patches beside what a camera sees are not made.
+//! Culling of patches outside of a view.
 
 use std::ops::Range;
 
@@ -12,21 +12,21 @@ use crate::surface::Relief;
 use crate::view::log2;
 use crate::{BaseSurface, MeshSettings, MesherError, cubic};
 
-/// Texels beside its own that a point may have its height from, by rounding.
+/// Rounding in texels of the place from which a point has its height.
 const BESIDE_TEXELS: f64 = 1e-3;
 
-/// Levels beside its own that a point may have its height from, by rounding.
+/// Rounding of the level from which a point has its height.
 const BESIDE_LEVELS: f64 = 1e-6;
 
-/// The heights of a relief: bounds of each level that may be seen.
+/// Bounds on the heights of a relief, for each level that may be used.
 pub struct Bounds<'a> {
     pub relief: &'a Relief,
     pub levels: Vec<HeightBounds>,
 }
 
 impl Triangles {
-    /// The same without the patches that lie outside, and without the points that none but these have.
-    /// Everything else is as it was: directions, levels, and who says where seams are.
+    /// Leaves out the patches outside of the view, and the points that belong to these alone.
+    /// Nothing else changes: directions, levels, and the leaders of seams.
     pub fn culled(
         mut self,
         relief: &Relief,
@@ -59,22 +59,24 @@ impl Triangles {
         Ok(self)
     }
 
-    /// Where all patches may lie, also those that were left out; none where nothing was to be left out.
+    /// Returns the bounds of all patches, including the ones left out. Returns `None` without
+    /// culling.
     pub fn everything(&self) -> Option<&Everything> {
         self.everything.as_ref()
     }
 
-    /// What a displaced patch is within.
+    /// Returns the bound of a displaced patch.
     ///
-    /// A point of a flat base that is displaced along interpolated directions by a height between two others
-    /// lies in the hull of the corners at these two heights. What differs makes it wider.
+    /// A point of a flat base that is displaced along interpolated directions, by a height between
+    /// two others, lies in the hull of the corners at these two heights. Smooth bases and other
+    /// directions make it wider.
     fn hull(&self, bounds: &Bounds, patch: u32) -> Hull {
         let corners = self.triangles[patch as usize];
         let sides = self.edges.sides(patch);
         let base = corners.map(|vertex| self.corners.base(vertex));
         let [mut low_m, mut high_m] = self.metres(bounds, patch);
         if self.base == BaseSurface::Lift {
-            // The sum of the products of weights, two by two, is at most a third.
+            // The products of weights, two by two, sum to at most a third.
             let lifts = sides.map(|side| self.lift(self.seen(side)) / 3.0);
             low_m += lifts.into_iter().fold(0.0, f64::min);
             high_m += lifts.into_iter().fold(0.0, f64::max);
@@ -82,7 +84,8 @@ impl Triangles {
         let farthest_m = low_m.abs().max(high_m.abs());
         let mut radius_m = 0.0;
         if self.base == BaseSurface::Pn {
-            // Control points of a cubic triangle are as far from those of the flat one as it is at most.
+            // A cubic triangle is no farther from the flat one than their control points are from
+            // each other.
             let flat = (base[0].position + base[1].position + base[2].position) / 3.0;
             let mut sum = DVec3::ZERO;
             for side in sides {
@@ -108,7 +111,8 @@ impl Triangles {
         Hull { points, radius_m }
     }
 
-    /// The least and the greatest displacement of a patch, in metres, in the levels that are seen of it.
+    /// Returns the least and the greatest displacement of a patch in the levels that it uses, in
+    /// metres.
     fn metres(&self, bounds: &Bounds, patch: u32) -> [f64; 2] {
         let corners = self.triangles[patch as usize];
         let ends = self.edges.sides(patch).map(|side| self.edges.ends(self.seen(side)));
@@ -117,8 +121,9 @@ impl Triangles {
         self.metres_of(bounds, patch, levels)
     }
 
-    /// The least and the greatest displacement of a patch in some levels, in metres: by the heights under it,
-    /// and where others at its seams say where points are, under these.
+    /// Returns the least and the greatest displacement of a patch in some levels, in metres. They
+    /// bound the heights under the patch and, at seams with another leader, the heights under the
+    /// leader.
     pub fn metres_of(&self, bounds: &Bounds, patch: u32, levels: Range<usize>) -> [f64; 2] {
         let corners = self.triangles[patch as usize];
         let ends = self.edges.sides(patch).map(|side| self.edges.ends(self.seen(side)));
@@ -145,12 +150,13 @@ impl Triangles {
         [a.min(b), a.max(b)]
     }
 
-    /// The levels that are seen between some vertices, of so many.
+    /// Returns the levels that are used between some vertices, out of `count` levels.
     fn levels<'a>(&self, vertices: impl Iterator<Item = &'a u32>, count: usize) -> Range<usize> {
         if self.footprints.is_empty() {
             return 0..1;
         }
-        // Texels and depth are weighted means of the vertices', and their product says which level.
+        // Texels and depth are weighted means of the vertices' values. Their product gives the
+        // level.
         let nothing = [f64::INFINITY, f64::NEG_INFINITY];
         let (mut texels, mut depths) = (nothing, nothing);
         let add = |[least, greatest]: &mut [f64; 2], of: f64| {

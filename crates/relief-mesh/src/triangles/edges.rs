@@ -1,4 +1,4 @@
-//! The edges of a base: which points each has, and who shares them.
+//! Edges of a base, with their points.
 
 use std::collections::HashMap;
 
@@ -9,45 +9,46 @@ use super::corners::Corners;
 use super::{Numbered, counted};
 use crate::{MesherError, point};
 
-/// An edge between two vertices. The side that another triangle with other vertices has there is another edge
-/// at the same *seam*.
+/// Edge between two vertices. If another triangle has other vertices at the same positions, its
+/// side is another edge at the same *seam*.
 #[derive(Clone, Copy, Debug)]
 struct Edge {
-    /// The vertices, that whose position comes first by its bits first.
+    /// Vertices, ordered by the bits of their positions.
     ends: [u32; 2],
     seam: u32,
-    /// The number of its first inner point.
+    /// Number of its first inner point.
     first: u32,
-    /// That of the first edge at the seam with the same normals at its ends.
+    /// Number of the first inner point of the first edge at the seam with the same normals at its
+    /// ends.
     smooth: u32,
-    /// What the smooth base has for the edge, in metres: see [`Mesh::lifts`].
+    /// Lift of the smooth base along the edge, in metres: see [`Mesh::lifts`].
     lift: f32,
 }
 
 /// All edges between two positions.
 #[derive(Clone, Copy, Debug)]
 struct Seam {
-    /// In how many parts they are divided.
+    /// Number of parts of each edge.
     parts: u32,
     /// The first edge.
     first: u32,
-    /// The steps along them, of which some are points; 0 where parts are equal.
+    /// Steps along the edges, some of them points; 0 where parts are equal.
     size: u32,
-    /// The place of the first point's step in the list of all.
+    /// Index of the first point's step in [`Edges::steps`].
     first_step: u32,
 }
 
-/// How the edges of a seam are divided.
+/// Division of the edges of a seam.
 #[derive(Clone, Debug)]
 pub enum Division {
     /// In equal parts.
     Even(u64),
-    /// At some of so many equal steps, rising, between the ends.
+    /// At some of `size` equal steps, rising, between the ends.
     Steps { size: u32, steps: Vec<u16> },
 }
 
 impl Division {
-    /// Nowhere.
+    /// No points.
     pub const WHOLE: Self = Self::Even(1);
 }
 
@@ -55,30 +56,31 @@ impl Division {
 pub struct Edges {
     edges: Vec<Edge>,
     seams: Vec<Seam>,
-    /// The points of seams that are not divided evenly.
+    /// Steps of the points of seams that are not divided evenly.
     steps: Vec<u16>,
     sides: Vec<[u32; 3]>,
-    /// Which edges have points of their own; empty where all have.
+    /// Which edges have points of their own; empty if all have.
     is_used: Vec<bool>,
-    /// Whether all edges at a seam have the points of the first.
+    /// Whether all edges at a seam use the points of the first.
     is_shared: bool,
-    /// The number after the last inner point.
+    /// Number after the last inner point.
     end: u64,
 }
 
-/// One side of a triangle.
+/// Side of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Side {
-    /// The positions of its ends.
+    /// Positions of its ends.
     pub points: [u32; 2],
-    /// The vertices there, that whose position comes first by its bits first.
+    /// Vertices there, ordered by the bits of their positions.
     pub ends: [u32; 2],
     /// `3 * triangle + side`.
     pub number: u32,
 }
 
 impl Edges {
-    /// The edges of a mesh. `divide` says how a seam is, by the ends of its edges, as each is ordered.
+    /// Finds the edges of a mesh. `divide` returns the division of a seam, given the ordered ends
+    /// of its edges.
     pub fn new(
         mesh: &Mesh,
         point_of: &[u32],
@@ -165,8 +167,8 @@ impl Edges {
         Ok(())
     }
 
-    /// Leaves out all triangles but some, and the points of edges that none of these has. How seams are
-    /// divided stays.
+    /// Leaves out all triangles but some, and the points of edges that none of these has. The
+    /// division of seams does not change.
     pub fn keep(&mut self, triangles: &[u32], corners: &Corners) -> Result<(), MesherError> {
         self.sides = triangles.iter().map(|&triangle| self.sides(triangle)).collect();
         self.is_used = vec![false; self.edges.len()];
@@ -180,13 +182,13 @@ impl Edges {
         self.edges.len() as u32
     }
 
-    /// The inner points of an edge.
+    /// Returns the number of inner points of an edge.
     pub fn points(&self, edge: u32) -> u32 {
         let is_used = self.is_used.get(edge as usize).is_none_or(|is_used| *is_used);
         if is_used && !self.shares(edge) { self.parts(edge) - 1 } else { 0 }
     }
 
-    /// Whether an edge has the points of another one at the seam.
+    /// Returns whether an edge uses the points of another one at the seam.
     fn shares(&self, edge: u32) -> bool {
         self.is_shared && self.first_at_seam(edge) != edge
     }
@@ -195,7 +197,7 @@ impl Edges {
         self.end
     }
 
-    /// The edges at the sides of a triangle.
+    /// Returns the edges at the sides of a triangle.
     pub fn sides(&self, triangle: u32) -> [u32; 3] {
         self.sides[triangle as usize]
     }
@@ -204,13 +206,13 @@ impl Edges {
         self.seams[self.edges[edge as usize].seam as usize].parts
     }
 
-    /// How many steps lie before an inner point of an edge, and of how many along it.
+    /// Returns the number of steps before an inner point of an edge, and the number of all steps.
     pub fn place(&self, edge: u32, at: u32) -> [u32; 2] {
         let Seam { parts, size, first_step, .. } = self.seams[self.edges[edge as usize].seam as usize];
         if size == 0 { [at, parts] } else { [self.steps[(first_step + at) as usize - 1].into(), size] }
     }
 
-    /// The steps along an edge, of which some are points.
+    /// Returns the number of steps along an edge, some of which are points.
     pub fn size(&self, edge: u32) -> u32 {
         let Seam { parts, size, .. } = self.seams[self.edges[edge as usize].seam as usize];
         if size == 0 { parts } else { size }
@@ -224,19 +226,19 @@ impl Edges {
         f64::from(self.edges[edge as usize].lift)
     }
 
-    /// The first edge between the same positions.
+    /// Returns the first edge between the same positions.
     pub fn first_at_seam(&self, edge: u32) -> u32 {
         self.seams[self.edges[edge as usize].seam as usize].first
     }
 
-    /// The inner point of an edge that so many parts lie before.
+    /// Returns the numbers of the inner point of an edge with `at` parts before it.
     pub fn numbered(&self, edge: u32, at: u32) -> Numbered {
         let Edge { first, smooth, .. } = self.edges[edge as usize];
         Numbered { number: first + at - 1, smooth: smooth + at - 1 }
     }
 }
 
-/// All sides of all triangles, those between the same positions together.
+/// Returns all sides of all triangles, grouped by their positions.
 pub fn sorted_sides(mesh: &Mesh, point_of: &[u32]) -> Vec<Side> {
     let mut all = Vec::with_capacity(3 * mesh.triangles().len());
     for (triangle, corners) in mesh.triangles().iter().enumerate() {

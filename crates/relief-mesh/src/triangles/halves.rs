@@ -1,4 +1,4 @@
-//! Base triangles are halved along the sides that are too long, until none is: see `Creases` and `near`.
+//! Halving of base triangles along sides that are too long: see `Creases` and `near`.
 
 use std::collections::{HashMap, HashSet};
 
@@ -10,15 +10,15 @@ use crate::error::MOST;
 use crate::surface::Relief;
 use crate::{Mesher, MesherError, point};
 
-/// Triangles that are cut before it is looked whether that is still wanted.
+/// Number of triangles that are cut between two checks for cancellation.
 const BETWEEN_LOOKS: usize = 1 << 16;
 
-/// How many triangles there may be, and who can end the work.
+/// Limits of triangles and memory, and the source of cancellation.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits<'a> {
-    /// The most triangles.
+    /// Greatest number of triangles.
     pub most: u64,
-    /// The most memory, in bytes.
+    /// Greatest memory in bytes.
     pub max_bytes: u64,
     pub watch: Watch<'a>,
 }
@@ -44,45 +44,47 @@ impl Limits<'_> {
 /// Two positions of a mesh.
 type Ends = [u32; 2];
 
-/// The barycentric weights of the corners of a part in the whole triangle: powers of a half and sums of them,
-/// and so exact.
+/// Barycentric weights of a part's corners in the whole triangle: sums of powers of a half, and so
+/// exact.
 pub type PartWeights = [[f64; 3]; 3];
 
-/// A mesh whose sides are halved.
+/// Mesh with halved sides.
 #[derive(Debug)]
 pub struct Halved {
     pub mesh: Mesh,
-    /// For each vertex after those of the whole mesh the two that it lies between.
+    /// The two vertices between which each vertex lies, beginning with the first vertex that was
+    /// added.
     pub parents: Vec<[u32; 2]>,
-    /// The triangle of the whole mesh that each triangle is a part of. They rise.
+    /// Triangle of the whole mesh to which each triangle belongs, in rising order.
     pub whole: Vec<u32>,
-    /// Which part of that it is.
+    /// Weights of each triangle's corners in that whole triangle.
     pub weights: Vec<PartWeights>,
 }
 
-/// A mesh while it is halved.
+/// Mesh while it is halved.
 pub struct Halves<'a> {
     relief: &'a Relief,
     vertices: Vec<Vertex>,
-    /// The position that each vertex is at, and how many there are.
+    /// Position of each vertex, and the number of positions.
     points: Vec<u32>,
     count: u32,
     parents: Vec<[u32; 2]>,
-    /// The vertex between two of a triangle, and the position between two.
+    /// Vertex between two vertices of a triangle, and position between two positions.
     middles: HashMap<[u32; 2], u32>,
     middle_points: HashMap<[u32; 2], u32>,
 }
 
-/// Refuses a mesh with more sides that are too long for their lattice than can be halved.
+/// Returns an error if a mesh has more long sides than can be halved.
 pub fn check(mesh: &Mesh, relief: &Relief, limits: &Limits) -> Result<(), MesherError> {
-    // Before memory is taken for them.
+    // Before memory is taken for the halves.
     let place = |vertex: u32| relief.place(mesh.vertices()[vertex as usize].uv.as_dvec2());
     let fewest = mesh.triangles().iter().map(|corners| Creases::fewest(corners.map(place)));
     limits.check(fewest.fold(0, u64::saturating_add))
 }
 
-/// The mesh with no side that is too long, as `long` says of some triangles by the positions at its ends;
-/// none where it has no such side. A side is halved in all triangles that have it.
+/// Halves the sides of a mesh until none is too long. `long` returns the long sides of some
+/// triangles, by the positions at their ends. Returns `None` if there is no such side. A side is
+/// halved in all triangles that have it.
 pub fn halved(
     mesh: &Mesh,
     relief: &Relief,
@@ -132,18 +134,18 @@ pub fn halved(
     Ok(Some(Halved { mesh: Mesh::new(vertices, triangles)?, parents, whole, weights }))
 }
 
-/// Two numbers, the lower one first.
+/// Returns two numbers, the lower one first.
 pub fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 
 impl Halves<'_> {
-    /// Where a vertex is in the map.
+    /// Returns the place of a vertex in the map.
     fn place(&self, vertex: u32) -> [f64; 2] {
         self.relief.place(self.vertices[vertex as usize].uv.as_dvec2())
     }
 
-    /// The square of the length of a side, in texels.
+    /// Returns the squared length of a side, in texels.
     fn square(&self, ends: [u32; 2]) -> f64 {
         let [a, b] = ends.map(|end| self.place(end));
         (b[0] - a[0]).powi(2) + (b[1] - a[1]).powi(2)
@@ -153,15 +155,15 @@ impl Halves<'_> {
         sorted(ends.map(|end| self.points[end as usize]))
     }
 
-    /// The sides of triangles that are too long, by their positions.
+    /// Returns the sides of triangles that are too long, by their positions.
     pub fn sides(&self, triangles: &[[u32; 3]], is_long: impl Fn([u32; 2]) -> bool) -> HashSet<Ends> {
         let all = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
         let long = all.filter(|ends| is_long(*ends)).map(|ends| self.points_of(ends));
-        // One without a length has no middle.
+        // A side without a length has no middle.
         long.filter(|[a, b]| a != b).collect()
     }
 
-    /// The sides that are too long for their lattice.
+    /// Returns the sides that are too long for their lattice.
     pub fn beyond(&self, creases: &Creases, triangles: &[[u32; 3]]) -> HashSet<Ends> {
         self.sides(triangles, |ends| creases.is_long(ends.map(|end| self.place(end))))
     }
@@ -170,7 +172,7 @@ impl Halves<'_> {
         &self.vertices[vertex as usize]
     }
 
-    /// The vertex between two.
+    /// Returns the vertex between two vertices.
     fn middle(&mut self, ends: [u32; 2]) -> u32 {
         let (ends, points) = (sorted(ends), self.points_of(ends));
         if let Some(middle) = self.middles.get(&ends) {
@@ -194,19 +196,20 @@ impl Halves<'_> {
         number
     }
 
-    /// Which sides of a triangle are long.
+    /// Returns which sides of a triangle are long.
     fn are_long(&self, [a, b, c]: [u32; 3], long: &HashSet<Ends>) -> [bool; 3] {
         [[a, b], [b, c], [c, a]].map(|ends| long.contains(&self.points_of(ends)))
     }
 
-    /// The weights of the corners of a part that was cut out of a triangle, whose own are known.
+    /// Returns the weights of the corners of a part that was cut out of a triangle with these
+    /// weights.
     fn weights(&self, corners: [u32; 3], weights: PartWeights, part: [u32; 3]) -> PartWeights {
         part.map(|vertex| {
             let corner = |vertex: u32| corners.iter().position(|&corner| corner == vertex);
             if let Some(corner) = corner(vertex) {
                 return weights[corner];
             }
-            // It lies in the middle of a side.
+            // The vertex is the middle of a side.
             let middle = (0..3).find(|&k| {
                 let ends = sorted([corners[k], corners[(k + 1) % 3]]);
                 self.middles.get(&ends) == Some(&vertex)
@@ -221,7 +224,7 @@ impl Halves<'_> {
     /// Cuts a triangle at the middles of its long sides.
     fn cut(&mut self, [a, b, c]: [u32; 3], long: &HashSet<Ends>, into: &mut Vec<[u32; 3]>) {
         let is_long = self.are_long([a, b, c], long);
-        // Turned so that the sides that stay come last.
+        // Turned so that the sides that are not cut come last.
         let turned = match is_long {
             [false, false, false] => return into.push([a, b, c]),
             [true, false, false] | [true, true, _] => [a, b, c],

@@ -1,4 +1,4 @@
-//! The points inside of a patch.
+//! Points inside a patch.
 
 use glam::{DVec2, DVec3, Vec3};
 use relief_core::mesh::{BasePoint, Vertex};
@@ -10,23 +10,23 @@ use crate::patch::PatchPoint;
 use crate::surface::{Frame, Placed, Relief};
 use crate::{direction, point};
 
-/// A patch as its inner points are made of it: what belongs to its corners and sides, looked up once for all
-/// of them.
+/// Patch with the values at its corners and sides, looked up once for all of its inner points.
 #[derive(Debug)]
 pub struct Inside {
     bases: [BasePoint; 3],
-    /// Whether directions between the corners are found by angles.
+    /// Whether directions between the corners are interpolated by angles.
     is_by_angle: bool,
     frames: [Frame; 3],
-    /// By how much all points are displaced farther.
+    /// Extra displacement of all points in metres.
     raise_m: f64,
-    /// What the corners count in the picture, where sides go by that.
+    /// Shares of the corners in the picture, if sides are divided by voxels.
     shares: Option<[f64; 3]>,
-    /// How a smooth base leaves the triangle, and which part of it this is; none where it is all of it.
+    /// Shape of a smooth base over the whole triangle, and the weights of this patch in it. Without
+    /// weights the patch is the whole triangle.
     shape: Shape,
     part: Option<PartWeights>,
-    /// The corners' depths in the picture, and texels of the map in a voxel where the depth is 1; none where
-    /// no coarser level is seen.
+    /// Depths of the corners in the picture, and texels of the map in a voxel where the depth is 1.
+    /// `None` if there are no coarser levels.
     footprints: Option<[[f64; 3]; 2]>,
 }
 
@@ -52,7 +52,8 @@ impl Inside {
         }
     }
 
-    /// The weights of all corners, by those of the second and the third one in the picture.
+    /// Returns the weights of all corners, from the weights of the second and the third one in the
+    /// picture.
     #[inline(always)]
     fn weights(&self, [b, c]: [f64; 2]) -> [f64; 3] {
         let weights = [1.0 - b - c, b, c];
@@ -84,12 +85,12 @@ impl Inside {
         Placed { base, lift_m: lift_m + self.raise_m, level }
     }
 
-    /// The direction of displacement at a point, of any length.
+    /// Returns the direction of displacement at a point, of any length.
     pub fn direction(&self, weights: [f64; 2]) -> DVec3 {
         self.base(self.weights(weights)).normal
     }
 
-    /// The point of the flat triangle, with the direction of displacement there.
+    /// Returns the point of the flat triangle, with the direction of displacement there.
     #[inline(always)]
     fn base(&self, weights: [f64; 3]) -> BasePoint {
         let base = BasePoint::weighted(self.bases, weights);
@@ -99,7 +100,8 @@ impl Inside {
         BasePoint { normal: direction::mean(self.bases.map(|corner| corner.normal), weights), ..base }
     }
 
-    /// The texture coordinates of a point of the patch that this is, as its own corners have them.
+    /// Returns the texture coordinates of a point of the patch, interpolated from the patch's own
+    /// corners.
     pub fn uv(&self, base: &Triangles, patch: u32, point: &PatchPoint) -> DVec2 {
         let weights = match *point {
             PatchPoint::Inner { weights, .. } => self.weights(weights),
@@ -114,14 +116,14 @@ impl Inside {
         BasePoint::weighted(self.bases, weights).uv
     }
 
-    /// The position of a point.
+    /// Returns the position of a point.
     #[inline(always)]
     pub fn position(&self, relief: &Relief, weights: [f64; 2]) -> Vec3 {
         let placed = self.placed(self.weights(weights));
         point::stored(relief.displaced(&placed))
     }
 
-    /// The vertex at a point.
+    /// Returns the vertex at a point.
     #[inline(always)]
     pub fn vertex(&self, relief: &Relief, weights: [f64; 2]) -> Vertex {
         let weights = self.weights(weights);
@@ -130,7 +132,7 @@ impl Inside {
         relief.vertex_of(&placed.base, seen, &Frame::weighted(&self.frames, weights))
     }
 
-    /// The vertex at a point that lies at a height of the map.
+    /// Returns the vertex at a point that lies at a height of the map.
     #[inline(always)]
     pub fn vertex_at(&self, relief: &Relief, weights: [f64; 2], height: f64) -> Vertex {
         let weights = self.weights(weights);

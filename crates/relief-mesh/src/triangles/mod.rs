@@ -1,4 +1,4 @@
-//! Bases of triangles: which sides meet, and the points of patches.
+//! Bases of triangles: shared sides, and the points of patches.
 
 mod adapted;
 mod along_edge;
@@ -43,49 +43,49 @@ use crate::surface::{Placed, Relief};
 use crate::view::{Voxel, log2};
 use crate::{BaseSurface, MeshSettings, MesherError, Seams, Side, Weights, cubic, point};
 
-/// A base of triangles, with the points of its sides counted.
+/// Base of triangles, with the points of its sides counted.
 #[derive(Debug)]
 pub struct Triangles {
     corners: Corners,
     edges: Edges,
     triangles: Vec<[u32; 3]>,
-    /// Where the vertices are in grid space; empty where the sides do not go by it.
+    /// Vertices in grid space; empty if sides are not divided by voxels.
     voxels: Vec<Voxel>,
-    /// Texels of the map that a voxel is wide around each vertex where its depth is 1; empty where no coarser
-    /// level is seen.
+    /// Texels of the map in the width of a voxel around each vertex, at depth 1; empty if there are
+    /// no coarser levels.
     footprints: Vec<f64>,
     base: BaseSurface,
-    /// Of what its triangles are parts, where a smooth base was halved.
+    /// Whole triangles, where a smooth base was halved.
     parts: Option<Parts>,
-    /// What keeps triangles on one side of the relief.
+    /// Factors that keep triangles on one side of the relief.
     one_side: Option<OneSide>,
     is_welded: bool,
     can_fold: bool,
-    /// The triangle of the whole mesh that each is a part of; empty where they are these.
+    /// Triangle of the whole mesh to which each triangle belongs; empty if none is halved.
     whole: Vec<u32>,
-    /// Its border, where it is to be made solid.
+    /// Border, if a solid is to be made.
     border: Option<Border>,
-    /// Where all patches may lie, also those that were left out.
+    /// Bounds of all patches, including the ones left out.
     everything: Option<Everything>,
 }
 
-/// A vertex of the mesh that is made: its number, and which vertices have the same normal.
+/// Numbers of a vertex of the mesh: its own, and the number that shares its normal.
 #[derive(Clone, Copy, Debug)]
 pub struct Numbered {
     pub number: u32,
-    /// The number of the first vertex at the same position of the same surface.
+    /// Number of the first vertex at the same position of the same surface.
     pub smooth: u32,
 }
 
 impl Numbered {
-    /// One that has its normal for itself.
+    /// Creates the numbers of a vertex whose normal is not shared.
     pub fn both(number: u32) -> Self {
         Self { number, smooth: number }
     }
 }
 
 impl Triangles {
-    /// The base with at most so many triangles of its own, if large ones are cut.
+    /// Creates the base. Where large triangles are cut, it has at most `most` triangles.
     pub fn new(
         mesh: &Mesh,
         relief: &Relief,
@@ -174,7 +174,7 @@ impl Triangles {
                     let Some(creases) = &creases else { return Ok(Division::WHOLE) };
                     let edge = |ends: &[u32; 2]| {
                         let [a, b] = ends.map(|end| reaches[end as usize]);
-                        // A welded mesh is where the first edge at a seam is.
+                        // The first edge at a seam defines the points of a welded mesh.
                         let seen = if is_welded { all[0] } else { *ends };
                         let (shape, part) = match &parts {
                             Some(parts) => parts.of_side(seen),
@@ -190,7 +190,7 @@ impl Triangles {
                             shape,
                             part,
                             factor: one_side.as_ref().map_or(1.0, |side| side.of_side(points)),
-                            // All are as far from the relief on one side.
+                            // On one side all triangles have the same distance from the relief.
                             reach: if is_sided { corners.longest() } else { a.min(b) },
                         }
                     };
@@ -221,48 +221,49 @@ impl Triangles {
         })
     }
 
-    /// What a vertex counts along the sides that it is an end of.
+    /// Returns the share of a vertex along the sides that end at it.
     fn share(&self, vertex: u32) -> f64 {
         self.voxels.get(vertex as usize).map_or(1.0, |voxel| voxel.share)
     }
 
-    /// How many patches there are.
+    /// Returns the number of patches.
     pub fn count(&self) -> u32 {
         self.triangles.len() as u32
     }
 
-    /// A patch as interiors see it.
+    /// Returns a patch as the input of an interior.
     pub fn patch(&self, patch: u32) -> Patch<'static> {
         let parts = self.edges.sides(patch).map(|edge| self.edges.parts(edge));
         let voxel = |vertex: u32| self.voxels.get(vertex as usize).map_or([0; 3], |voxel| voxel.at);
         Patch::Triangle { parts, voxels: self.triangles[patch as usize].map(voxel) }
     }
 
-    /// Vertices at corners of the base.
+    /// Returns the number of vertices at corners of the base.
     pub fn corner_count(&self) -> u32 {
         self.corners.used.len() as u32
     }
 
-    /// Edges of the base; an edge is there once for every pair of vertices at its ends.
+    /// Returns the number of edges of the base, one for every pair of vertices at their ends.
     pub fn edge_count(&self) -> u32 {
         self.edges.count()
     }
 
-    /// Vertices between the ends of an edge.
+    /// Returns the number of vertices between the ends of an edge.
     pub fn points_of_edge(&self, edge: u32) -> u32 {
         self.edges.points(edge)
     }
 
-    /// Vertices at corners and along edges.
+    /// Returns the number of vertices at corners and along edges.
     pub fn border_count(&self) -> u64 {
         self.edges.end()
     }
 
-    /// The level of the map that is seen at a point of an edge or a triangle, by the weights of its corners:
-    /// that whose texels are as wide as the voxel there.
+    /// Returns the level of the map at a point of an edge or a triangle, by the weights of its
+    /// corners. Its texels are as wide as the voxel there.
     ///
-    /// Gumhold and Hüttner 1999 take it from how far apart points are (section 4.1), along an edge two of
-    /// them. Two edges that meet would not agree in their corner; the size of a voxel is the same for both.
+    /// Gumhold and Hüttner 1999 take the level from the distance of points (section 4.1), along an
+    /// edge of two points. Two edges that meet would not agree in their corner. The size of a voxel
+    /// is the same for both.
     fn level<const N: usize>(&self, corners: [u32; N], weights: [f64; N]) -> f64 {
         if self.footprints.is_empty() {
             return 0.0;
@@ -271,7 +272,7 @@ impl Triangles {
         level(depths, corners.map(|vertex| self.footprints[vertex as usize]), weights)
     }
 
-    /// A corner as the displacement sees it: in a welded mesh all sides see the same.
+    /// Returns a corner as its leader defines it: in a welded mesh all sides have the same leader.
     fn at_corner(&self, vertex: u32) -> Placed {
         let seen = self.corners.seen(vertex);
         let level = self.level([seen], [1.0]);
@@ -284,7 +285,8 @@ impl Triangles {
         Placed { level, lift_m, ..Placed::new(base) }
     }
 
-    /// How a smooth base leaves a patch, and which part of that the patch is; none where it is all of it.
+    /// Returns the shape of a smooth base over a patch, and the weights of the patch in it. Without
+    /// weights the patch is the whole triangle.
     fn shape(&self, patch: u32) -> (Shape, Option<PartWeights>) {
         if let Some(parts) = &self.parts {
             let (shape, weights) = parts.of_patch(patch);
@@ -306,22 +308,22 @@ impl Triangles {
         (shape, None)
     }
 
-    /// By how much all points are displaced farther, in metres.
+    /// Returns the extra displacement of all points in metres.
     fn raise_m(&self) -> f64 {
         self.one_side.as_ref().map_or(0.0, |side| side.raise_m)
     }
 
-    /// A point along an edge as the displacement sees it: in a welded mesh all sides see the same.
+    /// Returns a point along an edge as the edge's leader defines it.
     fn on_edge(&self, edge: u32, at: u32) -> Placed {
         AlongEdge::new(self, edge).placed(self.edges.place(edge, at))
     }
 
-    /// The edge between the same positions that says where the points of an edge are.
+    /// Returns the leader of an edge: the edge between the same positions that defines its points.
     fn seen(&self, edge: u32) -> u32 {
         if self.is_welded { self.edges.first_at_seam(edge) } else { edge }
     }
 
-    /// The inner control points of an edge that is a cubic, as its ends are ordered.
+    /// Returns the inner control points of a cubic edge, in the order of its ends.
     fn bent(&self, edge: u32) -> [DVec3; 2] {
         cubic::bent(self.edges.ends(self.seen(edge)).map(|end| self.corners.base(end)))
     }
@@ -330,7 +332,7 @@ impl Triangles {
         if self.base == BaseSurface::Lift { self.edges.lift(edge) } else { 0.0 }
     }
 
-    /// The vertex at a corner of the base, by its number among these.
+    /// Returns the vertex at a corner of the base, by the corner's number.
     pub fn corner_vertex(&self, relief: &Relief, number: u32) -> Vertex {
         let vertex = self.corners.used[number as usize];
         let seen = self.at_corner(vertex);
@@ -338,26 +340,27 @@ impl Triangles {
         relief.vertex_at(relief.displaced(&seen), &own, &self.corners.frame(vertex))
     }
 
-    /// How a corner of the base is numbered, by its number among these.
+    /// Returns the numbers of a corner of the base, by the corner's number.
     pub fn corner_numbered(&self, number: u32) -> Numbered {
         self.corners.numbered(self.corners.used[number as usize])
     }
 
-    /// The edge that a side of a patch is, and whether both run the same way.
+    /// Returns the edge at a side of a patch, and whether both run the same way.
     fn side(&self, patch: u32, side: u32) -> (u32, bool) {
         let edge = self.edges.sides(patch)[side as usize];
         let from = self.triangles[patch as usize][side as usize];
         (edge, self.edges.ends(edge)[0] == from)
     }
 
-    /// The edge that a side of a patch is, and where on it a point of the side lies: edges are counted from
-    /// the end that comes first by its bits, and not as the patch runs.
+    /// Returns the edge at a side of a patch, and the place on it of a point of the side. Edges are
+    /// counted from the end that comes first by its bits, and not as the patch runs.
     fn on_side(&self, patch: u32, side: u32, at: u32) -> (u32, u32) {
         let (edge, is_forth) = self.side(patch, side);
         (edge, if is_forth { at } else { self.edges.parts(edge) - at })
     }
 
-    /// The weights of the two ends of a side of a patch, as it runs, at one of its points.
+    /// Returns the weights of the two ends of a patch's side at one of its points, as the patch
+    /// runs.
     fn parts_before(&self, patch: u32, side: u32, at: u32) -> [f64; 2] {
         if at == 0 {
             return [1.0, 0.0];
@@ -371,17 +374,17 @@ impl Triangles {
         if is_forth { [of_a / sum, of_b / sum] } else { [of_b / sum, of_a / sum] }
     }
 
-    /// Whether its points move along different directions.
+    /// Returns whether points move along different directions.
     pub fn can_fold(&self) -> bool {
         self.can_fold
     }
 
-    /// The directions of displacement at the corners of a patch, of any length.
+    /// Returns the directions of displacement at the corners of a patch, of any length.
     pub fn directions(&self, patch: u32) -> [DVec3; 3] {
         self.triangles[patch as usize].map(|vertex| self.at_corner(vertex).base.normal)
     }
 
-    /// The direction of displacement at a point of a patch, of any length.
+    /// Returns the direction of displacement at a point of a patch, of any length.
     pub fn direction(&self, patch: u32, point: &PatchPoint) -> DVec3 {
         match *point {
             PatchPoint::Border { side, at: 0 } => self.directions(patch)[side as usize],
@@ -393,19 +396,19 @@ impl Triangles {
         }
     }
 
-    /// The number of the mesh's triangle that a patch is, or a part of.
+    /// Returns the number of the mesh's triangle that contains a patch.
     pub fn whole(&self, patch: u32) -> u32 {
         self.whole.get(patch as usize).copied().unwrap_or(patch)
     }
 
-    /// The middle of a patch.
+    /// Returns the middle of a patch.
     pub fn middle(&self, patch: u32) -> DVec3 {
         let [a, b, c] = self.triangles[patch as usize].map(|vertex| self.corners.base(vertex).position);
         (a + b + c) / 3.0
     }
 }
 
-/// How a smooth base goes along an edge of a mesh that is not halved.
+/// Returns the shape of a smooth base along an edge of a mesh that is not halved.
 fn along_whole(corners: &Corners, ends: [u32; 2], base: BaseSurface) -> Shape {
     let [a, b] = ends.map(|end| corners.vertex(end));
     let [along, turn] = [a.position - b.position, a.normal - b.normal].map(|of| of.as_dvec3());
@@ -413,8 +416,8 @@ fn along_whole(corners: &Corners, ends: [u32; 2], base: BaseSurface) -> Shape {
     Shape::along(&edge, base)
 }
 
-/// The level whose texels are as wide as a voxel, where corners lie at those depths in the picture and have
-/// so many texels in a voxel where the depth is 1.
+/// Returns the level whose texels are as wide as a voxel. `depths` are the depths of the corners in
+/// the picture, `texels` the texels in a voxel where the depth is 1.
 fn level<const N: usize>(depths: [f64; N], texels: [f64; N], weights: [f64; N]) -> f64 {
     let (mut depth, mut sum) = (0.0, 0.0);
     for k in 0..N {
@@ -424,7 +427,7 @@ fn level<const N: usize>(depths: [f64; N], texels: [f64; N], weights: [f64; N]) 
     log2((sum * depth).max(1.0))
 }
 
-/// The length of the longest direction of displacement of the triangles around each vertex.
+/// Returns the length of the longest direction of displacement of the triangles around each vertex.
 fn reaches(mesh: &Mesh, corners: &Corners) -> Vec<f64> {
     let mut reaches = vec![0.0_f64; mesh.vertices().len()];
     for triangle in mesh.triangles() {
@@ -437,15 +440,15 @@ fn reaches(mesh: &Mesh, corners: &Corners) -> Vec<f64> {
     reaches
 }
 
-/// Texels of a map of so many columns and rows in a metre around a vertex, along `u` or `v`, whichever has
-/// more. None where the texture has no extent.
+/// Returns the texels of a map in a metre around a vertex, along `u` or `v`, whichever has more.
+/// `sides` are the map's columns and rows. Returns 0 where the texture has no extent.
 fn texels_per_metre(vertex: &Vertex, sides: [f64; 2]) -> f64 {
     let along = [vertex.tangent, vertex.bitangent].map(|tangent| tangent.as_dvec3().length());
     let texels = [0, 1].map(|axis| sides[axis] / along[axis]).into_iter().filter(|texels| texels.is_finite());
     texels.fold(0.0, f64::max)
 }
 
-/// A number of points as the mesh counts them, if that many are possible.
+/// Returns a number of points as `u32`, or an error if there are too many.
 fn counted(points: u64) -> Result<u32, MesherError> {
     match u32::try_from(points) {
         Ok(points) if u64::from(points) <= MOST => Ok(points),
@@ -453,7 +456,8 @@ fn counted(points: u64) -> Result<u32, MesherError> {
     }
 }
 
-/// What vertices of one smooth surface have in common at a position: see [`Numbered::smooth`].
+/// Returns the bits that vertices of one smooth surface share at a position: see
+/// [`Numbered::smooth`].
 fn surface_bits(vertex: &Vertex) -> [[u32; 3]; 2] {
     [vertex.position, vertex.normal].map(point::bits)
 }

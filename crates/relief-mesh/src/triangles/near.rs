@@ -1,8 +1,8 @@
-//! Base triangles that reach behind the eye are cut where what is behind it can be left out.
+//! Halving of base triangles that reach behind the eye, so that parts behind it can be left out.
 //!
-//! Grid space ends near the eye, and whatever lies behind is divided as if it were there: as finely as
-//! nothing else. Triangles that are clipped at a plane have corners that depend on the plane, and points of
-//! other bits on either side of an edge; halves of a side depend on its ends alone.
+//! Grid space ends near the eye. All parts behind are divided as if they were there, more finely
+//! than anything else. Clipping at a plane would make corners that depend on the plane, and points
+//! with other bits on either side of an edge. Halves of a side depend on its ends alone.
 
 use relief_core::mesh::Mesh;
 
@@ -11,15 +11,15 @@ use crate::cull::{Hull, Outside, Sight};
 use crate::surface::Relief;
 use crate::{BaseSurface, MeshSettings, MesherError};
 
-/// Parts of a side that are not too many.
+/// Greatest number of parts of a side that is not halved.
 const PARTS: u64 = 64;
 
-/// Triangles that are not too many: with more nothing is halved any further.
+/// Number of triangles beyond which nothing is halved any further.
 const TRIANGLES: usize = 1 << 20;
 
-/// The mesh whose triangles that reach nearer to the eye than grid space, and may be seen, have no sides of
-/// many parts; none where there is nothing to be halved. A base that is bent is not halved: its halves bend
-/// in other ways.
+/// Halves the triangles that reach nearer to the eye than grid space, and may be seen, until their
+/// sides have few parts. Returns `None` if there is nothing to halve. A bent base is not halved, as
+/// its halves bend in other ways.
 pub fn halved(
     mesh: &Mesh,
     relief: &Relief,

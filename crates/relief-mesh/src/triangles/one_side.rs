@@ -1,19 +1,21 @@
-//! What keeps triangles on one side of the relief where directions of displacement turn.
+//! Factors that keep triangles on one side of the relief where directions of displacement turn.
 //!
-//! A point of a piece is `P(w) + d N(w) + ρ`: over the base point `w`, displaced by `d`, which is
-//! interpolated between the piece's corners, and beside that by no more than the piece is bent by (see
-//! `Turning`). To which base point it belongs, and by how much that is displaced, follows it from `ρ = 0`
-//! on: where it goes by `dx` the base point moves by `J⁻¹ dx` and the displacement changes by as much, with
-//! `J = (E₁ + d N₁, E₂ + d N₂, N)` by the sides `E` of the base triangle and the differences `N₁`, `N₂` of
-//! the directions at its corners. So the piece stays above the relief if it is raised by what the relief is
-//! above it over the same base points, and by `|ρ|` times the greatest of
+//! A point of a piece is `P(w) + d N(w) + ρ`. It lies over the base point `w`, displaced by `d`,
+//! which is interpolated between the piece's corners. Beside that it is off by `ρ`, at most the
+//! bend of the piece (see `Turning`). The base point to which it really belongs, and the
+//! displacement there, follow from `ρ = 0` on: where the point moves by `dx`, `J⁻¹ dx` gives the
+//! moves of the base point and of the displacement, with `J = (E₁ + d N₁, E₂ + d N₂, N)`. `E` are
+//! the sides of the base triangle, `N₁` and `N₂` the differences of the directions at its corners.
+//! So the piece stays above the relief if it is raised by two amounts. The first is the height of
+//! the relief above it over the same base points. The second is `|ρ|` times the greatest value of
 //!
 //! ```text
 //! (|J₁ × J₂| + G₁ |J₂ × N| + G₂ |J₁ × N|) / det J
 //! ```
 //!
-//! with the greatest slopes `G` of the relief along both sides: in its own triangle and, since it may lead
-//! out of that, in those around. What a lift has above flat triangles is a part of the relief.
+//! Here `G` are the greatest slopes of the relief along both sides: in the triangle itself and,
+//! since the way may lead out of it, in the triangles around it. The lift above flat triangles is a
+//! part of the relief.
 
 use std::collections::HashMap;
 
@@ -26,20 +28,21 @@ use super::halves::sorted;
 use crate::surface::Relief;
 use crate::{MesherError, Side};
 
-/// What the pieces of triangles are to be raised by, in what they are bent by: at least 1.
+/// Raise of the pieces of triangles, as a multiple of their bend: at least 1.
 #[derive(Debug)]
 pub struct OneSide {
-    /// In each triangle of the base.
+    /// Factor of each base triangle.
     patches: Vec<f64>,
-    /// In the triangles at each side, by the positions at its ends.
+    /// Greatest factor of the triangles at each side, by the positions at its ends.
     sides: HashMap<[u32; 2], f64>,
-    /// By how much all vertices are displaced farther, in metres.
+    /// Extra displacement of all vertices in metres.
     pub raise_m: f64,
 }
 
 impl OneSide {
-    /// What it takes on a side of a relief over a base that is flat or lifted, along interpolated directions.
-    /// `lift_m` says by how much each triangle is lifted at most, as the sum of that for its sides.
+    /// Finds the factors for one side of a relief over a flat or lifted base, along interpolated
+    /// directions. `lift_m` returns a bound on each triangle's lift, the sum of the lifts of its
+    /// sides.
     pub fn new(
         mesh: &Mesh,
         point_of: &[u32],
@@ -56,7 +59,7 @@ impl OneSide {
             .enumerate()
             .map(|(number, triangle)| {
                 let base = triangle.map(|vertex| corners.base(vertex));
-                // Farther than that no piece is moved and raised.
+                // No piece is moved and raised farther than this.
                 let beside_m = 2.0 * error_m / longest;
                 factor(relief, base, [beside_m, lift_m(number)])
             })
@@ -70,7 +73,7 @@ impl OneSide {
         }
         let patches = mesh.triangles().iter().map(|triangle| {
             let around = points(triangle).map(|point| around[point as usize]);
-            // In heights: what it is bent by is one of the longest direction's.
+            // In heights: a bend is measured along the longest direction.
             (longest * around.into_iter().fold(0.0, f64::max)).max(1.0)
         });
         let patches: Vec<f64> = patches.collect();
@@ -90,20 +93,21 @@ impl OneSide {
         Ok(Self { patches, sides, raise_m: side.sign() * 0.5 * error_m / longest })
     }
 
-    /// Of a triangle.
+    /// Returns the factor of a triangle.
     pub fn of_patch(&self, patch: u32) -> f64 {
         self.patches[patch as usize]
     }
 
-    /// Of the triangles at a side, by the positions at its ends.
+    /// Returns the factor of the triangles at a side, by the positions at its ends.
     pub fn of_side(&self, points: [u32; 2]) -> f64 {
         self.sides.get(&sorted(points)).copied().unwrap_or(1.0)
     }
 }
 
-/// What displacement it takes, in what a piece is beside where it is interpolated, within a base triangle
-/// that is displaced by the heights under it and by as much beside them, over a base that is lifted by so
-/// much at most. Infinite where that may fold over.
+/// Returns the displacement that keeps a piece on one side, per distance from where it is
+/// interpolated, within a base triangle. The triangle is displaced by the heights under it, and by
+/// up to `beside_m` beside them, over a base that is lifted by at most `lift_m`. Returns infinity
+/// where it may fold.
 fn factor(relief: &Relief, corners: [BasePoint; 3], [beside_m, lift_m]: [f64; 2]) -> f64 {
     let places = corners.map(|corner| relief.place(corner.uv));
     let ground = relief.under(places);
@@ -117,12 +121,12 @@ fn factor(relief: &Relief, corners: [BasePoint; 3], [beside_m, lift_m]: [f64; 2]
     });
     let along = |axis: usize| displaced.map(|metres| sides[axis] + turns[axis] * metres);
     let [first, second] = [along(0), along(1)];
-    // Quadratic in the displacement: within the hull of its control points.
+    // It is quadratic in the displacement, and lies within the hull of its control points.
     let mixed = (first[0].cross(second[1]) + first[1].cross(second[0])) * 0.5;
     let across = [first[0].cross(second[0]), mixed, first[1].cross(second[1])];
     let up = corners.map(|corner| corner.normal);
     let each_up = |of: DVec3| up.map(|up| of.dot(up)).into_iter();
-    // Facing one way or the other.
+    // The triangle faces one way or the other.
     let sign = if each_up(across[0]).sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
     let least = across.iter().flat_map(|&of| each_up(of * sign)).fold(f64::INFINITY, f64::min);
     let greatest = |of: &mut dyn Iterator<Item = f64>| of.fold(0.0, f64::max);
@@ -133,7 +137,7 @@ fn factor(relief: &Relief, corners: [BasePoint; 3], [beside_m, lift_m]: [f64; 2]
         // Without an area it has no pieces with one.
         return 0.0;
     }
-    // NaN is no number of a triangle that can be used, either.
+    // NaN is no factor of a usable triangle, either.
     if least > 0.0 {
         (area + slopes[0] * wall(second) + slopes[1] * wall(first)) / least
     } else {

@@ -1,4 +1,4 @@
-//! The border of a patch.
+//! Border of a patch.
 
 use glam::Vec3;
 
@@ -6,7 +6,7 @@ use super::{AlongEdge, Numbered, Triangles};
 use crate::point;
 use crate::surface::Relief;
 
-/// The border of a patch, whose points are asked for one by one.
+/// Border of a patch, whose points are computed one by one.
 #[derive(Debug)]
 pub struct PatchBorder<'a> {
     base: &'a Triangles,
@@ -28,12 +28,12 @@ impl<'a> PatchBorder<'a> {
         Self { base, relief, patch, corners, sides: base.edges.sides(patch).map(side) }
     }
 
-    /// The number and the position of the point of a side that so many parts lie before.
+    /// Returns the numbers and the position of the point of a side with `at` parts before it.
     pub fn point(&self, side: u32, at: u32) -> (Numbered, Vec3) {
         (self.numbered(side, at), self.position(side, at))
     }
 
-    /// The number alone.
+    /// Returns the numbers alone.
     #[inline(always)]
     pub fn numbered(&self, side: u32, at: u32) -> Numbered {
         match (at, &self.sides[side as usize]) {
@@ -45,7 +45,7 @@ impl<'a> PatchBorder<'a> {
         }
     }
 
-    /// The position alone.
+    /// Returns the position alone.
     #[inline(always)]
     pub fn position(&self, side: u32, at: u32) -> Vec3 {
         match (at, &self.sides[side as usize]) {

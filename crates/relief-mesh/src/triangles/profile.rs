@@ -1,4 +1,4 @@
-//! Sides of base triangles by what lies along them.
+//! Division of sides of base triangles by the heights along them.
 
 use glam::DVec3;
 use relief_core::mesh::BasePoint;
@@ -12,42 +12,42 @@ use crate::edge::{Along, Knot, LONGEST, divided};
 use crate::interior::{Gap, Turning, along};
 use crate::surface::{Relief, twist_of};
 
-/// The part of the tolerance that the points of sides are chosen by.
+/// Part of the tolerance by which the points of sides are chosen.
 const CHOSEN: f64 = 0.8;
 
-/// The part of the tolerance that a triangle beside a chord may have of it: twice what the surface is off the
-/// chord, because the triangle may lie on its other side by as much where it is a step wide, and what it is
-/// bent by on its account.
+/// Part of the tolerance that a triangle beside a chord may use for the chord. It covers twice the
+/// distance of the surface from the chord, because the triangle may lie as far on the other side
+/// where it is a step wide. It also covers the bend of the triangle along the chord.
 const BESIDE: f64 = 0.9;
 
-/// What a triangle is bent by at most, in what one of its sides is.
+/// Greatest bend of a triangle, as a multiple of the bend of one of its sides.
 const BENT_BESIDE: f64 = 4.0 / 3.0;
 
-/// The part of the tolerance that a side may be bent by over a step of its lattice.
+/// Part of the tolerance for the bend of a side over a step of its lattice.
 const BENT_BY_A_STEP: f64 = 0.1;
 
-/// An edge of a seam.
+/// Edge of a seam.
 #[derive(Clone, Copy, Debug)]
 pub struct Edge {
     pub ends: [BasePoint; 2],
-    /// How a smooth base is bent along it, and the weights of its ends there.
+    /// Shape of a smooth base along it, and the weights of its ends there.
     pub shape: Shape,
     pub part: [[f64; 3]; 2],
-    /// What counts for what it is bent by: see [`OneSide`](super::one_side::OneSide).
+    /// Factor on its bend: see [`OneSide`](super::one_side::OneSide).
     pub factor: f64,
-    /// No triangle that has it has a longer direction of displacement.
+    /// Upper bound on the lengths of directions of displacement in its triangles.
     pub reach: f64,
 }
 
-/// What a side is on the map, once for each of its edges.
+/// Course of a side on the map, one for each of its edges.
 struct Profile {
-    /// Where its ends are in the map, `i` the centre of texel `i`.
+    /// Places of its ends in the map: the centre of texel `i` is at `i`.
     places: [[f64; 2]; 2],
-    /// How it turns, as a triangle whose last two corners are the second end.
+    /// Turning of a triangle whose last two corners are the second end.
     turning: Turning,
 }
 
-/// Where the edges of a seam have points.
+/// Returns the division of the edges of a seam.
 pub fn division(relief: &Relief, creases: &Creases, edges: &[Edge], choose: Along, error_m: f64) -> Division {
     let longest = edges.iter().map(|edge| edge.reach).fold(0.0, f64::max);
     if longest == 0.0 {
@@ -77,13 +77,14 @@ pub fn division(relief: &Relief, creases: &Creases, edges: &[Edge], choose: Alon
     for ends in chosen.windows(2) {
         side.split([ends[0], ends[1]], &mut steps);
     }
-    // The last one is the side's end.
+    // The last step is the side's end.
     steps.pop();
     Division::Steps { size: side.size, steps: steps.into_iter().map(|step| step as u16).collect() }
 }
 
-/// How a triangle turns whose corners have those directions of displacement, of which the longest has that
-/// length, in heights of so many metres, and whose base has that shape.
+/// Returns the turning of a triangle with these directions of displacement and this shape of the
+/// base. `longest` is the length of the longest direction, `height_m` the unit of heights in
+/// metres.
 pub fn turning(
     relief: &Relief,
     directions: [DVec3; 3],
@@ -108,11 +109,11 @@ impl Profile {
         [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * part)
     }
 
-    /// The steps that leave next to nothing of what level ground is bent by over one.
+    /// Returns the number of steps that make the bend of level ground over one step negligible.
     fn steps(&self, tolerance: f64) -> u32 {
         let is_enough = |steps: &u32| {
             let step = 1.0 / f64::from(*steps);
-            // Where most changes is at an end or in the middle.
+            // The greatest change is at an end or in the middle.
             [0.0, 0.5 - 0.5 * step, 1.0 - step].into_iter().all(|from| {
                 [0.0, 1.0].into_iter().all(|height| {
                     let [a, b] = [from, from + step].map(|part| ([1.0 - part, part, 0.0], height));
@@ -130,19 +131,19 @@ impl Profile {
     }
 }
 
-/// A side that is divided.
+/// Side to be divided.
 struct Side<'a> {
     relief: &'a Relief,
     profiles: Vec<Profile>,
-    /// As a height of the map.
+    /// Tolerance as a height of the map.
     tolerance: f64,
-    /// The length of the longest profile, in texels.
+    /// Length of the longest profile, in texels.
     length: f64,
-    /// Steps of its lattice.
+    /// Number of steps of its lattice.
     size: u32,
 }
 
-/// Steps of a side that may be points, and what the profiles have there.
+/// Steps of a side that may become points, and the profiles' knots there.
 struct Knots {
     steps: Vec<u32>,
     rows: Vec<Vec<Knot>>,
@@ -157,8 +158,7 @@ impl Side<'_> {
         self.relief.height_at(profile.place(self.part(step)))
     }
 
-    /// The knots between which and the next ones there is a hole, and before which there is none, or the
-    /// other way round.
+    /// Returns the knots at which a hole begins or ends.
     fn ends_of_holes(&self, steps: &[u32]) -> Vec<usize> {
         if !self.relief.has_holes() {
             return Vec::new();
@@ -173,10 +173,10 @@ impl Side<'_> {
         (1..steps.len() - 1).filter(ends).collect()
     }
 
-    /// A knot every texel, and more where the surface is twisted beside it.
+    /// Returns a knot every texel, and more where the surface beside it is twisted.
     fn knots(&self) -> Knots {
         let per_texel = (f64::from(self.size) / self.length.max(1.0)).max(1.0) as u32;
-        // A power of two goes into the size.
+        // A power of two divides the size.
         let stride = if per_texel.is_power_of_two() { per_texel } else { per_texel.next_power_of_two() / 2 };
         let mut steps = Vec::new();
         let mut twists: Vec<Vec<f64>> = vec![Vec::new(); self.profiles.len()];
@@ -191,7 +191,7 @@ impl Side<'_> {
             };
             let of_profiles: Vec<f64> = self.profiles.iter().map(twist).collect();
             let most = of_profiles.iter().copied().fold(0.0, f64::max);
-            // As finely as a chord beside so much twist may have to be.
+            // As finely as a chord beside this twist may need.
             let pieces = (most / (LONGEST * self.tolerance)).ceil().clamp(1.0, f64::from(stride)) as u32;
             let every = stride / pieces.next_power_of_two().min(stride);
             for step in (first..first + stride).step_by(every as usize) {
@@ -214,8 +214,8 @@ impl Side<'_> {
         Knots { steps, rows }
     }
 
-    /// The points of a chord, the last one among them: its end alone, if it keeps to the tolerance between
-    /// the steps, too, and where directions turn.
+    /// Adds the points of a chord, the last one being its end. The end alone is enough if the chord
+    /// keeps to the tolerance between the steps, too, and where directions turn.
     fn split(&self, [from, to]: [u32; 2], into: &mut Vec<u32>) {
         let middle = (to - from > 1).then(|| {
             self.profiles.iter().find_map(|profile| {

@@ -1,8 +1,8 @@
 //! Smooth bases over triangles, and over parts of them.
 //!
-//! A triangle with sides of too many texels is halved before it is filled. Halves of a smooth base are parts
-//! of the whole one, not smooth bases of their own: whatever lies on them is looked up in the whole triangle,
-//! or on the whole side that it lies on, which follows from that side's ends alone.
+//! A triangle with sides of too many texels is halved before it is filled. Halves of a smooth base
+//! are parts of the whole one, not smooth bases of their own. Their points are computed in the
+//! whole triangle. Points on a whole side depend on that side's ends alone.
 
 use std::collections::HashMap;
 
@@ -14,19 +14,19 @@ use super::edges::{Division, Edges};
 use super::halves::{Halved, PartWeights, sorted};
 use crate::{BaseSurface, MesherError, cubic};
 
-/// How a base leaves a flat triangle. Side `k` goes from corner `k` to the next.
+/// Deviation of a base from a flat triangle. Side `k` goes from corner `k` to the next.
 #[derive(Clone, Copy, Debug)]
 pub enum Shape {
-    /// Not at all.
+    /// None.
     Flat,
-    /// By so much for each side, in metres: see [`Mesh::lifts`](relief_core::mesh::Mesh::lifts).
+    /// Lifts in metres, one for each side: see [`Mesh::lifts`](relief_core::mesh::Mesh::lifts).
     Lift([f64; 3]),
-    /// As a cubic: its corners, and the inner control points of its sides.
+    /// A cubic: its corners, and the inner control points of its sides.
     Cubic([DVec3; 3], [[DVec3; 2]; 3]),
 }
 
 impl Shape {
-    /// The metres that it lies above the flat triangle, along the direction of displacement.
+    /// Returns the lift above the flat triangle in metres, along the direction of displacement.
     #[inline(always)]
     pub fn lift_m(&self, weights: [f64; 3]) -> f64 {
         let Self::Lift(lifts) = self else { return 0.0 };
@@ -34,14 +34,14 @@ impl Shape {
         lift(0) + lift(1) + lift(2)
     }
 
-    /// Where its point is, unless that is the flat triangle's.
+    /// Returns the position of a point, or `None` if it lies on the flat triangle.
     #[inline(always)]
     pub fn position(&self, weights: [f64; 3]) -> Option<DVec3> {
         let Self::Cubic(corners, sides) = self else { return None };
         Some(cubic::inside(*corners, *sides, weights))
     }
 
-    /// Along an edge: a triangle whose last two corners are its second end.
+    /// Creates the shape along an edge: a triangle whose last two corners are its second end.
     pub fn along(edge: &WholeEdge, base: BaseSurface) -> Self {
         let [a, b] = edge.ends.map(|end| end.position);
         match base {
@@ -52,40 +52,40 @@ impl Shape {
     }
 }
 
-/// An edge as a smooth base goes along it.
+/// Edge of a smooth base.
 #[derive(Clone, Copy, Debug)]
 pub struct WholeEdge {
     pub ends: [BasePoint; 2],
-    /// What the smooth base has for it, in metres.
+    /// Lift of the smooth base along it in metres.
     pub lift_m: f64,
 }
 
-/// Where something lies: on an edge of the whole mesh, by the weights of its two ends and 0, or in a
-/// triangle, by those of its corners.
+/// Carrier of points: an edge of the whole mesh, with the weights of its two ends and 0, or a
+/// triangle, with the weights of its corners.
 #[derive(Clone, Copy, Debug)]
 pub enum On {
     Edge(u32),
     Triangle(u32),
 }
 
-/// A mesh of parts of the triangles of a whole one, whose base is smooth.
+/// Parts of the triangles of a whole mesh, whose base is smooth.
 #[derive(Debug)]
 pub struct Parts {
     base: BaseSurface,
-    /// The edges of the whole mesh, each as the first one at its seam if they are welded.
+    /// Edges of the whole mesh. In a welded mesh each is the first one at its seam.
     edges: Vec<WholeEdge>,
-    /// Its triangles.
+    /// Shapes of its triangles.
     shapes: Vec<Shape>,
-    /// The triangle of each patch, and the weights of the patch's corners in it.
+    /// Whole triangle of each patch, and the weights of the patch's corners in it.
     patches: Vec<(u32, PartWeights)>,
-    /// The sides of patches, by their vertices, the lower one first.
+    /// Sides of patches, by their vertices, the lower one first.
     sides: HashMap<[u32; 2], (On, [[f64; 3]; 2])>,
     /// Vertices that are no corners of the whole mesh.
     vertices: HashMap<u32, (On, [f64; 3])>,
 }
 
 impl Parts {
-    /// The parts of a mesh with these corners.
+    /// Finds the parts of a halved mesh. `mesh` and `corners` belong to the whole mesh.
     pub fn new(
         mesh: &Mesh,
         point_of: &[u32],
@@ -123,7 +123,7 @@ impl Parts {
             sides: HashMap::new(),
             vertices: HashMap::new(),
         };
-        // Where weights in a triangle lie: on a side, if all of them are 0 at one of its corners.
+        // Weights in a triangle lie on a side if all of them are 0 at one of its corners.
         let on = |triangle: u32, weights: &[[f64; 3]]| -> (On, Vec<[f64; 3]>) {
             let opposite = (0..3).find(|&corner| weights.iter().all(|of| of[corner] == 0.0));
             let Some(opposite) = opposite else { return (On::Triangle(triangle), weights.to_vec()) };
@@ -153,7 +153,7 @@ impl Parts {
         Ok(parts)
     }
 
-    /// The shape of what something lies on.
+    /// Returns the shape of a carrier.
     fn shape(&self, on: On) -> Shape {
         match on {
             On::Edge(edge) => Shape::along(&self.edges[edge as usize], self.base),
@@ -161,26 +161,29 @@ impl Parts {
         }
     }
 
-    /// The shape of the triangle that a patch is a part of, and the weights of its corners there.
+    /// Returns the shape of the triangle that contains a patch, and the weights of the patch's
+    /// corners there.
     pub fn of_patch(&self, patch: u32) -> (Shape, PartWeights) {
         let (triangle, weights) = self.patches[patch as usize];
         (self.shapes[triangle as usize], weights)
     }
 
-    /// The shape of what a side lies on, and the weights of its ends there.
+    /// Returns the shape of the carrier of a side, and the weights of its ends there.
     pub fn of_side(&self, ends: [u32; 2]) -> (Shape, [[f64; 3]; 2]) {
         let Some(&(on, weights)) = self.sides.get(&sorted(ends)) else { return (Shape::Flat, [[0.0; 3]; 2]) };
         let [low, high] = weights;
         (self.shape(on), if ends[0] < ends[1] { [low, high] } else { [high, low] })
     }
 
-    /// The shape of what a vertex lies on, and its weights there; none for a corner of the whole mesh.
+    /// Returns the shape of the carrier of a vertex, and its weights there. Returns `None` for a
+    /// corner of the whole mesh.
     pub fn of_vertex(&self, vertex: u32) -> Option<(Shape, [f64; 3])> {
         let (on, weights) = *self.vertices.get(&vertex)?;
         Some((self.shape(on), weights))
     }
 
-    /// How much each patch is lifted at most, as the sum of what its whole triangle is for its sides.
+    /// Returns a bound on the lift of each patch: the sum of the lifts of its whole triangle's
+    /// sides.
     pub fn lifts_m(&self) -> Vec<f64> {
         let lift_m = |(triangle, _): &(u32, PartWeights)| match self.shapes[*triangle as usize] {
             Shape::Lift(lifts_m) => lifts_m.map(f64::abs).iter().sum(),
@@ -189,13 +192,13 @@ impl Parts {
         self.patches.iter().map(lift_m).collect()
     }
 
-    /// The edges of the whole mesh.
+    /// Returns the edges of the whole mesh.
     pub fn edges(&self) -> &[WholeEdge] {
         &self.edges
     }
 }
 
-/// How much each triangle is lifted at most, as the sum of that for its sides: of those at one seam the most.
+/// Returns a bound on the lift of each triangle: the sum of the greatest lifts at its sides' seams.
 pub fn lifts_m(mesh: &Mesh, point_of: &[u32]) -> Vec<f64> {
     let lifts = mesh.lifts();
     let points = |triangle: &[u32; 3], side: usize| {
@@ -204,7 +207,7 @@ pub fn lifts_m(mesh: &Mesh, point_of: &[u32]) -> Vec<f64> {
     let mut most: HashMap<[u32; 2], f64> = HashMap::new();
     for (triangle, lifts) in mesh.triangles().iter().zip(&lifts) {
         for side in 0..3 {
-            // It is listed by the corner that the side has not.
+            // Lifts are listed by the corner across from the side.
             let lift_m = f64::from(lifts[(side + 2) % 3]).abs();
             let known = most.entry(points(triangle, side)).or_default();
             *known = known.max(lift_m);
@@ -215,7 +218,8 @@ pub fn lifts_m(mesh: &Mesh, point_of: &[u32]) -> Vec<f64> {
     mesh.triangles().iter().map(sum).collect()
 }
 
-/// The weights in a whole triangle of a point with those weights in a part of it, whose corners have these.
+/// Returns the weights of a point in a whole triangle, given its weights in a part and the part's
+/// corners.
 #[inline(always)]
 pub fn in_whole(corners: &PartWeights, weights: [f64; 3]) -> [f64; 3] {
     let [a, b, c] = corners;

@@ -1,4 +1,4 @@
-//! An open base made solid: an underside, and walls between it and the displaced surface.
+//! Solid of an open base: an underside, and walls between it and the displaced surface.
 
 use glam::{DVec3, Vec3};
 use relief_core::mesh::Vertex;
@@ -9,35 +9,36 @@ use crate::plane::Faces;
 use crate::surface::Relief;
 use crate::{BaseSurface, Directions, MesherError, point};
 
-/// The shortest that an interpolated direction is taken to be, in lengths of a normal. Where corners of a
-/// triangle face ways farther apart, an underside as deep as it would take is of no use.
+/// Least length of an interpolated direction, in lengths of a normal. Where corners of a triangle
+/// face ways farther apart, the underside would have to be too deep.
 const SHORTEST: f64 = 0.5;
 
-/// Stands for a vertex that the underside does not have.
+/// Stands for a vertex that the underside lacks.
 const NONE: u32 = u32::MAX;
 
-/// The underside and the walls of the pieces that have a border.
+/// Underside and walls of the pieces that have a border.
 ///
-/// The underside has one triangle for each of the base, displaced by the same everywhere, along directions
-/// that are interpolated, so that it is flat. A wall stands on each side of the border.
+/// The underside has one triangle for each base triangle. All are displaced by the same amount,
+/// along interpolated directions, so that each is flat. A wall stands on each side of the border.
 #[derive(Debug)]
 pub struct Solid {
     /// Vertices of the base that the underside has.
     corners: Vec<u32>,
-    /// The place of each in these, by the first vertex at its position.
+    /// Index of each vertex in `corners`, by the first vertex at its position.
     places: Vec<u32>,
-    /// Triangles of the base that it has.
+    /// Triangles of the base that the underside has.
     patches: Vec<u32>,
-    /// A triangle and its side for each wall.
+    /// Triangle and side of each wall.
     walls: Vec<[u32; 2]>,
-    /// The number of the first vertex of the underside.
+    /// Number of the first vertex of the underside.
     first: u32,
-    /// The displacement of the underside.
+    /// Displacement of the underside in metres.
     metres: f64,
 }
 
 impl Solid {
-    /// The solid under a base whose lowest displacement that is. Its vertices are numbered from `first` on.
+    /// Creates the solid under a base. `lowest_m` is the base's lowest displacement, `solid_m` the
+    /// thickness. Vertices are numbered from `first` on.
     pub fn new(
         base: &Triangles,
         relief: &Relief,
@@ -64,39 +65,40 @@ impl Solid {
         Ok(Self { corners, places, patches, walls, first: counted(first)?, metres })
     }
 
-    /// Vertices of the underside.
+    /// Returns the number of vertices of the underside.
     pub fn corner_count(&self) -> u32 {
         self.corners.len() as u32
     }
 
-    /// Triangles of the underside.
+    /// Returns the number of triangles of the underside.
     pub fn patch_count(&self) -> u32 {
         self.patches.len() as u32
     }
 
-    /// Walls.
+    /// Returns the number of walls.
     pub fn wall_count(&self) -> u32 {
         self.walls.len() as u32
     }
 
-    /// Triangles of a wall, whose corners are those of the border and of the underside.
+    /// Returns the number of triangles of a wall. Their corners lie on the border and on the
+    /// underside.
     pub fn wall_triangles(&self, base: &Triangles, wall: u32) -> u64 {
         u64::from(base.parts_of(self.walls[wall as usize])) + 1
     }
 
-    /// The number after the last vertex.
+    /// Returns the number after the last vertex.
     pub fn end(&self) -> u64 {
         u64::from(self.first) + self.corners.len() as u64
     }
 
-    /// Bytes that are held.
+    /// Returns the number of bytes in use.
     pub fn bytes(&self) -> u64 {
         let Self { corners, places, patches, walls, .. } = self;
         let of_numbers = [corners, places, patches].map(|list| size_of_val(&list[..]));
         (of_numbers.iter().sum::<usize>() + size_of_val(&walls[..])) as u64
     }
 
-    /// A vertex of the underside, by its place in it, and how it is numbered.
+    /// Returns a vertex of the underside, by its index in it, and its numbers.
     pub fn corner(&self, base: &Triangles, place: u32) -> (Vertex, Numbered) {
         let vertex = self.corners[place as usize];
         let Vertex { normal, tangent, bitangent, uv, .. } = *base.corners.vertex(vertex);
@@ -105,16 +107,17 @@ impl Solid {
         (Vertex { position, normal, tangent, bitangent, uv }, self.numbered(base, vertex))
     }
 
-    /// A triangle of the underside, by its place in it: which of the base, and its corners. They turn as
-    /// those of the base do.
+    /// Returns a triangle of the underside, by its index in it: the number of the base triangle,
+    /// and the corners. They turn like the base triangle.
     pub fn triangle(&self, base: &Triangles, place: u32) -> (u32, [(Numbered, Vec3); 3]) {
         let patch = self.patches[place as usize];
         let corners = base.triangles[patch as usize];
         (patch, corners.map(|vertex| (self.numbered(base, vertex), self.below(base, vertex))))
     }
 
-    /// A wall: first the points of the border, then the two below its ends. Between them lies what is left of
-    /// a polygon when its corners are cut off as they come, each that stands out.
+    /// Returns a wall: first the points of the border, then the two points below its ends. The
+    /// polygon between them is cut into triangles by cutting off each corner that stands out, in
+    /// order.
     pub fn wall(&self, base: &Triangles, relief: &Relief, wall: u32) -> Faces {
         let [patch, side] = self.walls[wall as usize];
         let corners = base.triangles[patch as usize];
@@ -147,7 +150,7 @@ impl Solid {
         Faces { own: Vec::new(), points, triangles }
     }
 
-    /// The position below a vertex of the base.
+    /// Returns the position below a vertex of the base.
     fn below(&self, base: &Triangles, vertex: u32) -> Vec3 {
         point::stored(base.at_corner(vertex).base.displaced(self.metres))
     }
@@ -157,10 +160,11 @@ impl Solid {
     }
 }
 
-/// By how much the underside is displaced.
+/// Returns the displacement of the underside in metres.
 ///
-/// A point of it lies `metres |N|` along its direction, `|N|` the length of the interpolated one there, and
-/// what is displaced lies `h |N|` along it, or `h` with directions of one length.
+/// A point of it lies `metres |N|` along its direction, `|N|` the length of the interpolated
+/// direction there. The displaced surface lies `h |N|` along it, or `h` with directions of one
+/// length.
 fn displacement(base: &Triangles, relief: &Relief, patches: &[u32], [lowest_m, solid_m]: [f64; 2]) -> f64 {
     let lengths = patches.iter().map(|&patch| lengths(base.directions(patch)));
     let [shortest, longest] =
@@ -174,13 +178,13 @@ fn displacement(base: &Triangles, relief: &Relief, patches: &[u32], [lowest_m, s
     metres / if metres < 0.0 { shortest } else { longest.max(shortest) }
 }
 
-/// The least and the greatest length of directions that are interpolated between those.
+/// Returns the least and the greatest length of directions that are interpolated between these.
 fn lengths([a, b, c]: [DVec3; 3]) -> [f64; 2] {
     let longest = a.length().max(b.length()).max(c.length());
     let on_side = |[a, b]: [DVec3; 2]| {
         let along = b - a;
         let part = (-a.dot(along) / along.length_squared()).clamp(0.0, 1.0);
-        // Of two that are the same any part is.
+        // For two that are the same any part will do.
         (a + along * if part.is_finite() { part } else { 0.0 }).length()
     };
     let mut shortest = on_side([a, b]).min(on_side([b, c])).min(on_side([c, a]));
@@ -193,13 +197,13 @@ fn lengths([a, b, c]: [DVec3; 3]) -> [f64; 2] {
 }
 
 impl Triangles {
-    /// The parts of a side.
+    /// Returns the number of parts of a side.
     fn parts_of(&self, [patch, side]: [u32; 2]) -> u32 {
         self.edges.parts(self.edges.sides(patch)[side as usize])
     }
 
-    /// How far the smooth base lies below its triangles, at most, in metres of displacement along directions
-    /// that are as long at least.
+    /// Returns the greatest depth of the smooth base below its triangles, in metres of displacement
+    /// along directions of at least this length.
     fn hollow(&self, patches: &[u32], shortest: f64) -> f64 {
         let own = patches.iter().flat_map(|&patch| self.edges.sides(patch)).map(|edge| {
             let seen = self.seen(edge);
@@ -215,10 +219,10 @@ impl Triangles {
         let deepest = |depths: &mut dyn Iterator<Item = f64>| depths.fold(0.0, f64::max);
         match self.base {
             BaseSurface::Flat => 0.0,
-            // Of three weights the products of two are a third together, at most.
+            // The products of each two of three weights sum to at most a third.
             BaseSurface::Lift => deepest(&mut sides.iter().map(|side| -side.lift_m)) / 3.0,
-            // It lies within the hull of its control points, which are off along the normals of the ends:
-            // these are as far from directions between as those are short.
+            // It lies within the hull of its control points, which are off along the normals of the
+            // ends. These normals are as far from directions between as those directions are short.
             BaseSurface::Pn => {
                 let depths = sides.iter().flat_map(|side| {
                     let [a, b] = side.ends;

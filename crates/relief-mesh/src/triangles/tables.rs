@@ -1,4 +1,4 @@
-//! Bases as tables, for programs that cut and displace them elsewhere: on a GPU.
+//! Tables of a base, for programs that cut and displace it elsewhere, such as on a GPU.
 
 use std::sync::Arc;
 
@@ -14,83 +14,84 @@ use crate::cull::{Everything, ROUNDING};
 use crate::surface::Relief;
 use crate::{BaseSurface, Directions, MesherError, Shading, View};
 
-/// The longest side of a triangle, in texels: longer ones are halved, so that what is not seen of a triangle
-/// is left out, and what is near to the eye does not make all of it fine.
+/// Longest side of a triangle, in texels. Longer ones are halved. Invisible parts of a triangle can
+/// then be left out, and a part near the eye does not make all of it fine.
 const LONGEST_TEXELS: f64 = 64.0;
 
-/// Triangles that are not too many: with more nothing is halved any further.
+/// Number of triangles beyond which nothing is halved any further.
 const TRIANGLES: usize = 1 << 20;
 
-/// A base of flat triangles whose points move along interpolated normals, as tables: what is to be known of
-/// it to cut each triangle by itself, so that neighbours meet, and to displace what was cut.
+/// Tables of a base of flat triangles whose points move along interpolated normals.
 ///
-/// Sides that are longer than 64 texels are halved. At hard edges and seams a position has one direction and
-/// one place on the map, as [`Seams::Weld`](crate::Seams::Weld) says.
+/// They hold all values for cutting each triangle by itself, so that neighbours meet, and for
+/// displacing the pieces. Sides that are longer than 64 texels are halved. At hard edges and seams
+/// a position has one direction and one place on the map, as with
+/// [`Seams::Weld`](crate::Seams::Weld).
 #[derive(Debug)]
 pub struct BaseTables {
-    /// The vertices.
+    /// Vertices.
     pub vertices: Vec<TableVertex>,
-    /// The edges between two vertices.
+    /// Edges between two vertices.
     pub edges: Vec<TableEdge>,
-    /// The triangles.
+    /// Triangles.
     pub patches: Vec<TablePatch>,
-    /// Points whose hull has all of the displaced base within, but for rounding.
+    /// Points whose convex hull contains the displaced base, up to rounding.
     around: Arc<[DVec3]>,
     largest_m: f64,
 }
 
-/// A vertex of a base.
+/// Vertex of a base.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TableVertex {
-    /// Its position, in metres.
+    /// Position in metres.
     pub position: Vec3,
-    /// Along what it is displaced, of any length: the same for all vertices at a position.
+    /// Direction of displacement, of any length: the same for all vertices at a position.
     pub direction: Vec3,
-    /// Its normal, of any length.
+    /// Normal, of any length.
     pub normal: Vec3,
-    /// The derivatives of the position by `u` and `v`.
+    /// Derivatives of the position by `u` and `v`.
     pub tangents: [Vec3; 2],
-    /// Those of the direction.
+    /// Derivatives of the direction by `u` and `v`.
     pub turns: [Vec3; 2],
-    /// Its texture coordinates.
+    /// Texture coordinates.
     pub uv: Vec2,
-    /// The vertex whose texture coordinates say how far all at its position are displaced.
+    /// Vertex whose texture coordinates define the displacement at this position.
     pub seen: u32,
     /// Texels of the map in a metre around it.
     pub texels_per_m: f32,
 }
 
-/// An edge between two vertices. At a seam there are several between the same positions.
+/// Edge between two vertices. At a seam several edges lie between the same positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TableEdge {
-    /// The vertices, in an order that all edges between the same positions agree on.
+    /// Vertices, in the same order for all edges between the same positions.
     pub ends: [u32; 2],
-    /// The ends of the edge between these positions that says where points are.
+    /// Ends of the edge between these positions that defines their points.
     pub seen: [u32; 2],
-    /// By how much `u` and `v` change along it, or more where another edge between these positions has more.
+    /// Greatest change of `u` and `v` along any edge between these positions.
     pub along: Vec2,
-    /// The first and the last triangle that has it, the same where there is one; none where there are more
+    /// First and last triangle at the edge, the same where there is one; `None` if there are more
     /// than two.
     pub patches: Option<[u32; 2]>,
 }
 
-/// A triangle of a base.
+/// Triangle of a base.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TablePatch {
-    /// Its vertices.
+    /// Vertices.
     pub corners: [u32; 3],
-    /// Its sides: the first from its first vertex to its second one.
+    /// Sides. The first one runs from the first vertex to the second.
     pub edges: [u32; 3],
-    /// The least and the greatest displacement on it in all levels of the map, in metres.
+    /// Least and greatest displacement of it in metres, over all levels of the map.
     pub metres: [f32; 2],
 }
 
 impl BaseTables {
-    /// The tables of a mesh that a map displaces, seen in its levels, of which the map is the first.
+    /// Creates the tables of a mesh that a map displaces. `coarser` holds the map's coarser levels.
     ///
     /// # Errors
     ///
-    /// When the mesh has no triangles, they are too many, or it was cancelled.
+    /// Fails if the mesh has no triangles or too many, or when cancelled.
     pub fn new(
         mesh: &Mesh,
         map: &HeightMap,
@@ -141,7 +142,7 @@ impl BaseTables {
         Ok(base.tables(mesh, &relief))
     }
 
-    /// Where all of it may be, also what a camera does not see.
+    /// Returns the bounds of the displaced base for a view, including invisible parts.
     pub fn everything(&self, view: &View) -> Everything {
         let (eye, forward) = (view.camera.eye(), view.camera.forward());
         let nothing = [f64::INFINITY, f64::NEG_INFINITY];
@@ -153,14 +154,14 @@ impl BaseTables {
         Everything { depths_m: [near - room, far + room], around: self.around.to_vec() }
     }
 
-    /// The largest coordinate of all that is displaced, in metres.
+    /// Returns the largest coordinate of the displaced base in metres.
     pub fn largest_m(&self) -> f64 {
         self.largest_m
     }
 }
 
 impl Triangles {
-    /// Their tables.
+    /// Creates the tables of these triangles.
     fn tables(&self, mesh: &Mesh, relief: &Relief) -> BaseTables {
         let sides = relief.sides();
         let vertices = (0..).zip(mesh.vertices()).map(|(number, vertex)| {
@@ -222,7 +223,7 @@ impl Triangles {
     }
 }
 
-/// A displacement as it is stored: a little farther from none than it is, never nearer.
+/// Returns a displacement as it is stored: rounded away from 0, never toward it.
 fn outward(metres: f64) -> f32 {
     let room = f64::from(f32::EPSILON) * metres.abs();
     (metres + if metres < 0.0 { -room } else { room }) as f32

@@ -1,67 +1,70 @@
 //! Delaunay triangles over a rectangle of lattice points, exact in integers.
 //!
-//! Points are inserted one at a time, and edges flipped until every circle is empty (Lawson 1977). Triangles
-//! are kept by their half-edges: half-edge `e` of triangle `e / 3` goes from corner `e` to the next one.
+//! Points are inserted one at a time, and edges flipped until every circle is empty (Lawson 1977).
+//! Triangles are stored by their half-edges: half-edge `e` of triangle `e / 3` goes from corner `e`
+//! to the next one.
 
-/// No half-edge.
+/// Stands for no half-edge.
 pub const NONE: u32 = u32::MAX;
 
-/// Largest coordinate: what the tests compare then fits 64 bits, with the plain metric.
+/// Largest coordinate with the metric [`ROUND`]. All terms of the tests then fit into 64 bits.
 pub const MOST: i32 = 1 << 13;
 
-/// What circles are: the square of the length of a step `x, y` is `m[0] x² + m[1] x y + m[2] y²`, which must
-/// be greater than 0 for every step, or flips have no end.
+/// Metric of the circles. The squared length of a step `x, y` is `m[0] x² + m[1] x y + m[2] y²`. It
+/// must be greater than 0 for every step, or flipping does not end.
 pub type Metric = [i64; 3];
 
 /// Circles that are round on the lattice.
 pub const ROUND: Metric = [1, 0, 1];
 
-/// The greatest number of a metric for coordinates up to [`MOST_BENT`].
+/// Greatest number in a metric for coordinates up to [`MOST_BENT`].
 pub const MOST_METRIC: i64 = 1 << 12;
 
 /// Largest coordinate with any metric.
 pub const MOST_BENT: i32 = 1 << 11;
 
-/// The triangles of some points.
+/// Delaunay triangulation of points.
 #[derive(Clone, Debug, Default)]
 pub struct Delaunay {
     metric: Metric,
     points: Vec<[i32; 2]>,
     corners: Vec<u32>,
     opposite: Vec<u32>,
-    /// Triangles that are new since they were last taken, some of them twice.
+    /// Triangles changed since they were last taken, some of them twice.
     changed: Vec<u32>,
-    /// Half-edges to be looked at.
+    /// Half-edges to be tested.
     pending: Vec<u32>,
 }
 
-/// Where a point lies.
+/// Location of a point in the triangulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Location {
     /// Within a triangle.
     Inside(u32),
     /// On the edge of a half-edge, between its ends.
     Edge(u32),
-    /// At a point that is there.
+    /// At an existing point.
     Point(u32),
 }
 
-/// The half-edge after one around its triangle.
+/// Returns the next half-edge around the triangle.
 pub fn next(edge: u32) -> u32 {
     if edge % 3 == 2 { edge - 2 } else { edge + 1 }
 }
 
-/// The half-edge before one around its triangle.
+/// Returns the previous half-edge around the triangle.
 pub fn before(edge: u32) -> u32 {
     if edge.is_multiple_of(3) { edge + 2 } else { edge - 1 }
 }
 
-/// Twice the area of a triangle: greater than 0 if it turns from the first axis to the second.
+/// Returns twice the area of a triangle, greater than 0 if it turns from the first axis to the
+/// second.
 fn area([ax, ay]: [i32; 2], [bx, by]: [i32; 2], [cx, cy]: [i32; 2]) -> i64 {
     i64::from(bx - ax) * i64::from(cy - ay) - i64::from(by - ay) * i64::from(cx - ax)
 }
 
-/// Whether a point lies within the circle through three that turn from the first axis to the second.
+/// Returns whether `p` lies within the circle through `a`, `b` and `c`, which turn from the first
+/// axis to the second.
 fn is_in_circle(metric: Metric, a: [i32; 2], b: [i32; 2], c: [i32; 2], p: [i32; 2]) -> bool {
     let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|[x, y]| [i64::from(x - p[0]), i64::from(y - p[1])]);
     let square = |x: i64, y: i64| {
@@ -76,7 +79,7 @@ fn is_in_circle(metric: Metric, a: [i32; 2], b: [i32; 2], c: [i32; 2], p: [i32; 
 }
 
 impl Delaunay {
-    /// A triangle along two sides of as many steps, whose corners are its points 0 to 2.
+    /// Creates a triangle along two sides of `size` steps. Its corners are the points 0 to 2.
     pub fn of_triangle(size: i32, metric: Metric) -> Self {
         debug_assert!(size <= MOST_BENT && metric.iter().all(|part| part.abs() <= 2 * MOST_METRIC));
         debug_assert!(metric[0] > 0 && 4 * metric[0] * metric[2] > metric[1] * metric[1]);
@@ -90,7 +93,7 @@ impl Delaunay {
         }
     }
 
-    /// The two triangles of a rectangle, whose corners are its points 0 to 3, by rows.
+    /// Creates the two triangles of a rectangle. Its corners are the points 0 to 3, by rows.
     pub fn of_rectangle([x0, y0]: [i32; 2], [x1, y1]: [i32; 2]) -> Self {
         let points = vec![[x0, y0], [x1, y0], [x0, y1], [x1, y1]];
         Self {
@@ -103,38 +106,38 @@ impl Delaunay {
         }
     }
 
-    /// The points.
+    /// Returns the points.
     pub fn points(&self) -> &[[i32; 2]] {
         &self.points
     }
 
-    /// How many triangles there are.
+    /// Returns the number of triangles.
     pub fn count(&self) -> u32 {
         (self.corners.len() / 3) as u32
     }
 
-    /// The corners of a triangle, by the numbers of their points.
+    /// Returns the corners of a triangle, by the numbers of their points.
     pub fn triangle(&self, number: u32) -> [u32; 3] {
         let first = number as usize * 3;
         [self.corners[first], self.corners[first + 1], self.corners[first + 2]]
     }
 
-    /// The ends of a half-edge.
+    /// Returns the ends of a half-edge, by the numbers of their points.
     pub fn ends(&self, edge: u32) -> [u32; 2] {
         [self.corners[edge as usize], self.corners[next(edge) as usize]]
     }
 
-    /// The half-edge on the other side, if there is one.
+    /// Returns the half-edge on the other side, or [`NONE`].
     pub fn opposite(&self, edge: u32) -> u32 {
         self.opposite[edge as usize]
     }
 
-    /// Takes the triangles that are new, some of them more than once.
+    /// Moves the numbers of changed triangles to `into`, some of them more than once.
     pub fn take_changed(&mut self, into: &mut Vec<u32>) {
         into.append(&mut self.changed);
     }
 
-    /// The number of the point that a half-edge starts at.
+    /// Returns the number of the point at which a half-edge starts.
     fn start(&self, edge: u32) -> u32 {
         self.corners[edge as usize]
     }
@@ -143,13 +146,13 @@ impl Delaunay {
         self.points[self.start(edge) as usize]
     }
 
-    /// Whether a point lies within the circle through a triangle's corners.
+    /// Returns whether a point lies within the circle through a triangle's corners.
     pub fn is_in_circle_of(&self, triangle: u32, point: [i32; 2]) -> bool {
         let [a, b, c] = self.triangle(triangle).map(|corner| self.points[corner as usize]);
         is_in_circle(self.metric, a, b, c, point)
     }
 
-    /// Where a point of the rectangle lies, sought from a triangle onward.
+    /// Returns the location of a point of the rectangle. The search starts at the triangle `from`.
     pub fn locate(&self, point: [i32; 2], from: u32) -> Location {
         let mut triangle = from;
         loop {
@@ -170,7 +173,7 @@ impl Delaunay {
                 (None, [NONE, _]) => return Location::Inside(triangle),
                 (None, [edge, NONE]) => return Location::Edge(edge),
                 (None, [late, early]) => {
-                    // Where two edges of the triangle meet.
+                    // The corner at which two edges of the triangle meet.
                     let shared = if next(early) == late { late } else { early };
                     return Location::Point(self.corners[shared as usize]);
                 }
@@ -178,7 +181,7 @@ impl Delaunay {
         }
     }
 
-    /// Adds a point that lies there, the last one from then on; nothing where one is already.
+    /// Adds a point at its location `at`, as the last point. Does nothing where a point exists.
     pub fn insert(&mut self, point: [i32; 2], at: Location) {
         debug_assert!(point.iter().all(|at| (0..=MOST).contains(at)), "{point:?}");
         let number = self.points.len() as u32;
@@ -254,7 +257,7 @@ impl Delaunay {
         }
     }
 
-    /// Flips pending edges, and those around what is flipped, until all circles are empty.
+    /// Flips pending edges, and edges around flipped ones, until all circles are empty.
     fn flip(&mut self) {
         while let Some(edge) = self.pending.pop() {
             let far = self.opposite(edge);
@@ -302,7 +305,7 @@ mod tests {
         assert_eq!(sum, twice_all);
     }
 
-    /// Numbers below some other, that look random.
+    /// Returns a generator of pseudo-random numbers below a bound.
     fn random() -> impl FnMut(u32) -> i32 {
         let mut random = 7u32;
         move |below: u32| {

@@ -1,11 +1,11 @@
-//! A base triangle as triangles are laid over it: a lattice of barycentric coordinates, whose places in the
-//! map are anywhere.
+//! Base triangle as ground for triangulation: a lattice of its barycentric coordinates, with texels
+//! at arbitrary places.
 //!
-//! Within the triangle the place in the map is linear. With the height `h` of the map, and heights `g` of the
-//! corners of a piece, the relief and the piece differ at a base point by `(h - g) N`, `g` interpolated and
-//! `N` the direction of displacement, and by what the piece is *bent* by, because `N` varies over it, or the
-//! base is smooth. The first is judged exactly: `h - g` is harmonic in a cell. The second is bounded, see
-//! [`Turning`].
+//! Within the triangle the place in the map is linear. Let `h` be the height of the map, and `g`
+//! the interpolated heights of the corners of a piece. The relief and the piece differ at a base
+//! point by `(h - g) N`, with `N` the direction of displacement. They also differ by the *bend* of
+//! the piece, because `N` varies over it, or because the base is smooth. The first part is measured
+//! exactly, as `h - g` is harmonic in a cell. The second is bounded: see [`Turning`].
 
 use super::delaunay::{Delaunay, MOST_BENT, MOST_METRIC, Metric};
 use super::ground::{Corner, Gap, Gaps, Ground, middle, vertex_between};
@@ -13,30 +13,31 @@ use super::turning::Turning;
 use super::window::{STEPS, Window, bilinear};
 use crate::Judge;
 
-/// The least area of a triangle in the map, in cells, within which there are places that its edges do not
-/// show.
+/// Least area of a triangle in the map, in cells, whose inside is tested. In smaller ones the edges
+/// show all.
 const LEAST_AREA: f64 = 1e-9;
 
-/// What places may be wrong by, in cells.
+/// Rounding of places, in cells.
 const ROUNDING: f64 = 1e-9;
 
-/// A base triangle.
+/// Base triangle as a [`Ground`].
 #[derive(Clone, Debug)]
 pub struct Facet {
-    /// The heights around it, at centres of texels.
+    /// Heights around it, at centres of texels.
     window: Window,
-    /// The window's first corner in the map.
+    /// First corner of the window in the map.
     first: [i64; 2],
     /// Steps of the lattice along a side.
     size: i32,
-    /// The places of its corners in the window, in cells.
+    /// Places of its corners in the window, in cells.
     places: [[f64; 2]; 3],
     turning: Turning,
     metric: Metric,
 }
 
 impl Facet {
-    /// A triangle whose corners have those places in a map, `i` the centre of texel `i`, and that turns so.
+    /// Creates a triangle from the places of its corners in a map. The centre of texel `i` is at
+    /// `i`.
     pub fn new(size: u32, places: [[f64; 2]; 3], turning: Turning, texel: impl Fn([i64; 2]) -> f32) -> Self {
         let size = (size as i32).min(MOST_BENT);
         let least = [0, 1].map(|axis| places.iter().map(|at| at[axis]).fold(f64::INFINITY, f64::min).floor());
@@ -49,7 +50,7 @@ impl Facet {
         Self { window, first, size, places, turning, metric: metric(places) }
     }
 
-    /// The same with holes: `is_hole` says of the map's cells which are.
+    /// Adds holes: `is_hole` says which cells of the map are holes.
     #[must_use]
     pub fn with_holes(mut self, is_hole: impl Fn([i64; 2]) -> bool) -> Self {
         let [i0, j0] = self.first;
@@ -57,13 +58,13 @@ impl Facet {
         self
     }
 
-    /// The barycentric weights of a place of the lattice.
+    /// Returns the barycentric weights of a place of the lattice.
     pub fn weights(&self, place: [f64; 2]) -> [f64; 3] {
         let [of_b, of_c] = place.map(|at| at / f64::from(self.size));
         [1.0 - of_b - of_c, of_b, of_c]
     }
 
-    /// Where a place of the lattice is in the window.
+    /// Returns the place in the window of a lattice point.
     fn place(&self, at: [i32; 2]) -> [f64; 2] {
         let size = f64::from(self.size);
         let [of_b, of_c] = at.map(f64::from);
@@ -74,7 +75,8 @@ impl Facet {
         })
     }
 
-    /// The place of the lattice over one of the window. There is one wherever triangles have an area there.
+    /// Returns the place of the lattice at a place in the window. It exists if the triangle has an
+    /// area in the map.
     fn over(&self, place: [f64; 2]) -> [f64; 2] {
         let [a, b, c] = self.places;
         let [b, c, at] = [b, c, place].map(|to| [to[0] - a[0], to[1] - a[1]]);
@@ -82,8 +84,8 @@ impl Facet {
         [(at[0] * c[1] - at[1] * c[0]) * scale, (b[0] * at[1] - b[1] * at[0]) * scale]
     }
 
-    /// The rows of cells' corners within a triangle: the row, the first corner, the height of the triangle
-    /// there and how much it rises at each, and the heights.
+    /// Calls `each` for each row of cell corners within a triangle, with the row and its first
+    /// corner, the triangle's height there and its rise per corner, and the heights of the map.
     fn rows(&self, corners: [Corner; 3], mut each: impl FnMut([i32; 2], [f64; 2], &[f32])) {
         let mut sorted = corners.map(|(at, height)| (self.place(at), height));
         for [a, b] in [[0, 1], [1, 2], [0, 1]] {
@@ -196,8 +198,8 @@ impl Ground for Facet {
     }
 }
 
-/// The squares of lengths in the map, as a metric of the lattice; of the lattice itself where the triangle
-/// has hardly any area there.
+/// Returns the metric of the lattice that measures squares of lengths in the map. If the triangle
+/// has hardly any area in the map, returns a metric of the lattice itself.
 fn metric([a, b, c]: [[f64; 2]; 3]) -> Metric {
     let [b, c] = [b, c].map(|to| [to[0] - a[0], to[1] - a[1]]);
     let dot = |p: [f64; 2], q: [f64; 2]| p[0] * q[0] + p[1] * q[1];
@@ -209,9 +211,9 @@ fn metric([a, b, c]: [[f64; 2]; 3]) -> Metric {
     if is_definite { metric } else { [1, 1, 1] }
 }
 
-/// The greatest and the least distance of a bilinear surface from a straight line above it that goes from one
-/// place to another, and how far along it they are, from 0 to 1. Places are counted in cells; `cell_at` gives
-/// the cell at one, and the heights at its corners.
+/// Returns the greatest and the least distance of a bilinear surface from a straight line, positive
+/// above it, and their positions along the line from 0 to 1. Places are counted in cells. `cell_at`
+/// returns the cell at a place, and the heights at its corners.
 pub fn along(
     [from, to]: [[f64; 2]; 2],
     [start, end]: [f64; 2],
@@ -262,7 +264,7 @@ mod tests {
     use super::*;
     use glam::DVec3;
 
-    /// Heights without any pattern.
+    /// Returns heights without any pattern.
     fn texel([i, j]: [i64; 2]) -> f32 {
         let mixed = (i.wrapping_mul(73_856_093) ^ j.wrapping_mul(19_349_663)).rem_euclid(1009);
         mixed as f32 / 1008.0
@@ -306,7 +308,7 @@ mod tests {
                     found.take(gap(at, of), || at);
                 }
             }
-            // Nothing is missed, and what is said is reached nearly everywhere.
+            // Nothing is missed, and the bounds are reached nearly everywhere.
             assert!(found.above.height <= most.above.height + 1e-9, "{places:?}: {found:?}, {most:?}");
             assert!(found.below.height >= most.below.height - 1e-9, "{places:?}: {found:?}, {most:?}");
             assert!(found.above.height >= most.above.height - 0.05, "{places:?}: {found:?}, {most:?}");

@@ -1,7 +1,7 @@
-//! Heights with which fewer distances exceed the tolerance.
+//! Fit of heights: fewer distances exceed the tolerance.
 //!
-//! The sum of the squares of what exceeds it is convex; a few steps of Newton's method on the distances that
-//! are the greatest of their triangles and edges lower it, until most triangles lie within.
+//! The sum of the squared excesses is convex. A few steps of Newton's method lower it, on the
+//! greatest distances of each triangle and edge, until most triangles lie within the tolerance.
 
 use relief_core::Watch;
 
@@ -10,46 +10,49 @@ use super::ground::{Gap, Ground};
 use super::refine::Refined;
 use crate::Judge;
 
-/// Parts of the tolerance that distances are to lie within, one after the other: between them the greatest
-/// distances are looked for anew, which may lie elsewhere by then.
+/// Parts of the tolerance that the fit aims at, one after the other. Between rounds the greatest
+/// distances are searched anew, as they may have moved.
 const ROUNDS: [f64; 3] = [0.90, 0.93, 0.96];
 
 /// Steps of Newton's method in a round.
 const NEWTON_STEPS: usize = 2;
 
-/// Steps of conjugate gradients, which solve what a step of Newton's method asks, roughly.
+/// Steps of conjugate gradients, which solve each step of Newton's method roughly.
 const SOLVER_STEPS: usize = 6;
 
-/// What a distance at the tolerance that does not exceed it has to say, as a part of one that does. It falls
-/// with the fourth power of the distance, so that what is near the tolerance is not carried over it.
+/// Importance of a distance at the tolerance that does not exceed it, relative to one that does. It
+/// falls with the fourth power of the distance, so that distances near the tolerance are not
+/// carried over it.
 const STAY: f64 = 0.2;
 
-/// What is added to the diagonal, as a part of its greatest.
+/// Value added to the diagonal, as a part of its greatest.
 const RIDGE: f64 = 1e-6;
 
-/// A distance that is among the greatest of its triangle or edge.
+/// One of the greatest distances of a triangle or edge.
 #[derive(Clone, Copy, Debug)]
 struct Sample {
     triangle: u32,
-    /// What it takes of the heights of the triangle's corners.
+    /// Weights of the heights of the triangle's corners in the distance.
     weights: [f32; 3],
     gap: f64,
 }
 
-/// The tile while its heights are moved.
+/// Tile whose heights are being fitted.
 struct Fit<'t, 'w, G> {
     tile: &'t mut Refined<'w, G>,
     /// The corners of the triangles.
     corners: Vec<[u32; 3]>,
-    /// Points before this one do not move.
+    /// Points before this index do not move.
     free: usize,
     samples: Vec<Sample>,
     moves: Vec<f64>,
 }
 
-/// Moves the heights of the points within a tile so that fewer distances exceed the tolerance, and by less:
-/// what exceeds it counts by its square. If nothing is gained the heights stay as they are. Ends at once
-/// where it is cancelled, with heights that are worth nothing.
+/// Moves the heights of the points within a tile so that fewer distances exceed the tolerance, and
+/// by less.
+///
+/// Minimises the sum of the squared excesses. If nothing is gained the heights stay as they are. If
+/// cancelled, it ends at once and the heights are unusable.
 pub fn fit<G: Ground>(tile: &mut Refined<G>, tolerance: f64, watch: &Watch) {
     let free = tile.border();
     let count = tile.heights.len();
@@ -85,13 +88,13 @@ pub fn fit<G: Ground>(tile: &mut Refined<G>, tolerance: f64, watch: &Watch) {
     }
 }
 
-/// What a distance exceeds a tolerance by, with its sign.
+/// Returns the excess of a distance over the tolerance, with the sign of the distance.
 fn beyond(gap: f64, tolerance: f64) -> f64 {
     (gap.abs() - tolerance).max(0.0).copysign(gap)
 }
 
 impl<G: Ground> Fit<'_, '_, G> {
-    /// Finds the greatest distances above and below of every triangle and edge.
+    /// Finds the greatest distances above and below each triangle and edge.
     fn look(&mut self) {
         let tile = &*self.tile;
         self.samples.clear();
@@ -100,7 +103,7 @@ impl<G: Ground> Fit<'_, '_, G> {
         for (triangle, &points) in self.corners.iter().enumerate() {
             let triangle = triangle as u32;
             let mut take = |gap: Gap, weights: [f32; 3]| {
-                // What lies between points of the border does not move.
+                // Parts between points of the border do not move.
                 let moves = (0..3).any(|k| points[k] >= free && weights[k] != 0.0);
                 if gap.height.is_finite() && moves {
                     self.samples.push(Sample { triangle, weights, gap: gap.height });
@@ -145,14 +148,14 @@ impl<G: Ground> Fit<'_, '_, G> {
         }
     }
 
-    /// The sum of the squares by which distances exceed the tolerance, after such a part of the moves.
+    /// Returns the sum of the squared excesses after a `part` of the moves.
     fn excess(&self, tolerance: f64, part: f64) -> f64 {
         let gap =
             |sample: &Sample| if part == 0.0 { sample.gap } else { sample.gap - part * self.rise(sample) };
         self.samples.iter().map(|sample| beyond(gap(sample), tolerance).powi(2)).sum()
     }
 
-    /// A step of Newton's method, which lowers the excess. Whether it does.
+    /// Takes a step of Newton's method. Returns whether it lowers the excess.
     fn step(&mut self, tolerance: f64) -> bool {
         self.solve(|gap| match beyond(gap, tolerance) {
             0.0 => (STAY * (gap / tolerance).powi(4), 0.0),
@@ -172,19 +175,20 @@ impl<G: Ground> Fit<'_, '_, G> {
         true
     }
 
-    /// How much the triangle rises at a sample when the points move.
+    /// Returns the triangle's rise at a sample when the points move.
     fn rise(&self, sample: &Sample) -> f64 {
         let points = self.corners[sample.triangle as usize];
         (0..3).map(|k| f64::from(sample.weights[k]) * self.moves[points[k] as usize]).sum()
     }
 
-    /// The moves whose rises are nearest to what is wanted, in the sum of squares by importance: by conjugate
-    /// gradients, divided by the diagonal. `wanted` gives importance and rise for a distance.
+    /// Finds the moves whose rises are nearest to the wanted ones, in the sum of squares by
+    /// importance. Uses conjugate gradients with a diagonal preconditioner. `wanted` returns
+    /// importance and rise for a distance.
     fn solve(&mut self, wanted: impl Fn(f64) -> (f64, f64)) {
         let count = self.moves.len();
         let mut diagonal = vec![0.0; count];
         let mut rest = vec![0.0; count];
-        // For the sides of each triangle.
+        // Off-diagonal terms of each triangle's sides.
         let mut sides = vec![[0.0; 3]; self.corners.len()];
         for sample in &self.samples {
             let points = self.corners[sample.triangle as usize];
@@ -236,7 +240,7 @@ impl<G: Ground> Fit<'_, '_, G> {
     }
 }
 
-/// The barycentric weights of a place.
+/// Returns the barycentric weights of a place.
 fn weights([a, b, c]: [[f64; 2]; 3], place: [f64; 2]) -> [f32; 3] {
     let cross =
         |o: [f64; 2], p: [f64; 2], q: [f64; 2]| (p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0]);

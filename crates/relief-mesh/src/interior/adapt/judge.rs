@@ -1,9 +1,10 @@
-//! How far the bilinear surface lies above and below a triangle, exactly.
+//! Exact distances of the bilinear surface from a triangle, above and below.
 //!
-//! In a cell the surface less a plane is harmonic, so what is greatest and least of it over a part of the
-//! cell lies on the part's border. Along lines between cells it is linear, along an edge of a triangle
-//! quadratic. So it is enough to look at the corners of cells within the triangle, at the places where its
-//! edges cross lines between cells, and at the vertices of the quadratics along the edges.
+//! In a cell the surface minus a plane is harmonic. So its greatest and least values over a part of
+//! the cell lie on the part's border. It is linear along lines between cells, and quadratic along
+//! an edge of a triangle. So three sorts of points are enough: corners of cells within the
+//! triangle, crossings of its edges with lines between cells, and vertices of the quadratics along
+//! its edges.
 
 use glam::{BVec4A, Vec4};
 
@@ -69,7 +70,8 @@ impl Ground for Window {
     }
 }
 
-/// The greatest and the least distance at the corners of cells within a triangle, and on its edges, in `f32`.
+/// Returns the greatest and the least distance at the corners of cells within a triangle and on its
+/// edges, in `f32`.
 fn within(window: &Window, corners: [Corner; 3]) -> Gaps {
     let [mut above, mut below] = [Greatest::NONE; 2];
     fours(window, corners, |gap, at, is_within| {
@@ -81,16 +83,17 @@ fn within(window: &Window, corners: [Corner; 3]) -> Gaps {
     Gaps { above: above.gap(window).unwrap_or(none.above), below: below.unwrap_or(none.below) }
 }
 
-/// The farthest distance at the corners of cells within a triangle, and on its edges, without its sign: as
-/// fast as can be, in `f32`.
+/// Returns the farthest distance at the corners of cells within a triangle and on its edges,
+/// without its sign. This is the fast path, in `f32`.
 fn worst_within(window: &Window, corners: [Corner; 3]) -> Option<Gap> {
     let mut worst = Greatest::NONE;
     fours(window, corners, |gap, at, is_within| worst.take(gap.abs(), at, is_within));
     worst.gap(window)
 }
 
-/// Distances at the corners of cells within a triangle, and on its edges, four along a row at a time: the
-/// distances, the numbers of the corners, and which of them are within. Rows are short: four on average.
+/// Calls `each` with distances at the corners of cells within a triangle and on its edges, four
+/// along a row at a time: the distances, the numbers of the corners, and which of them are within.
+/// Rows are short: four corners on average.
 #[inline(always)]
 fn fours(window: &Window, corners: [Corner; 3], mut each: impl FnMut(Vec4, Vec4, BVec4A)) {
     each_row(corners, |row, count| {
@@ -107,8 +110,8 @@ fn fours(window: &Window, corners: [Corner; 3], mut each: impl FnMut(Vec4, Vec4,
     });
 }
 
-/// The greatest of some numbers in four lanes, and where each lane's is: numbers of corners, which `f32`
-/// holds, as a tile has far fewer than 2²⁴.
+/// Greatest of some numbers in four SIMD lanes, and the corner at which each lane has it. `f32`
+/// holds the numbers of corners, as a tile has far fewer than 2²⁴.
 #[derive(Clone, Copy, Debug)]
 struct Greatest {
     most: Vec4,
@@ -118,7 +121,7 @@ struct Greatest {
 impl Greatest {
     const NONE: Self = Self { most: Vec4::NEG_INFINITY, at: Vec4::NEG_ONE };
 
-    /// Takes four more, of which some are there.
+    /// Adds four more numbers, where `is_there` is set.
     #[inline(always)]
     fn take(&mut self, numbers: Vec4, at: Vec4, is_there: BVec4A) {
         let is_greater = numbers.cmpgt(self.most) & is_there;
@@ -126,7 +129,7 @@ impl Greatest {
         self.at = Vec4::select(is_greater, at, self.at);
     }
 
-    /// The first of the greatest, and its place.
+    /// Returns the first of the greatest numbers, and its place.
     fn gap(self, window: &Window) -> Option<Gap> {
         let (most, at) = (self.most.to_array(), self.at.to_array());
         let mut best = 0;
@@ -143,7 +146,8 @@ impl Greatest {
     }
 }
 
-/// The rows of cells' corners within a triangle, and on its edges, and how many corners each has.
+/// Calls `each` with the rows of cell corners within a triangle and on its edges, and the number of
+/// corners of each.
 #[inline(always)]
 fn each_row(corners: [Corner; 3], mut each: impl FnMut(Row, i32)) {
     let sorted = by_row(corners);
@@ -162,7 +166,7 @@ fn each_row(corners: [Corner; 3], mut each: impl FnMut(Row, i32)) {
     let across = |run: i32, fall: i32| i64::from(run) * i64::from(fall);
     let is_left = across(b[0] - a[0], c[1] - a[1]) < across(c[0] - a[0], b[1] - a[1]);
     let [long, upper, lower] = [Edge::new(a, c), Edge::new(a, b), Edge::new(b, c)];
-    // The last row along the upper edge, if that has any.
+    // The last row along the upper edge, if it has any.
     let middle = if b[1] > a[1] { b[1] / STEPS } else { first - 1 };
     for j in first..=last {
         let ends = [long.at(j), if j <= middle { upper.at(j) } else { lower.at(j) }];
@@ -176,7 +180,8 @@ fn each_row(corners: [Corner; 3], mut each: impl FnMut(Row, i32)) {
     }
 }
 
-/// Corners from the first row to the last. Without a condition, as none could be foreseen.
+/// Returns the corners from the first row to the last. It has no branches, as none could be
+/// predicted.
 #[inline(always)]
 fn by_row(corners: [Corner; 3]) -> [Corner; 3] {
     let [a, b, c] = [corners[0].0[1], corners[1].0[1], corners[2].0[1]];
@@ -185,25 +190,25 @@ fn by_row(corners: [Corner; 3]) -> [Corner; 3] {
     [corners[first], corners[second], corners[third]]
 }
 
-/// The order of three numbers: by whether the first is above the second, the second above the third, and the
-/// first above the third.
+/// Order of three numbers, by three bits: first above second, second above third, first above
+/// third.
 const SORTED: [[usize; 3]; 8] =
     [[0, 1, 2], [1, 0, 2], [0, 2, 1], [0, 1, 2], [0, 1, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
-/// Bits of a step of the lattice behind the point.
+/// Binary places of a step of the lattice after the point.
 const STEP_BITS: u32 = 32;
 
-/// Bits of a cell behind the point.
+/// Binary places of a cell after the point.
 const CELL_BITS: u32 = STEP_BITS + STEPS.ilog2();
 
 /// A cell.
 const CELL: i64 = 1 << CELL_BITS;
 
-/// What an edge is wrong by at most. A corner of a cell that is not on an edge is farther from it: the edge's
-/// ends are lattice points, fewer than 2¹³ steps apart.
+/// Greatest rounding error of an edge. A corner of a cell that is not on an edge is farther from
+/// it, as the edge's ends are lattice points fewer than 2¹³ steps apart.
 const ROUNDING: i64 = 1 << 16;
 
-/// Where an edge crosses rows, with [`STEP_BITS`] bits behind the point.
+/// Crossings of an edge with rows, with [`STEP_BITS`] binary places after the point.
 #[derive(Clone, Copy, Debug)]
 struct Edge {
     x: i64,
@@ -212,7 +217,7 @@ struct Edge {
 }
 
 impl Edge {
-    /// An edge between lattice points, the upper one first.
+    /// Creates an edge between lattice points, the upper one first.
     fn new([x, y]: [i32; 2], [to_x, to_y]: [i32; 2]) -> Self {
         let run = i64::from(to_x - x) << STEP_BITS;
         Self { x: i64::from(x) << STEP_BITS, y: i64::from(y), lean: run / i64::from(to_y - y).max(1) }
@@ -223,7 +228,7 @@ impl Edge {
     }
 }
 
-/// The slopes of a triangle along both axes, in heights a cell.
+/// Returns the slopes of a triangle along both axes, in heights per cell.
 #[inline(always)]
 fn slopes([(a, za), (b, zb), (c, zc)]: [Corner; 3]) -> [f64; 2] {
     let cells = |from: i32, to: i32| f64::from(to - from) / f64::from(STEPS);
@@ -233,32 +238,32 @@ fn slopes([(a, za), (b, zb), (c, zc)]: [Corner; 3]) -> [f64; 2] {
     [(rise_b * c[1] - rise_c * b[1]) * scale, (rise_c * b[0] - rise_b * c[0]) * scale]
 }
 
-/// A row of cells' corners within a triangle.
+/// Row of cell corners within a triangle.
 #[derive(Clone, Copy, Debug)]
 struct Row {
-    /// Which row.
+    /// Number of the row.
     j: i32,
-    /// The first corner.
+    /// First corner.
     from: i32,
-    /// The triangle's height at the first corner.
+    /// Height of the triangle at the first corner.
     start: f64,
-    /// How much it rises at each.
+    /// Rise of the triangle per corner.
     slope: f64,
 }
 
 impl Row {
-    /// How far a height lies above the triangle, so many corners from the first.
+    /// Returns the distance of a height above the triangle, `k` corners from the first.
     fn gap(&self, k: usize, height: f32) -> f64 {
         f64::from(height) - (self.start + self.slope * k as f64)
     }
 
-    /// The number of the first corner in the window.
+    /// Returns the number of the first corner in the window.
     fn first(&self, window: &Window) -> i32 {
         self.j * window.columns() as i32 + self.from
     }
 }
 
-/// Distances along an edge, its ends among them.
+/// Returns the greatest and the least distance along an edge, ends included.
 fn along(window: &Window, [a, b]: [Corner; 2]) -> Gaps {
     let mut gaps = Gaps::none();
     let ((from, start), (to, end)) = (a, b);
@@ -267,8 +272,8 @@ fn along(window: &Window, [a, b]: [Corner; 2]) -> Gaps {
     let steps = run.map(|run| f64::from(run) / f64::from(STEPS));
     let scale = 1.0 / (f64::from(length[0].max(1)) * f64::from(length[1].max(1)));
     let place = |t: f64| [0, 1].map(|axis| f64::from(from[axis]) + t * f64::from(run[axis]));
-    // The first cell, and how far it is to the next line across each axis; times the other axis's run, so
-    // that both are compared as whole numbers.
+    // The first cell, and the distance to the next line across each axis. Distances are multiplied
+    // by the other axis's run, so that they compare as integers.
     let mut cell = [0; 2];
     let mut ahead = [i64::MAX; 2];
     for axis in 0..2 {

@@ -1,10 +1,10 @@
 //! Greedy Delaunay insertion: triangles as large as the tolerance allows.
 //!
-//! The points of a tile of a plane lie on a lattice of a sixteenth of a texel, those of a base triangle on
-//! one of its barycentric coordinates, so that what decides how they are joined is exact in whole numbers.
-//! The point farthest from its triangle is inserted until none is farther than the tolerance. With a fit a
-//! looser tolerance is enough at first: a triangle that lies wholly below a bulge comes nearer when its
-//! corners are raised.
+//! The points of a tile of a plane lie on a lattice of 1/16 texel, those on a base triangle on a
+//! lattice of its barycentric coordinates. The triangulation is therefore exact in integers. The
+//! point farthest from its triangle is inserted until none is farther than the tolerance. A fit of
+//! heights allows a looser tolerance at first: a triangle that lies wholly below a bulge comes
+//! nearer when its corners are raised.
 
 mod delaunay;
 mod facet;
@@ -39,41 +39,43 @@ pub const INTERIOR: Interior = Interior {
     fills: Fills::Ground(Fill { tile: fill_tile, facet: fill_facet }),
 };
 
-/// How much looser the tolerance is before heights are fitted: found by trying, see `docs/mesh.md`.
+/// Factor on the tolerance before heights are fitted, found by trying: see `docs/mesh.md`.
 const LOOSER: f64 = 1.35;
 
-/// What distances of `f32` may be wrong by.
+/// Rounding of distances in `f32`.
 const ROUNDING: f64 = 2e-7;
 
-/// How a patch is to be filled.
+/// Request to fill a patch.
 #[derive(Clone, Copy, Debug)]
 pub struct Wanted<'a> {
-    /// The farthest that the surface may lie from a triangle, as a height of the map.
+    /// Greatest distance of the surface from a triangle, as a height of the map.
     pub tolerance: f64,
-    /// Where that is looked at.
+    /// Places at which distances are measured.
     pub judge: Judge,
-    /// Whether heights are moved off the surface.
+    /// Whether heights may leave the surface.
     pub fit: Fit,
-    /// The most triangles.
+    /// Greatest number of triangles.
     pub most: u32,
-    /// Asked whether to go on.
+    /// Source of cancellation.
     pub watch: Watch<'a>,
 }
 
-/// A patch that is filled.
+/// Filled patch.
 #[derive(Clone, Debug)]
 pub struct Filled {
-    /// The points, in steps of the lattice: first those of the border, as they were given.
+    /// Points in steps of the lattice, the given ones of the border first.
     pub points: Vec<[u16; 2]>,
-    /// Their heights.
+    /// Heights of the points.
     pub heights: Vec<f32>,
-    /// Triangles by their points, turning from the first axis of the lattice to the second.
+    /// Triangles by the numbers of their points. They turn from the first axis of the lattice to
+    /// the second.
     pub triangles: Vec<[u32; 3]>,
-    /// The farthest that the surface lies above the triangles and below them, and where.
+    /// Distances of the surface from the triangles.
     pub seen: Seen,
 }
 
-// Not generic, so that they are compiled here alone: what a constant names is compiled wherever that is read.
+// Not generic, so that the code is compiled in this crate alone: a constant's functions are
+// compiled wherever it is read.
 fn fill_tile(ground: &Window, border: &[([i32; 2], f32)], wanted: Wanted<'_>) -> Option<Filled> {
     fill(ground, border, wanted)
 }
@@ -82,13 +84,13 @@ fn fill_facet(ground: &Facet, border: &[([i32; 2], f32)], wanted: Wanted<'_>) ->
     fill(ground, border, wanted)
 }
 
-/// Fills a patch, whose border's points are its corners, in the ground's order, and then any others. None
-/// where it would have too many triangles, or was cancelled.
+/// Fills a patch. The points of its border are its corners, in the ground's order, and then any
+/// others. Returns `None` if it would have too many triangles, or was cancelled.
 fn fill<G: Ground>(ground: &G, border: &[([i32; 2], f32)], wanted: Wanted<'_>) -> Option<Filled> {
     if wanted.watch.is_cancelled() {
         return None;
     }
-    // So that what is found in f64 holds, too.
+    // So that the results hold in `f64`, too.
     let tolerance = wanted.tolerance * (1.0 - 1e-5) - ROUNDING;
     let refined = |fit: Fit| {
         let mut tile = Refined::new(ground, wanted.judge, border);
@@ -105,7 +107,7 @@ fn fill<G: Ground>(ground: &G, border: &[([i32; 2], f32)], wanted: Wanted<'_>) -
         Some((tile, seen))
     };
     let (mut tile, mut seen) = refined(wanted.fit)?;
-    // A point whose height was moved may lie too far off, and nothing can be inserted where it is.
+    // A point whose height was moved may be too far off, and no point can be inserted there.
     if seen.greatest() > wanted.tolerance && wanted.fit != Fit::None {
         (tile, seen) = refined(Fit::None)?;
     }

@@ -1,7 +1,7 @@
 //! Greedy insertion: the point farthest from its triangle comes next, until none is too far.
 //!
-//! Source: Garland and Heckbert 1995, Fast Polygonal Approximation of Terrains and Height Fields; here the
-//! farthest point of the bilinear surface, not of the samples alone.
+//! Source: Garland and Heckbert 1995, Fast Polygonal Approximation of Terrains and Height Fields.
+//! Here the farthest point of the bilinear surface counts, not of the samples alone.
 
 use std::collections::BinaryHeap;
 
@@ -10,53 +10,54 @@ use super::delaunay::{Delaunay, Location, NONE};
 use super::ground::{Corner, Gap, Ground};
 use crate::Judge;
 
-/// A triangulated patch.
+/// Triangulated patch.
 #[derive(Clone, Debug)]
 pub struct Refined<'a, G> {
     pub ground: &'a G,
     pub mesh: Delaunay,
-    /// Heights of the points; each is a number of `f32`.
+    /// Heights of the points, each representable in `f32`.
     pub heights: Vec<f64>,
     pub judge: Judge,
-    /// How many points lie on the border. They are the first ones, and stay.
+    /// Number of points on the border. They come first and do not move.
     border: usize,
-    /// The worst of each triangle, with what it is bent by.
+    /// Greatest distance of each triangle, including its bend.
     worst: Vec<Gap>,
-    /// The worst of each half-edge, with the points at its ends, as far as they are known.
+    /// Greatest distance of each half-edge and the points at its ends, where known.
     edges: Vec<([u32; 2], Gap)>,
-    /// Triangles that are too far off by their worst: a number that grows with it, then the triangle's.
+    /// Triangles that are too far off: a number that grows with the distance, then the triangle's
+    /// number.
     queue: BinaryHeap<u64>,
     changed: Vec<u32>,
-    /// How often changed triangles were looked at, and the last time that each was.
+    /// Number of calls of `update`, and the last one that measured each triangle.
     turn: u32,
     looked: Vec<u32>,
 }
 
-/// What triangles show, exact in `f64`.
+/// Distances of the surface from triangles, exact in `f64`.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
-    /// The farthest that the surface is above them.
+    /// Greatest distance of the surface above them.
     pub above: Gap,
-    /// The farthest that it is below them, less than 0.
+    /// Greatest distance of the surface below them, less than 0.
     pub below: Gap,
-    /// The sum of the distances at the corners of cells.
+    /// Sum of the absolute distances at the corners of cells.
     pub sum: f64,
-    /// The sum of what the surface is above there, less what it is below.
+    /// Sum of the signed distances at the corners of cells.
     pub signed: f64,
-    /// How many corners there are.
+    /// Number of these corners.
     pub count: u64,
 }
 
 impl Seen {
-    /// Of nothing.
+    /// No distances.
     pub const NOTHING: Self = Self { above: LEVEL, below: LEVEL, sum: 0.0, signed: 0.0, count: 0 };
 
-    /// The farthest that the surface is from them.
+    /// Returns the greatest absolute distance.
     pub fn greatest(&self) -> f64 {
         self.above.height.max(-self.below.height)
     }
 
-    /// Takes one more distance, of a triangle that is bent.
+    /// Adds a distance of a bent triangle.
     fn take_bent(&mut self, height: f64, bend: f64, place: impl Fn() -> [f64; 2]) {
         if height + bend > self.above.height {
             self.above = Gap { height: height + bend, place: place() };
@@ -66,7 +67,7 @@ impl Seen {
         }
     }
 
-    /// Takes one more distance.
+    /// Adds a distance.
     fn take(&mut self, gap: Gap) {
         if gap.height > self.above.height {
             self.above = gap;
@@ -76,7 +77,7 @@ impl Seen {
         }
     }
 
-    /// What both show.
+    /// Returns the distances of both.
     pub fn with(mut self, other: &Self) -> Self {
         self.take(other.above);
         self.take(other.below);
@@ -87,12 +88,12 @@ impl Seen {
     }
 }
 
-/// No gap.
+/// Distance of 0.
 const LEVEL: Gap = Gap { height: 0.0, place: [0.0; 2] };
 
 impl<'a, G: Ground> Refined<'a, G> {
-    /// The triangles that a patch begins with, and what its border's points make of them: the corners as the
-    /// ground counts them, then the others in any order, with their heights.
+    /// Creates the first triangles of a patch, with the points of its border. `border` begins with
+    /// the corners in the ground's order. Other points follow in any order, all with their heights.
     pub fn new(ground: &'a G, judge: Judge, border: &[([i32; 2], f32)]) -> Self {
         let mut mesh = ground.first_triangles();
         let corners = mesh.points().len();
@@ -123,7 +124,7 @@ impl<'a, G: Ground> Refined<'a, G> {
         refined
     }
 
-    /// Inserts a point at a place where there is none. Whether there was none.
+    /// Inserts a point at its location, if there is none. Returns whether it did.
     fn insert_at(&mut self, point: [i32; 2], at: Location) -> bool {
         let is_new = !matches!(at, Location::Point(_));
         if is_new {
@@ -141,15 +142,16 @@ impl<'a, G: Ground> Refined<'a, G> {
         (self.mesh.points()[point as usize], self.heights[point as usize])
     }
 
-    /// The corners of a triangle.
+    /// Returns the corners of a triangle.
     #[inline(always)]
     fn corners(&self, triangle: u32) -> [Corner; 3] {
         let [a, b, c] = self.mesh.triangle(triangle);
         [self.corner(a), self.corner(b), self.corner(c)]
     }
 
-    /// Inserts points until no triangle is farther from the surface than `tolerance`, or none of those that
-    /// are can be cut. None where there are more triangles than wanted by then, or where it is cancelled.
+    /// Inserts points until no triangle is farther from the surface than `tolerance`, or the
+    /// farther ones cannot be divided. Returns `None` if there are then more triangles than wanted,
+    /// or if cancelled.
     pub fn refine(&mut self, tolerance: f64, wanted: &Wanted<'_>) -> Option<()> {
         self.look(tolerance);
         while let Some(queued) = self.queue.pop() {
@@ -168,14 +170,14 @@ impl<'a, G: Ground> Refined<'a, G> {
         Some(())
     }
 
-    /// Looks at all triangles anew, after heights were moved.
+    /// Marks all triangles to be measured again, after heights were moved.
     pub fn moved(&mut self) {
         self.queue.clear();
         self.edges.fill(([NONE; 2], LEVEL));
         self.changed.extend(0..self.mesh.count());
     }
 
-    /// Looks at the triangles that are new, and queues those that are too far off.
+    /// Measures the changed triangles, and queues those that are too far off.
     fn look(&mut self, tolerance: f64) {
         let mut changed = std::mem::take(&mut self.changed);
         self.mesh.take_changed(&mut changed);
@@ -204,8 +206,8 @@ impl<'a, G: Ground> Refined<'a, G> {
             }
             let bend = self.ground.bend(corners);
             if bend > 0.0 {
-                // The border stays as it is, and where the surface is near by itself, too, smaller triangles
-                // are bent less.
+                // The border is fixed. Where the surface itself is near, smaller triangles are bent
+                // less.
                 let border = self.at_border(triangle);
                 let is_bent = bend.max(border) > worst.height.abs();
                 let place = if is_bent { self.ground.bend_place(corners) } else { worst.place };
@@ -220,7 +222,7 @@ impl<'a, G: Ground> Refined<'a, G> {
         self.changed = changed;
     }
 
-    /// The farthest distance along the edges of a triangle that lie on the border.
+    /// Returns the farthest distance along the edges of a triangle that lie on the border.
     fn at_border(&self, triangle: u32) -> f64 {
         if self.judge == Judge::Texels {
             return 0.0;
@@ -233,7 +235,7 @@ impl<'a, G: Ground> Refined<'a, G> {
         along.map(|gap| gap.height.abs()).fold(0.0, f64::max)
     }
 
-    /// The worst along an edge that two triangles share.
+    /// Returns the farthest distance along an edge that two triangles share.
     fn edge(&mut self, edge: u32) -> Option<Gap> {
         let far = self.mesh.opposite(edge);
         if far == NONE {
@@ -255,8 +257,8 @@ impl<'a, G: Ground> Refined<'a, G> {
         Some(gap)
     }
 
-    /// Inserts the lattice point nearest to a place of a triangle, of those that do away with the triangle.
-    /// Whether there is one.
+    /// Inserts the lattice point nearest to `place` whose insertion removes the triangle. Returns
+    /// whether there is one.
     fn insert(&mut self, triangle: u32, place: [f64; 2]) -> bool {
         let step = self.ground.step(self.judge);
         let nearest = [0, 1].map(|axis| (place[axis] / f64::from(step)).round() as i32 * step);
@@ -273,7 +275,7 @@ impl<'a, G: Ground> Refined<'a, G> {
         false
     }
 
-    /// What all triangles together show, worked out in `f64`.
+    /// Returns the distances of all triangles, computed in `f64`.
     pub fn seen(&self) -> Seen {
         let ground = self.ground;
         let mut is_counted = vec![false; ground.centres()];
@@ -287,7 +289,7 @@ impl<'a, G: Ground> Refined<'a, G> {
             }
             let bend = ground.bend(corners);
             ground.each_centre(corners, |centre, gap, place| {
-                // A centre on an edge is one of both triangles.
+                // A centre on an edge belongs to both triangles.
                 if !std::mem::replace(&mut is_counted[centre], true) {
                     seen.sum += gap.abs();
                     seen.signed += gap;
@@ -300,7 +302,7 @@ impl<'a, G: Ground> Refined<'a, G> {
             }
             for edge in 3 * triangle..3 * triangle + 3 {
                 let [a, b] = self.mesh.ends(edge);
-                // An edge is the same to both of its triangles, unless these are bent or left out.
+                // An edge is the same for both of its triangles, unless they are bent or left out.
                 if bend > 0.0 || ground.has_holes() || self.mesh.opposite(edge) == NONE || a < b {
                     let gaps = ground.along([a, b].map(|point| self.corner(point)));
                     for gap in [gaps.above, gaps.below] {
@@ -313,7 +315,7 @@ impl<'a, G: Ground> Refined<'a, G> {
     }
 }
 
-/// Steps from a lattice point to those around it, the nearest first.
+/// Steps from a lattice point to its neighbours, the nearest first.
 const AROUND: [[i32; 2]; 25] = {
     let mut all = [[0; 2]; 25];
     let (mut count, mut square) = (0, 0);
@@ -332,7 +334,8 @@ const AROUND: [[i32; 2]; 25] = {
     all
 };
 
-/// A number that grows with a gap, and then with a triangle's number, which it ends with.
+/// Returns a number that grows with the distance, and then with the triangle's number, which it
+/// ends with.
 fn queue_key(gap: Gap, triangle: u32) -> u64 {
     u64::from((gap.height.abs() as f32).to_bits()) << 32 | u64::from(triangle)
 }

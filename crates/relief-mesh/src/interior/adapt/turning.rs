@@ -1,16 +1,16 @@
-//! What a displaced base triangle is bent by: how far it leaves the plane pieces between its points, besides
-//! by what the heights of the map do.
+//! Bend of a displaced base triangle: its distance from the flat pieces between its points, besides
+//! the heights of the map.
 //!
-//! A point of the triangle is `P + H N`: `P` the base, `N` the direction of displacement, `H` the height of
-//! the map and what a smooth base lies above it. Over a piece whose corners have the weights `w`, that
-//! differs from what is interpolated by at most the sum of
+//! A point of the triangle is `P + H N`: `P` on the base, `N` the direction of displacement, `H`
+//! the height of the map plus the lift of a smooth base. Over a piece whose corners have the
+//! weights `w`, it differs from the interpolated point by at most the sum of
 //!
-//! * `Σ w w' |H - H'| |N - N'|` over the pairs of corners, because `H` and `N` both vary;
-//! * `|H| |N - N̄|`, `N̄` interpolated: nothing where `N` is, and for directions of length 1 see
-//!   [`Turning::off_chord`];
-//! * what a quadratic lift leaves of itself, `Σ w w' |Q(p - p')|`, `Q` its quadratic form and `p` the
+//! - `Σ w w' |H - H'| |N - N'|` over the pairs of corners, because `H` and `N` both vary;
+//! - `|H| |N - N̄|`, `N̄` interpolated: 0 where `N` is interpolated, too; for directions of length
+//!   1 see [`Turning::off_chord`];
+//! - the error of a quadratic lift, `Σ w w' |Q(p - p')|`, with `Q` its quadratic form and `p` the
 //!   corners' places in the triangle;
-//! * what a cubic `P` leaves, by the control points of its part over the piece: see
+//! - the error of a cubic `P`, by the control points of its part over the piece: see
 //!   [`Cubic::off_piece`].
 
 use glam::DVec3;
@@ -18,56 +18,58 @@ use glam::DVec3;
 use crate::cubic::Cubic;
 use crate::point;
 
-/// What the product of two weights is at most.
+/// Greatest product of two weights.
 const PAIR: f64 = 0.25;
 
-/// A base triangle as it turns and bends. Lengths are in heights of the map.
+/// Base triangle with its turning directions and its bent surface. Lengths are in heights of the
+/// map.
 #[derive(Clone, Copy, Debug)]
 pub struct Turning {
-    /// The directions of displacement at its corners: in lengths of the longest, or of any length where they
-    /// are normalised.
+    /// Directions of displacement at its corners. Their unit is the longest direction; directions
+    /// that are normalised may have any length.
     pub directions: [DVec3; 3],
     /// Whether directions between these are normalised.
     pub is_unit: bool,
-    /// The displacement at height 0.
+    /// Displacement at height 0.
     pub at_zero: f64,
-    /// Which part it is of what its smooth base belongs to: the weights of its corners there.
+    /// Weights of its corners in the triangle to which the smooth base belongs.
     pub part: [[f64; 3]; 3],
-    /// What a smooth base has for the sides of that, side `k` from corner `k` to the next.
+    /// Lifts of a smooth base for the sides of that triangle. Side `k` goes from corner `k` to the
+    /// next.
     pub lifts: [f64; 3],
-    /// A cubic base.
+    /// Cubic base, if any.
     pub cubic: Option<Cubic>,
-    /// What counts for each length that a piece is bent by: more than 1 where that is kept on one side.
+    /// Factor on each bend, more than 1 where triangles lie on one side of the relief.
     pub factor: f64,
 }
 
-/// A corner of a piece: its weights in the triangle, and the height of the map that it lies at.
+/// Corner of a piece: its weights in the triangle, and its height of the map.
 pub type PieceCorner = ([f64; 3], f64);
 
 impl Turning {
-    /// One that is flat, with interpolated directions.
+    /// Creates a flat triangle with interpolated directions.
     pub fn flat(directions: [DVec3; 3]) -> Self {
         let part = point::CORNERS;
         Self { directions, is_unit: false, at_zero: 0.0, part, lifts: [0.0; 3], cubic: None, factor: 1.0 }
     }
 
-    /// The interpolated direction, not normalised.
+    /// Returns the interpolated direction, not normalised.
     fn raw(&self, [a, b, c]: [f64; 3]) -> DVec3 {
         self.directions[0] * a + self.directions[1] * b + self.directions[2] * c
     }
 
-    /// The weights in the whole of those in the part.
+    /// Returns weights in the whole triangle, given weights in the part.
     fn in_whole(&self, weights: [f64; 3]) -> [f64; 3] {
         [0, 1, 2].map(|k| (0..3).map(|corner| self.part[corner][k] * weights[corner]).sum())
     }
 
-    /// The quadratic form of the lift, at weights or at differences of them.
+    /// Returns the quadratic form of the lift, at weights or at differences of weights.
     fn lift(&self, of: [f64; 3]) -> f64 {
         let along = |k: usize| self.lifts[k] * of[k] * of[(k + 1) % 3];
         along(0) + along(1) + along(2)
     }
 
-    /// The most that a piece is bent by, as it counts.
+    /// Returns a bound on the bend of a piece, times [`factor`](Self::factor).
     pub fn bend(&self, corners: [PieceCorner; 3]) -> f64 {
         self.factor * self.bend_itself(corners)
     }
@@ -91,11 +93,13 @@ impl Turning {
         bend + self.cubic.map_or(0.0, |cubic| cubic.off_piece(whole))
     }
 
-    /// How far a direction that is interpolated and normalised is from the one interpolated between those at
-    /// the corners, all of length 1, before they had those lengths.
+    /// Returns a bound on the distance between a direction that is interpolated and normalised, and
+    /// the interpolation of the normalised directions `along` of the corners. `lengths` are the
+    /// lengths at the corners before they were normalised.
     ///
-    /// It lies above a point of the triangle between these, by no more than that is short; and that point has
-    /// other weights, each times a length over the mean one.
+    /// The normalised direction lies above a point of the triangle between the corners' directions,
+    /// by at most the shortfall of that point's length from 1. That point has other weights: each
+    /// times a length over the mean length.
     fn off_chord(along: [DVec3; 3], lengths: [f64; 3]) -> f64 {
         let distance = |a: usize, b: usize| along[a].distance(along[b]);
         let distances = [distance(0, 1), distance(1, 2), distance(2, 0)];
@@ -105,14 +109,14 @@ impl Turning {
             .iter()
             .fold([f64::INFINITY, 0.0_f64], |[least, most], &length| [least.min(length), most.max(length)]);
         let aside = 0.5 * farthest * (most / least - 1.0);
-        // Points of the ball are not farther from each other, whatever the lengths.
+        // Points of the unit ball are at most 2 apart, whatever the lengths.
         let off = short + aside;
         if off.is_finite() { off.min(2.0) } else { 2.0 }
     }
 }
 
-/// The most that the products of each two of three weights come to, times these numbers. With the squares of
-/// a triangle's sides it is the square of the radius of the least circle around it.
+/// Returns the greatest sum of the products of each two of three weights, times these numbers. With
+/// the squares of a triangle's sides it is the squared radius of the least circle around it.
 fn pairs([a, b, c]: [f64; 3]) -> f64 {
     let most = a.max(b).max(c);
     let rest = a + b + c - most;
@@ -128,13 +132,14 @@ fn pairs([a, b, c]: [f64; 3]) -> f64 {
 mod tests {
     use super::*;
 
-    /// The weights of some points in a triangle.
+    /// Returns the weights of some points in a triangle.
     fn points(n: u32) -> Vec<[f64; 3]> {
         let each = (0..=n).flat_map(|i| (0..=n - i).map(move |j| [i, j, n - i - j]));
         each.map(|of| of.map(|part| f64::from(part) / f64::from(n))).collect()
     }
 
-    /// The farthest that the surface leaves a piece, where heights are linear between its corners.
+    /// Returns the farthest that the surface leaves a piece, where heights are linear between its
+    /// corners.
     fn farthest(turning: &Turning, corners: [PieceCorner; 3]) -> f64 {
         let displaced = |weights: [f64; 3], height: f64| {
             let raw = turning.raw(weights);

@@ -1,27 +1,27 @@
-//! The heights of a tile, on a lattice of a sixteenth of a cell.
+//! Heights of a tile, on a lattice of 1/16 of a cell.
 
 /// Steps of the lattice along a cell.
 pub const STEPS: i32 = 16;
 
-/// The heights at the corners of a tile's cells. A place in it is counted in steps of the lattice from the
-/// first corner; the surface is bilinear in every cell.
+/// Heights at the corners of a tile's cells. Places are counted in steps of the lattice from the
+/// first corner. The surface is bilinear in every cell.
 #[derive(Clone, Debug)]
 pub struct Window {
-    /// Corners along both axes, at least two.
+    /// Number of corners along both axes, at least two.
     corners: [usize; 2],
-    /// And three numbers more, so that four are there from each corner.
+    /// Heights by rows, and three more numbers, so that four can be read from each corner.
     heights: Vec<f32>,
-    /// Which cells are holes, row by row; empty where none is.
+    /// Which cells are holes, row by row; empty if none is.
     holes: Vec<bool>,
-    /// Where the tile begins, in steps. Cells at its border may lie outside in part.
+    /// Start of the tile, in steps. Cells at its border may lie partly outside.
     pub from: [i32; 2],
-    /// Where it ends.
+    /// End of the tile, in steps.
     pub to: [i32; 2],
 }
 
 impl Window {
-    /// A window over a tile that goes from one place to another, in steps: the first within the first cell,
-    /// the last within the last. `height` gives the height at a corner.
+    /// Creates a window over a tile between two places, in steps. The first place lies in the first
+    /// cell, the last in the last. `height` returns the height at a corner.
     pub fn new(from: [i32; 2], to: [i32; 2], mut height: impl FnMut([usize; 2]) -> f32) -> Self {
         let corners = to.map(|to| ((to + STEPS - 1) / STEPS + 1) as usize);
         let mut heights = Vec::with_capacity(corners[0] * corners[1]);
@@ -32,7 +32,7 @@ impl Window {
         Self { corners, heights, holes: Vec::new(), from, to }
     }
 
-    /// The same with holes: `is_hole` says which cells are.
+    /// Adds holes: `is_hole` says which cells are holes.
     #[must_use]
     pub fn with_holes(mut self, mut is_hole: impl FnMut([usize; 2]) -> bool) -> Self {
         let [across, down] = self.corners.map(|corners| corners - 1);
@@ -43,18 +43,18 @@ impl Window {
         self
     }
 
-    /// Whether some cells are holes.
+    /// Returns whether some cells are holes.
     pub fn has_holes(&self) -> bool {
         !self.holes.is_empty()
     }
 
-    /// Whether the cell at a place, in cells, is a hole.
+    /// Returns whether the cell at a place, in cells, is a hole.
     pub fn is_hole(&self, place: [f64; 2]) -> bool {
         let [i, j] = self.cell_at(place).map(|at| at as usize);
         self.holes.get(j * (self.corners[0] - 1) + i).is_some_and(|is_hole| *is_hole)
     }
 
-    /// The corners of cells around which some are holes and others are none.
+    /// Returns the corners that touch both holes and other cells.
     pub fn outline(&self) -> impl Iterator<Item = [i32; 2]> + use<'_> {
         let [across, down] =
             if self.has_holes() { self.corners.map(|corners| corners as i32) } else { [0; 2] };
@@ -66,22 +66,22 @@ impl Window {
         (0..down).flat_map(move |j| (0..across).map(move |i| [i, j])).filter(is_between)
     }
 
-    /// The heights at all corners, row by row.
+    /// Returns the heights at all corners, row by row.
     pub fn heights(&self) -> &[f32] {
         &self.heights[..self.corners[0] * self.corners[1]]
     }
 
-    /// The heights at a row of corners.
+    /// Returns the heights at a row of corners.
     pub fn row(&self, j: usize) -> &[f32] {
         &self.heights[j * self.corners[0]..][..self.corners[0]]
     }
 
-    /// The heights at four corners, the first by its number. There is always something to read.
+    /// Returns the heights at four corners, from the corner number `at` onward.
     pub fn four(&self, at: i32) -> &[f32; 4] {
         self.heights[at as usize..].first_chunk().unwrap_or(&[0.0; 4])
     }
 
-    /// The heights at the corners of a cell: `h00`, `h10`, `h01`, `h11`.
+    /// Returns the heights at the corners of a cell: `h00`, `h10`, `h01`, `h11`.
     pub fn cell(&self, [i, j]: [i32; 2]) -> [f64; 4] {
         let at = j as usize * self.corners[0] + i as usize;
         let below = at + self.corners[0];
@@ -94,22 +94,23 @@ impl Window {
         [pair[0], pair[1]]
     }
 
-    /// Corners along the first axis.
+    /// Returns the number of corners along the first axis.
     pub fn columns(&self) -> usize {
         self.corners[0]
     }
 
-    /// Corners along the second axis.
+    /// Returns the number of corners along the second axis.
     pub fn rows(&self) -> usize {
         self.corners[1]
     }
 
-    /// The cell at a place, in cells; that at the border where rounding put it beyond.
+    /// Returns the cell at a place, in cells. A place that rounding put beyond the border is in the
+    /// cell at the border.
     pub fn cell_at(&self, place: [f64; 2]) -> [i32; 2] {
         [0, 1].map(|axis| (place[axis].floor() as i32).clamp(0, self.corners[axis] as i32 - 2))
     }
 
-    /// The height at a lattice point.
+    /// Returns the height at a lattice point.
     pub fn height_at(&self, point: [i32; 2]) -> f64 {
         let cell = [0, 1].map(|axis| (point[axis] / STEPS).min(self.corners[axis] as i32 - 2));
         let part = |axis: usize| f64::from(point[axis] - STEPS * cell[axis]) / f64::from(STEPS);
@@ -117,7 +118,7 @@ impl Window {
     }
 }
 
-/// The height in a cell, from 0 to 1 along both axes.
+/// Returns the height in a cell at `u` and `v` from 0 to 1.
 pub fn bilinear([h00, h10, h01, h11]: [f64; 4], [u, v]: [f64; 2]) -> f64 {
     let [near, far] = [h00 + (h10 - h00) * u, h01 + (h11 - h01) * u];
     near + (far - near) * v

@@ -1,18 +1,18 @@
-//! Sweeps tile their triangles.
+//! Tests of the sweep: pieces tile their triangles.
 
 use super::*;
 use std::collections::HashMap;
 
 type Triangle = [[i32; 3]; 3];
 
-/// What was found out about all pieces of some triangles.
+/// Totals over all pieces of the tested triangles.
 #[derive(Debug, Default)]
 struct Found {
     pieces: u64,
     without_area: u64,
 }
 
-/// Looks at the pieces of triangles; keeps what it needs for that.
+/// Test of the pieces of triangles, with reused buffers.
 #[derive(Default)]
 struct Looking {
     found: Found,
@@ -27,7 +27,7 @@ fn parts(voxels: Triangle) -> [u32; 3] {
     })
 }
 
-/// The barycentric weights of a point.
+/// Returns the barycentric weights of a point.
 fn weights(point: PatchPoint, parts: [u32; 3]) -> [f64; 3] {
     match point {
         PatchPoint::Border { side, at } => {
@@ -41,7 +41,7 @@ fn weights(point: PatchPoint, parts: [u32; 3]) -> [f64; 3] {
     }
 }
 
-/// The sides that a point lies on.
+/// Returns the sides on which a point lies, as bits.
 fn sides(point: PatchPoint) -> u32 {
     match point {
         PatchPoint::Border { side, at: 0 } => 1 << side | 1 << ((side + 2) % 3),
@@ -51,8 +51,8 @@ fn sides(point: PatchPoint) -> u32 {
 }
 
 impl Looking {
-    /// Pieces tile the triangle, none is turned over or has three corners on a side, every point of the
-    /// border is used, and all is as it was counted.
+    /// Checks that the pieces tile the triangle, none is turned over or has three corners on a
+    /// side, every point of the border is used, and all counts are right.
     fn at(&mut self, voxels: Triangle) {
         let parts = parts(voxels);
         let patch = Patch::Triangle { parts, voxels };
@@ -107,7 +107,7 @@ fn all_triangles_of_a_small_lattice_are_tiled() {
     let corner = |code: i32| [code % 5, code / 5 % 5, code / 25];
     for code in 0..125 * 125 * 125 {
         let voxels = [corner(code % 125), corner(code / 125 % 125), corner(code / (125 * 125))];
-        // Those that are moved are the same.
+        // Moved copies of a triangle are cut alike.
         let is_first = (0..3).all(|axis| voxels.iter().any(|corner| corner[axis] == 0));
         if is_first {
             looking.at(voxels);
@@ -126,7 +126,7 @@ fn a_million_triangles_are_tiled() {
     };
     let mut looking = Looking::default();
     for made in 0..1_000_000_usize {
-        // Flat ones, narrow ones, and a few large ones.
+        // Flat triangles, narrow ones, and a few large ones.
         let size = if made % 5000 == 0 { 300 } else { [3, 7, 12][made % 3] };
         let flat = [1, 2, size][made / 3 % 3];
         let mut corner = || [random(size), random(flat), random(size)];

@@ -16,7 +16,7 @@ use crate::{CrackTest, Cull, Directions, Mesher, Outside, Part, Seams, Shading, 
 
 const SIZE: [u32; 2] = [96, 72];
 
-/// Bumps, and a few needles that the levels of detail do not have.
+/// Returns a map of bumps, with a few needles that coarser levels lack.
 fn rough(wrap: Wrap, scale_m: f64) -> HeightMap {
     let map = HeightMap::from_fn(48, 40, wrap, |i, j| {
         let waves = (i as f32 * 0.7).sin() * (j as f32 * 0.5).cos() * 0.25 + 0.4;
@@ -25,7 +25,7 @@ fn rough(wrap: Wrap, scale_m: f64) -> HeightMap {
     map.expect("heights from 0 to 1").with_displacement(scale_m, -scale_m / 3.0).expect("lengths")
 }
 
-/// Cameras around the origin, beside what is there, within its relief, and close to it.
+/// Returns cameras around the origin: beside the mesh, within its relief, and close to it.
 fn cameras() -> Vec<Camera> {
     let perspective = |fov_degrees| Projection::Perspective { fov_degrees };
     let parallel = |height_m| Projection::Orthographic { height_m };
@@ -64,7 +64,7 @@ impl Case {
         }
     }
 
-    /// All patches, also those that are left out.
+    /// Returns all patches, including the ones left out.
     fn whole(&self) -> Triangles {
         let settings = MeshSettings { cull: Some(Cull::default()), ..self.settings };
         let made = Triangles::new(&self.mesh, &self.relief, &settings, MOST, &Watch::none());
@@ -75,11 +75,11 @@ impl Case {
         self.settings.view.expect("it has a view")
     }
 
-    /// The patches that are left, by their numbers.
+    /// Returns the numbers of the remaining patches.
     fn kept(&self, outside: Outside) -> Vec<u32> {
         let settings = MeshSettings { cull: Some(Cull { outside, backs: true }), ..self.settings };
         let mut whole = self.whole();
-        // Parts of a triangle are told apart.
+        // Parts of a triangle are distinct.
         whole.whole = (0..whole.count()).collect();
         let culled = whole.culled(&self.relief, &settings, &Watch::none());
         culled.expect("patches").whole
@@ -92,7 +92,7 @@ impl Case {
         mesher.expect("a mesh")
     }
 
-    /// The triangles of each patch.
+    /// Returns the triangles of each patch.
     fn made(&self) -> Vec<Vec<[DVec3; 3]>> {
         let (base, pattern) = (self.whole(), self.pattern());
         let of_patch = |patch: u32| {
@@ -127,7 +127,7 @@ fn cases() -> Vec<Case> {
             let at = b + c;
             let map = rough(Wrap::ALL[at % Wrap::ALL.len()], [0.15, 0.02, 0.1][c % 3]);
             let (mesh, map) = match name {
-                // Of many texels, so that there is more than one tile.
+                // Many texels give more than one tile.
                 "tiles" => {
                     let map = HeightMap::from_fn(700, 500, Wrap::Clamp, |i, j| {
                         map.height_at_place(f64::from(i) / 9.0, f64::from(j) / 9.0) as f32
@@ -158,7 +158,8 @@ fn cases() -> Vec<Case> {
     cases
 }
 
-/// Whether anything of a triangle is in the picture: cut off by one plane of clip space after the other.
+/// Returns whether any part of a triangle is in the picture, by clipping at each plane of clip
+/// space.
 fn is_in_picture(view: &View, corners: [DVec3; 3]) -> bool {
     let camera = &view.camera;
     let [width, height] = view.size.map(f64::from);
@@ -195,7 +196,7 @@ fn is_front(view: &View, [a, b, c]: [DVec3; 3]) -> bool {
     (b - a).cross(c - a).dot(toward) > 0.0
 }
 
-/// How many that are left out are seen, are left out, and are not seen.
+/// Numbers of items that are left out though visible, left out, and not visible.
 #[derive(Clone, Copy, Debug, Default)]
 struct Found {
     seen: usize,
@@ -217,7 +218,7 @@ const CHOICES: [Cull; 3] = [
     Cull { outside: Outside::ALL, backs: true },
 ];
 
-/// Whether brute force sees any triangle.
+/// Returns whether brute force sees any triangle.
 fn sees(view: &View, cull: Cull, triangles: &[[DVec3; 3]]) -> bool {
     triangles.iter().any(|corners| {
         (cull.outside == Outside::NOTHING || is_in_picture(view, *corners))
@@ -265,7 +266,7 @@ fn planes_that_are_not_moved_out_and_backs_of_the_base_leave_out_what_is_seen() 
     assert!(unmoved.seen > 5 && corners_alone.seen > 50, "{unmoved:?} {corners_alone:?}");
 }
 
-/// A triangle by its vertices.
+/// Returns the triangles by their vertices.
 fn by_vertices(mesher: &Mesher) -> Vec<[Vertex; 3]> {
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
     let watch = Watch::none();
@@ -314,7 +315,8 @@ fn no_triangle_that_is_seen_is_left_out_most_that_are_not_are_and_the_rest_is_as
             assert!(left.next().is_none(), "{}: {cull:?}", case.what);
             println!("{}: {cull:?}: {found:?}", case.what);
             assert_eq!(found.seen, 0, "{}: {cull:?}: {found:?}", case.what);
-            // Backs alone are not told of what reaches behind the eye, and some room is left around pictures.
+            // Culling of backs knows nothing of the space behind the eye, and pictures have a
+            // margin.
             let few = cull.outside == Outside::NOTHING || 10 * found.unseen < triangles.len();
             assert!(few || 2 * found.out > found.unseen, "{}: {cull:?}: {found:?}", case.what);
             (sums.out, sums.unseen) = (sums.out + found.out, sums.unseen + found.unseen);
@@ -384,7 +386,8 @@ fn nothing_on_the_way_from_what_is_seen_to_a_light_is_left_out() {
     assert!(ways > 1000 && out > 300 && met_by_all > 10, "{ways} {out} {met_by_all}");
 }
 
-/// Whether the way from a point meets a triangle: along all of it, or for lights at a point up to these.
+/// Returns whether the way from a point meets a triangle: along all of it, or up to a light at a
+/// point.
 fn meets(from: DVec3, way: DVec3, w: f64, [a, b, c]: [DVec3; 3]) -> bool {
     let (ab, ac) = (b - a, c - a);
     let across = way.cross(ac);
@@ -402,7 +405,8 @@ fn triangles_that_rounding_may_turn_over_are_no_backs() {
     // A hundred pixels to a metre at this depth.
     assert!(!sight.is_back([a, b, Vec3::Y]) && sight.is_back([b, a, Vec3::Y]));
     assert!(!sight.is_back([b, a, Vec3::Y * 1e-4]) && sight.is_back([b, a, Vec3::Y * 1e-3]));
-    // Without an area nothing is seen, and what reaches behind the eye has no place in the picture.
+    // A triangle without an area is not visible. One that reaches behind the eye has no place in
+    // the picture.
     assert!(sight.is_back([a, b, b]) && !sight.is_back([b, a, Vec3::new(0.0, 1.0, 3.0)]));
 }
 
@@ -425,7 +429,7 @@ fn bases_that_reach_behind_the_eye_are_cut_without_a_crack() {
         let cut = cut.mesh().expect("finite");
         let cracks = CrackTest::of_mesh(&cut);
         assert!(cracks.is_closed() && cracks.pieces == 1, "{cracks:?}");
-        // The surface is the same but for where its points are.
+        // The surface is the same, but its points are elsewhere.
         let [whole, seen] = [&whole, &seen].map(|mesher| RayCaster::new(&mesher.mesh().expect("finite")));
         let (mut hits, mut apart) = (0, 0);
         for at in 0..SIZE[0] * SIZE[1] {
