@@ -1,4 +1,4 @@
-//! The azimuths that maps are baked for: their parameters, their directions, and what textures say of them.
+//! Azimuths of baked maps: their parameters, their directions, and the notes in textures.
 //!
 //! The kinds `horizon`, `occlusion`, `bent-normal`, `visibility`, `bounce` and `seen-normal` use them.
 
@@ -6,7 +6,7 @@ use relief_core::registry::Param;
 
 use crate::{BakeInput, Channel, Texture};
 
-/// How many azimuths.
+/// Parameter for the number of azimuths.
 pub(crate) const AZIMUTHS: Param = Param {
     name: "azimuths",
     summary: "directions along the base plane in which the horizon is looked for",
@@ -18,7 +18,7 @@ pub(crate) const AZIMUTHS: Param = Param {
     names: &[],
 };
 
-/// How far the horizon is looked for.
+/// Parameter for the reach of the horizon, in tiles.
 pub(crate) const TILES: Param = Param {
     name: "tiles",
     summary: "how far the horizon is looked for, in tiles",
@@ -30,17 +30,18 @@ pub(crate) const TILES: Param = Param {
     names: &[],
 };
 
-/// A direction along the base plane.
+/// Direction along the base plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Direction {
-    /// One step in texels; the component along the major axis is 1 or -1, the other at most as large.
+    /// Step in texels. The component along the major axis is 1 or -1, the other at most as large.
     pub step: [f64; 2],
     /// Length of the step in metres.
     pub step_m: f64,
 }
 
 impl Direction {
-    /// Azimuth `index` of `azimuths`: at the angle `2π index / azimuths`, in metres, from `+u` towards `+v`.
+    /// Returns azimuth `index` of `azimuths`: at the angle `2π index / azimuths`, in metres, from
+    /// `+u` towards `+v`.
     pub fn azimuth(index: u32, azimuths: u32, texel_m: [f64; 2]) -> Self {
         let [cos, sin] = unit_vector(index, azimuths);
         let along = [cos / texel_m[0], sin / texel_m[1]];
@@ -60,7 +61,8 @@ pub(crate) fn unit_vector(index: u32, azimuths: u32) -> [f64; 2] {
     [snap(angle.cos()), snap(angle.sin())]
 }
 
-/// Zero and one where rounding spoilt them: a line a hair off an axis would read a second row for nothing.
+/// Restores zero and one where rounding spoilt them. A line a hair off an axis would read a second
+/// row for nothing.
 fn snap(x: f64) -> f64 {
     const ROUNDING: f64 = 1e-12;
     if x.abs() < ROUNDING {
@@ -72,7 +74,7 @@ fn snap(x: f64) -> f64 {
     }
 }
 
-/// A texture of so many slices of the size of the map, with notes that say how the azimuths lie.
+/// Describes a texture of `slices` slices of the map's size, with notes on its azimuths.
 pub(crate) fn texture(source: &BakeInput, azimuths: u32, slices: u32, channels: Vec<Channel>) -> Texture {
     let [u, v] = source.metric.tile_m;
     let notes = vec![

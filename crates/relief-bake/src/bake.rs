@@ -1,12 +1,12 @@
-//! A kind's bake, with what is the same for all of them.
+//! The bake of a kind, with the quantisation of heights that all kinds share.
 
 use relief_core::{HeightMap, Metric, Watch};
 
 use crate::kind::BITS;
 use crate::{BakeError, BakeInput, Kind, Settings, Sink, quantise};
 
-/// Bakes a map of that kind into a sink. Kinds with the parameter [`BITS`] are baked from heights of so many
-/// bits, for which a copy of the map is made: see [`bake_last`].
+/// Bakes a map of `kind` into `sink`. Kinds with the parameter [`BITS`] are baked from heights of
+/// that many bits. For them a copy of the map is made; [`bake_last`] needs none.
 ///
 /// # Errors
 ///
@@ -25,13 +25,13 @@ pub fn bake(
     (kind.bake)(&source, settings, watch, sink)
 }
 
-/// [`bake`] of a map that is not needed afterwards, so that no copy of it is made. Every 2-D kind then takes
-/// at most one and a half times the memory of the map and its textures, and some of the map's lines for each
-/// thread.
+/// Bakes like [`bake`], but takes the map over instead of copying it. Every 2-D kind then needs at
+/// most one and a half times the memory of the map and its textures. Each thread takes a few lines
+/// of the map more.
 ///
 /// # Errors
 ///
-/// As [`bake`].
+/// Fails as [`bake`] does.
 pub fn bake_last(
     kind: &Kind,
     map: HeightMap,
@@ -45,8 +45,9 @@ pub fn bake_last(
     (kind.bake)(&BakeInput { map: &map, metric }, settings, watch, sink)
 }
 
-/// To how many bits a bake of that kind rounds heights first; 0 for none. What the kind promises holds for the
-/// rounded heights: a search over the map must read those, which [`quantise::heights`] gives.
+/// Returns the bits to which a bake of `kind` rounds heights first; 0 for none. The kind's promise
+/// holds for the rounded heights. A search over the map must read these, which
+/// [`quantise::heights`] returns.
 pub fn bits_of_heights(kind: &Kind, settings: &Settings) -> u32 {
     kind.params.iter().position(|param| *param == BITS).map_or(0, |place| settings.count(place))
 }

@@ -8,7 +8,7 @@ use relief_core::{BakedMap, HeightMap, MapFormat, MapIdentity, MapLayout, MapTex
 
 use crate::{BakeError, Channel, Kind, Settings, Shape, Sink, SinkError, Texture, bake};
 
-/// Which map is wanted.
+/// Request for one baked map.
 #[derive(Clone)]
 pub struct WantedMap<'a> {
     /// The kind.
@@ -23,12 +23,13 @@ pub struct WantedMap<'a> {
     pub levels: MapLevels,
     /// The level of the height map that it is baked from, at most the last; 0 is the map itself.
     pub height_level: u32,
-    /// How values are stored: in fewer bits they are rounded to the side that keeps the kind's promise.
+    /// Format of stored values. With fewer bits, values are rounded to the side that keeps the
+    /// kind's promise.
     pub format: MapFormat,
 }
 
 impl WantedMap<'_> {
-    /// What decides the values of the map made from those heights.
+    /// Returns everything that determines the values of the map baked from `map`.
     pub fn identity(&self, map: &HeightMap) -> MapIdentity {
         MapIdentity {
             kind: self.kind.name.to_owned(),
@@ -46,7 +47,8 @@ impl WantedMap<'_> {
         }
     }
 
-    /// The shape of the map made from a height map of so many columns and rows, known before it is baked.
+    /// Returns the shape of the map baked from a height map of `size` columns and rows, known
+    /// before the bake.
     ///
     /// # Errors
     ///
@@ -70,7 +72,7 @@ impl WantedMap<'_> {
     }
 
     fn layout_of(&self, shape: &Shape) -> MapLayout {
-        // A texel of three channels takes the room of four.
+        // A texel of three channels is stored as four.
         let channels = if shape.channels == 3 { 4 } else { shape.channels };
         let (size, levels) = match self.levels {
             MapLevels::One => ([shape.size[0], shape.size[1]], 1),
@@ -79,7 +81,7 @@ impl WantedMap<'_> {
                 (size, level_count(size))
             }
             MapLevels::ChainFrom(_) | MapLevels::MeansFrom(_) => {
-                // Of a texture of a single level the chain is that level.
+                // A texture of a single level is its own chain.
                 let last = shape.mips.len() as u32;
                 let first = self.first_level().min(last);
                 (shape.chain_size(first as usize), last - first + 1)
@@ -89,25 +91,26 @@ impl WantedMap<'_> {
     }
 }
 
-/// Bakes that map of a height map. Besides what the bake itself needs it takes the memory of the map.
+/// Bakes the map `wanted` from a height map. Takes the memory of the result besides the memory of
+/// the bake.
 ///
 /// # Errors
 ///
-/// As [`bake`](crate::bake), and when the kind has no texture of that name, no map has its shape, or a value
-/// has no stored value on its safe side.
+/// Fails as [`bake`](crate::bake) does. Fails, too, when the kind has no texture of that name, no
+/// map has its shape, or a value has no stored value on its safe side.
 pub fn baked_map(map: &HeightMap, wanted: &WantedMap, watch: &Watch) -> Result<BakedMap, BakeError> {
     let layout = wanted.layout([map.width(), map.height()])?;
     let impossible = |reason: String| BakeError::Impossible { kind: wanted.kind.name, reason };
     let identity = wanted.identity(map);
     let map = &map.level(wanted.height_level);
-    let kept = if wanted.levels == MapLevels::EachDetail {
+    let sink = if wanted.levels == MapLevels::EachDetail {
         bake_details(map, wanted, layout, watch)?
     } else {
-        let mut kept = Kept::new(wanted.texture, wanted.first_level(), layout).map_err(impossible)?;
-        bake(wanted.kind, map, wanted.metric, &wanted.settings, watch, &mut kept)?;
-        kept
+        let mut sink = TextureSink::new(wanted.texture, wanted.first_level(), layout).map_err(impossible)?;
+        bake(wanted.kind, map, wanted.metric, &wanted.settings, watch, &mut sink)?;
+        sink
     };
-    BakedMap::new(identity, layout, kept.codes, kept.texels).map_err(|error| impossible(error.to_string()))
+    BakedMap::new(identity, layout, sink.codes, sink.texels).map_err(|error| impossible(error.to_string()))
 }
 
 /// Bakes each level of detail from its own heights.
@@ -116,50 +119,52 @@ fn bake_details<'a>(
     wanted: &WantedMap<'a>,
     layout: MapLayout,
     watch: &Watch,
-) -> Result<Kept<'a>, BakeError> {
+) -> Result<TextureSink<'a>, BakeError> {
     let impossible = |reason: String| BakeError::Impossible { kind: wanted.kind.name, reason };
-    // Levels may have other ranges each, and codes are of the range of all: they are made last.
+    // Levels may differ in range, but codes use the range of all levels. Codes are therefore made
+    // last.
     let format = if layout.format == MapFormat::Unorm8 { MapFormat::F32 } else { layout.format };
-    let mut kept = Kept::new(wanted.texture, 0, MapLayout { format, ..layout }).map_err(impossible)?;
-    // A finer level takes as much longer as it has more texels.
+    let mut sink = TextureSink::new(wanted.texture, 0, MapLayout { format, ..layout }).map_err(impossible)?;
+    // Time is proportional to the number of texels.
     let texels = |level| layout.level_size(level).map(|side| side as f32).iter().product::<f32>();
     let whole: f32 = (0..layout.levels).map(texels).sum();
     let mut done = 0.0;
     for level in 0..layout.levels {
         let part = texels(level) / whole;
-        kept.detail = Some(level);
+        sink.detail = Some(level);
         let (heights, watch) = (map.level(level), watch.piece(done, done + part));
-        bake(wanted.kind, &heights, wanted.metric, &wanted.settings, &watch, &mut kept)?;
+        bake(wanted.kind, &heights, wanted.metric, &wanted.settings, &watch, &mut sink)?;
         done += part;
     }
-    if layout.format == MapFormat::Unorm8 { kept.coded().map_err(impossible) } else { Ok(kept) }
+    if layout.format == MapFormat::Unorm8 { sink.coded().map_err(impossible) } else { Ok(sink) }
 }
 
-/// The sink that keeps the levels of one texture.
-struct Kept<'a> {
+/// Sink that keeps the levels of one texture.
+struct TextureSink<'a> {
     wanted: &'a str,
     first_level: u32,
-    /// The level of the map that the bake's finest level is, where there is a bake for each.
+    /// Level of the map at which the bake's finest level is stored, when each level has its own
+    /// bake.
     detail: Option<u32>,
     layout: MapLayout,
-    /// The channels, with the range of all levels so far.
+    /// Channels, with the range of all levels so far.
     channels: Vec<Channel>,
     codes: [Codes; 4],
     texels: MapTexels,
-    /// Channels of the texture that comes, if it is the wanted one.
-    coming: Option<Coming>,
-    /// The texel at which the next level of the map begins.
+    /// The texture being received, if it is the wanted one.
+    incoming: Option<Incoming>,
+    /// First texel of the map's next level.
     start: usize,
 }
 
-/// The texture that comes.
-struct Coming {
+/// Position in the texture being received.
+struct Incoming {
     texture: Texture,
     level: usize,
     slice: u32,
 }
 
-impl<'a> Kept<'a> {
+impl<'a> TextureSink<'a> {
     fn new(wanted: &'a str, first_level: u32, layout: MapLayout) -> Result<Self, String> {
         let values = layout.texels() * u64::from(layout.channels);
         let texels = match layout.format {
@@ -168,17 +173,17 @@ impl<'a> Kept<'a> {
             MapFormat::Unorm8 => MapTexels::Unorm8(zeros(values)?),
         };
         let codes = [Codes { low: 0.0, step: 0.0 }; 4];
-        let (detail, channels, coming) = (None, Vec::new(), None);
-        Ok(Self { wanted, first_level, detail, layout, channels, codes, texels, coming, start: 0 })
+        let (detail, channels, incoming) = (None, Vec::new(), None);
+        Ok(Self { wanted, first_level, detail, layout, channels, codes, texels, incoming, start: 0 })
     }
 
-    /// The same in codes of 8 bits, of values that are stored as they are.
+    /// Converts values stored as `f32` into 8-bit codes.
     fn coded(self) -> Result<Self, String> {
         let MapTexels::F32(values) = &self.texels else { return Ok(self) };
         let count = self.layout.channels as usize;
         let code = |(place, value): (usize, &f32)| match self.channels.get(place % count) {
             Some(channel) => self.codes[place % count].code(*value, channel.rounding),
-            // What fills a texel of three channels up to four.
+            // Padding of a texel of three channels to four.
             None => Some(0),
         };
         let codes: Option<Vec<u8>> = values.par_iter().enumerate().map(code).collect();
@@ -186,7 +191,7 @@ impl<'a> Kept<'a> {
         Ok(Self { texels, ..self })
     }
 
-    /// Stores a slice of a level of the map, at that layer.
+    /// Stores a slice of a level of the map as layer `layer`.
     fn store(
         &mut self,
         level: u32,
@@ -223,7 +228,7 @@ fn no_stored_value(texture: &str) -> String {
     format!("a value of the texture '{texture}' has no stored value of fewer bits on its safe side")
 }
 
-/// A vector of zeros, or a text where there is no memory for it.
+/// Returns a vector of zeros, or an error text when memory does not suffice.
 fn zeros<T: Clone + Default>(count: u64) -> Result<Vec<T>, String> {
     let mut values = Vec::new();
     let refused = || format!("the map of {count} values does not fit into memory");
@@ -233,8 +238,8 @@ fn zeros<T: Clone + Default>(count: u64) -> Result<Vec<T>, String> {
     Ok(values)
 }
 
-/// Stores planes, whose rows have `width` texels, in rows of `row` values, `count` a texel. False when a
-/// value cannot be stored.
+/// Stores planes of `width` texels a row in rows of `row` values, `count` a texel. Returns false
+/// when a value cannot be stored.
 fn store<T: Send>(
     values: &mut [T],
     row: usize,
@@ -256,9 +261,9 @@ fn store<T: Send>(
     })
 }
 
-impl Sink for Kept<'_> {
+impl Sink for TextureSink<'_> {
     fn begin(&mut self, texture: &Texture) -> Result<(), SinkError> {
-        self.coming = None;
+        self.incoming = None;
         if texture.name == self.wanted {
             let mut channels = texture.channels.clone();
             for (channel, before) in channels.iter_mut().zip(&self.channels) {
@@ -269,35 +274,35 @@ impl Sink for Kept<'_> {
                 *codes = Codes::of_range(channel.range);
             }
             self.channels = channels;
-            self.coming = Some(Coming { texture: texture.clone(), level: 0, slice: 0 });
+            self.incoming = Some(Incoming { texture: texture.clone(), level: 0, slice: 0 });
         }
         Ok(())
     }
 
     fn slice(&mut self, planes: &[&[f32]]) -> Result<(), SinkError> {
-        let Some(mut coming) = self.coming.take() else { return Ok(()) };
-        let [width, _, slices] = coming.texture.level_size(coming.level);
-        let last = coming.texture.mips.len();
+        let Some(mut incoming) = self.incoming.take() else { return Ok(()) };
+        let [width, _, slices] = incoming.texture.level_size(incoming.level);
+        let last = incoming.texture.mips.len();
         let first = (self.first_level as usize).min(last);
         let level = match self.detail {
-            Some(detail) => (coming.level == 0).then_some(detail),
-            None => coming.level.checked_sub(first).map(|level| level as u32),
+            Some(detail) => (incoming.level == 0).then_some(detail),
+            None => incoming.level.checked_sub(first).map(|level| level as u32),
         };
         if let Some(level) = level.filter(|level| *level < self.layout.levels) {
-            if !self.store(level, coming.slice, width as usize, planes, &coming.texture.channels) {
-                return Err(SinkError(no_stored_value(coming.texture.name)));
+            if !self.store(level, incoming.slice, width as usize, planes, &incoming.texture.channels) {
+                return Err(SinkError(no_stored_value(incoming.texture.name)));
             }
-            if coming.slice + 1 == slices {
+            if incoming.slice + 1 == slices {
                 let size = self.layout.level_size(level).map(|side| side as usize);
                 self.start += size[0] * size[1] * self.layout.layers as usize;
             }
         }
-        coming.slice += 1;
-        if coming.slice == slices {
-            (coming.level, coming.slice) = (coming.level + 1, 0);
+        incoming.slice += 1;
+        if incoming.slice == slices {
+            (incoming.level, incoming.slice) = (incoming.level + 1, 0);
         }
-        if coming.level <= last {
-            self.coming = Some(coming);
+        if incoming.level <= last {
+            self.incoming = Some(incoming);
         }
         Ok(())
     }

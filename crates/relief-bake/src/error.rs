@@ -1,16 +1,16 @@
-//! Why a bake fails.
+//! Errors of bakes.
 
 use relief_core::{Cancelled, HeightMapError};
 
 use crate::SinkError;
 
-/// Why there is no baked map.
+/// Reason why a bake failed.
 #[derive(Debug, thiserror::Error)]
 pub enum BakeError {
-    /// It was cancelled.
+    /// The bake was cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-    /// Where it was to go cannot take it.
+    /// The sink cannot take the texture.
     #[error(transparent)]
     Sink(#[from] SinkError),
     /// The height map cannot be used.
@@ -21,7 +21,7 @@ pub enum BakeError {
     Impossible {
         /// The kind.
         kind: &'static str,
-        /// Why, and what to do.
+        /// Reason and remedy.
         reason: String,
     },
 }

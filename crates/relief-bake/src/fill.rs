@@ -1,7 +1,7 @@
-//! Values that are not known, filled in from coarse to fine: push and pull (Gortler et al. 1996, *The
+//! Filling of unknown values from coarse to fine: push and pull (Gortler et al. 1996, *The
 //! Lumigraph*).
 
-/// Replaces values that are not known by means of known ones around them; does nothing where none is known.
+/// Replaces unknown values by means of known ones around them. Does nothing where none is known.
 pub(crate) fn fill(size: [usize; 2], values: &mut [f32], known: &[bool]) {
     if known.iter().all(|&known| known) {
         return;
@@ -10,7 +10,7 @@ pub(crate) fn fill(size: [usize; 2], values: &mut [f32], known: &[bool]) {
     pull(size, values, weights);
 }
 
-/// Fills in where the weight is below 1, from the next coarser level, which is filled in first.
+/// Fills values whose weight is below 1 from the next coarser level, which is filled first.
 fn pull([width, height]: [usize; 2], values: &mut [f32], weights: Vec<f32>) {
     if [width, height] == [1, 1] {
         return;
@@ -30,7 +30,8 @@ fn pull([width, height]: [usize; 2], values: &mut [f32], weights: Vec<f32>) {
     }
     pull([across, down], &mut coarse, coarse_weights);
     for (at, (value, weight)) in values.iter_mut().zip(weights).enumerate().filter(|(_, (_, w))| *w < 1.0) {
-        // Bilinear between centres of the coarser level: ¾ of the own parent, ¼ of that on the nearer side.
+        // Bilinear between centres of the coarser level: ¾ of the own parent and ¼ of the parent on
+        // the nearer side, along each axis.
         let parents = |place: usize, count: usize| {
             let own = place / 2;
             [own, if place.is_multiple_of(2) { own.saturating_sub(1) } else { (own + 1).min(count - 1) }]

@@ -1,51 +1,54 @@
-//! The difference between two meshes: heights that displace a simple mesh onto a detailed one.
+//! Difference between two meshes: heights that displace a simple mesh onto a detailed one.
 //!
-//! Source: Szirmay-Kalos and Umenhoffer 2008, section 2.2, which names what surface simplification leaves out
-//! as a way to height maps. The map holds all that the simple mesh lacks, its facets too, as Gumhold and
-//! Hüttner 1999, section 5, correct a map for the difference between a mesh and a perfect cylinder.
+//! Source: Szirmay-Kalos and Umenhoffer 2008, section 2.2, which makes height maps from the details
+//! that surface simplification removes. The map also corrects the facets of the simple mesh.
+//! Gumhold and Hüttner 1999, section 5, correct a map in the same way for the difference between a
+//! mesh and a perfect cylinder.
 //!
 //! # What is computed
 //!
-//! The centre of a texel lies on a triangle of the simple mesh, by the texture coordinates. There the base
-//! point and the normal are interpolated and *not* normalised, just as
-//! [`BasePoint`](relief_core::mesh::BasePoint) does, which displaced meshes and their judge are made of.
-//! Along that line, outward and inward, lies the detailed mesh: the height is the displacement that takes the
-//! base point there. Lines are intersected in `f64` and slip through no edge ([`RayCaster`]).
+//! By its texture coordinates, the centre of a texel lies on a triangle of the simple mesh. The
+//! base point and the normal are interpolated there. The normal is *not* normalised, just as in
+//! [`BasePoint`](relief_core::mesh::BasePoint), from which displaced meshes and their judge are
+//! computed. A line along the normal, outward and inward, is intersected with the detailed mesh.
+//! The height is the displacement that takes the base point to the intersection. Lines are
+//! intersected in `f64` and slip through no edge ([`RayCaster`]).
 //!
 //! # Which of several hits
 //!
-//! * Hits farther than [`MeshPair::cage_m`] do not count, in metres along the line.
-//! * Only faces count that look the way of the normal, by the turn of their corners. So a thin part of a
-//!   closed mesh is met on its own side: the nearest face of all would often be the back of it. Meshes that
-//!   are wound the other way round, or open sheets seen from both sides, need [`MeshPair::two_sided`]; how
-//!   many texels met nothing but backs is counted.
-//! * Of those the nearest counts, outward or inward. Where layers lie over one another (a strap on a
-//!   shoulder), [`Layer::Outermost`] takes the one that is seen from outside: the farthest outward, and the
-//!   nearest inward where there is none. That wants a cage narrower than the gaps between parts that do
-//!   not belong together, as between an arm and the body.
+//! * Hits farther than [`MeshPair::cage_m`] along the line, in metres, do not count.
+//! * Only faces turned the way of the normal count, by the order of their corners. A thin part of a
+//!   closed mesh is thus hit on its own side. The nearest face of all would often be its back.
+//!   Meshes wound the other way round, or open sheets seen from both sides, need
+//!   [`MeshPair::two_sided`]. Texels that hit only back faces are counted.
+//! * The nearest of these hits counts, outward or inward. Where layers lie over one another (a
+//!   strap on a shoulder), [`Layer::Outermost`] takes the layer seen from outside. This is the
+//!   farthest hit outward, or the nearest inward where there is none. It needs a cage narrower than
+//!   the gaps between parts that do not belong together, such as an arm and the body.
 //!
 //! # Between and beside the texels
 //!
-//! A texel that lies on no triangle but less than one and a half texels beside one is read where the
-//! surface is interpolated near the border of a chart. It gets the height that goes on in a straight line
-//! from two points inside of the chart, on the way from the texel's centre over the nearest point of the
-//! border, or in a plane where that way leaves the chart at a sharp corner. So the interpolated surface is
-//! right at the border, to the second order of a texel. No line is cast outside of the chart: beside a hard
-//! edge it would hit the sides of what lies beyond. All other texels are filled from coarse to fine, and so
-//! are holes, where no line found anything.
+//! A texel less than one and a half texels beside a triangle is read where the surface is
+//! interpolated near the border of a chart. Its height continues the straight line through two
+//! points inside of the chart. The points lie on the way from the texel's centre over the nearest
+//! point of the border. Where that way leaves the chart at a sharp corner, the height continues a
+//! plane instead. The interpolated surface is thus right at the border, to the second order of a
+//! texel. No line is cast outside of the chart: beside a hard edge it would hit the sides of the
+//! parts beyond. All other texels are filled from coarse to fine. Holes, where no line hit
+//! anything, are filled as well.
 //!
 //! # Accuracy
 //!
-//! At the centres of texels heights are those of the flat triangles of the detailed mesh, to the `f32` that
-//! they are stored in. Between them the displaced surface is bilinear: details finer than a texel are
-//! sampled, not averaged. A simple mesh displaced by its map lies within half a texel of the detailed one on
-//! 98 % of the texels of a coarse control cage, and on all of them where normals of a triangle are less than
-//! some 60° apart.
+//! At the centres of texels, heights match the flat triangles of the detailed mesh to the precision
+//! of the stored `f32`. Between them the displaced surface is bilinear: details finer than a texel
+//! are sampled, not averaged. A simple mesh displaced by its map lies within half a texel of the
+//! detailed one on 98 % of the texels of a coarse control cage. It does so on all texels where the
+//! normals of a triangle are less than some 60° apart.
 
 mod charts;
 mod error;
 mod gutter;
-mod look;
+mod line;
 mod normals;
 
 use glam::DVec3;
@@ -60,27 +63,27 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use self::charts::{Charts, OFF_BORDER, Owner};
 pub use self::error::{FromMeshesError, MAX_TILES};
-use self::look::{Line, Seen};
+use self::line::{Line, LineHit};
 pub use self::normals::normals_from_meshes;
 use crate::fill::fill;
 
-/// How far is looked unless something else is asked for, as a part of the diagonal of the simple mesh's box.
+/// Default cage, as a part of the diagonal of the simple mesh's box.
 const CAGE_PART: f64 = 0.1;
 
-/// Heights are 0 within this part of the greatest length in play: rounding of the intersection.
+/// Heights within this part of the greatest length in play are 0: rounding of the intersection.
 const ROUNDING: f64 = 1e-13;
 
-/// The parts of the work: finding charts, casting lines, filling.
+/// Progress at the end of finding charts and of casting lines; filling follows.
 const CHARTED: f32 = 0.15;
 const CAST: f32 = 0.95;
 
-/// Which of several layers of the detailed mesh counts.
+/// Choice among several layers of the detailed mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Layer {
-    /// The one nearest to the simple mesh.
+    /// The layer nearest to the simple mesh.
     #[default]
     Nearest,
-    /// The one farthest outward, which is seen from outside.
+    /// The layer farthest outward, which is seen from outside.
     Outermost,
 }
 
@@ -88,7 +91,7 @@ impl Layer {
     /// Every layer.
     pub const ALL: [Layer; 2] = [Layer::Nearest, Layer::Outermost];
 
-    /// The name used on the command line.
+    /// Returns the name used on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Layer::Nearest => "nearest",
@@ -112,30 +115,31 @@ impl FromStr for Layer {
     }
 }
 
-/// How heights are found between two meshes.
+/// Settings for heights between two meshes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshPair {
     /// Columns and rows of the map.
     pub size: [u32; 2],
-    /// How the map goes on beyond its edges, and where triangles lie that reach beyond them.
+    /// Continuation of the map beyond its edges, where triangles may lie, too.
     pub wrap: Wrap,
-    /// The farthest that is looked to either side, in metres. None: a tenth of the diagonal of the simple
-    /// mesh's box.
+    /// Greatest distance of a hit to either side, in metres. Default: a tenth of the diagonal of
+    /// the simple mesh's box.
     pub cage_m: Option<f64>,
-    /// Which of several layers counts.
+    /// Choice among several layers.
     pub layer: Layer,
-    /// Whether faces count that look the other way, too.
+    /// Whether faces count that are turned against the normal.
     pub two_sided: bool,
-    /// Texels farther than so many beside those that are read on the charts have no value: NaN. None: all
-    /// have one.
+    /// Width of the gutter in texels. Texels farther than this from the texels read on the charts
+    /// are NaN. Default: all texels have a value.
     pub gutter: Option<u32>,
 }
 
 impl MeshPair {
-    /// The most memory that a texel takes, in bytes, with what is made.
+    /// Most memory in bytes for a texel, with the result.
     pub const BYTES_PER_TEXEL: u64 = 48;
 
-    /// The usual ones for a map of that size: tiled, the nearest layer, faces that look outward.
+    /// Creates the default settings for a map of `size`: tiled, the nearest layer, faces turned
+    /// outward.
     pub fn new(size: [u32; 2]) -> Self {
         let (wrap, layer) = (Wrap::default(), Layer::default());
         Self { size, wrap, cage_m: None, layer, two_sided: false, gutter: None }
@@ -150,35 +154,37 @@ pub struct PairedHeights {
     /// Displacements along the interpolated normals in metres, row by row from the top. NaN beyond the
     /// gutter, and nowhere without one.
     pub metres: Vec<f32>,
-    /// How far was looked, in metres.
+    /// Greatest distance of a hit, in metres.
     pub cage_m: f64,
     /// Texels whose centres lie on the simple mesh.
     pub covered: u64,
-    /// Those of them where nothing was found, which are filled from their surroundings.
+    /// Covered texels without a hit, filled from their surroundings.
     pub holes: u64,
-    /// Those of the holes where only faces lay that look the other way.
+    /// Holes whose lines hit only faces turned the other way.
     pub behind: u64,
-    /// Texels that lie on several triangles at different places. The map has the heights of the triangle with
-    /// the lowest number there.
+    /// Texels that lie on several triangles at different places. They have the heights of the
+    /// triangle with the lowest number.
     pub overlaps: u64,
     /// Triangles of the simple mesh without an area in the texture, on which no texel lies.
     pub without_area: u64,
     /// Texels without a value, beyond the gutter.
     pub without_value: u64,
-    /// The least and the greatest height that was found on the charts, in metres.
+    /// Least and greatest height found on the charts, in metres.
     pub range_m: [f64; 2],
-    /// The mean of the absolute heights that were found on the charts, in metres.
+    /// Mean of the absolute heights found on the charts, in metres.
     pub mean_abs_m: f64,
 }
 
 impl PairedHeights {
-    /// The displacement of texels 0 and 1, in metres: the least and the greatest of all heights, gutters too.
+    /// Returns the displacement of texels 0 and 1, in metres: the least and the greatest of all
+    /// heights, gutters included.
     pub fn displacement_m(&self) -> [f64; 2] {
         let valued = self.metres.iter().filter(|metres| !metres.is_nan()).map(|&metres| f64::from(metres));
         valued.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], m| [low.min(m), high.max(m)])
     }
 
-    /// The texels from 0 to 1 between [`displacement_m`](Self::displacement_m), NaN where there is no value.
+    /// Returns the texels from 0 to 1 between the two ends of
+    /// [`displacement_m`](Self::displacement_m). Texels without a value are NaN.
     pub fn texels(&self) -> Vec<f32> {
         let [low, high] = self.displacement_m();
         let span = high - low;
@@ -190,7 +196,7 @@ impl PairedHeights {
         self.metres.iter().map(texel).collect()
     }
 
-    /// The height map, with its displacement in metres.
+    /// Returns the height map, with its displacement in metres.
     ///
     /// # Errors
     ///
@@ -201,7 +207,7 @@ impl PairedHeights {
     }
 }
 
-/// The heights that take a simple mesh to a detailed one.
+/// Finds the heights that displace the simple mesh `low` onto the detailed mesh `high`.
 ///
 /// ```
 /// use relief_bake::from_meshes::{MeshPair, heights_from_meshes};
@@ -219,13 +225,15 @@ impl PairedHeights {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// The same bytes come of any number of threads. Memory: [`MeshPair::BYTES_PER_TEXEL`] a texel.
+/// The result has the same bytes with any number of threads. Memory: [`MeshPair::BYTES_PER_TEXEL`]
+/// for each texel.
 ///
 /// # Errors
 ///
-/// When the size is none of a height map, a mesh has no triangles, the cage is no length, texture coordinates
-/// lie outside of a clamped map or a triangle over many tiles, no texel lies on the simple mesh, no line
-/// finds the detailed one, or it is cancelled.
+/// When the size is invalid for a height map, a mesh has no triangles, or the cage is not a finite
+/// length above 0. When texture coordinates lie outside of a clamped map, a triangle spans too many
+/// tiles, or no texel lies on the simple mesh. When no line hits the detailed mesh, or when it is
+/// cancelled.
 pub fn heights_from_meshes(
     low: &Mesh,
     high: &RayCaster,
@@ -235,14 +243,14 @@ pub fn heights_from_meshes(
     let (charts, line) = prepare(low, high, pair, &watch.piece(0.0, CHARTED))?;
     let cage_m = line.cage_m;
     let texels = cast(low, &charts, &line, &watch.piece(CHARTED, CAST))?;
-    let found = Found::of(&charts, &texels);
-    if found.heights == 0 {
-        let Found { holes: texels, behind, .. } = found;
+    let stats = HeightStats::of(&charts, &texels);
+    if stats.heights == 0 {
+        let HeightStats { holes: texels, behind, .. } = stats;
         return Err(FromMeshesError::NothingFound { texels, cage_m, behind });
     }
     let (mut metres, known): (Vec<f32>, Vec<bool>) = texels
         .iter()
-        .map(|seen| if let Seen::At(metres) = *seen { (metres as f32, true) } else { (0.0, false) })
+        .map(|hit| if let LineHit::At(metres) = *hit { (metres as f32, true) } else { (0.0, false) })
         .unzip();
     drop(texels);
     fill(pair.size.map(|side| side as usize), &mut metres, &known);
@@ -255,18 +263,18 @@ pub fn heights_from_meshes(
         size: pair.size,
         metres,
         cage_m,
-        covered: found.heights + found.holes,
-        holes: found.holes,
-        behind: found.behind,
+        covered: stats.heights + stats.holes,
+        holes: stats.holes,
+        behind: stats.behind,
         overlaps: charts.overlaps,
         without_area: charts.without_area,
         without_value,
-        range_m: found.range_m,
-        mean_abs_m: found.sum_abs_m / found.heights as f64,
+        range_m: stats.range_m,
+        mean_abs_m: stats.sum_abs_m / stats.heights as f64,
     })
 }
 
-/// The charts of the simple mesh, and how lines are looked along.
+/// Returns the charts of the simple mesh, and the settings of the lines.
 fn prepare<'a>(
     low: &Mesh,
     high: &'a RayCaster,
@@ -290,7 +298,8 @@ fn prepare<'a>(
     Ok((charts, Line { high, cage_m, layer, two_sided, rounding: ROUNDING * farthest }))
 }
 
-/// The diagonal of the box around a mesh, and the greatest of it and the coordinates, in metres.
+/// Returns the diagonal of the box around a mesh, and the greatest of this and the coordinates, in
+/// metres.
 fn extents_m(mesh: &Mesh) -> (f64, f64) {
     let used = mesh.triangles().iter().flatten();
     let bounds = used.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], &index| {
@@ -302,17 +311,17 @@ fn extents_m(mesh: &Mesh) -> (f64, f64) {
     (diagonal, farthest)
 }
 
-/// What the lines through all texels see, row by row.
-fn cast(low: &Mesh, charts: &Charts, line: &Line, watch: &Watch) -> Result<Vec<Seen>, FromMeshesError> {
+/// Casts the lines through all texels, row by row.
+fn cast(low: &Mesh, charts: &Charts, line: &Line, watch: &Watch) -> Result<Vec<LineHit>, FromMeshesError> {
     let width = charts.size[0] as usize;
     let rows = charts.owners.len() / width;
-    let mut texels = vec![Seen::Nothing; charts.owners.len()];
+    let mut texels = vec![LineHit::Miss; charts.owners.len()];
     let done = AtomicUsize::new(0);
     texels.par_chunks_mut(width).zip(charts.owners.par_chunks(width)).try_for_each(|(row, owners)| {
         for (texel, owner) in row.iter_mut().zip(owners) {
             if let Some(owner) = owner.on() {
                 *texel = if owner.is_inside() {
-                    line.look(&charts.base(low, owner.triangle, owner.centre()))
+                    line.cast(&charts.base(low, owner.triangle, owner.centre()))
                 } else {
                     beside(low, charts, line, owner)
                 };
@@ -324,46 +333,47 @@ fn cast(low: &Mesh, charts: &Charts, line: &Line, watch: &Watch) -> Result<Vec<S
     Ok(texels)
 }
 
-/// What a texel beside a chart gets: the straight line through the heights at two points inside.
-fn beside(low: &Mesh, charts: &Charts, line: &Line, owner: &Owner) -> Seen {
+/// Height of a texel beside a chart: the straight line through the heights at two points inside.
+fn beside(low: &Mesh, charts: &Charts, line: &Line, owner: &Owner) -> LineHit {
     let border = charts.nearest(low, owner);
     let distance = f64::from(owner.distance);
-    let look = |beyond: f64| {
+    let cast = |beyond: f64| {
         let base = charts.base_at(low, owner, owner.inside(border, beyond));
-        base.map_or(Seen::Nothing, |base| line.look(&base))
+        base.map_or(LineHit::Miss, |base| line.cast(&base))
     };
     let (near, far) = (OFF_BORDER, distance.max(0.5));
-    match (look(near), look(far)) {
-        (Seen::At(at_near), Seen::At(at_far)) => {
+    match (cast(near), cast(far)) {
+        (LineHit::At(at_near), LineHit::At(at_far)) => {
             let slope = (at_near - at_far) / (far - near);
-            Seen::At(at_near + slope * (distance + near))
+            LineHit::At(at_near + slope * (distance + near))
         }
         (at_near, at_far) => match of_plane(low, charts, line, owner, border) {
-            Seen::At(metres) => Seen::At(metres),
+            LineHit::At(metres) => LineHit::At(metres),
             _ => [at_near, at_far]
                 .into_iter()
-                .find(|seen| matches!(seen, Seen::At(_)))
-                .unwrap_or(Seen::Nothing),
+                .find(|hit| matches!(hit, LineHit::At(_)))
+                .unwrap_or(LineHit::Miss),
         },
     }
 }
 
-/// The same at a sharp corner, where no straight line goes on inside: the plane through the heights at three
-/// points of the triangle, near its corner but not on its border.
-fn of_plane(low: &Mesh, charts: &Charts, line: &Line, owner: &Owner, border: [f64; 2]) -> Seen {
-    let Some((points, weights)) = charts.around(low, owner, border) else { return Seen::Nothing };
+/// Height of a texel beside a sharp corner, where no straight line continues inside. It continues
+/// the plane through the heights at three points of the triangle, near its corner but not on its
+/// border.
+fn of_plane(low: &Mesh, charts: &Charts, line: &Line, owner: &Owner, border: [f64; 2]) -> LineHit {
+    let Some((points, weights)) = charts.around(low, owner, border) else { return LineHit::Miss };
     let mut height = 0.0;
     for (point, weight) in points.into_iter().zip(weights) {
-        match line.look(&charts.base(low, owner.triangle, point)) {
-            Seen::At(metres) => height += weight * metres,
+        match line.cast(&charts.base(low, owner.triangle, point)) {
+            LineHit::At(metres) => height += weight * metres,
             other => return other,
         }
     }
-    Seen::At(height)
+    LineHit::At(height)
 }
 
-/// What was found on the charts.
-struct Found {
+/// Statistics of the heights on the charts.
+struct HeightStats {
     heights: u64,
     holes: u64,
     behind: u64,
@@ -371,29 +381,29 @@ struct Found {
     sum_abs_m: f64,
 }
 
-impl Found {
-    fn of(charts: &Charts, texels: &[Seen]) -> Self {
+impl HeightStats {
+    fn of(charts: &Charts, texels: &[LineHit]) -> Self {
         let range_m = [f64::INFINITY, f64::NEG_INFINITY];
-        let mut found = Self { heights: 0, holes: 0, behind: 0, range_m, sum_abs_m: 0.0 };
-        for (owner, seen) in charts.owners.iter().zip(texels) {
+        let mut stats = Self { heights: 0, holes: 0, behind: 0, range_m, sum_abs_m: 0.0 };
+        for (owner, hit) in charts.owners.iter().zip(texels) {
             if !owner.is_inside() {
                 continue;
             }
-            match *seen {
-                Seen::At(metres) => {
-                    found.heights += 1;
-                    let [low, high] = found.range_m;
-                    found.range_m = [low.min(metres), high.max(metres)];
-                    found.sum_abs_m += metres.abs();
+            match *hit {
+                LineHit::At(metres) => {
+                    stats.heights += 1;
+                    let [low, high] = stats.range_m;
+                    stats.range_m = [low.min(metres), high.max(metres)];
+                    stats.sum_abs_m += metres.abs();
                 }
-                Seen::Behind => {
-                    found.holes += 1;
-                    found.behind += 1;
+                LineHit::BackFace => {
+                    stats.holes += 1;
+                    stats.behind += 1;
                 }
-                Seen::Nothing => found.holes += 1,
+                LineHit::Miss => stats.holes += 1,
             }
         }
-        found
+        stats
     }
 }
 

@@ -1,54 +1,58 @@
-//! The way back: heights from a normal map.
+//! Heights from a normal map.
 //!
-//! Szirmay-Kalos and Umenhoffer 2008, section 2.2, name normal maps and photographs as sources of height
-//! maps. The integration is the least-squares one of Frankot and Chellappa 1988 and, for maps that do not
-//! tile, of Simchony, Chellappa and Shao 1990. Its differences are those that the kind `normal` takes.
+//! Szirmay-Kalos and Umenhoffer 2008, section 2.2, name normal maps and photographs as sources of
+//! height maps. The integration is by least squares: Frankot and Chellappa 1988 and, for maps that
+//! do not tile, Simchony, Chellappa and Shao 1990. Its differences are the ones of the kind
+//! `normal`.
 //!
 //! # What is computed
 //!
-//! The heights `h` whose central differences `D h`, taken as [`kind::normal`](crate::kind::normal) takes them
-//! (eq. 9, with the map's wrap), are nearest to the slopes `s` of the normals. `D` is linear, and the normal
-//! equations `DᵀD h = Dᵀs` are diagonal in waves: in those of a Hartley transform where the map is tiled, and
-//! of a cosine transform (DCT-II) where it is clamped or mirrored, which makes no difference to a texel's
-//! neighbours. (At the edges of a clamped map `kind::normal` takes twice as much of a difference as `D`.
-//! There half of the slope is taken, so an error counts half.) The eigenvalue of a wave that turns by `θ`
-//! from texel to texel is `sin²θ / texel² = (2 - 2 cos 2θ) / (2 texel)²` along each axis. There is one
+//! The result is the heights `h` whose central differences `D h` are nearest to the slopes `s` of
+//! the normals. The differences are taken as in [`kind::normal`](crate::kind::normal) (eq. 9, with
+//! the map's wrap). `D` is linear, and the normal equations `DᵀD h = Dᵀs` are diagonal in waves.
+//! The waves are of a Hartley transform where the map is tiled. They are of a cosine transform
+//! (DCT-II) where it is clamped or mirrored, which makes no difference to a texel's neighbours. (At
+//! the edges of a clamped map, `kind::normal` takes twice as much of a difference as `D`. Half of
+//! the slope is taken there, so an error counts half.) A wave that turns by `θ` from texel to texel
+//! has the eigenvalue `sin²θ / texel² = (2 - 2 cos 2θ) / (2 texel)²` along each axis. There is one
 //! transform there and one back, in `f64`.
 //!
-//! # What normals do not say
+//! # Limits
 //!
-//! * *The mean*. It is set to 0.
-//! * *Checkerboards*. Central differences skip a texel, so in a tiled map of even size they do not see waves
-//!   that change their sign from texel to texel: along rows, along columns, or both. These three waves are
-//!   set to 0, which is the least of all heights that fit. Waves near them are seen faintly, `sin θ` of their
-//!   slope, and come back amplified, with whatever noise the normals have. For normals made by eq. 9 that is
-//!   the exact inverse. Normals from elsewhere do have slopes there. To keep those out, `damping` adds
-//!   `damping² |Ph|²` to what is minimised: `P` takes `(1 - cos θ) / 2` of a wave, over a texel's side, which
-//!   is all of a checkerboard and next to nothing of smooth relief. 0 is off; 0.1 is good for normals that
-//!   were painted, scanned or compressed, and takes 0.25 % of a wave of four texels.
-//! * *Overhangs*. A normal at or below the horizon is no relief's; it is taken for one of the steepest
-//!   accepted slope and counted.
+//! * *The mean* is not in the normals. It is set to 0.
+//! * *Checkerboards*. Central differences skip a texel. In a tiled map of even size they do not see
+//!   waves that change their sign from texel to texel: along rows, along columns, or both. These
+//!   three waves are set to 0, the least of all heights that fit. Waves near them are seen faintly,
+//!   with `sin θ` of their slope. They come back amplified, together with the noise of the normals.
+//!   For normals made by eq. 9 this is the exact inverse. Normals from elsewhere do have slopes
+//!   there. To suppress these, `damping` adds `damping² |Ph|²` to the minimised sum. `P` takes
+//!   `(1 - cos θ) / 2` of a wave, over a texel's side: all of a checkerboard and next to nothing of
+//!   smooth relief. 0 is off. 0.1 is good for normals that were painted, scanned or compressed, and
+//!   takes 0.25 % of a wave of four texels.
+//! * *Overhangs*. No relief has a normal at or below the horizon. Such a normal is counted and
+//!   replaced by one of the steepest accepted slope.
 //! * *Holes*. Black, white and transparent texels are background, and middle grey has no direction
-//!   ([`NormalFaults`]). They do not count ([`heights_from_known_slopes`]), so heights beside them are right.
+//!   ([`NormalFaults`]). They do not count ([`heights_from_known_slopes`]), so heights beside them
+//!   are right.
 //!
 //! # Accuracy
 //!
-//! Round trip from heights in `[0, 1]` through [`normals`](crate::kind::normal::normals), fractal ground of
-//! 512² with a relief a tenth of the tile, mean and checkerboards taken out, no damping: the root mean square
-//! error is 5e-9 of the relief from normals in `f32`, 4e-7 from 16 bits and 1.1e-4 from 8 bits; tested to
-//! twice that.
+//! Round trip from heights in `[0, 1]` through [`normals`](crate::kind::normal::normals): fractal
+//! ground of 512² with a relief a tenth of the tile, mean and checkerboards taken out, no damping.
+//! The root mean square error is 5e-9 of the relief from normals in `f32`, 4e-7 from 16 bits and
+//! 1.1e-4 from 8 bits. Tests accept twice these errors.
 //!
-//! The same through files, with four natural maps (cobbles, bricks, a fault's elevation model, a scan of
-//! rock; 256² to 1024², reliefs of 0.03 to 0.1 of the tile) and every wrap: at most 3e-8 from floats, 5e-6
-//! from 16 bits and 1.1e-3 from 8 bits. The three waves that a tiled map of even size loses are 8e-5 of the
-//! relief there. Damping of 0.1 takes 1e-4 to 1.4e-3, which 8 bits hide. No integer stands for a component
-//! of 0. In these figures the one that is meant was read as 0
-//! (`relief_io::NormalVectors::with_zero_centred`). Read as it stands, a clamped scan comes back from 8 bits
-//! with a ramp, fourteen times as wrong.
+//! Round trip through files, with four natural maps (cobbles, bricks, a fault's elevation model, a
+//! scan of rock; 256² to 1024², reliefs of 0.03 to 0.1 of the tile) and every wrap: at most 3e-8
+//! from floats, 5e-6 from 16 bits and 1.1e-3 from 8 bits. The three waves that a tiled map of even
+//! size loses are 8e-5 of the relief there. Damping of 0.1 takes 1e-4 to 1.4e-3, which 8 bits hide.
+//! No integer stands for a component of 0. In these figures the code meant as 0 was read as 0
+//! (`relief_io::NormalVectors::with_zero_centred`). Read as it stands, a clamped scan comes back
+//! from 8 bits with a ramp, and the error is fourteen times as large.
 //!
-//! Four materials of other programs have height maps beside their normal maps. Correlations with these are
-//! 0.95 to 0.998, misfits 0.8 % to 33 % of the slopes, and the right green was found all four times, with a
-//! confidence of 0.49 to 1.
+//! Four materials of other programs have height maps beside their normal maps. Correlations with
+//! these are 0.95 to 0.998, and misfits 0.8 % to 33 % of the slopes. The right green was found all
+//! four times, with a confidence of 0.49 to 1.
 
 mod error;
 mod evidence;
@@ -69,7 +73,7 @@ pub use self::integrate::{IntegratedHeights, Integration, heights_from_slopes};
 pub use self::known::heights_from_known_slopes;
 pub use self::slopes::{NormalFaults, NormalSlopes, UNIT_TOLERANCE};
 
-/// Heights from normals of any length, given as planes of `x`, `y` and `z`, row by row from the top.
+/// Integrates normals of any length, given as planes of `x`, `y` and `z`, row by row from the top.
 ///
 /// # Errors
 ///

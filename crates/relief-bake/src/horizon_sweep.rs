@@ -1,7 +1,8 @@
-//! The sweep that finds the horizons of all texels, azimuth by azimuth (Timonen and Westerholm 2010).
+//! Sweep that finds the horizons of all texels, azimuth by azimuth (Timonen and Westerholm 2010).
 //!
-//! The first steps are read from each texel's own ray; what lies farther is read from sheared lines. The
-//! kinds `horizon`, `occlusion` and `bent-normal` use it. The kind `horizon` says how exact it is.
+//! The first steps are read from each texel's own ray; farther steps are read from sheared lines.
+//! The kinds `horizon`, `occlusion` and `bent-normal` use it. The kind `horizon` states its
+//! accuracy.
 
 mod far;
 mod near;

@@ -1,12 +1,12 @@
-//! What bakes are made from.
+//! The input of bakes.
 
 use relief_core::{HeightMap, Metric};
 
-/// What a bake is made from.
+/// Height map and metric from which a kind is baked.
 #[derive(Clone, Copy, Debug)]
 pub struct BakeInput<'a> {
-    /// The height map. When values are quantised its texels are the decoded ones.
+    /// The height map. When values are quantised, its texels are the decoded ones.
     pub map: &'a HeightMap,
-    /// World lengths of the tile and the relief.
+    /// Lengths in metres of the tile and of the relief.
     pub metric: Metric,
 }

@@ -1,14 +1,14 @@
-//! From a height map to every map that displacement mapping methods read.
+//! Bakes every map that displacement mapping methods read from a height map.
 //!
-//! [`mod@kind`] lists the map kinds, one file each; what several kinds share lies beside it. A bake takes a
-//! [`BakeInput`], which is a height map and the [`Metric`](relief_core::Metric) that it is laid out in, and
-//! the kind's [`Settings`]. It hands its [`Texture`]s to a [`Sink`] slice by slice, so that a volume need not
-//! fit in memory. [`Collected`] is the sink that keeps them; [`baked_map()`] makes one of them as shaders
-//! take it.
+//! [`mod@kind`] lists the kinds of map, one file each. Code that several kinds share lies beside
+//! it. A bake takes a [`BakeInput`], which is a height map with its
+//! [`Metric`](relief_core::Metric), and the kind's [`Settings`]. It hands its [`Texture`]s to a
+//! [`Sink`] slice by slice, so that a volume need not fit into memory. [`Collected`] is the sink
+//! that keeps them all. [`baked_map()`] returns one of them in the form that shaders read.
 //!
-//! Where a kind states a bound, it holds for the *bilinear* surface between texel centres, and for what is
-//! stored: when values are quantised, heights are quantised first, the map is baked against the decoded
-//! heights, and values are rounded to the safe side.
+//! Stated bounds hold for the *bilinear* surface between texel centres, and for the values as
+//! stored. Quantised values keep their bounds, too: heights are quantised first, the map is baked
+//! from the decoded heights, and values are rounded to the safe side.
 
 mod azimuths;
 mod bake;

@@ -4,15 +4,16 @@
 //! and Umenhoffer 2008, section 2.2, name it as a source of height maps.
 //! [`from_normals`](crate::from_normals) makes the heights.
 //!
-//! One camera looks straight down at a matt surface (Lambert) that distant lights shine on one after the
-//! other. A pixel's brightness is then `I = intensity (l · g)` with `l` the unit vector to the light and `g`
-//! the normal times the albedo; three lights that shine on it give `g`, more give it by least squares.
+//! One camera looks straight down at a matt (Lambertian) surface, lit by one distant light after
+//! another. A pixel's brightness is then `I = intensity (l · g)`. Here `l` is the unit vector to
+//! the light, and `g` the normal times the albedo. Three lights that reach the pixel determine `g`;
+//! with more, `g` is their least-squares fit.
 //!
-//! * *Shadows*, attached and cast, are left out: samples at or below a threshold, which should lie above what
-//!   stray light leaves in shadows. So are overexposed ones. A normal whose least-squares fit is turned away
-//!   from a light that was not left out is fitted again without that sample.
-//! * A pixel is *known* when at least three lights that are well spread are left. The slopes of others are
-//!   filled in smoothly from known ones around them, coarse to fine, and their albedo likewise.
+//! * *Shadows*, attached and cast, are left out: samples at or below a threshold. The threshold
+//!   should exceed the stray light in shadows. Overexposed samples are left out, too. If a fitted
+//!   normal is turned away from a light in use, it is fitted again without that sample.
+//! * *Known* pixels have at least three well-spread lights left. Slopes and albedo of the others
+//!   are filled in smoothly from known ones around them, coarse to fine.
 
 mod colour;
 mod normals;

@@ -1,21 +1,22 @@
-//! Fewer bits, on the safe side.
+//! Rounding to fewer bits, on the safe side.
 
 use rayon::prelude::*;
 use relief_core::{HeightMap, HeightMapError, Rounding};
 
-/// The value that an unsigned normalised integer of so many bits, at most 32, gives back, for a value in
-/// `[0, 1]`; values outside are cut off, and NaN becomes 0. With 0 bits the value itself.
+/// Returns `value` as decoded from an unsigned normalised integer of `bits` bits, at most 32.
+/// Values outside of `[0, 1]` are clamped, and NaN becomes 0. With 0 bits, `value` itself is
+/// returned.
 ///
-/// The decoded value is `code / (2^bits - 1)` in `f32`, as a GPU decodes it; rounded down it is at most
-/// `value`, rounded up at least.
+/// The decoded value is `code / (2^bits - 1)` in `f32`, as a GPU decodes it. Rounded down it is at
+/// most `value`, rounded up at least.
 #[inline]
 pub fn unorm(value: f32, bits: u32, rounding: Rounding) -> f32 {
     if bits == 0 { value } else { Unorm::new(bits).value(value, rounding) }
 }
 
-/// Rounds every value as [`unorm`] does, in parallel. `[low, high]` are the values that codes 0 and
-/// `2^bits - 1` stand for: a value becomes `low + (high - low) * unorm((value - low) / (high - low))`, all in
-/// `f32`.
+/// Rounds every value as [`unorm`] does, in parallel. `[low, high]` are the values of the codes 0
+/// and `2^bits - 1`: a value becomes `low + (high - low) * unorm((value - low) / (high - low))`,
+/// all in `f32`.
 pub fn to_nearest(values: &mut [f32], [low, high]: [f32; 2], bits: u32) {
     if bits == 0 {
         return;
@@ -31,7 +32,7 @@ pub fn to_nearest(values: &mut [f32], [low, high]: [f32; 2], bits: u32) {
 /// Values that one task rounds: some ten microseconds of work.
 const CHUNK: usize = 1 << 14;
 
-/// Integers of so many bits.
+/// Unsigned normalised integers of a number of bits.
 #[derive(Clone, Copy)]
 struct Unorm {
     /// The greatest code.
@@ -49,8 +50,8 @@ impl Unorm {
         match rounding {
             Rounding::Nearest => self.nearest(value),
             Rounding::Down => {
-                // The code below decodes to no more than the value, since rounding keeps the order; the next
-                // one may do so too.
+                // The code below decodes to no more than the value, since rounding keeps the order.
+                // The next code may do so, too.
                 let code = self.scaled(value) as u32;
                 let next = self.decode((f64::from(code) + 1.0).min(self.most));
                 if next <= value { next } else { self.decode(f64::from(code)) }
@@ -65,13 +66,13 @@ impl Unorm {
         }
     }
 
-    /// The nearest; halves go up. The sum with a half is exact wherever it decides.
+    /// Rounds to the nearest; halves go up. The sum with a half is exact wherever it decides.
     #[inline]
     fn nearest(self, value: f32) -> f32 {
         self.decode(f64::from((self.scaled(value) + 0.5) as u32))
     }
 
-    /// The value in steps: exact for up to 29 bits.
+    /// Returns the value in steps: exact for up to 29 bits.
     #[inline]
     fn scaled(self, value: f32) -> f64 {
         f64::from(value.clamp(0.0, 1.0)) * self.most
@@ -83,20 +84,20 @@ impl Unorm {
     }
 }
 
-/// The map whose texels are what integers of so many bits give back, to the nearest: a second map.
+/// Returns a copy of the map with texels rounded to the nearest integers of `bits` bits.
 ///
 /// # Errors
 ///
-/// None for a valid map; passed on from the map's constructor.
+/// Never fails for a valid map; errors of the map's constructor are passed on.
 pub fn heights(map: &HeightMap, bits: u32) -> Result<HeightMap, HeightMapError> {
     heights_in_place(map.clone(), bits)
 }
 
-/// The same in the memory of a map that is not needed any more.
+/// Rounds as [`heights`] does, but takes the map over instead of copying it.
 ///
 /// # Errors
 ///
-/// As [`heights`].
+/// Fails as [`heights`] does.
 pub fn heights_in_place(map: HeightMap, bits: u32) -> Result<HeightMap, HeightMapError> {
     let (width, height, wrap) = (map.width(), map.height(), map.wrap());
     let (scale_m, bias_m) = (map.scale_m(), map.bias_m());
@@ -109,7 +110,7 @@ pub fn heights_in_place(map: HeightMap, bits: u32) -> Result<HeightMap, HeightMa
 mod tests {
     use super::*;
 
-    /// The definition: the nearest code, or the last one on the safe side.
+    /// Definition: the nearest code, or the last one on the safe side.
     fn by_search(value: f32, bits: u32, rounding: Rounding) -> f32 {
         let most = ((1u64 << bits) - 1) as f64;
         let exact = f64::from(value.clamp(0.0, 1.0)) * most;

@@ -1,11 +1,11 @@
-//! The numbers that a kind may be given.
+//! Settings of a kind: the values of its parameters.
 
 use relief_core::registry::Param;
 
-/// The name of the parameter that says in how many bits values are stored.
+/// Name of the parameter for the bits of stored values.
 pub(crate) const BITS: &str = "bits";
 
-/// What that parameter may be: those that files store, or 0 for floats.
+/// Accepted values of [`BITS`]: the bits that files store, or 0 for floats.
 const STORED_BITS: [f64; 3] = [0.0, 8.0, 16.0];
 
 /// The values of a kind's parameters.
@@ -24,9 +24,9 @@ pub enum SettingsError {
     NoParam {
         /// The kind.
         kind: &'static str,
-        /// What was asked for.
+        /// The requested name.
         name: String,
-        /// What there is.
+        /// Names of the kind's parameters.
         known: Vec<&'static str>,
     },
     /// The value is not accepted.
@@ -45,7 +45,7 @@ pub enum SettingsError {
         /// Whether only whole numbers are accepted.
         integer: bool,
     },
-    /// No file stores values in so many bits.
+    /// No file format stores values of this many bits.
     #[error("{kind}.bits is {value}: it must be 8 or 16, or 0 for floats")]
     Bits {
         /// The kind.
@@ -56,7 +56,7 @@ pub enum SettingsError {
 }
 
 impl Settings {
-    /// The defaults of a kind with those parameters.
+    /// Creates the defaults of a kind with those parameters.
     pub fn defaults(kind: &'static str, params: &'static [Param]) -> Self {
         Self { kind, params, values: params.iter().map(|param| param.default).collect() }
     }
@@ -65,7 +65,7 @@ impl Settings {
     ///
     /// # Errors
     ///
-    /// When there is no such parameter, or it cannot have that value.
+    /// Fails when there is no such parameter, or when the value is out of its range.
     pub fn set(&mut self, name: &str, value: f64) -> Result<(), SettingsError> {
         let kind = self.kind;
         let Some(place) = self.params.iter().position(|param| param.name == name) else {
@@ -83,25 +83,25 @@ impl Settings {
         Ok(())
     }
 
-    /// The value of the parameter in that place of the kind's list.
+    /// Returns the value of the parameter at index `place` of the kind's list.
     ///
     /// # Panics
     ///
-    /// When the kind has fewer parameters, which only the kind's own code can get wrong.
+    /// Panics when the kind has fewer parameters, which only the kind's own code can get wrong.
     pub fn get(&self, place: usize) -> f32 {
         self.values[place]
     }
 
-    /// A whole-number parameter.
+    /// Returns the whole-number parameter at index `place`.
     ///
     /// # Panics
     ///
-    /// As [`Self::get`].
+    /// Panics as [`Self::get`] does.
     pub fn count(&self, place: usize) -> u32 {
         self.values[place] as u32
     }
 
-    /// Names and values, in the order of the kind's list.
+    /// Iterates over names and values, in the order of the kind's list.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, f32)> + '_ {
         self.params.iter().map(|param| param.name).zip(self.values.iter().copied())
     }

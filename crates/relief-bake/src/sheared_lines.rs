@@ -1,6 +1,6 @@
 //! Parallel lines along an azimuth that visit every texel once, and maps in their order.
 //!
-//! They are those of Timonen and Westerholm 2010. The horizon sweep and the kind `visibility` look along
+//! The lines follow Timonen and Westerholm 2010. The horizon sweep and the kind `visibility` use
 //! them.
 
 mod lines;

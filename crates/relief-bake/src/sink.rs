@@ -1,47 +1,48 @@
-//! Where baked textures go.
+//! Sinks, which receive baked textures, and the textures' shapes.
 
 use relief_core::Rounding;
 
 /// A channel of a texture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Channel {
-    /// Its name in files, such as `height` or `cone`.
+    /// Name in files, such as `height` or `cone`.
     pub name: &'static str,
-    /// The unit of its values: `m`, `heights` for fractions of the relief's depth, `heights/texel`, `tiles`
-    /// for texture coordinates, `1` for pure numbers.
+    /// Unit of its values: `m`, `heights` for fractions of the relief's depth, `heights/texel`,
+    /// `tiles` for texture coordinates, `1` for pure numbers.
     pub unit: &'static str,
-    /// The values that 0 and 1 stand for when it is stored as an integer.
+    /// Values that 0 and 1 stand for when the channel is stored as integers.
     pub range: [f32; 2],
-    /// The side to round to when it is stored in fewer bits.
+    /// Side to round to when the channel is stored in fewer bits.
     pub rounding: Rounding,
 }
 
 /// The shape of a texture, known before anything is baked.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Shape {
-    /// Its name after the kind's, for kinds of several textures; empty for the only one.
+    /// Name after the kind's, for kinds of several textures; empty for the only one.
     pub name: &'static str,
     /// Columns, rows and slices (1 for a 2-D texture) of mip level 0.
     pub size: [u32; 3],
     /// Size of each further mip level; empty without mips.
     pub mips: Vec<[u32; 3]>,
-    /// How many channels a texel has.
+    /// Channels of a texel.
     pub channels: u32,
 }
 
 impl Shape {
-    /// A texture of one level with that many slices.
+    /// Creates the shape of a texture of one level with `slices` slices.
     pub(crate) fn slices(name: &'static str, [width, height]: [u32; 2], slices: u32, channels: u32) -> Self {
         Self { name, size: [width, height, slices], mips: Vec::new(), channels }
     }
 
-    /// Columns, rows and slices of a mip level; 0 is the finest.
+    /// Returns columns, rows and slices of a mip level; 0 is the finest.
     pub fn level_size(&self, level: usize) -> [u32; 3] {
         level_size(self.size, &self.mips, level)
     }
 
-    /// The least columns and rows such that a mip chain of GPUs, where every level has half the sides of the
-    /// one before, rounded down, and at least 1, has room for the levels from that one on.
+    /// Returns the least size of a GPU mip chain that has room for the levels from `first` on. In
+    /// such a chain, each level has half the sides of the previous one, rounded down, and at least
+    /// 1.
     pub fn chain_size(&self, first: usize) -> [u32; 2] {
         let sizes = (first..=self.mips.len()).map(|level| self.level_size(level)).enumerate();
         sizes.fold([1, 1], |chain, (level, size)| {
@@ -52,17 +53,17 @@ impl Shape {
         })
     }
 
-    /// Values of all texels.
+    /// Returns the number of values of all levels, texels and channels.
     pub fn values(&self) -> u64 {
         let of = |size: &[u32; 3]| size.iter().map(|&side| u64::from(side)).product::<u64>();
         (of(&self.size) + self.mips.iter().map(of).sum::<u64>()) * u64::from(self.channels)
     }
 }
 
-/// What a texture is, said before its texels.
+/// Description of a texture, sent before its texels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Texture {
-    /// Its name after the kind's, for kinds of several textures; empty for the only one.
+    /// Name after the kind's, for kinds of several textures; empty for the only one.
     pub name: &'static str,
     /// Columns, rows and slices (1 for a 2-D texture) of mip level 0.
     pub size: [u32; 3],
@@ -70,18 +71,18 @@ pub struct Texture {
     pub mips: Vec<[u32; 3]>,
     /// The channels.
     pub channels: Vec<Channel>,
-    /// What else a reader must know, as names and values.
+    /// Further facts for readers, as names and values.
     pub notes: Vec<(&'static str, String)>,
 }
 
 impl Texture {
-    /// Its shape.
+    /// Returns the texture's shape.
     pub fn shape(&self) -> Shape {
         let Self { name, size, mips, channels, .. } = self;
         Shape { name, size: *size, mips: mips.clone(), channels: channels.len() as u32 }
     }
 
-    /// Size of a mip level.
+    /// Returns the size of a mip level; 0 is the finest.
     pub fn level_size(&self, level: usize) -> [u32; 3] {
         level_size(self.size, &self.mips, level)
     }
@@ -91,38 +92,39 @@ fn level_size(finest: [u32; 3], mips: &[[u32; 3]], level: usize) -> [u32; 3] {
     if level == 0 { finest } else { mips[level - 1] }
 }
 
-/// A sink that failed.
+/// Reason why a sink failed.
 #[derive(Debug, thiserror::Error)]
 #[error("{0}")]
 pub struct SinkError(pub String);
 
-/// Takes textures: first what one is, then its slices in order, level by level from the finest.
+/// Receives textures: first a description, then the slices in order, level by level from the
+/// finest.
 pub trait Sink {
-    /// A texture begins; its slices follow.
+    /// Begins a texture; its slices follow.
     ///
     /// # Errors
     ///
-    /// When the sink cannot take it.
+    /// Fails when the sink cannot take the texture.
     fn begin(&mut self, texture: &Texture) -> Result<(), SinkError>;
 
-    /// The next slice: for each channel a plane of texels, row by row from the top.
+    /// Takes the next slice: for each channel a plane of texels, row by row from the top.
     ///
     /// # Errors
     ///
-    /// When the sink cannot take it.
+    /// Fails when the sink cannot take the slice.
     fn slice(&mut self, planes: &[&[f32]]) -> Result<(), SinkError>;
 }
 
 /// A texture in memory.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CollectedTexture {
-    /// What it is.
+    /// Description of the texture.
     pub texture: Texture,
-    /// For each mip level and channel its texels, slice after slice, row by row from the top.
+    /// Texels of each mip level and channel, slice after slice, row by row from the top.
     pub levels: Vec<Vec<Vec<f32>>>,
 }
 
-/// The sink that keeps everything in memory.
+/// Sink that keeps everything in memory.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Collected {
     /// The textures, in the order in which they were baked.

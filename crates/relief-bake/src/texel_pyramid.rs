@@ -1,26 +1,26 @@
-//! A maximum pyramid of texels, for searches of one direction or one vertex at a time: that of cones, and
-//! that of the kind `frustum`.
+//! A maximum pyramid of texels, for searches of one direction or one vertex at a time. The cone
+//! search and the kind `frustum` use it.
 
 use std::borrow::Cow;
 
 use rayon::prelude::*;
 use relief_core::HeightMap;
 
-/// The highest texels of squares of texels, level by level; level 0 are the texels. Tighter than the maxima
-/// over dual cells, which share their texels with their neighbours.
+/// Highest texels of squares of texels, level by level. Level 0 holds the texels. These maxima are
+/// tighter than maxima over dual cells, which share their texels with their neighbours.
 pub struct TexelPyramid<'a> {
     texels: TexelLevel<'a>,
     above: Vec<TexelLevel<'a>>,
 }
 
-/// The nodes of a level, row by row.
+/// Nodes of a level, row by row.
 pub struct TexelLevel<'a> {
     nodes: Cow<'a, [f32]>,
     size: [u32; 2],
 }
 
 impl<'a> TexelPyramid<'a> {
-    /// The levels of a map.
+    /// Builds the levels of a map.
     pub fn new(map: &'a HeightMap) -> Self {
         let texels = TexelLevel { nodes: Cow::Borrowed(map.texels()), size: [map.width(), map.height()] };
         let mut above: Vec<TexelLevel> = Vec::new();
@@ -30,32 +30,32 @@ impl<'a> TexelPyramid<'a> {
         Self { texels, above }
     }
 
-    /// A level, up to [`Self::top`].
+    /// Returns a level, up to [`Self::top`].
     #[inline]
     pub fn level(&self, level: u32) -> &TexelLevel<'a> {
         if level == 0 { &self.texels } else { &self.above[level as usize - 1] }
     }
 
-    /// The level of a single node.
+    /// Returns the level of a single node.
     pub fn top(&self) -> u32 {
         self.above.len() as u32
     }
 }
 
 impl TexelLevel<'_> {
-    /// Columns and rows of nodes.
+    /// Returns columns and rows of nodes.
     #[inline]
     pub fn size(&self) -> [u32; 2] {
         self.size
     }
 
-    /// The highest texel of a node.
+    /// Returns the highest texel of a node.
     #[inline]
     pub fn highest(&self, [column, row]: [u32; 2]) -> f32 {
         self.nodes[row as usize * self.size[0] as usize + column as usize]
     }
 
-    /// The level of half the size, rounded up; `None` above a single node.
+    /// Builds the level of half the size, rounded up; `None` above a single node.
     fn halved<'a>(&self) -> Option<TexelLevel<'a>> {
         let [width, height] = self.size;
         if self.nodes.len() == 1 {

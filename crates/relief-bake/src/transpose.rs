@@ -1,11 +1,11 @@
-//! Rows and columns of a plane exchanged.
+//! Exchange of a plane's rows and columns.
 
 use rayon::prelude::*;
 
 /// Columns that one task reads together, so that a cache line is read once.
 const COLUMNS: usize = 16;
 
-/// Columns become rows: `to` gets those of a plane of rows of `width`.
+/// Writes the transpose of a plane with rows of `width` values into `to`.
 pub(crate) fn transpose<T: Copy + Send + Sync>(from: &[T], width: usize, to: &mut [T]) {
     let height = from.len() / width;
     to.par_chunks_mut(height * COLUMNS).enumerate().for_each(|(block, columns)| {

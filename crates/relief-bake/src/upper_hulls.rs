@@ -1,32 +1,34 @@
-//! Upper hulls of the profiles of squares of texels, for searches that would else look at every texel.
+//! Upper hulls of the profiles of squares of texels, for searches on inclined ground.
 //!
-//! The profile of a square along an axis holds, for each column (or row), its highest texel. Seen from a
-//! place before the first of them, the greatest slope to a profile, with distances along the axis alone, is
-//! that to a vertex of its upper hull: what lies on or below an edge is nowhere steeper than both of its
-//! ends. Hulls have few vertices: some ten of hundreds of columns of natural ground, and two of a plane.
+//! The profile of a square along an axis holds, for each column (or row), its highest texel. A
+//! place before the first of them sees the profile under a greatest slope, with distances along the
+//! axis alone. A vertex of the upper hull has this slope: a point on or below an edge is nowhere
+//! steeper than both ends of the edge. Hulls have few vertices: some ten for hundreds of columns of
+//! natural ground, and two on a plane.
 
 use rayon::prelude::*;
 use relief_core::HeightMap;
 
 use crate::fixed_point::GRID;
 
-/// The first level of the pyramid that has hulls: on lower ones there are as few texels as vertices.
+/// First level of the pyramid that has hulls: on lower levels there are as few texels as vertices.
 pub const FIRST: u32 = 3;
 
-/// The largest side of a square of which hulls are exact: whole numbers of texels times multiples of one over
+/// Largest side of a square with exact hulls: whole numbers of texels times multiples of one over
 /// [`GRID`] are exact in `f64`.
 const EXACT_SIDE: u32 = 1 << 12;
 
-/// By how much a texel must be below an edge to be dropped where edges are rounded. It is more than the
-/// roundings of a slope to it and of that to an end, so none that may be steepest is lost.
+/// Distance by which a texel must be below an edge to be dropped where edges are rounded. It
+/// exceeds the rounding of the slopes to the texel and to an end. No texel that may be steepest is
+/// lost.
 const SLACK: f64 = 1.0 / (1u64 << 48) as f64;
 
-/// A vertex of a hull.
+/// Vertex of a hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HullVertex {
-    /// The highest texel of a column, or row, of the node.
+    /// Highest texel of a column, or row, of the node.
     pub texel: [u32; 2],
-    /// Its height.
+    /// Height of the texel.
     pub height: f32,
 }
 
@@ -35,17 +37,17 @@ pub struct UpperHulls {
     levels: Vec<[HullLevel<HullVertex>; 2]>,
 }
 
-/// The hulls of a level's nodes, row by row.
+/// Hulls of a level's nodes, row by row.
 pub struct HullLevel<V> {
-    /// The vertices of all nodes, from the first column or row to the last.
+    /// Vertices of all nodes, from the first column or row to the last.
     vertices: Vec<V>,
-    /// Where each node's begin; one more at the end.
+    /// Index of each node's first vertex; one more at the end.
     begins: Vec<usize>,
     width: usize,
 }
 
 impl<V: Copy> HullLevel<V> {
-    /// Of so many nodes a row.
+    /// Collects the hulls of nodes, `width` nodes a row.
     pub fn new<'a>(width: usize, hulls: impl Iterator<Item = &'a Vec<V>> + Clone) -> Self
     where
         V: 'a,
@@ -59,7 +61,7 @@ impl<V: Copy> HullLevel<V> {
         Self { vertices, begins, width }
     }
 
-    /// The hull of a node.
+    /// Returns the hull of a node.
     #[inline(always)]
     pub fn hull(&self, [column, row]: [u32; 2]) -> Option<&[V]> {
         let node = row as usize * self.width + column as usize;
@@ -67,8 +69,8 @@ impl<V: Copy> HullLevel<V> {
     }
 }
 
-/// Adds a vertex to an upper hull, behind all others, with what `place` tells of a vertex: where it is and
-/// how high. What is within `slack` below an edge is kept, too.
+/// Adds a vertex behind all others to an upper hull. `place` returns a vertex's position and
+/// height. Vertices within `slack` below an edge stay.
 pub fn push_to_hull<V: Copy>(hull: &mut Vec<V>, next: V, slack: f64, place: impl Fn(&V) -> [f64; 2]) {
     while let [.., before, last] = &hull[..] {
         let ([from, low], [middle, high], [to, height]) = (place(before), place(last), place(&next));
@@ -81,7 +83,7 @@ pub fn push_to_hull<V: Copy>(hull: &mut Vec<V>, next: V, slack: f64, place: impl
 }
 
 impl UpperHulls {
-    /// Those of a map.
+    /// Builds the hulls of a map.
     pub fn new(map: &HeightMap) -> Self {
         let is_fine = map.texels().par_iter().all(|&texel| (f64::from(texel) * GRID).fract() == 0.0);
         let size = [map.width(), map.height()];
@@ -98,33 +100,34 @@ impl UpperHulls {
         Self { levels }
     }
 
-    /// The hull above a node along the columns (axis 0) or rows (1); `None` below [`FIRST`].
+    /// Returns the hull above a node along the columns (axis 0) or rows (1); `None` below
+    /// [`FIRST`].
     #[inline(always)]
     pub fn hull(&self, level: u32, at: [u32; 2], axis: usize) -> Option<&[HullVertex]> {
         self.levels.get(level.checked_sub(FIRST)? as usize)?[axis].hull(at)
     }
 }
 
-/// The highest texel of a node's column or row.
+/// Highest texel of a node's column or row.
 #[derive(Clone, Copy)]
 struct Highest {
     height: f32,
-    /// Its row in the map, or its column.
+    /// Row in the map, or column.
     at: u32,
 }
 
-/// The profiles of all nodes of a level along both axes.
+/// Profiles of all nodes of a level along both axes.
 struct Profiles {
     /// Columns and rows of the map.
     size: [u32; 2],
     level: u32,
-    /// Along the columns: a line of the map's width for each row of nodes. Along the rows: a line of the
-    /// map's height for each column of nodes.
+    /// Along the columns, a line of the map's width for each row of nodes. Along the rows, a line
+    /// of the map's height for each column of nodes.
     lines: [Vec<Highest>; 2],
 }
 
 impl Profiles {
-    /// Those of the nodes of level [`FIRST`] of a map.
+    /// Builds the profiles of the nodes of level [`FIRST`] of a map.
     fn new(map: &HeightMap) -> Self {
         let size = [map.width(), map.height()];
         let ([width, height], side) = (size.map(|side| side as usize), 1 << FIRST);
@@ -151,7 +154,7 @@ impl Profiles {
         Self { size, level: FIRST, lines: [along_columns, along_rows] }
     }
 
-    /// Those of the next level: of each pair of lines the higher texels.
+    /// Builds the profiles of the next level: the higher texels of each pair of lines.
     fn above(&self) -> Self {
         let lines = [0, 1].map(|axis| {
             let length = self.size[axis] as usize;
@@ -167,7 +170,7 @@ impl Profiles {
         Self { size: self.size, level: self.level + 1, lines }
     }
 
-    /// The hulls of all nodes along an axis.
+    /// Builds the hulls of all nodes along an axis.
     fn hulls(&self, axis: usize, slack: f64) -> HullLevel<HullVertex> {
         let [width, height] = self.size.map(|side| side.div_ceil(1 << self.level) as usize);
         let (length, side) = (self.size[axis] as usize, 1usize << self.level);
@@ -186,8 +189,8 @@ impl Profiles {
     }
 }
 
-/// The vertices of the upper hull of a profile that begins at a column, or row. What is within `slack` below
-/// an edge is kept, too.
+/// Returns the vertices of the upper hull of a profile that begins at a column, or row. Vertices
+/// within `slack` below an edge stay.
 fn upper_hull(profile: &[Highest], begin: usize, axis: usize, slack: f64) -> Vec<HullVertex> {
     let mut hull = Vec::new();
     for (place, highest) in profile.iter().enumerate() {
@@ -200,7 +203,7 @@ fn upper_hull(profile: &[Highest], begin: usize, axis: usize, slack: f64) -> Vec
 }
 
 impl Highest {
-    /// The higher one; of equal ones this.
+    /// Returns the higher texel; of equal ones `self`.
     #[inline(always)]
     fn or(self, other: Self) -> Self {
         if other.height > self.height { other } else { self }

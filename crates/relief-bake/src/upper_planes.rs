@@ -1,13 +1,15 @@
-//! Planes above squares of texels, for searches that would else look at every texel of inclined ground.
+//! Planes above squares of texels, for searches on inclined ground.
 //!
-//! A search that passes over a node of the maximum pyramid takes its highest texel to be at its nearest one.
-//! On inclined ground that is never low enough: the slope to every texel uphill is the same, so none of them
-//! matters, and all are looked at. A plane above the node knows how it is inclined. What is below the plane
-//! is nowhere steeper, from a place under it, than the plane itself.
+//! A search skips a node of the maximum pyramid by placing the node's highest texel at its nearest
+//! one. On inclined ground that bound is never low enough: the slope to every texel uphill is the
+//! same. No texel matters, but all are visited. A plane above the node has an inclination, too.
+//! From a place below the plane, no point below the plane is seen under a steeper slope than the
+//! plane's own.
 //!
-//! Any inclination will do, as the plane is raised until it is above all texels. It is taken from the upper
-//! hulls of the highest texels of the node's columns, and of its rows: of each the slope of the longest edge.
-//! On a plane that is its own slope, and on terraces that of the plane on which their edges lie.
+//! Any inclination will do, as the plane is raised until it is above all texels. It is taken from
+//! the upper hulls of the highest texels of the node's columns, and of its rows. The slope of each
+//! hull's longest edge is used. On a plane this is its own slope. On terraces it is the slope of
+//! the plane through their edges.
 
 use rayon::prelude::*;
 use relief_core::{HeightMap, Wrap};
@@ -15,24 +17,25 @@ use relief_core::{HeightMap, Wrap};
 use crate::fixed_point::{EXACT, GRID, floor};
 use crate::upper_hulls::push_to_hull;
 
-/// The first level of the pyramid that has planes: on lower ones there are few nodes within a search's way,
-/// and as many planes would take more memory than the map.
+/// First level of the pyramid that has planes. On lower levels a search meets few nodes, and planes
+/// would take more memory than the map.
 pub const FIRST: u32 = 3;
 
-/// A plane above a node.
+/// Plane above a node.
 #[derive(Clone, Copy, Debug)]
 pub struct UpperPlane {
-    /// Its height at the first texel of the node.
+    /// Height at the first texel of the node.
     pub height: f64,
-    /// Its slopes, in heights a texel.
+    /// Slopes along both axes, in heights a texel.
     pub along: [f32; 2],
 }
 
 /// Planes above the nodes of a maximum pyramid of texels, from level [`FIRST`] on.
 ///
-/// Each is above all texels of its node, and above those beside them: over all cells around its texels the
-/// bilinear surface is nowhere above the plane. Of clamped and mirrored maps the texels beyond the edges do
-/// not count: there the surface is as high as at the edge, and in one direction nearer.
+/// Each plane is above all texels of its node and above the texels beside them. Over all cells
+/// around the node's texels, the bilinear surface is nowhere above the plane. Of clamped and
+/// mirrored maps, texels beyond the edges do not count. The surface there is as high as at the
+/// edge, and in one direction nearer.
 pub struct UpperPlanes {
     levels: Vec<PlaneLevel>,
 }
@@ -43,11 +46,11 @@ struct PlaneLevel {
 }
 
 impl UpperPlanes {
-    /// Those of a map.
+    /// Builds the planes of a map.
     pub fn new(map: &HeightMap) -> Self {
         let is_fine = map.texels().par_iter().all(|&texel| floor(f64::from(texel)) == f64::from(texel));
         let mut levels = Vec::new();
-        // As many levels as the pyramid has: the last one is a single node.
+        // There are as many levels as in the pyramid: the last one is a single node.
         let top = map.width().max(map.height()).next_power_of_two().ilog2();
         for level in FIRST..=top {
             let [width, height] = [map.width(), map.height()].map(|side| side.div_ceil(1 << level) as usize);
@@ -61,7 +64,7 @@ impl UpperPlanes {
         Self { levels }
     }
 
-    /// The plane above a node; `None` below [`FIRST`].
+    /// Returns the plane above a node; `None` below [`FIRST`].
     #[inline(always)]
     pub fn plane(&self, level: u32, [column, row]: [u32; 2]) -> Option<&UpperPlane> {
         let level = &self.levels.get(level.checked_sub(FIRST)? as usize)?;
@@ -69,16 +72,17 @@ impl UpperPlanes {
     }
 }
 
-/// What a task works with.
+/// Buffers of a task.
 #[derive(Default)]
 struct Scratch {
-    /// The highest texels of a node's columns and rows.
+    /// Highest texels of a node's columns and rows.
     highest: [Vec<f32>; 2],
     hull: Vec<usize>,
 }
 
 impl Scratch {
-    /// The plane above a node. `is_fine` says that all texels are multiples of one over [`GRID`].
+    /// Returns the plane above a node. `is_fine` says that all texels are multiples of one over
+    /// [`GRID`].
     fn plane(&mut self, map: &HeightMap, level: u32, at: [u32; 2], is_fine: bool) -> UpperPlane {
         let size = [map.width(), map.height()].map(i64::from);
         let first = at.map(|at| i64::from(at) << level);
@@ -121,7 +125,7 @@ impl Scratch {
     }
 }
 
-/// Goes through the texels of a row between two columns, which may be one beyond the map's edges.
+/// Visits the texels of a row between two columns, which may be one beyond the map's edges.
 #[inline(always)]
 fn each_texel(map: &HeightMap, [from, to]: [i64; 2], row: i64, mut each: impl FnMut(usize, f32)) {
     let width = i64::from(map.width());
@@ -140,7 +144,7 @@ fn each_texel(map: &HeightMap, [from, to]: [i64; 2], row: i64, mut each: impl Fn
     }
 }
 
-/// The slope of the longest edge of the upper hull of heights one apart; 0 for a single one.
+/// Slope of the longest edge of the upper hull of heights one apart; 0 for a single height.
 fn longest_edge(heights: &[f32], hull: &mut Vec<usize>) -> f64 {
     let height = |place: usize| f64::from(heights[place]);
     hull.clear();

@@ -1,8 +1,8 @@
-//! The apexes of a texel, and the steepest slope from any of them to what is around a vertex.
+//! Apexes of a texel, and the steepest slope from any of them to the surface around a vertex.
 
 use pulp::Simd;
 
-use super::field::Seen;
+use super::field::RelativeCell;
 use super::slope::{Patch, inside_segment, may_peak_inside};
 
 /// The most apexes of a texel.
@@ -11,23 +11,23 @@ pub(crate) const APEXES: usize = 8;
 /// One number for each apex.
 pub(crate) type PerApex = [f64; APEXES];
 
-/// The greatest of squared slopes.
+/// Greatest of squared slopes.
 #[inline(always)]
 pub(super) fn most(slopes: &PerApex) -> f64 {
     slopes.iter().fold(0.0, |most, &slope2| if slope2 > most { slope2 } else { most })
 }
 
-/// Where the apexes of a texel are.
+/// Places of a texel's apexes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Region {
-    /// At its centre.
+    /// At the texel's centre.
     Centre,
-    /// Anywhere in its square.
+    /// Anywhere in the texel's square.
     Footprint,
 }
 
 impl Region {
-    /// Half the side of the box of apexes, in texels.
+    /// Returns half the side of the box of apexes, in texels.
     pub const fn half(self) -> f64 {
         match self {
             Region::Centre => 0.0,
@@ -35,7 +35,7 @@ impl Region {
         }
     }
 
-    /// How many apexes suffice.
+    /// Returns the number of apexes that suffice.
     pub const fn count(self) -> usize {
         match self {
             Region::Centre => 1,
@@ -43,40 +43,41 @@ impl Region {
         }
     }
 
-    /// Place of an apex in metres from the texel's centre.
+    /// Returns the place of an apex in metres from the texel's centre.
     pub fn apex_m(self, apex: usize, texel_m: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| f64::from(RIM[apex][axis]) * self.half() * texel_m[axis])
     }
 }
 
-/// The apexes of a footprint, in order along the rim of the texel's square: columns and rows from the centre,
-/// in halves of its side.
+/// Apexes of a footprint, in order along the rim of the texel's square: columns and rows from the
+/// centre, in halves of its side.
 pub(super) const RIM: [[i8; 2]; APEXES] =
     [[-1, -1], [0, -1], [1, -1], [1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0]];
 
 /// A bit for each apex.
 const APEX_BITS: [u64; APEXES] = [1, 2, 4, 8, 16, 32, 64, 128];
 
-/// Where the apexes of every texel are: those that suffice, see the proof of
+/// Places of the apexes of every texel. These apexes suffice by the proof of
 /// [`cone_ratios`](crate::kind::cone::cone_ratios).
-pub(crate) struct Places {
+pub(crate) struct ApexGeometry {
     pub region: Region,
     pub texel_m: [f64; 2],
     per_side: [f64; 2],
-    /// In metres from the texel's centre along `u` and `v`, in the order of [`RIM`]; 0 without a footprint.
+    /// Places in metres from the texel's centre along `u` and `v`, in the order of [`RIM`]; 0
+    /// without a footprint.
     at_m: [PerApex; 2],
 }
 
-/// The apexes of one texel.
+/// Apexes of one texel.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Apexes {
     /// The texel.
     pub texel: [i64; 2],
-    /// Their heights; all the centre's without a footprint.
+    /// Heights of the apexes; without a footprint, all are the centre's height.
     pub heights: PerApex,
-    /// The height of the centre.
+    /// Height of the centre.
     pub centre: f64,
-    /// The lowest height.
+    /// Lowest height.
     pub low: f64,
 }
 
@@ -87,13 +88,13 @@ impl Apexes {
     }
 }
 
-impl Places {
+impl ApexGeometry {
     pub fn new(region: Region, texel_m: [f64; 2]) -> Self {
         let at_m = [0, 1].map(|axis| std::array::from_fn(|apex| region.apex_m(apex, texel_m)[axis]));
         Self { region, texel_m, per_side: texel_m.map(|side| 1.0 / side), at_m }
     }
 
-    /// Metres along an axis from the apexes to a vertex so many texels away.
+    /// Metres along an axis from the apexes to a vertex `by` texels away.
     #[inline(always)]
     fn place<S: Simd>(&self, simd: S, by: [i64; 2], axis: usize, part: usize) -> S::f64s {
         let to = simd.splat_f64s(by[axis] as f64 * self.texel_m[axis]);
@@ -109,7 +110,7 @@ impl Places {
         simd.mul_f64s(gap, gap)
     }
 
-    /// Squared slopes of the rises from the apexes to a vertex so many texels away.
+    /// Returns squared slopes from the apexes to a vertex `by` texels away.
     #[inline(always)]
     pub fn to_vertex<S: Simd>(&self, simd: S, apexes: &Apexes, by: [i64; 2], height: f64) -> PerApex {
         let mut slopes = [0.0; APEXES];
@@ -123,8 +124,9 @@ impl Places {
         slopes
     }
 
-    /// Squared slopes from the apexes to the steepest point strictly inside an edge: [`inside_segment`] for
-    /// all apexes at once. The edge leads from a vertex so many texels away to the next one along an axis.
+    /// Returns squared slopes from the apexes to the steepest point strictly inside an edge:
+    /// [`inside_segment`] for all apexes at once. The edge leads from a vertex `by` texels away to
+    /// the next one along an axis.
     #[inline(always)]
     pub fn to_edge<S: Simd>(
         &self,
@@ -157,9 +159,10 @@ impl Places {
         slopes
     }
 
-    /// A lower bound of the squared slope to one end of a segment, in parts of that to any point of it: see
-    /// [`super::walk`]. The segment has that length and is nowhere farther, along either axis, than `reach`
-    /// texels from the vertex so many texels away. Not positive where nothing is known.
+    /// Returns a lower bound of the squared slope to one end of a segment, as a part of the squared
+    /// slope to any of its points: see [`super::walk`]. The segment is `length_m` long. Along
+    /// either axis it is nowhere farther than `reach` texels from the vertex `by` texels away.
+    /// Without a bound, the result is not positive.
     #[inline(always)]
     pub fn turn(&self, by: [i64; 2], reach: f64, length_m: f64) -> f64 {
         let gap =
@@ -167,18 +170,19 @@ impl Places {
         1.0 - 0.25 * length_m * length_m / (gap(0) * gap(0) + gap(1) * gap(1))
     }
 
-    /// The apexes, a bit each, from which the inside of a cell may be steeper than its edges and than `best`.
+    /// Returns the apexes, a bit each, from which the inside of a cell may be steeper than its
+    /// edges and than `best`.
     #[inline(always)]
-    pub fn may_peak_inside<S: Simd>(&self, simd: S, apexes: &Apexes, seen: &Seen, best: f64) -> u64 {
+    pub fn may_peak_inside<S: Simd>(&self, simd: S, apexes: &Apexes, cell: &RelativeCell, best: f64) -> u64 {
         let mut bits = [0u64; APEXES];
         // Written out: a closure within `map` would not be compiled for the vectors.
-        let [h00, h10, h01, h11] = seen.heights;
+        let [h00, h10, h01, h11] = cell.heights;
         let corners =
             [simd.splat_f64s(h00), simd.splat_f64s(h10), simd.splat_f64s(h01), simd.splat_f64s(h11)];
         let best = simd.splat_f64s(best);
         for (part, bits) in S::as_mut_simd_u64s(&mut bits).0.iter_mut().enumerate() {
-            let x = self.place(simd, seen.offset, 0, part);
-            let y = self.place(simd, seen.offset, 1, part);
+            let x = self.place(simd, cell.offset, 0, part);
+            let y = self.place(simd, cell.offset, 1, part);
             let gap2 = simd.add_f64s(self.gap2(simd, x, 0), self.gap2(simd, y, 1));
             let apex = S::as_simd_f64s(&apexes.heights).0[part];
             let may = may_peak_inside(simd, corners, apex, [x, y], self.per_side, gap2, best);
@@ -187,7 +191,7 @@ impl Places {
         bits.into_iter().fold(0, |all, bit| all | bit)
     }
 
-    /// Squared metres from a box of offsets in texels to the box of apexes.
+    /// Returns squared metres from a box of offsets in texels to the box of apexes.
     #[inline(always)]
     pub fn distance2(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
         let half = self.region.half();
@@ -195,7 +199,8 @@ impl Places {
         gap(0) * gap(0) + gap(1) * gap(1)
     }
 
-    /// The heights of the 3 by 3 points at -1, 0 and 1 times half the side of the box of apexes, row by row.
+    /// Returns the heights of the 3 by 3 points at -1, 0 and 1 times half the side of the box of
+    /// apexes, row by row.
     pub fn grid(&self, apexes: &Apexes) -> [[f64; 3]; 3] {
         let mut grid = [[apexes.centre; 3]; 3];
         for ([column, row], height) in RIM.into_iter().zip(apexes.heights) {
@@ -204,17 +209,18 @@ impl Places {
         grid
     }
 
-    /// A cell as seen from an apex.
+    /// Returns a cell relative to an apex.
     #[inline(always)]
-    pub fn patch(&self, apexes: &Apexes, apex: usize, seen: &Seen) -> Patch {
+    pub fn patch(&self, apexes: &Apexes, apex: usize, cell: &RelativeCell) -> Patch {
         Patch {
-            corner: [0, 1].map(|axis| seen.offset[axis] as f64 * self.texel_m[axis] - self.at_m[axis][apex]),
+            corner: [0, 1].map(|axis| cell.offset[axis] as f64 * self.texel_m[axis] - self.at_m[axis][apex]),
             size: self.texel_m,
-            rise: seen.heights.map(|height| height - apexes.heights[apex]),
+            rise: cell.heights.map(|height| height - apexes.heights[apex]),
         }
     }
 
-    /// Squared slope to a vertex from the steepest point inside the piece of the rim that follows an apex.
+    /// Returns the squared slope to a vertex from the steepest point inside the piece of the rim
+    /// that follows an apex.
     pub fn rim_slope2(&self, apexes: &Apexes, apex: usize, vertex: [i64; 2], height: f64) -> f64 {
         let mut ends = [apex, (apex + 1) % APEXES];
         // Half of the rim runs backward; a segment runs forward.

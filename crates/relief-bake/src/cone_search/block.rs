@@ -1,44 +1,46 @@
-//! The heights around texels side by side.
+//! Heights around texels side by side.
 
 use super::apexes::{APEXES, Apexes, RIM, Region};
-use super::field::{Field, Seen};
+use super::field::{Field, RelativeCell};
 use super::lanes::{LANES, Lanes};
 
-/// Cells of the block to each side of a texel's centre. Cells beyond are at least 2½ texels away, where their
-/// corners tell nearly all. With fewer, most texels must look into some cells beyond; with more, the block
-/// takes longer than those.
+/// Cells of the block to each side of a texel's centre. Cells beyond are at least 2½ texels away,
+/// where their corners bound them closely. With fewer, most texels would also visit cells beyond;
+/// with more, the block would take longer than these visits.
 pub(super) const REACH: usize = 3;
 
-/// Vertices along a side of what is read: the block, and one more for the texel to the right or below.
+/// Vertices along a side of the area read: the block, and one more for the texel to the right or
+/// below.
 pub(super) const SIDE: usize = 2 * REACH + 2;
 
 /// Numbers of vertices are masked with this: the compiler then knows that they are within an array.
 pub(super) const MASK: usize = (SIDE * SIDE).next_power_of_two() - 1;
 
-/// Cells along a side of what is read.
+/// Cells along a side of the area read.
 pub(super) const CELLS_READ: usize = SIDE - 1;
 
 /// The centre's place among the vertices.
 pub(super) const CENTRE: usize = REACH * SIDE + REACH;
 
-/// Whether a cell at that offset from a texel is in its block.
+/// Returns whether a cell at that offset from a texel is in its block.
 #[inline(always)]
 pub(crate) fn is_in_block(cell: [i64; 2]) -> bool {
     cell.iter().all(|x| (-(REACH as i64)..REACH as i64).contains(x))
 }
 
-/// The vertex so many columns and rows from the centre.
+/// Returns the vertex at a number of columns and rows from the centre.
 pub(super) const fn vertex_at(column: isize, row: isize) -> usize {
     (CENTRE as isize + row * SIDE as isize + column) as usize
 }
 
-/// The heights of the vertices around texels side by side, row by row.
+/// Heights of the vertices around texels side by side, row by row.
 pub(crate) struct Block {
     pub vertices: [Lanes; SIDE * SIDE],
 }
 
 impl Block {
-    /// The heights around the texels from the one given; columns beyond the last texel are read as they come.
+    /// Reads the heights around the texels from `texel` on. Columns beyond the last texel continue
+    /// with the wrap.
     #[inline(always)]
     pub fn new(field: &Field, texel: [i64; 2]) -> Self {
         let mut vertices = [[0.0; LANES]; SIDE * SIDE];
@@ -53,7 +55,7 @@ impl Block {
         Self { vertices }
     }
 
-    /// The apexes of the texels from the one given.
+    /// Returns the apexes of the texels from `texel` on.
     #[inline(always)]
     pub fn apexes(&self, texel: [i64; 2], region: Region) -> [Apexes; LANES] {
         let centre = &self.vertices[CENTRE];
@@ -75,19 +77,19 @@ impl Block {
         })
     }
 
-    /// The 3 by 3 vertices around the centre of one of the texels, row by row.
+    /// Returns the 3 by 3 vertices around the centre of one of the texels, row by row.
     pub fn around(&self, lane: usize) -> [[f64; 3]; 3] {
         [-1, 0, 1].map(|row| [-1, 0, 1].map(|column| self.vertices[vertex_at(column, row)][lane]))
     }
 
-    /// A cell that begins at a vertex, as seen from one of the texels.
+    /// Returns the cell that begins at a vertex, relative to one of the texels.
     #[inline(always)]
-    pub fn cell(&self, lane: usize, first: usize) -> Seen {
+    pub fn cell(&self, lane: usize, first: usize) -> RelativeCell {
         let corners = [first, first + 1, first + SIDE, first + SIDE + 1];
-        Seen { offset: offset_of(first), heights: corners.map(|vertex| self.vertices[vertex][lane]) }
+        RelativeCell { offset: offset_of(first), heights: corners.map(|vertex| self.vertices[vertex][lane]) }
     }
 
-    /// The heights of the corners `h00 h10 h01 h11` of a cell that begins at a vertex.
+    /// Returns the heights of the corners `h00 h10 h01 h11` of the cell that begins at a vertex.
     #[inline(always)]
     pub fn corners(&self, first: usize) -> [&Lanes; 4] {
         let at = |by: usize| &self.vertices[(first + by) & MASK];
@@ -95,7 +97,7 @@ impl Block {
     }
 }
 
-/// The vertices at which the cells of a texel's block begin, those around its centre first.
+/// Returns the vertices at which the cells of a texel's block begin, cells around its centre first.
 pub(crate) fn cells_of_block() -> impl Iterator<Item = usize> {
     (0..REACH).flat_map(|ring| {
         let (from, to) = (REACH - 1 - ring, REACH + ring);
@@ -106,7 +108,7 @@ pub(crate) fn cells_of_block() -> impl Iterator<Item = usize> {
     })
 }
 
-/// How far a vertex is from the centre, in texels.
+/// Returns the offset of a vertex from the centre, in texels.
 #[inline(always)]
 pub(crate) fn offset_of(vertex: usize) -> [i64; 2] {
     [vertex % SIDE, vertex / SIDE].map(|place| place as i64 - REACH as i64)

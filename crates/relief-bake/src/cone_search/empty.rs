@@ -1,20 +1,20 @@
-//! Cones that hold no surface: the steepest slope to everything.
+//! Cones that hold no surface: the steepest slope to the whole surface.
 
 use pulp::Simd;
 use relief_core::Wrap;
 
 use super::apexes::{APEXES, Apexes, PerApex, most};
 use super::block::{Block, is_in_block};
-use super::field::Seen;
+use super::field::RelativeCell;
 use super::lanes::{LANES, Lanes, bits_of};
-use super::search::{Search, Sort, State};
+use super::search::{ConeType, Search, State};
 use super::tie::{MARGIN, is_nearly_flat};
-use super::walk::{Group, Look};
+use super::walk::{Group, VertexVisitor};
 
 /// Cones that hold no surface.
 pub(crate) struct Empty;
 
-impl Sort for Empty {
+impl ConeType for Empty {
     const NEAR: bool = true;
 
     #[inline(always)]
@@ -27,7 +27,7 @@ impl Sort for Empty {
         near: Lanes,
         state: &mut State,
     ) -> Lanes {
-        let apexes = Block::new(&search.field, texel).apexes(texel, search.places.region);
+        let apexes = Block::new(&search.field, texel).apexes(texel, search.geometry.region);
         let mut best = near;
         let (group, seeds) = (&mut state.group, &mut state.seeds[texel[0] as usize..]);
         group.begin(texel);
@@ -36,7 +36,7 @@ impl Sort for Empty {
             if let Some(seed) = seeds[lane] {
                 let by = [0, 1].map(|axis| seed[axis] - apexes.texel[axis]);
                 let height = f64::from(search.field.map.texel(seed[0], seed[1]));
-                *best = most(&search.places.to_vertex(simd, apexes, by, height)).max(*best);
+                *best = most(&search.geometry.to_vertex(simd, apexes, by, height)).max(*best);
             }
             search.walk.lower(group, lane, apexes);
             search.walk.raise_bar(group, lane, *best);
@@ -53,7 +53,7 @@ impl Sort for Empty {
     }
 }
 
-/// Looks for what is steepest for each lane.
+/// Visitor that finds the steepest slope for each lane.
 struct Steepest<'a, 'b> {
     search: &'b Search<'a>,
     apexes: &'b [Apexes; LANES],
@@ -61,7 +61,7 @@ struct Steepest<'a, 'b> {
     seeds: &'b mut [Option<[i64; 2]>],
 }
 
-impl Look for Steepest<'_, '_> {
+impl VertexVisitor for Steepest<'_, '_> {
     const HIGHEST_CORNERS: bool = false;
 
     #[inline(always)]
@@ -70,7 +70,7 @@ impl Look for Steepest<'_, '_> {
     }
 
     #[inline(always)]
-    fn look<S: Simd>(
+    fn visit<S: Simd>(
         &mut self,
         simd: S,
         group: &mut Group,
@@ -82,7 +82,7 @@ impl Look for Steepest<'_, '_> {
             let (search, apexes, best) = (self.search, &self.apexes[lane], &mut self.best[lane]);
             let by = [0, 1].map(|axis| vertex[axis] - apexes.texel[axis]);
             let before = *best;
-            let slopes = search.places.to_vertex(simd, apexes, by, height);
+            let slopes = search.geometry.to_vertex(simd, apexes, by, height);
             *best = most(&slopes).max(*best);
             if may_be_steeper_around(search, by, most(&slopes), *best) {
                 raise_around(simd, search, apexes, by, height, &slopes, best);
@@ -95,15 +95,17 @@ impl Look for Steepest<'_, '_> {
     }
 }
 
-/// Whether anything around a vertex with that squared slope may be steeper than `best`: see [`super::walk`].
+/// Returns whether a point around a vertex with that squared slope may be steeper than `best`: see
+/// [`super::walk`].
 #[inline(always)]
 fn may_be_steeper_around(search: &Search, by: [i64; 2], slope2: f64, best: f64) -> bool {
-    let turn = search.places.turn(by, 1.0, search.walk.side_m());
+    let turn = search.geometry.turn(by, 1.0, search.walk.side_m());
     turn <= 0.0 || slope2 * MARGIN >= best * turn * turn
 }
 
-/// Raises `best` to the squared slopes around a vertex: to it from the rim, to its edges, and to the insides
-/// of its cells outside of the block. Those from the apexes to the vertex itself are given.
+/// Raises `best` to the squared slopes around a vertex: to it from the rim, to its edges, and to
+/// the insides of its cells outside of the block. `slopes` are the squared slopes from the apexes
+/// to the vertex itself.
 #[inline(always)]
 fn raise_around<S: Simd>(
     simd: S,
@@ -114,9 +116,9 @@ fn raise_around<S: Simd>(
     slopes: &PerApex,
     best: &mut f64,
 ) {
-    let (places, side) = (&search.places, search.walk.side_m());
+    let (geometry, side) = (&search.geometry, search.walk.side_m());
     search.raise_to_rim(apexes, by, height, slopes, best);
-    let turn = places.turn(by, 1.0, side);
+    let turn = geometry.turn(by, 1.0, side);
     let around = search.field.around([apexes.texel[0] + by[0], apexes.texel[1] + by[1]]);
     if most(slopes) * MARGIN >= *best * turn {
         for (from, axis, heights) in [
@@ -125,28 +127,28 @@ fn raise_around<S: Simd>(
             ([by[0], by[1] - 1], 1, [around[0][1], height]),
             (by, 1, [height, around[2][1]]),
         ] {
-            *best = most(&places.to_edge(simd, apexes, from, axis, heights)).max(*best);
+            *best = most(&geometry.to_edge(simd, apexes, from, axis, heights)).max(*best);
         }
     }
     let least = if turn > 0.0 { *best * turn * turn / MARGIN } else { 0.0 };
-    for seen in Seen::around(by, &around) {
-        if is_in_block(seen.offset) || is_flat(search, &seen, *best) {
+    for cell in RelativeCell::around(by, &around) {
+        if is_in_block(cell.offset) || is_flat(search, &cell, *best) {
             continue;
         }
-        for apex in bits_of(places.may_peak_inside(simd, apexes, &seen, *best)) {
-            if slopes[apex % APEXES] >= least && apex < places.region.count() {
-                *best = places.patch(apexes, apex, &seen).inside(*best).max(*best);
+        for apex in bits_of(geometry.may_peak_inside(simd, apexes, &cell, *best)) {
+            if slopes[apex % APEXES] >= least && apex < geometry.region.count() {
+                *best = geometry.patch(apexes, apex, &cell).inside(*best).max(*best);
             }
         }
     }
 }
 
-/// Whether nothing is lost by leaving out the inside of a cell.
+/// Returns whether the inside of a cell may be left out.
 #[inline(always)]
-fn is_flat(search: &Search, seen: &Seen, best: f64) -> bool {
-    let from = seen.offset.map(|offset| offset as f64);
-    let distance2 = search.places.distance2(from, [from[0] + 1.0, from[1] + 1.0]);
-    is_nearly_flat(seen.heights, distance2, best, search.places.texel_m)
+fn is_flat(search: &Search, cell: &RelativeCell, best: f64) -> bool {
+    let from = cell.offset.map(|offset| offset as f64);
+    let distance2 = search.geometry.distance2(from, [from[0] + 1.0, from[1] + 1.0]);
+    is_nearly_flat(cell.heights, distance2, best, search.geometry.texel_m)
 }
 
 #[cfg(test)]
@@ -170,7 +172,7 @@ mod tests {
             let mut state = State { group: Group::new(), seeds: vec![None; width] };
             let row = row as i64;
             Above { search, row: row - 1, near: &mut near[0] }.with_simd(Scalar::new());
-            Row { search, sort: &Empty, row, near: &mut near, state: &mut state, ratios }
+            Row { search, cone_type: &Empty, row, near: &mut near, state: &mut state, ratios }
                 .with_simd(Scalar::new());
         }
         ratios

@@ -1,4 +1,4 @@
-//! How cone ratios are stored.
+//! Storage of cone ratios.
 
 use relief_core::encoding::cone::{down, encode, half_ratio};
 use relief_core::{HeightMap, Metric, Rounding};
@@ -6,21 +6,21 @@ use relief_core::{HeightMap, Metric, Rounding};
 use super::tie::raised;
 use crate::{BakeError, Channel, Sink, Texture, quantise};
 
-/// What rounding may add to a slope, relatively: in closed forms, the stored value and its decoding in `f32`.
+/// Relative rounding of a slope: in closed forms, the stored value and its decoding in `f32`.
 const RELATIVE: f64 = 1e-6;
-/// What rounding may add to a rise, in heights.
+/// Rounding of a rise, in heights.
 const RISE: f64 = 1e-15;
-/// A point outside of an apex's own patch is at least so many texels away. A smaller number is as safe.
+/// Least distance in texels of a point outside of an apex's own patch. A smaller number is as safe.
 const NEAREST: f64 = 0.25;
 
-/// The ratio of a cone with that squared slope, rounded to the safe side. What counts as equally steep has
-/// not been looked for: see [`super::tie`].
+/// Returns the ratio of a cone with a squared slope, rounded to the safe side. Slopes that count as
+/// equally steep were not searched: see [`super::tie`].
 pub fn ratio(slope2: f64, texel_m: [f64; 2]) -> f32 {
     let slope = raised(slope2, texel_m) * (1.0 + RELATIVE) + RISE / (NEAREST * texel_m[0].min(texel_m[1]));
     down((1.0 / slope).min(f64::from(f32::MAX)))
 }
 
-/// Hands ratios, encoded and rounded down to so many bits, to the sink.
+/// Hands ratios, encoded and rounded down to `bits` bits, to the sink.
 pub fn texture(
     metric: &Metric,
     map: &HeightMap,

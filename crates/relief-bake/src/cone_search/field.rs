@@ -1,19 +1,19 @@
-//! The surface, cell by cell.
+//! Cells of the surface.
 
 use relief_core::HeightMap;
 
-/// A map, quick to read around a texel.
+/// Height map with fast reads around a texel.
 pub(crate) struct Field<'a> {
     pub map: &'a HeightMap,
     size: [i64; 2],
 }
 
-/// A dual cell as seen from a texel.
+/// Dual cell relative to a texel.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Seen {
-    /// Corner `h00` in texels from the texel's centre.
+pub(crate) struct RelativeCell {
+    /// Corner `h00`, in texels from the texel's centre.
     pub offset: [i64; 2],
-    /// The heights `h00 h10 h01 h11`.
+    /// Heights `h00 h10 h01 h11`.
     pub heights: [f64; 4],
 }
 
@@ -22,13 +22,13 @@ impl<'a> Field<'a> {
         Self { map, size: [i64::from(map.width()), i64::from(map.height())] }
     }
 
-    /// The 3 by 3 heights around a texel, whether or not they are in the map, row by row.
+    /// Returns the 3 by 3 heights around a texel, inside of the map or not, row by row.
     #[inline(always)]
     pub fn around(&self, [i, j]: [i64; 2]) -> [[f64; 3]; 3] {
         [self.row([i - 1, j - 1]), self.row([i - 1, j]), self.row([i - 1, j + 1])]
     }
 
-    /// The heights of as many texels of a row, whether or not they are in the map.
+    /// Returns the heights of `N` texels of a row, inside of the map or not.
     #[inline(always)]
     pub fn row<const N: usize>(&self, [i, j]: [i64; 2]) -> [f64; N] {
         if j >= 0 && j < self.size[1] && i >= 0 && i + N as i64 <= self.size[0] {
@@ -41,16 +41,17 @@ impl<'a> Field<'a> {
     }
 }
 
-impl Seen {
-    /// The cells around a vertex so many texels away, of the 3 by 3 heights around it.
+impl RelativeCell {
+    /// Returns the cells around a vertex at an offset in texels, given the 3 by 3 heights around
+    /// it.
     #[inline(always)]
     pub fn around([x, y]: [i64; 2], [above, level, below]: &[[f64; 3]; 3]) -> [Self; 4] {
-        let seen = |offset, heights| Self { offset, heights };
+        let cell = |offset, heights| Self { offset, heights };
         [
-            seen([x - 1, y - 1], [above[0], above[1], level[0], level[1]]),
-            seen([x, y - 1], [above[1], above[2], level[1], level[2]]),
-            seen([x - 1, y], [level[0], level[1], below[0], below[1]]),
-            seen([x, y], [level[1], level[2], below[1], below[2]]),
+            cell([x - 1, y - 1], [above[0], above[1], level[0], level[1]]),
+            cell([x, y - 1], [above[1], above[2], level[1], level[2]]),
+            cell([x - 1, y], [level[0], level[1], below[0], below[1]]),
+            cell([x, y], [level[1], level[2], below[1], below[2]]),
         ]
     }
 }

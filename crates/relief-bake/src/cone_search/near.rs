@@ -1,7 +1,8 @@
-//! The steepest slopes from the apexes of texels to the cells around them, for a few texels at once.
+//! Steepest slopes from the apexes of texels to the cells around them, a few texels at once.
 //!
-//! Neighbouring texels share most of their apexes: a corner belongs to four squares, the middle of a side to
-//! two. So slopes are worked out for points of the surface, and each texel takes the steepest of its eight.
+//! Neighbouring texels share most of their apexes: a corner belongs to four squares, the middle of
+//! a side to two. Slopes are therefore computed for points of the surface, and each texel takes the
+//! steepest of its eight.
 
 use pulp::Simd;
 
@@ -16,14 +17,16 @@ use super::tie::is_nearly_flat;
 /// Squared slopes from the points of a row of texels to the blocks around them.
 pub(crate) struct NearRow {
     region: Region,
-    /// Of the patches themselves at each texel; beyond the last as they come.
+    /// Squared slopes of the patches themselves at each texel. Entries beyond the last texel are
+    /// not used.
     own: Vec<f64>,
-    /// From each sort of point: for the column before the first texel, for each texel, then as they come.
+    /// Squared slopes from each type of point: for the column before the first texel, then for each
+    /// texel. Entries beyond are not used.
     points: [Vec<f64>; 3],
 }
 
 impl NearRow {
-    /// For so many texels.
+    /// Makes room for `width` texels.
     pub fn new(width: usize) -> Self {
         let places = (width + 1).next_multiple_of(LANES) + LANES;
         Self {
@@ -37,7 +40,7 @@ impl NearRow {
     #[inline(always)]
     pub fn fill<S: Simd>(&mut self, simd: S, near: &Near, field: &Field, row: i64) {
         self.region = near.region;
-        // Centres do not need the column before the first; it is filled for them too.
+        // Centres do not need the column before the first; it is filled for them, too.
         let width = field.map.width() as usize;
         for first in (0..=width).step_by(LANES) {
             let block = Block::new(field, [first as i64 - 1, row]);
@@ -49,7 +52,7 @@ impl NearRow {
         }
     }
 
-    /// Squared slopes of `count` texels from a column on, given those of the row above.
+    /// Returns squared slopes of `count` texels from a column on, given the row above.
     #[inline(always)]
     pub fn of_texels(&self, above: &Self, first: usize, count: usize) -> Lanes {
         let mut best = [0.0; LANES];
@@ -76,22 +79,22 @@ impl NearRow {
     }
 }
 
-/// The points whose slopes are worked out for a texel, and the geometry around them in metres.
+/// Points whose slopes are computed for a texel, and the geometry around them in metres.
 pub(crate) struct Near {
     region: Region,
-    /// The sides of a texel and one over them.
+    /// Sides of a texel, and one over them.
     side_m: [f64; 2],
     per_side: [f64; 2],
     points: Vec<Point>,
 }
 
-/// Squared slopes from the points of texels side by side: the centres alone; or the middles of the right
-/// sides, the middles of the lower sides, and the lower right corners. Those of a side's middle include the
-/// slopes from the side's pieces to the nearest vertices.
+/// Squared slopes from the points of texels side by side. The points are the centres alone; or the
+/// middles of the right sides, the middles of the lower sides, and the lower right corners. The
+/// slopes of a side's middle include the slopes from the side's pieces to the nearest vertices.
 type PerPoint = [Lanes; 3];
 
 impl Near {
-    /// For texels of that size, in metres.
+    /// Prepares the points for texels of a size in metres.
     pub fn new(side_m: [f64; 2], region: Region) -> Self {
         let halves: &[[u8; 2]] = match region {
             Region::Centre => &[[0, 0]],
@@ -105,7 +108,8 @@ impl Near {
         }
     }
 
-    /// Squared slopes of the steepest rises from the points of texels to the cells near them.
+    /// Returns squared slopes of the steepest rises from the points of texels to the cells near
+    /// them.
     #[inline(always)]
     fn slopes2<S: Simd>(&self, simd: S, block: &Block) -> PerPoint {
         let mut slopes = [[0.0; LANES]; 3];
@@ -128,20 +132,20 @@ impl Near {
         slopes
     }
 
-    /// The cell that begins at a vertex as seen from a point of one of the texels.
+    /// Returns the cell that begins at a vertex, relative to a point of one of the texels.
     fn patch(&self, point: &Point, block: &Block, lane: usize, first: usize) -> Patch {
-        let seen = block.cell(lane, first);
+        let cell = block.cell(lane, first);
         let [a, b, c, d] = point.apexes[1].map(|vertex| block.vertices[vertex][lane]);
         let apex = 0.5 * (0.5 * (a + b) + 0.5 * (c + d));
         Patch {
-            corner: [0, 1].map(|axis| (seen.offset[axis] as f64 - point.at[axis]) * self.side_m[axis]),
+            corner: [0, 1].map(|axis| (cell.offset[axis] as f64 - point.at[axis]) * self.side_m[axis]),
             size: self.side_m,
-            rise: seen.heights.map(|height| height - apex),
+            rise: cell.heights.map(|height| height - apex),
         }
     }
 
-    /// Squared slopes to vertices and edges and from the rim, for as many texels as a vector has lanes; and
-    /// the cells whose inside may be steeper, a bit each.
+    /// Returns squared slopes to vertices and edges and from the rim, for as many texels as a
+    /// vector has lanes. Also returns the cells whose inside may be steeper, a bit each.
     #[inline(always)]
     fn point_slopes2<S: Simd>(
         &self,
@@ -193,7 +197,7 @@ impl Near {
         (steepest, set)
     }
 
-    /// Squared slopes of the patches themselves around the apexes.
+    /// Returns squared slopes of the patches themselves around the apexes.
     #[inline(always)]
     fn own_slopes2(&self, block: &Block) -> Lanes {
         let mut best: Lanes = [0.0; LANES];

@@ -1,17 +1,17 @@
-//! A point of the surface that texels have for an apex, and all that it is near to.
+//! Points of the surface that are apexes of texels, and their surroundings.
 //!
-//! Where things are from the point is the same for all texels, so it is worked out once for a map.
+//! Offsets from a point are the same for all texels, so they are computed once for a map.
 
 use pulp::Simd;
 
 use super::block::{CELLS_READ, CENTRE, REACH, SIDE, vertex_at};
 
-/// A point of the surface, and all that it is near to.
+/// Point of the surface, and its surroundings.
 pub(super) struct Point {
-    /// Its place from the texel's centre, in texels.
+    /// Place from the texel's centre, in texels.
     pub at: [f64; 2],
-    /// The ends of the rim's pieces that meet there, the point itself between them. Each is the mean of the
-    /// four vertices around it, which are listed.
+    /// Ends of the rim's pieces that meet there, the point itself between them. Each is the mean of
+    /// the four vertices listed.
     pub apexes: [[usize; 4]; 3],
     pub to_vertices: Vec<ToVertex>,
     pub to_edges: Vec<ToEdge>,
@@ -19,20 +19,21 @@ pub(super) struct Point {
     pub to_cells: Vec<ToCell>,
 }
 
-/// To a vertex.
+/// Slope to a vertex.
 pub(super) struct ToVertex {
     pub vertex: usize,
     /// One over the squared distance.
     pub closeness2: f64,
 }
 
-/// To an edge between two vertices; or from a piece of the rim to a vertex, seen from the vertex.
+/// Slope to an edge between two vertices. Or slope from a piece of the rim to a vertex, seen from
+/// the vertex.
 pub(super) struct ToEdge {
-    /// The vertices; or the piece's ends among the point's apexes.
+    /// Vertices, or the piece's ends among the point's apexes.
     pub ends: [usize; 2],
-    /// The vertex that a piece of the rim is seen from.
+    /// Vertex from which a piece of the rim is seen.
     pub vertex: usize,
-    /// Where the ends are along the edge.
+    /// Places of the ends along the edge.
     places: [f64; 2],
     /// One over the edge's length.
     per_length: f64,
@@ -41,12 +42,12 @@ pub(super) struct ToEdge {
     pub closeness2: f64,
 }
 
-/// To a cell that does not hold the point.
+/// Slope to a cell that does not hold the point.
 pub(super) struct ToCell {
-    /// The bit of the cell in a set, and its corner `h00` among the vertices.
+    /// Bit of the cell in a set, and its corner `h00` among the vertices.
     pub bit: u64,
     pub vertex: usize,
-    /// Corner `h00` from the point.
+    /// Corner `h00`, in metres from the point.
     pub corner: [f64; 2],
     /// Squared distance from the point.
     pub gap2: f64,
@@ -75,8 +76,8 @@ impl ToEdge {
         })
     }
 
-    /// Squared slope to the steepest point strictly inside the edge, for the rises of its ends: the part of
-    /// [`super::slope::inside_segment`] that depends on heights.
+    /// Returns the squared slope to the steepest point strictly inside the edge, for the rises of
+    /// its ends. This is the part of [`super::slope::inside_segment`] that depends on heights.
     #[inline(always)]
     pub fn slope2<S: Simd>(&self, simd: S, rise: (S::f64s, S::f64s)) -> S::f64s {
         let times = |x: S::f64s, y: f64| simd.mul_f64s(x, simd.splat_f64s(y));
@@ -96,8 +97,8 @@ impl ToEdge {
 }
 
 impl Point {
-    /// The point at that place in halves of a texel from the centre: 0 or 1 along each axis. Near to it are
-    /// the blocks of all texels that have it.
+    /// Creates the point at a place in halves of a texel from the centre: 0 or 1 along each axis.
+    /// Its surroundings are the blocks of all texels that have it.
     pub fn new(halves: [u8; 2], side_m: [f64; 2]) -> Self {
         let at = halves.map(|half| 0.5 * f64::from(half));
         let metres = |place: [f64; 2]| [place[0] * side_m[0], place[1] * side_m[1]];
@@ -152,8 +153,8 @@ impl Point {
         point
     }
 
-    /// Adds the pieces of the rim that meet in the middle of a side, for the vertices inside of the block.
-    /// For those on the block's border hardly any texel needs them; these are left to the walk.
+    /// Adds the pieces of the rim that meet in the middle of a side, for the vertices inside of the
+    /// block. Hardly any texel needs vertices on the block's border; these are left to the walk.
     fn add_rim(
         &mut self,
         halves: [u8; 2],
@@ -162,7 +163,8 @@ impl Point {
         metres: &impl Fn([f64; 2]) -> [f64; 2],
     ) {
         let steps = halves.map(isize::from);
-        // The four vertices of which a place is the mean: from the first one, 0 or 1 steps along each axis.
+        // The four vertices whose mean is a place: from the first one, 0 or 1 steps along each
+        // axis.
         let around = |first: [isize; 2], steps: [isize; 2]| {
             [[0, 0], [steps[0], 0], [0, steps[1]], steps].map(|[x, y]| vertex_at(first[0] + x, first[1] + y))
         };

@@ -1,4 +1,4 @@
-//! The search, row by row, and what every sort of cone needs from it.
+//! The search, row by row, and its parts that all types of cone need.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -6,39 +6,41 @@ use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 use relief_core::{Cancelled, HeightMap, Watch};
 
-use super::apexes::{APEXES, Apexes, PerApex, Places, Region, most};
+use super::apexes::{APEXES, ApexGeometry, Apexes, PerApex, Region, most};
 use super::encoding::ratio;
-use super::field::{Field, Seen};
+use super::field::{Field, RelativeCell};
 use super::lanes::{LANES, Lanes, bits_of};
 use super::near::{Near, NearRow};
 use super::tie::MARGIN;
 use super::walk::{Group, Walk};
 
-/// Rows that one task goes down: what was steepest for a texel is mostly steepest, or nearly, below it.
+/// Rows that one task goes down. The vertex steepest for a texel is mostly steepest, or nearly, for
+/// the texel below.
 const ROWS: usize = 32;
 
-/// A map and all that its texels are searched with.
+/// Map with the data of its search.
 pub(crate) struct Search<'a> {
     pub field: Field<'a>,
-    pub places: Places,
+    pub geometry: ApexGeometry,
     pub near: Near,
     pub walk: Walk<'a>,
 }
 
-/// What goes on from row to row.
+/// State that is passed from row to row.
 pub(crate) struct State {
     pub group: Group,
-    /// The vertex that was steepest for each texel of the row above.
+    /// Vertex that was steepest for each texel of the row above.
     pub seeds: Vec<Option<[i64; 2]>>,
 }
 
-/// A sort of cone. Its methods must be `inline(always)`, so that they are compiled for the machine's vectors.
-pub(crate) trait Sort: Sync {
+/// Type of cone. Its methods must be `inline(always)`, so that they are compiled for the machine's
+/// vectors.
+pub(crate) trait ConeType: Sync {
     /// Whether the slopes to the blocks are needed.
     const NEAR: bool;
 
-    /// Squared slopes of the cones of `count` texels from `texel` on. `near` has those to their blocks, where
-    /// they are needed.
+    /// Returns squared slopes of the cones of `count` texels from `texel` on. `near` has the slopes
+    /// to their blocks, where they are needed.
     fn slopes2<S: Simd>(
         &self,
         simd: S,
@@ -54,18 +56,18 @@ impl<'a> Search<'a> {
     pub fn new(map: &'a HeightMap, texel_m: [f64; 2], region: Region) -> Self {
         Self {
             field: Field::new(map),
-            places: Places::new(region, texel_m),
+            geometry: ApexGeometry::new(region, texel_m),
             near: Near::new(texel_m, region),
             walk: Walk::new(map, texel_m, region),
         }
     }
 
-    /// The ratio of every texel for a sort of cone.
-    pub fn ratios<K: Sort>(&self, sort: &K, watch: &Watch) -> Result<Vec<f32>, Cancelled> {
+    /// Returns the ratio of every texel for a type of cone.
+    pub fn ratios<K: ConeType>(&self, cone_type: &K, watch: &Watch) -> Result<Vec<f32>, Cancelled> {
         let width = self.field.map.width() as usize;
         let mut ratios = vec![0.0f32; self.field.map.texels().len()];
         let (total, done) = (ratios.len() as f32, AtomicUsize::new(0));
-        // Not wider ones: eight texels are searched for together.
+        // Wider vectors are of no use: eight texels are searched together.
         let lanes = relief_core::Lanes::Eight;
         ratios.par_chunks_mut(width * ROWS).enumerate().try_for_each(|(band, ratios)| {
             let mut state = State { group: Group::new(), seeds: vec![None; width] };
@@ -80,7 +82,7 @@ impl<'a> Search<'a> {
                 let row = top + row as i64;
                 lanes.run_up_to_eight(Row {
                     search: self,
-                    sort,
+                    cone_type,
                     row,
                     near: &mut near,
                     state: &mut state,
@@ -94,14 +96,14 @@ impl<'a> Search<'a> {
         Ok(ratios)
     }
 
-    /// The greatest squared slope to a cell, or `least` where that is more.
+    /// Returns the greatest squared slope to a cell, or `least` if this is more.
     #[inline(always)]
-    pub fn to_cell<S: Simd>(&self, simd: S, apexes: &Apexes, seen: &Seen, least: f64) -> f64 {
-        let (places, [h00, h10, h01, h11]) = (&self.places, seen.heights);
-        let [x, y] = seen.offset;
+    pub fn to_cell<S: Simd>(&self, simd: S, apexes: &Apexes, cell: &RelativeCell, least: f64) -> f64 {
+        let (geometry, [h00, h10, h01, h11]) = (&self.geometry, cell.heights);
+        let [x, y] = cell.offset;
         let mut best = least;
         for (vertex, height) in [([x, y], h00), ([x + 1, y], h10), ([x, y + 1], h01), ([x + 1, y + 1], h11)] {
-            let slopes = places.to_vertex(simd, apexes, vertex, height);
+            let slopes = geometry.to_vertex(simd, apexes, vertex, height);
             best = most(&slopes).max(best);
             self.raise_to_rim(apexes, vertex, height, &slopes, &mut best);
         }
@@ -111,33 +113,34 @@ impl<'a> Search<'a> {
             ([x, y], 1, [h00, h01]),
             ([x + 1, y], 1, [h10, h11]),
         ] {
-            best = most(&places.to_edge(simd, apexes, from, axis, heights)).max(best);
+            best = most(&geometry.to_edge(simd, apexes, from, axis, heights)).max(best);
         }
-        for apex in bits_of(places.may_peak_inside(simd, apexes, seen, best)) {
-            if apex < places.region.count() {
-                best = places.patch(apexes, apex, seen).inside(best).max(best);
+        for apex in bits_of(geometry.may_peak_inside(simd, apexes, cell, best)) {
+            if apex < geometry.region.count() {
+                best = geometry.patch(apexes, apex, cell).inside(best).max(best);
             }
         }
         best
     }
 
-    /// Raises `best` to the squared slopes from the rim to a vertex, when those from the apexes are given.
+    /// Raises `best` to the squared slopes from the rim to a vertex. `slopes` are the slopes from
+    /// the apexes.
     #[inline(always)]
     pub fn raise_to_rim(&self, apexes: &Apexes, by: [i64; 2], height: f64, slopes: &PerApex, best: &mut f64) {
-        let places = &self.places;
-        let turn = places.turn(by, 0.0, 0.5 * self.walk.side_m());
-        if places.region == Region::Centre || most(slopes) * MARGIN < *best * turn {
+        let geometry = &self.geometry;
+        let turn = geometry.turn(by, 0.0, 0.5 * self.walk.side_m());
+        if geometry.region == Region::Centre || most(slopes) * MARGIN < *best * turn {
             return;
         }
         for apex in 0..APEXES {
             if slopes[apex].max(slopes[(apex + 1) % APEXES]) * MARGIN >= *best * turn {
-                *best = places.rim_slope2(apexes, apex, by, height).max(*best);
+                *best = geometry.rim_slope2(apexes, apex, by, height).max(*best);
             }
         }
     }
 }
 
-/// The row above a band, of which only what is near to points is needed.
+/// The row above a band. Only its slopes to the nearest cells are needed.
 pub(super) struct Above<'a, 'b> {
     pub search: &'b Search<'a>,
     pub row: i64,
@@ -154,23 +157,23 @@ impl WithSimd for Above<'_, '_> {
     }
 }
 
-/// A row, to be searched with the vectors that the machine has.
+/// Row to be searched with the vectors of the machine.
 pub(super) struct Row<'a, 'b, K> {
     pub search: &'b Search<'a>,
-    pub sort: &'b K,
+    pub cone_type: &'b K,
     pub row: i64,
-    /// Of the row above and of this one.
+    /// Slopes of the row above and of this row.
     pub near: &'b mut [NearRow; 2],
     pub state: &'b mut State,
     pub ratios: &'b mut [f32],
 }
 
-impl<K: Sort> WithSimd for Row<'_, '_, K> {
+impl<K: ConeType> WithSimd for Row<'_, '_, K> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self { search, sort, row, near: [above, near], state, ratios } = self;
+        let Self { search, cone_type, row, near: [above, near], state, ratios } = self;
         if K::NEAR {
             near.fill(simd, &search.near, &search.field, row);
         }
@@ -178,9 +181,9 @@ impl<K: Sort> WithSimd for Row<'_, '_, K> {
             let first = group * LANES;
             let texel = [first as i64, row];
             let slopes2 = if K::NEAR { near.of_texels(above, first, ratios.len()) } else { [0.0; LANES] };
-            let slopes2 = sort.slopes2(simd, search, texel, ratios.len(), slopes2, state);
+            let slopes2 = cone_type.slopes2(simd, search, texel, ratios.len(), slopes2, state);
             for (slot, slope2) in ratios.iter_mut().zip(slopes2) {
-                *slot = ratio(slope2, search.places.texel_m);
+                *slot = ratio(slope2, search.geometry.texel_m);
             }
         }
     }

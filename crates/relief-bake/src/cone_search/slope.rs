@@ -1,12 +1,13 @@
-//! The steepest slope from an apex to a bilinear patch, in closed form.
+//! Steepest slope from an apex to a bilinear patch, in closed form.
 //!
-//! Places are in metres from an apex; heights are texel heights. Slopes are squared, and one that does not
-//! rise counts as 0. Every value returned is the slope between two points of the surface, or a limit of such
-//! slopes. So rounding loses only a little of a supremum: tops are flat.
+//! Places are in metres from an apex; heights are texel heights. Slopes are squared, and a slope
+//! that does not rise counts as 0. Every value returned is the slope between two points of the
+//! surface, or a limit of such slopes. Rounding therefore loses only a little of a supremum: tops
+//! are flat.
 
 use pulp::Simd;
 
-/// Squared slope of a rise over an offset.
+/// Returns the squared slope of a rise over an offset.
 #[inline]
 pub(crate) fn to_point(rise: f64, offset: [f64; 2]) -> f64 {
     let rise = rise.max(0.0);
@@ -14,11 +15,12 @@ pub(crate) fn to_point(rise: f64, offset: [f64; 2]) -> f64 {
     if squared > 0.0 { rise * rise / squared } else { 0.0 }
 }
 
-/// Squared slope to the steepest point inside a segment with a linear rise; 0 when that is at an end.
+/// Returns the squared slope to the steepest point inside a segment with a linear rise; 0 when the
+/// steepest point is at an end.
 ///
-/// The segment runs along one axis from `from` to `to`, at distance `beside` along the other. The rise is
-/// `α + βs`, the slope `(α + βs) / sqrt(s² + beside²)` has one maximum where it is positive, at
-/// `s = β beside² / α`.
+/// The segment runs along one axis from `from` to `to`, at distance `beside` along the other. The
+/// rise is `α + βs`. Where it is positive, the slope `(α + βs) / sqrt(s² + beside²)` has one
+/// maximum, at `s = β beside² / α`.
 #[inline]
 pub(crate) fn inside_segment(rise: [f64; 2], from: f64, to: f64, beside: f64) -> f64 {
     let beta = (rise[1] - rise[0]) / (to - from);
@@ -34,8 +36,9 @@ pub(crate) fn inside_segment(rise: [f64; 2], from: f64, to: f64, beside: f64) ->
     top * top / (s * s + squared)
 }
 
-/// The greatest squared slope of a patch itself in the quarter at one of its corners. Given are the heights
-/// at that corner, beside it along `x`, along `y`, and opposite, and one over the sides.
+/// Returns the greatest squared slope of a patch itself in the quarter at one of its corners.
+/// `[h, aside, ahead, beyond]` are the heights at that corner, beside it along `x`, along `y`, and
+/// opposite. `per_side` is one over the sides.
 #[inline(always)]
 pub(crate) fn steepest_in_quarter([h, aside, ahead, beyond]: [f64; 4], per_side: [f64; 2]) -> f64 {
     // The slopes along an axis are linear along the other: greatest at the corner or half a side away.
@@ -45,45 +48,47 @@ pub(crate) fn steepest_in_quarter([h, aside, ahead, beyond]: [f64; 4], per_side:
     (along_x * along_x).max(half_x * half_x) + (along_y * along_y).max(half_y * half_y)
 }
 
-/// The squared slope of the steepest way up from a corner, given the same; 0 where that way leaves the patch,
-/// whose edges then count.
+/// Returns the squared slope of the steepest way up from a corner, with the parameters of
+/// [`steepest_in_quarter`]. It is 0 where that way leaves the patch, whose edges then count.
 #[inline(always)]
 pub(super) fn steepest_into([h, aside, ahead, _]: [f64; 4], per_side: [f64; 2]) -> f64 {
     let (along_x, along_y) = ((aside - h) * per_side[0], (ahead - h) * per_side[1]);
     if along_x > 0.0 && along_y > 0.0 { along_x * along_x + along_y * along_y } else { 0.0 }
 }
 
-/// One bilinear patch as seen from an apex.
+/// Bilinear patch relative to an apex.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Patch {
-    /// Corner `h00` in metres from the apex.
+    /// Corner `h00`, in metres from the apex.
     pub corner: [f64; 2],
-    /// Its size in metres.
+    /// Size in metres.
     pub size: [f64; 2],
     /// Rises of the corners `h00 h10 h01 h11` above the apex.
     pub rise: [f64; 4],
 }
 
 impl Patch {
-    /// Its squared distance from the apex.
+    /// Returns the squared distance from the apex, in square metres.
     pub fn distance2(&self) -> f64 {
         let gap = |axis: usize| self.corner[axis].max(-self.corner[axis] - self.size[axis]).max(0.0);
         gap(0).powi(2) + gap(1).powi(2)
     }
 
-    /// Squared slope to the steepest critical point strictly inside the patch; 0 where there is none.
+    /// Returns the squared slope to the steepest critical point strictly inside the patch; 0 where
+    /// there is none.
     ///
-    /// With the rise `A + Bx + Cy + Dxy` the steepest point of the line `x = const` has the squared slope
-    /// `(C + Dx)² + (B + A/x)²`. Its derivative vanishes where `D²x⁴ + CDx³ - ABx - A² = 0`, and there
-    /// `y = A / (Dx)`. Along the ray from the apex the slope is `A/r + g + Dr sin cos`, which has a maximum
-    /// only for `A < 0`. Then, for `x > 0`, the quartic `P` is negative at 0 and positive far out, and the
-    /// slope has a maximum only at a root at which `P` falls. `P` is concave up to the point of inflection
-    /// `x = -C / 2D` and convex behind it, so there is at most one such root, and Newton's iteration from the
-    /// point of inflection tends to it from one side.
+    /// With the rise `A + Bx + Cy + Dxy`, the steepest point of the line `x = const` has the
+    /// squared slope `(C + Dx)² + (B + A/x)²`. Its derivative vanishes where
+    /// `D²x⁴ + CDx³ - ABx - A² = 0`, and there `y = A / (Dx)`. Along the ray from the apex the
+    /// slope is `A/r + g + Dr sin cos`, which has a maximum only for `A < 0`. Then, for `x > 0`,
+    /// the quartic `P` is negative at 0 and positive far out, and the slope has a maximum only at a
+    /// root at which `P` falls. `P` is concave up to the point of inflection `x = -C / 2D` and
+    /// convex behind it. So there is at most one such root, and Newton's iteration from the point
+    /// of inflection tends to it from one side.
     ///
-    /// The squared slope of a line `x = const`, and likewise of `y = const`, is a sum of two squares. Neither
-    /// has a maximum inside of an interval, so the sum is bounded by their greatest values at the ends. Where
-    /// that bound is not above `least`, 0 is returned.
+    /// The squared slope of a line `x = const`, and likewise of `y = const`, is a sum of two
+    /// squares. Neither has a maximum inside of an interval, so the sum is bounded by their
+    /// greatest values at the ends. Where that bound is not above `least`, 0 is returned.
     pub fn inside(&self, least: f64) -> f64 {
         let [h00, h10, h01, h11] = self.rise;
         let ([x0, y0], [ax, ay]) = (self.corner, self.size);
@@ -132,7 +137,8 @@ impl Patch {
     }
 }
 
-/// What the squared slope to a point is at most, with `x` between two numbers that are not negative.
+/// Returns a bound of the squared slope to a point, with `x` between two numbers that are not
+/// negative.
 #[inline]
 fn most_on_lines([a, b, c, d]: [f64; 4], [from, to]: [f64; 2]) -> f64 {
     let along_y = (c + d * from).abs().max((c + d * to).abs());
@@ -140,10 +146,10 @@ fn most_on_lines([a, b, c, d]: [f64; 4], [from, to]: [f64; 2]) -> f64 {
     along_x * along_x + along_y * along_y
 }
 
-/// Whether patches may have a critical point inside that is steeper than `best`, for as many patches as a
-/// vector has lanes: where not, [`Patch::inside`] finds none. Given are the heights of corners and apexes,
-/// the place of corner `h00` in metres from the apexes, one over the sides of a texel, the squared distances
-/// from the apexes, and the best squared slopes.
+/// Returns whether patches may have a critical point inside that is steeper than `best`, for as
+/// many patches as a vector has lanes. Where they may not, [`Patch::inside`] finds none. Parameters
+/// are the heights of corners and apexes, the place of corner `h00` in metres from the apexes, one
+/// over the sides of a texel, the squared distances from the apexes, and the best squared slopes.
 #[inline(always)]
 pub(super) fn may_peak_inside<S: Simd>(
     simd: S,
@@ -154,7 +160,7 @@ pub(super) fn may_peak_inside<S: Simd>(
     gap2: S::f64s,
     best: S::f64s,
 ) -> S::m64s {
-    // In texels, in which the hyperbola is crossed or not as well as in metres.
+    // The hyperbola crosses the patch in texels if and only if it does so in metres.
     let x = simd.mul_f64s(x, simd.splat_f64s(per_side[0]));
     let y = simd.mul_f64s(y, simd.splat_f64s(per_side[1]));
     let one = simd.splat_f64s(1.0);
@@ -182,7 +188,7 @@ pub(super) fn may_peak_inside<S: Simd>(
     simd.and_m64s(crosses, is_steep)
 }
 
-/// The root `x > 0` of `D²x⁴ + CDx³ - ABx - A²` at which it falls, for `A < 0`.
+/// Returns the root `x > 0` of `D²x⁴ + CDx³ - ABx - A²` at which it falls, for `A < 0`.
 fn falling_root(a: f64, b: f64, c: f64, d: f64) -> Option<f64> {
     let inflection = -c / (2.0 * d);
     let value = |x: f64| ((d * d * x + c * d) * x * x - a * b) * x - a * a;
@@ -190,10 +196,11 @@ fn falling_root(a: f64, b: f64, c: f64, d: f64) -> Option<f64> {
     if !(inflection > 0.0 && slope(inflection) < 0.0) {
         return None;
     }
-    // Quadratic convergence; a root short of it by 1e-5 changes the slope by 1e-10, for the top is flat.
+    // Convergence is quadratic. A root short of it by 1e-5 changes the slope by 1e-10, for the top
+    // is flat.
     const STEPS: usize = 24;
-    // On nearly level patches the inflection is far from the root, which the two middle terms tell nearly.
-    // From either side of the root the next place is behind it.
+    // On nearly level patches the inflection is far from the root, which the two middle terms give
+    // nearly. From either side of the root the next place is behind it.
     let middle = (a * b / (c * d)).sqrt();
     let is_near = middle < inflection && slope(middle) < 0.0 && value(inflection) < 0.0;
     let mut x = if is_near { (middle - value(middle) / slope(middle)).min(inflection) } else { inflection };

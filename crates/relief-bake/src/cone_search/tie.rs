@@ -1,28 +1,29 @@
-//! Slopes that count as equally steep: else the rounding of heights would decide what is steepest of much
-//! that is equally steep, and all of it had to be looked at.
+//! Slopes that count as equally steep. Otherwise, the rounding of heights would decide which of
+//! many equally steep points is steepest, and all of them would be visited.
 
 /// A bound prunes only when it is below the best by more than rounding.
 pub(super) const MARGIN: f64 = 1.0 + 1e-9;
 
-/// What slopes are raised by, in the search and in the end, relatively.
+/// Relative amount by which slopes are raised, in the search and in the end.
 const TIE: f64 = 1.0 + 1.0 / (1u64 << 16) as f64;
 
-/// What they are raised by beside that, in heights a texel: what rounding to 32 bits may make of two slopes
-/// that are equal, when each is that from one height to another, which is below 1.
+/// Further amount by which slopes are raised, in heights a texel. It covers the rounding to 32 bits
+/// of two equal slopes. Each is a slope from one height to another, and below 1.
 const STEP: f64 = 1.0 / (1u64 << 23) as f64;
 
-/// The steepest slope that one with that square stands for. What is level stands for nothing else.
+/// Returns the steepest slope that counts as equal to one with that square. A level slope equals no
+/// other.
 #[inline(always)]
 pub(super) fn raised(slope2: f64, texel_m: [f64; 2]) -> f64 {
     if slope2 > 0.0 { slope2.sqrt() * TIE + STEP / texel_m[0].min(texel_m[1]) } else { 0.0 }
 }
 
-/// Whether the inside of a cell with those corners, at least so far away, can be steeper than its edges by no
-/// more than what the steepest one stands for.
+/// Returns whether the inside of a cell exceeds the steepness of its edges by no more than a tie.
+/// `heights` are its corners, and `distance2` is its least squared distance.
 ///
-/// There is a plane from which the patch is nowhere farther than a quarter of its twist, and over a plane the
-/// steepest point is on an edge. So the inside is steeper than the edges by half the twist over the distance
-/// at most; and the edges are looked at, each from its own ends.
+/// There is a plane from which the patch is nowhere farther than a quarter of its twist, and over a
+/// plane the steepest point is on an edge. So the inside is steeper than the edges by half the
+/// twist over the distance at most. The edges are visited, each from its own ends.
 #[inline(always)]
 pub(super) fn is_nearly_flat(heights: [f64; 4], distance2: f64, best: f64, texel_m: [f64; 2]) -> bool {
     let [h00, h10, h01, h11] = heights;

@@ -1,4 +1,5 @@
-//! A walk down a maximum pyramid, shared by texels side by side, to the vertices that may matter to them.
+//! Walk down a maximum pyramid, shared by texels side by side, to the vertices that may matter to
+//! them.
 
 mod above_plane;
 mod towards;
@@ -13,14 +14,14 @@ use super::tie::raised;
 use crate::texel_pyramid::TexelPyramid;
 use crate::upper_planes::UpperPlanes;
 
-/// Lowers squared slopes, so that in `f32`, with some twelve roundings of 2⁻²⁴, no node that matters is
-/// passed over.
+/// Factor that lowers squared slopes. With some twelve roundings of 2⁻²⁴ in `f32`, no node that
+/// matters is skipped.
 const CAUTION: f64 = 1.0 - 1.0 / (1u64 << 19) as f64;
 
-/// Nodes that a walk looks into before it asks for planes: natural ground mostly takes fewer.
+/// Nodes that a walk visits before it tests planes: natural ground mostly takes fewer.
 const PATIENCE: u32 = 32;
 
-/// The map's pyramid and the shape of its texels.
+/// Pyramid of a map, and the shape of its texels.
 pub(crate) struct Walk<'a> {
     levels: TexelPyramid<'a>,
     planes: UpperPlanes,
@@ -28,36 +29,36 @@ pub(crate) struct Walk<'a> {
     wrap: Wrap,
     /// Sides of a texel over the longer one.
     sides: [f32; 2],
-    /// The longer side in metres.
+    /// Longer side in metres.
     side_m: f64,
     texel_m: [f64; 2],
     /// Half the side of the box of apexes, in texels.
     half: f32,
-    /// How many apexes a texel has.
+    /// Apexes of a texel.
     apexes: usize,
 }
 
 use self::towards::Profile;
 pub(crate) use self::towards::{Bilinear, ProfileVertex};
 
-/// Texels side by side, what they have found so far, and the nodes that are still to be looked into.
+/// Texels side by side, their steepest slopes so far, and the nodes yet to be visited.
 pub(crate) struct Group {
     /// The first texel.
     texel: [i64; 2],
-    /// The lowest apex of each, rounded down; infinite for lanes without a texel.
+    /// Lowest apex of each, rounded down; infinite for lanes without a texel.
     low: [f32; LANES],
-    /// The steepest squared slope so far, lowered, in heights per longer side.
+    /// Steepest squared slope so far, lowered, in heights per longer side.
     bar: [f32; LANES],
-    /// The steepest slope so far, raised, in heights per metre.
+    /// Steepest slope so far, raised, in heights per metre.
     slope: Lanes,
-    /// The heights of the apexes, and of the texels' centres.
+    /// Heights of the apexes, and of the texels' centres.
     apexes: [Lanes; APEXES],
     centres: Lanes,
     pending: Vec<Node>,
 }
 
 impl Group {
-    /// No texels.
+    /// Creates a group without texels.
     pub fn new() -> Self {
         Self {
             texel: [0; 2],
@@ -70,7 +71,7 @@ impl Group {
         }
     }
 
-    /// Begins with the texels from the one given; none of them takes part yet.
+    /// Begins with the texels from `texel` on; none of them takes part yet.
     #[inline(always)]
     pub fn begin(&mut self, texel: [i64; 2]) {
         self.texel = texel;
@@ -78,31 +79,33 @@ impl Group {
     }
 }
 
-/// What is done with a vertex that may matter. Its methods must be `inline(always)`, so that they are
+/// Visitor of the vertices that may matter. Its methods must be `inline(always)`, so that they are
 /// compiled for the machine's vectors; a closure would not be.
-pub(crate) trait Look {
-    /// Whether cells are looked at from their highest corner alone. Then a vertex is looked at where its
-    /// rise, over the distance of the cells around it, is above the bar; else where it, or a point of these
-    /// cells, may be steeper.
+pub(crate) trait VertexVisitor {
+    /// Whether cells are tested from their highest corner alone. A vertex is then visited if its
+    /// rise, over the distance of the cells around it, is above the bar. Otherwise it is visited if
+    /// it, or a point of these cells, may be steeper.
     const HIGHEST_CORNERS: bool;
 
-    /// Whether anything around the vertices of a node may matter. From the apexes of all lanes to these
-    /// vertices and the cells around them it is at least `from` and at most `to` columns and rows of the map.
+    /// Returns whether anything around the vertices of a node may matter. From the apexes of all
+    /// lanes to these vertices and the cells around them it is at least `from` and at most `to`
+    /// columns and rows of the map.
     fn may_matter(&self, level: u32, at: [u32; 2], from: [f32; 2], to: [f32; 2]) -> bool;
 
-    /// The upper hull of all that may matter in a node, along an axis; `None` where that is not known.
+    /// Returns the upper hull of all that may matter in a node, along an axis; `None` where it is
+    /// unknown.
     fn profile(&self, _level: u32, _at: [u32; 2], _axis: usize) -> Option<&[ProfileVertex]> {
         None
     }
 
-    /// The lanes, a bit each, to which a node may matter by more than its highest vertex says. Its first and
-    /// last columns and rows are counted from the group's first texel.
+    /// Returns the lanes, a bit each, to which a node may matter beyond its highest vertex.
+    /// `_spans` are its first and last columns and rows, from the group's first texel.
     fn may_matter_to(&self, _level: u32, _at: [u32; 2], _spans: [[f32; 2]; 2], lanes: u64) -> u64 {
         lanes
     }
 
-    /// Looks at a vertex of that height for the lanes whose excess is positive.
-    fn look<S: Simd>(
+    /// Visits a vertex of that height for the lanes whose excess is positive.
+    fn visit<S: Simd>(
         &mut self,
         simd: S,
         group: &mut Group,
@@ -112,47 +115,48 @@ pub(crate) trait Look {
     );
 }
 
-/// A node that is still to be looked into.
+/// Node yet to be visited.
 #[derive(Clone, Copy)]
 struct Node {
     level: u32,
     at: [u32; 2],
-    sight: Sight,
-    /// The lanes, a bit each, that may look into it.
+    extent: NodeExtent,
+    /// Lanes, a bit each, that may visit it.
     lanes: u64,
 }
 
-/// Where the vertices of a node are from a group, and the height of the highest.
+/// Columns and rows of a node relative to a group, and its highest vertex.
 #[derive(Clone, Copy)]
-struct Sight {
-    /// The first and the last column from the group's first texel.
+struct NodeExtent {
+    /// First and last column, from the group's first texel.
     columns: [f32; 2],
     rows: Rows,
     highest: f32,
 }
 
-/// Rows of vertices, as far away as they are from all texels of a group.
+/// Rows of vertices, at their distance from the texels of a group.
 #[derive(Clone, Copy)]
 struct Rows {
-    /// The last row is ahead of the group, not behind.
+    /// Whether the last row is ahead of the group, not behind.
     is_ahead: bool,
-    /// Squared distance along `v` from the apexes to the nearest row, and to the cells before it, in units of
-    /// a texel's longer side.
+    /// Squared distances along `v` from the apexes to the nearest row, and to the cells before it.
+    /// The unit is a texel's longer side.
     near2: [f32; 2],
-    /// Vertices of these rows fewer columns away from a texel have only cells of its block around them.
+    /// Vertices of these rows fewer columns away from a texel have only cells of its block around
+    /// them.
     block: f32,
 }
 
-/// An image of the map as seen from a group.
+/// Image of the map relative to a group.
 #[derive(Clone, Copy)]
 struct Image {
-    /// Where it begins.
+    /// First column and row.
     begin: [i64; 2],
     is_mirrored: [bool; 2],
 }
 
 impl<'a> Walk<'a> {
-    /// The pyramid of a map, for apexes there.
+    /// Builds the pyramid of a map, for apexes in `region`.
     pub fn new(map: &'a HeightMap, texel_m: [f64; 2], region: Region) -> Self {
         let side_m = texel_m[0].max(texel_m[1]);
         Self {
@@ -168,7 +172,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// The longer side of a texel in metres.
+    /// Returns the longer side of a texel in metres.
     pub fn side_m(&self) -> f64 {
         self.side_m
     }
@@ -184,36 +188,43 @@ impl<'a> Walk<'a> {
         group.centres[lane] = apexes.centre;
     }
 
-    /// Sets the squared slope, in heights per metre, above which a lane still looks.
+    /// Sets the squared slope, in heights per metre, above which a lane still searches.
     #[inline(always)]
     pub fn raise_bar(&self, group: &mut Group, lane: usize, slope2: f64) {
         group.bar[lane] = (slope2 * self.side_m * self.side_m * CAUTION) as f32;
         group.slope[lane] = raised(slope2, self.texel_m);
     }
 
-    /// Looks, for each lane, at every vertex that may be steeper than its bar, or be a corner of a cell that
-    /// holds a steeper point, unless all cells around it are in the lane's block. Vertices are those of the
-    /// map and of its images at most so many tiles away. Images are gone through outward, until their highest
-    /// point is too far to matter to any lane.
+    /// Visits every vertex that may be steeper than a lane's bar, or may be a corner of a cell that
+    /// holds a steeper point. Vertices with only cells of the lane's block around them are left
+    /// out. Vertices belong to the map and to its images at most `tiles` tiles away. Images are
+    /// visited outward, until their highest point is too far to matter to any lane.
     ///
-    /// A cell is hardly steeper than its corners. A segment of length `a`, at least the distance `g` away, is
-    /// seen under an angle of at most `a / g`, and the slope falls with the cosine of the angle from where it
-    /// is greatest. So one end has at least `cos(a / 2g)` of the greatest slope, and at least `1 - a²/4g²` of
-    /// its square. Every point of a cell is on a line between two edges, so one corner has at least the
-    /// square of that factor.
+    /// A cell is hardly steeper than its corners. A segment of length `a`, at least the distance
+    /// `g` away, is seen under an angle of at most `a / g`. The slope falls with the cosine of the
+    /// angle from where it is greatest. So one end has at least `cos(a / 2g)` of the greatest
+    /// slope, and at least `1 - a²/4g²` of its square. Every point of a cell is on a line between
+    /// two edges, so one corner has at least the square of that factor.
     ///
-    /// On inclined ground that passes over nothing uphill, where all is equally steep. So a node is passed
-    /// over as well where a plane above the cells around its vertices is not above the lane's cone: see
-    /// [`Self::above_plane`]. What is lost to a tie is at most what slopes are raised by.
+    /// On inclined ground this bound skips nothing uphill, where all is equally steep. So a node is
+    /// also skipped where a plane above the cells around its vertices is not above the lane's cone:
+    /// see [`Self::above_plane`]. The loss by a tie is at most the amount by which slopes are
+    /// raised.
     #[inline(always)]
-    pub fn walk<S: Simd>(&self, simd: S, group: &mut Group, tiles: [i64; 2], look: &mut impl Look) {
+    pub fn walk<S: Simd>(
+        &self,
+        simd: S,
+        group: &mut Group,
+        tiles: [i64; 2],
+        visitor: &mut impl VertexVisitor,
+    ) {
         for y in 0..=tiles[1] {
             let mut is_row_open = false;
             for y in signs(y) {
                 for x in 0..=tiles[0] {
                     let mut is_open = false;
                     for x in signs(x) {
-                        is_open |= self.walk_tile(simd, group, [x, y], look);
+                        is_open |= self.walk_tile(simd, group, [x, y], visitor);
                     }
                     if !is_open {
                         break;
@@ -227,35 +238,41 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Walks one image of the map; whether it is near enough to matter.
+    /// Walks one image of the map. Returns whether it is near enough to matter.
     #[inline(always)]
-    fn walk_tile<S: Simd, L: Look>(&self, simd: S, group: &mut Group, tile: [i64; 2], look: &mut L) -> bool {
+    fn walk_tile<S: Simd, L: VertexVisitor>(
+        &self,
+        simd: S,
+        group: &mut Group,
+        tile: [i64; 2],
+        visitor: &mut L,
+    ) -> bool {
         let image = Image {
             begin: [0, 1].map(|axis| tile[axis] * self.size[axis] - group.texel[axis]),
             is_mirrored: tile.map(|tile| self.wrap == Wrap::Mirror && tile & 1 != 0),
         };
         let level = self.levels.top();
-        let sight = Sight {
+        let extent = NodeExtent {
             columns: self.span(&image, 0, 0, level),
             rows: self.rows(self.span(&image, 1, 0, level)),
             highest: self.levels.level(level).highest([0, 0]),
         };
-        if self.worth::<S, L>(simd, group, &sight).is_none() {
+        if self.excess_of::<S, L>(simd, group, &extent).is_none() {
             return false;
         }
         let mut pending = std::mem::take(&mut group.pending);
         pending.clear();
-        pending.push(Node { level, at: [0, 0], sight, lanes: ALL_LANES });
+        pending.push(Node { level, at: [0, 0], extent, lanes: ALL_LANES });
         let mut looked_into = 0;
         while let Some(node) = pending.pop() {
-            let Node { level, at, sight, mut lanes } = node;
-            let Some(mut excess) = self.worth::<S, L>(simd, group, &sight) else { continue };
+            let Node { level, at, extent, mut lanes } = node;
+            let Some(mut excess) = self.excess_of::<S, L>(simd, group, &extent) else { continue };
             looked_into += 1;
             if looked_into > PATIENCE {
                 lanes = self.above_plane(simd, group, &image, &node);
                 for axis in 0..2 {
                     if lanes != 0
-                        && let Some(hull) = look.profile(level, at, axis)
+                        && let Some(hull) = visitor.profile(level, at, axis)
                     {
                         lanes &= self.above_profile(simd, group, &image, &node, (axis, hull));
                     }
@@ -264,8 +281,8 @@ impl<'a> Walk<'a> {
                     lanes &= if *excess > 0.0 { !0 } else { !bit };
                 }
                 if lanes != 0 {
-                    let spans = [sight.columns, self.span(&image, 1, at[1], level)];
-                    lanes = look.may_matter_to(level, at, spans, lanes);
+                    let spans = [extent.columns, self.span(&image, 1, at[1], level)];
+                    lanes = visitor.may_matter_to(level, at, spans, lanes);
                 }
                 let mut any = false;
                 for (excess, bit) in excess.iter_mut().zip(LANE_BITS) {
@@ -278,14 +295,14 @@ impl<'a> Walk<'a> {
             }
             if level == 0 {
                 let vertex = [0, 1].map(|axis| group.texel[axis] + self.place(&image, axis, at[axis]));
-                look.look(simd, group, &excess, vertex, f64::from(sight.highest));
+                visitor.visit(simd, group, &excess, vertex, f64::from(extent.highest));
                 continue;
             }
             let level = level - 1;
             let nodes = self.levels.level(level);
             let size = nodes.size();
-            // The last one pushed is looked at first: that is to be the nearest.
-            let is_ahead = [sight.columns[0] + sight.columns[1] > 0.0, sight.rows.is_ahead];
+            // The last one pushed is visited first: it should be the nearest.
+            let is_ahead = [extent.columns[0] + extent.columns[1] > 0.0, extent.rows.is_ahead];
             let first = [2 * at[0], 2 * at[1]];
             let flip = [0, 1].map(|axis| u32::from(is_ahead[axis] != image.is_mirrored[axis]));
             for row in [first[1] + flip[1], first[1] + 1 - flip[1]] {
@@ -299,15 +316,15 @@ impl<'a> Walk<'a> {
                         continue;
                     }
                     let columns = self.span(&image, 0, column, level);
-                    let sight = Sight { columns, rows, highest: nodes.highest([column, row]) };
+                    let extent = NodeExtent { columns, rows, highest: nodes.highest([column, row]) };
                     let [[left, right], [top, bottom]] = [
                         self.around(columns, LANES - 1, image.is_mirrored[0]),
                         self.around(span, 0, image.is_mirrored[1]),
                     ];
-                    if look.may_matter(level, [column, row], [left, top], [right, bottom])
-                        && self.worth::<S, L>(simd, group, &sight).is_some()
+                    if visitor.may_matter(level, [column, row], [left, top], [right, bottom])
+                        && self.excess_of::<S, L>(simd, group, &extent).is_some()
                     {
-                        pending.push(Node { level, at: [column, row], sight, lanes });
+                        pending.push(Node { level, at: [column, row], extent, lanes });
                     }
                 }
             }
@@ -316,7 +333,7 @@ impl<'a> Walk<'a> {
         true
     }
 
-    /// The lanes, a bit each, for which a node may matter by a profile of what may matter in it.
+    /// Returns the lanes, a bit each, for which a node may matter by its profile.
     #[inline(always)]
     fn above_profile<S: Simd>(
         &self,
@@ -335,14 +352,15 @@ impl<'a> Walk<'a> {
         self.may_be_steeper(simd, group, &Profile { sides, axis, hull, first, step })
     }
 
-    /// A column or row of an image, from the group's first texel.
+    /// Returns a column or row of an image, from the group's first texel.
     #[inline(always)]
     fn place(&self, image: &Image, axis: usize, at: u32) -> i64 {
         let at = i64::from(at);
         image.begin[axis] + if image.is_mirrored[axis] { self.size[axis] - 1 - at } else { at }
     }
 
-    /// The first and last column or row of a node; rounded beyond what `f32` counts exactly.
+    /// Returns the first and last column or row of a node; rounded beyond what `f32` counts
+    /// exactly.
     #[inline(always)]
     fn span(&self, image: &Image, axis: usize, at: u32, level: u32) -> [f32; 2] {
         let first = i64::from(at) << level;
@@ -355,8 +373,9 @@ impl<'a> Walk<'a> {
         [(image.begin[axis] + ends[0]) as f32, (image.begin[axis] + ends[1]) as f32]
     }
 
-    /// The least and the most columns or rows, along the map, from all apexes to the cells around
-    /// `from..=to`. These are counted from the first texel; the last texel is `lanes` after it.
+    /// Returns the least and the most columns or rows, along the map, from all apexes to the cells
+    /// around `from..=to`. These are counted from the first texel; the last texel is `lanes` after
+    /// it.
     #[inline(always)]
     fn around(&self, [from, to]: [f32; 2], lanes: usize, is_mirrored: bool) -> [f32; 2] {
         let around = [from - lanes as f32 - 1.0 - self.half, to + 1.0 + self.half];
@@ -371,15 +390,21 @@ impl<'a> Walk<'a> {
         Rows { is_ahead: from + to > 0.0, near2: [vertex * vertex, cell * cell], block }
     }
 
-    /// For each lane a positive number if a vertex in sight may matter to it; nothing if to none.
+    /// Returns a positive number for each lane to which a vertex of the node may matter; `None`
+    /// without such a lane.
     #[inline(always)]
-    fn worth<S: Simd, L: Look>(&self, simd: S, group: &Group, sight: &Sight) -> Option<[f32; LANES]> {
+    fn excess_of<S: Simd, L: VertexVisitor>(
+        &self,
+        simd: S,
+        group: &Group,
+        extent: &NodeExtent,
+    ) -> Option<[f32; LANES]> {
         let (zero, quarter) = (simd.splat_f32s(0.0), simd.splat_f32s(0.25));
-        let [square_s, square_g] = sight.rows.near2;
+        let [square_s, square_g] = extent.rows.near2;
         let (square_s, square_g) = (simd.splat_f32s(square_s), simd.splat_f32s(square_g));
-        let (from, to) = (simd.splat_f32s(sight.columns[0]), simd.splat_f32s(sight.columns[1]));
-        let block = simd.splat_f32s(sight.rows.block);
-        let (highest, ax) = (simd.splat_f32s(sight.highest), simd.splat_f32s(self.sides[0]));
+        let (from, to) = (simd.splat_f32s(extent.columns[0]), simd.splat_f32s(extent.columns[1]));
+        let block = simd.splat_f32s(extent.rows.block);
+        let (highest, ax) = (simd.splat_f32s(extent.highest), simd.splat_f32s(self.sides[0]));
         let (half, reach) = (simd.splat_f32s(self.half), simd.splat_f32s(self.half + 1.0));
         let mut excess = [0.0; LANES];
         let mut any = false;
@@ -412,13 +437,13 @@ impl<'a> Walk<'a> {
 /// All lanes, a bit each.
 const ALL_LANES: u64 = (1 << LANES) - 1;
 
-/// The larger one, in the form that compiles to one instruction.
+/// Returns the larger number, in the form that compiles to one instruction.
 #[inline(always)]
 fn at_least(x: f32, least: f32) -> f32 {
     if x > least { x } else { least }
 }
 
-/// A number and its opposite, zero once.
+/// Returns a number and its opposite, zero once.
 fn signs(n: i64) -> impl Iterator<Item = i64> {
     std::iter::once(n).chain((n != 0).then_some(-n))
 }

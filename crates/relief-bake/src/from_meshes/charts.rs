@@ -1,37 +1,39 @@
-//! Which triangle of the simple mesh each texel lies on, or beside.
+//! The triangle of the simple mesh on which, or beside which, each texel lies.
 //!
-//! Lengths here are texels: the centre of texel `(i, j)` lies at `(i, j)`, as whole numbers. Every triangle
-//! is moved by whole tiles so that it begins near the map, and reaches beyond the map's edges as its texture
-//! coordinates do; the wrap says which texels lie there.
+//! Lengths here are in texels: the centre of texel `(i, j)` lies at `(i, j)`, as whole numbers.
+//! Every triangle is moved by whole tiles so that it begins near the map. It reaches beyond the
+//! map's edges as its texture coordinates do; the wrap says which texels lie there.
 
 use relief_core::mesh::{BasePoint, Mesh};
 use relief_core::{Watch, Wrap};
 
 use super::{FromMeshesError, MAX_TILES, MeshPair};
 
-/// How far texture coordinates may lie outside of a clamped map, in tiles: rounding.
+/// Tolerance in tiles for texture coordinates outside of a clamped map: rounding.
 const OUTSIDE: f64 = 1e-5;
 
-/// How far from a triangle texels lie that are read where the surface on it is interpolated, at most.
+/// Greatest distance from a triangle of texels that are read where the surface on it is
+/// interpolated.
 const REACH: f64 = std::f64::consts::SQRT_2;
 
 /// Nearer than this a texel lies on the triangle: rounding.
 const ON: f64 = 1e-9;
 
-/// The least weight of a corner inside of a triangle, not at its border.
+/// Least weight of a corner inside of a triangle, not at its border.
 const WITHIN: f64 = 1e-6;
 
-/// Places that are as near as this, as a part of the mesh's diagonal, are the same.
+/// Positions closer than this part of the mesh's diagonal are the same.
 const SAME: f64 = 1e-5;
 
-/// The size of the triangle, in texels, through whose corners a plane goes on beside a chart.
+/// Size in texels of the triangle through whose corners a plane is continued beside a chart.
 const PLANE: f64 = 0.5;
 
-/// How far inside of a chart, in texels, its border is looked at: at the border itself a line may pass beside
-/// a mesh that ends there.
+/// Distance inside of a chart, in texels, at which its border is sampled. At the border itself a
+/// line may pass beside a mesh that ends there.
 pub(super) const OFF_BORDER: f64 = 1.0 / 64.0;
 
-/// The most that a height may count in a plane that goes on: with more a sliver of a triangle says nothing.
+/// Greatest weight of a height in a continued plane. With more, a sliver of a triangle says
+/// nothing.
 const MAX_WEIGHT: f64 = 8.0;
 
 /// No triangle.
@@ -43,11 +45,11 @@ pub(super) struct Owner {
     pub triangle: u32,
     /// Column and row of the texel where the triangle lies, not wrapped.
     at: [i32; 2],
-    /// From the triangle, 0 on it.
+    /// Distance from the triangle in texels, 0 on it.
     pub distance: f32,
 }
 
-/// What the simple mesh covers of a map.
+/// Parts of a map that the simple mesh covers.
 pub(super) struct Charts {
     pub size: [u32; 2],
     /// Row by row from the top.
@@ -69,7 +71,7 @@ struct Chart {
 impl Owner {
     const NOBODY: Self = Self { triangle: NONE, at: [0; 2], distance: f32::INFINITY };
 
-    /// It, where there is one.
+    /// Returns the owner, if the texel has a triangle.
     pub fn on(&self) -> Option<&Self> {
         (self.triangle != NONE).then_some(self)
     }
@@ -78,7 +80,8 @@ impl Owner {
         self.distance == 0.0
     }
 
-    /// The place on the way from the texel's centre over a point of the border, so far beyond.
+    /// Returns the point `beyond` texels behind a point of the border, on the way from the texel's
+    /// centre.
     pub fn inside(&self, border: [f64; 2], beyond: f64) -> [f64; 2] {
         let way = minus(border, self.centre());
         let length = way[0].hypot(way[1]);
@@ -144,7 +147,7 @@ impl Charts {
         Ok(charts)
     }
 
-    /// A triangle where it lies on the map; none without an area.
+    /// Returns a triangle where it lies on the map; none without an area.
     fn chart(&self, mesh: &Mesh, triangle: u32) -> Option<Chart> {
         let uvs = mesh.corners(triangle).map(|corner| corner.uv.as_dvec2().to_array());
         let corners = [0, 1].map(|axis| {
@@ -160,7 +163,8 @@ impl Charts {
         (area.abs() > 1e-12).then_some(Chart { corners, area })
     }
 
-    /// The place of a texel, not wrapped; none outside of a clamped map.
+    /// Returns the index of a texel whose column and row are not wrapped; none outside of a clamped
+    /// map.
     fn texel(&self, at: [i32; 2]) -> Option<usize> {
         let is_in = |axis: usize| (0..i64::from(self.size[axis])).contains(&i64::from(at[axis]));
         if self.wrap == Wrap::Clamp && !(is_in(0) && is_in(1)) {
@@ -170,7 +174,7 @@ impl Charts {
         Some(row as usize * self.size[0] as usize + column as usize)
     }
 
-    /// The texel beside another by so many columns and rows, as the wrap goes on.
+    /// Returns the index of the texel `by` columns and rows beside another, with the map's wrap.
     pub fn beside(&self, at: usize, by: [i64; 2]) -> usize {
         let width = self.size[0] as usize;
         let [column, row] = [at % width, at / width].map(|at| at as i64);
@@ -179,25 +183,27 @@ impl Charts {
         row as usize * width + column as usize
     }
 
-    /// The base point of a triangle at a place on the map, beside the triangle too.
+    /// Returns the base point of a triangle at a place on the map, which may lie beside the
+    /// triangle.
     pub fn base(&self, mesh: &Mesh, triangle: u32, point: [f64; 2]) -> BasePoint {
         let weights = self.weights(mesh, triangle, point);
         BasePoint::weighted(mesh.corners(triangle).map(BasePoint::from), weights)
     }
 
-    /// The weights of a triangle's corners at a place on the map.
+    /// Returns the weights of a triangle's corners at a place on the map.
     pub fn weights(&self, mesh: &Mesh, triangle: u32, point: [f64; 2]) -> [f64; 3] {
         self.chart(mesh, triangle).map_or([1.0, 0.0, 0.0], |chart| chart.weights(point))
     }
 
-    /// The point of an owner's triangle that is nearest to the texel's centre.
+    /// Returns the point of an owner's triangle that is nearest to the texel's centre.
     pub fn nearest(&self, mesh: &Mesh, owner: &Owner) -> [f64; 2] {
         let chart = self.chart(mesh, owner.triangle);
         chart.map_or(owner.centre(), |chart| chart.nearest(owner.centre()))
     }
 
-    /// Three points inside of an owner's triangle near a point of its border, and the weights with which a
-    /// plane through them goes on to the texel's centre; none where the triangle is a sliver.
+    /// Returns three points inside of an owner's triangle near a point of its border. With them
+    /// come the weights with which a plane through them continues to the texel's centre. None where
+    /// the triangle is a sliver.
     pub fn around(&self, mesh: &Mesh, owner: &Owner, border: [f64; 2]) -> Option<([[f64; 2]; 3], [f64; 3])> {
         let chart = self.chart(mesh, owner.triangle)?;
         let middle = [0, 1].map(|axis| chart.corners.iter().map(|corner| corner[axis]).sum::<f64>() / 3.0);
@@ -214,8 +220,8 @@ impl Charts {
         is_sound.then_some((corners, weights))
     }
 
-    /// The base point at a place near a texel, where its owner's triangle lies or one that owns a texel
-    /// around that place.
+    /// Returns the base point at a place near a texel. The place lies on the owner's triangle, or
+    /// on one that owns a texel around that place.
     pub fn base_at(&self, mesh: &Mesh, owner: &Owner, point: [f64; 2]) -> Option<BasePoint> {
         let holds = |triangle: u32, point: [f64; 2]| {
             self.chart(mesh, triangle).is_some_and(|chart| chart.distance(point) == 0.0)
@@ -227,7 +233,7 @@ impl Charts {
         [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().find_map(|[right, down]| {
             let texel = [column + right, row + down];
             let other = self.owners[self.texel(texel)?].on()?;
-            // Its triangle may lie in another tile; in a mirrored one it is not looked for.
+            // The triangle may lie in another tile; a mirrored tile is not searched.
             let moved = [0, 1].map(|axis| other.centre()[axis] + point[axis] - f64::from(texel[axis]));
             let period = if self.wrap == Wrap::Mirror { 2 } else { 1 };
             let is_whole = [0, 1].iter().all(|&axis| {
@@ -239,7 +245,7 @@ impl Charts {
     }
 }
 
-/// Refuses texture coordinates for which the map has no place.
+/// Refuses texture coordinates outside of a clamped map, and triangles over too many tiles.
 fn check(mesh: &Mesh, triangle: u32, wrap: Wrap) -> Result<(), FromMeshesError> {
     let uvs = mesh.corners(triangle).map(|corner| corner.uv.as_dvec2().to_array());
     for axis in 0..2 {
@@ -257,7 +263,7 @@ fn check(mesh: &Mesh, triangle: u32, wrap: Wrap) -> Result<(), FromMeshesError> 
 }
 
 impl Chart {
-    /// The first and the last texel along an axis that may lie near.
+    /// Returns the first and the last texel along an axis that may lie near.
     fn span(&self, axis: usize) -> [i32; 2] {
         let along = self.corners.map(|corner| corner[axis]);
         let low = along.iter().copied().fold(f64::INFINITY, f64::min);
@@ -265,7 +271,7 @@ impl Chart {
         [(low - REACH).ceil() as i32, (high + REACH).floor() as i32]
     }
 
-    /// The weights of the corners at a place.
+    /// Returns the weights of the corners at a place.
     fn weights(&self, point: [f64; 2]) -> [f64; 3] {
         let [a, b, c] = self.corners;
         let wb = cross(minus(point, a), minus(c, a)) / self.area;
@@ -273,7 +279,7 @@ impl Chart {
         [1.0 - wb - wc, wb, wc]
     }
 
-    /// How far a place is from the triangle, 0 on it; infinite beyond reach.
+    /// Distance of a place from the triangle, 0 on it; infinite beyond reach.
     fn distance(&self, point: [f64; 2]) -> f64 {
         if self.weights(point).iter().all(|weight| *weight >= 0.0) {
             return 0.0;

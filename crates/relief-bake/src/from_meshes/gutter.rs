@@ -1,13 +1,13 @@
-//! Texels that nobody sees.
+//! Texels beyond the gutter, which no one sees.
 
 use super::charts::{Charts, Owner};
 
-/// Leaves texels without a value that lie more than so many texels beside those that are read on the charts,
-/// diagonally too. Returns how many they are.
+/// Sets texels beyond the gutter to NaN: those more than `gutter` texels, diagonals included,
+/// beside texels read on the charts. Returns their number.
 pub(super) fn leave_out(metres: &mut [f32], charts: &Charts, gutter: u32) -> u64 {
     let reach = i64::from(gutter);
     let is_near = |near: &[bool], along: usize| -> Vec<bool> {
-        // How far it is to the last near texel, going one way and the other; twice round, for the wrap.
+        // Distance to the last near texel, one way and the other; twice round, for the wrap.
         let [width, height] = charts.size.map(|side| side as usize);
         let (lines, length) = if along == 0 { (height, width) } else { (width, height) };
         let place = |line: usize, at: usize| if along == 0 { line * width + at } else { at * width + line };

@@ -1,4 +1,4 @@
-//! The normals of the detailed mesh, as the simple one sees them.
+//! Normals of the detailed mesh in the tangent frames of the simple one.
 
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
@@ -8,25 +8,27 @@ use relief_core::raycast::RayCaster;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::charts::{Charts, OFF_BORDER, Owner};
-use super::look::Line;
+use super::line::Line;
 use super::{CAST, CHARTED, FromMeshesError, MeshPair, prepare};
 use crate::fill::fill;
 
-/// The tangent-space normal map of a detailed mesh on a simple one: planes of `x` along growing `u`, `y` up
-/// in the picture and `z` outward, of unit length, row by row from the top.
+/// Bakes the tangent-space normal map of a detailed mesh on a simple one. Returns planes of `x`
+/// along growing `u`, `y` up in the picture and `z` outward, of unit length, row by row from the
+/// top.
 ///
-/// Heights between two meshes make up for the facets of the simple one, and its normals bend as if there were
-/// none: normals that are derived from these heights count the facets twice. These are the detailed mesh's
-/// own, interpolated where [`heights_from_meshes`](super::heights_from_meshes) finds it, as components along
-/// the interpolated tangent, bitangent and normal of the simple mesh, each of unit length, which is how
-/// shaders take them (Szirmay-Kalos and Umenhoffer 2008, section 2). Texels beside a chart have the normal at
-/// its border, others are filled from coarse to fine.
+/// Heights between two meshes correct the facets of the simple mesh, whose normals bend as if there
+/// were no facets. Normals derived from these heights count the facets twice. The normals here are
+/// the detailed mesh's own, interpolated where [`heights_from_meshes`](super::heights_from_meshes)
+/// hits it. Their components are along the interpolated tangent, bitangent and normal of the simple
+/// mesh, each of unit length. Shaders read them in this form (Szirmay-Kalos and Umenhoffer 2008,
+/// section 2). Texels beside a chart have the normal at its border; others are filled from coarse
+/// to fine.
 ///
-/// `caster` is `high` prepared. The same bytes come of any number of threads.
+/// `caster` is the prepared mesh `high`. The result has the same bytes with any number of threads.
 ///
 /// # Errors
 ///
-/// Those of [`heights_from_meshes`](super::heights_from_meshes).
+/// Fails as [`heights_from_meshes`](super::heights_from_meshes) does.
 pub fn normals_from_meshes(
     low: &Mesh,
     high: &Mesh,
@@ -67,7 +69,8 @@ pub fn normals_from_meshes(
     Ok(planes)
 }
 
-/// The normal at a texel, or at the border beside it, in the frame of the simple mesh there.
+/// Returns the normal at a texel, or at the border beside it, in the frame of the simple mesh
+/// there.
 fn normal(low: &Mesh, high: &Mesh, charts: &Charts, line: &Line, owner: &Owner) -> Option<DVec3> {
     let place =
         if owner.is_inside() { owner.centre() } else { owner.inside(charts.nearest(low, owner), OFF_BORDER) };

@@ -1,24 +1,25 @@
-//! Why normals give no heights, and the limits that decide.
+//! Errors of heights from normals, and their limits.
 
 use relief_core::{Cancelled, HeightMapError};
 
-/// A normal shorter than this has lost its direction: rounding to 8 bit alone moves its end by up to 0.007.
+/// A normal shorter than this has lost its direction: rounding to 8 bits alone moves its end by up
+/// to 0.007.
 pub const SHORTEST: f32 = 0.1;
 
-/// Why normals give no heights.
+/// Reason why normals give no heights.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FromNormalsError {
-    /// The size is not that of a height map.
+    /// The size is invalid for a height map.
     #[error(transparent)]
     Size(#[from] HeightMapError),
-    /// A plane has not one value for each texel.
+    /// A plane does not have one value for each texel.
     #[error("a map of {width}x{height} needs {} values a plane, {given} were given", u64::from(*width) * u64::from(*height))]
     WrongLength {
         /// Width in texels.
         width: u32,
         /// Height in texels.
         height: u32,
-        /// How many were given.
+        /// Values given.
         given: usize,
     },
     /// A value is NaN or infinite.
@@ -35,19 +36,19 @@ pub enum FromNormalsError {
     /// A number of the integration cannot be used.
     #[error("{what} is {value}: it must be {must}")]
     BadNumber {
-        /// Which number.
+        /// Name of the number.
         what: &'static str,
-        /// Its value.
+        /// Value given.
         value: f64,
-        /// What it must be.
+        /// Accepted values.
         must: &'static str,
     },
-    /// It was cancelled.
+    /// The work was cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
 }
 
-/// Whether slopes can be limited to that one.
+/// Checks that slopes can be limited to this one.
 pub(super) fn check_steepest(steepest: f64) -> Result<(), FromNormalsError> {
     if !(steepest > 0.0 && steepest <= 1e6) {
         let (what, must) = ("the steepest slope", "above 0 and at most 1e6");

@@ -1,57 +1,60 @@
-//! What a picture may be that is no tangent-space normal map, by what is measured in it.
+//! Measurements of a picture that tell other images from tangent-space normal maps.
 
 use std::fmt;
 
 use super::slopes::length;
 
-/// Normals that point into the surface are noise below this part.
+/// A smaller part of normals that point into the surface is noise.
 const INWARD: f64 = 0.05;
 
-/// Lengths this far from 1 (root mean square) are no rounding.
+/// Lengths farther than this from 1 (root mean square) are no rounding.
 const OFF: f64 = 0.08;
 
 /// Channels with less spread (standard deviation, of 1) are the same everywhere.
 const FLAT: f64 = 0.01;
 
-/// What is measured in a normal map.
+/// Measurements of a normal map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evidence {
     /// The mean vector.
     pub mean: [f64; 3],
-    /// The part of the normals that points along the surface or into it.
+    /// Part of the normals that points along the surface or into it, from 0 to 1.
     pub inward: f64,
-    /// Root mean square of how far lengths are from 1: as they are, with the picture decoded from sRGB, and
-    /// with it encoded to sRGB.
+    /// Root mean square deviation of the lengths from 1: of the picture as it is, decoded from
+    /// sRGB, and encoded to sRGB.
     pub lengths_off: [f64; 3],
-    /// Standard deviations of the four channels, from 0 to 1 each. That of opacity is 0 where there is none.
+    /// Standard deviations of the four channels, from 0 to 1 each. Without opacity, its deviation
+    /// is 0.
     pub spreads: [f64; 4],
-    /// Means of the four channels. That of opacity is 1 where there is none.
+    /// Means of the four channels, from 0 to 1. Without opacity, its mean is 1.
     pub levels: [f64; 4],
 }
 
-/// What a normal map may be in place of one in tangent space with red, green and blue.
+/// Other contents that a picture may have instead of tangent-space normals in red, green and blue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NormalSource {
-    /// One in object space: its mean normal, and the part that points into the surface.
+    /// Normals in object space: the mean normal, and the part that points into the surface.
     ObjectSpace {
         /// The mean vector.
         mean: [f64; 3],
-        /// The part of the normals that points along the surface or into it.
+        /// Part of the normals that points along the surface or into it, from 0 to 1.
         inward: f64,
     },
-    /// One that went through the curve of sRGB, with the errors of its lengths before and after.
+    /// Normals that went through the curve of sRGB, with the errors of the lengths before and
+    /// after.
     Srgb {
-        /// Whether it was encoded; decoded else.
+        /// Whether the picture was encoded; otherwise it was decoded.
         is_encoded: bool,
-        /// Root mean square of how far lengths are from 1: as they are, and with the curve undone.
+        /// Root mean square deviation of the lengths from 1: as they are, and with the curve
+        /// undone.
         lengths_off: [f64; 2],
     },
-    /// One with `x` in opacity: the spreads of red and of opacity.
+    /// Normals with `x` in opacity: the spreads of red and of opacity.
     XInOpacity {
         /// Standard deviations of red and of opacity, as parts of their range.
         spreads: [f64; 2],
     },
-    /// One of two channels: the level of blue everywhere.
+    /// Normals of two channels: the constant level of blue.
     TwoChannels {
         /// The mean of blue, from 0 to 1.
         blue: f64,
@@ -59,7 +62,7 @@ pub enum NormalSource {
 }
 
 impl NormalSource {
-    /// Whether no normal map looks like that, whatever its heights are.
+    /// Returns whether no normal map looks like this, whatever its heights are.
     pub fn is_sure(&self) -> bool {
         matches!(self, Self::Srgb { .. } | Self::XInOpacity { .. })
     }
@@ -97,7 +100,7 @@ impl Evidence {
         }
     }
 
-    /// What the picture may be, the likeliest first.
+    /// Returns the contents that the picture may have, the likeliest first.
     pub fn sources(&self) -> Vec<NormalSource> {
         let Self { mean: [x, y, z], inward, lengths_off: [plain, as_encoded, as_decoded], spreads, levels } =
             *self;
@@ -160,7 +163,7 @@ impl fmt::Display for NormalSource {
     }
 }
 
-/// The curve of sRGB (IEC 61966-2-1) undone.
+/// Inverse of the sRGB curve (IEC 61966-2-1).
 fn decoded(code: f64) -> f64 {
     if code <= 0.040_45 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
 }

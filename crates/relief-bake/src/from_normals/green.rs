@@ -1,4 +1,4 @@
-//! Which way green points, by which of both ways the normals are more nearly a relief's.
+//! The direction in which green points, found by which of both fits a relief better.
 
 use relief_core::Watch;
 
@@ -7,31 +7,31 @@ use super::integrate::{IntegratedHeights, Integration};
 use super::known::{heights_from_known_slopes, roughly};
 use super::slopes::NormalSlopes;
 
-/// Below this confidence the ways are told apart by chance; white noise reaches a hundredth of it or so.
+/// Below this confidence the direction is chance; white noise reaches a hundredth of it or so.
 const UNSURE: f64 = 0.05;
 
-/// Differences below this part of the slopes are rounding: a relief that goes up and down along one axis
+/// Differences below this part of the slopes are rounding: a relief that varies along one axis
 /// alone fits both ways.
 const ROUNDING: f64 = 1e-4;
 
-/// Which way green points in a tangent-space normal map.
+/// Direction of green in a tangent-space normal map.
 ///
-/// Slopes of a relief have no curl. With one of them turned over they have one, unless the relief goes up and
-/// down along one axis alone. So the part of the slopes that fits no relief ([`IntegratedHeights::misfit`])
-/// is nothing for the right way, but for noise and cliffs; for the wrong way it is about half of their
-/// square.
+/// Slopes of a relief have no curl. With one of them turned over they have a curl, unless the
+/// relief varies along one axis alone. The misfit ([`IntegratedHeights::misfit`]) is the part of
+/// the slopes that fits no relief. For the right direction it is zero but for noise and cliffs. For
+/// the wrong one it is about half of the square of the slopes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GreenFit {
-    /// Whether green points down in the picture (DirectX). Where that is not sure it is taken to point up.
+    /// Whether green points down in the picture (DirectX). An unsure map is taken to point up.
     pub is_down: bool,
-    /// How sure that is, from 0 to 1: the difference of the two squared misfits over their sum.
+    /// Confidence from 0 to 1: the difference of the two squared misfits over their sum.
     pub confidence: f64,
-    /// The misfits with green up and with green down.
+    /// Misfits with green up and with green down.
     pub misfits: [f64; 2],
 }
 
 impl GreenFit {
-    /// Whether the map says which way green points.
+    /// Returns whether the map says which way green points.
     pub fn is_sure(&self) -> bool {
         self.confidence >= UNSURE
     }
@@ -44,12 +44,13 @@ impl GreenFit {
     }
 }
 
-/// Heights from the slopes of normals that were read with green up, whichever way it points. Both ways are
-/// tried; returned are the slopes that fit better. Takes twice the time of one way and 4 bytes a texel more.
+/// Integrates slopes of normals that were read with green up, whichever way it points. Both
+/// directions are tried, and the slopes that fit better are returned. Takes twice the time of one
+/// direction and 4 bytes a texel more.
 ///
 /// # Errors
 ///
-/// As [`heights_from_known_slopes`].
+/// Fails as [`heights_from_known_slopes`] does.
 pub fn heights_from_either_green(
     slopes: NormalSlopes,
     how: &Integration,

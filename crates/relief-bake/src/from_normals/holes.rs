@@ -1,22 +1,25 @@
-//! Texels of a normal map that hold no normal: background, and what is mixed with it.
+//! Texels of a normal map that hold no normal: background, and normals mixed with it.
 
 use super::error::SHORTEST;
 use super::slopes::{NormalFaults, is_unit, length};
 
-/// Components between these at all three axes belong to no unit vector, whose least is 0.577 at most. Rounding
-/// and compression move background less far. What is longer is no picture's, but a vector of any length.
+/// If all three components lie between these, they belong to no unit vector, whose least component
+/// is at most 0.577. Rounding and compression move background less far. Longer vectors are from no
+/// picture, but are vectors of any length.
 const ENDS: std::ops::RangeInclusive<f32> = 0.8..=1.01;
 
-/// Opacity is a mask where at least this part of it is 0 or 1. A picture of heights has more between.
+/// Opacity is a mask if at least this part of it is 0 or 1. A picture of heights has more values
+/// between.
 const MASK: f64 = 0.9;
 
 /// Rows of texels beside a hole that may be mixed with it: a block of JPEG.
 const MIXED: usize = 8;
 
-/// Where other normals are of length 1 but for this part, those beside a hole that are not are mixed.
+/// If all but this part of the other normals have length 1, normals beside a hole of another length
+/// are mixed.
 const FEW: f64 = 0.05;
 
-/// Which texels hold a normal.
+/// Texels that hold a normal, and counts of the others.
 pub(super) struct Holes {
     pub known: Vec<bool>,
     /// Counts of holes; the others are 0.
@@ -56,14 +59,14 @@ impl Holes {
     }
 }
 
-/// Whether opacity tells texels with a normal from those without.
+/// Returns whether opacity separates texels with a normal from those without.
 fn is_mask(opacity: &[f32]) -> bool {
     let clear = opacity.iter().filter(|opacity| **opacity <= 0.0).count();
     let full = opacity.iter().filter(|opacity| **opacity >= 0.999).count();
     clear > 0 && full > 0 && (clear + full) as f64 >= MASK * opacity.len() as f64
 }
 
-/// Takes texels beside holes for holes where they are not of length 1, and gives their number.
+/// Turns texels beside holes into holes unless their length is 1. Returns their number.
 fn grow(known: &mut [bool], mut edge: Vec<usize>, normals: &[[f32; 3]], width: usize) -> usize {
     let height = normals.len() / width;
     let mut mixed = 0;

@@ -1,4 +1,4 @@
-//! Slopes integrated to heights by least squares.
+//! Integration of slopes to heights by least squares.
 
 use rayon::prelude::*;
 use relief_core::{HeightMap, HeightMapError, Watch, Wrap};
@@ -8,49 +8,49 @@ use super::spectrum::{Border, LineTransform};
 use crate::kind::normal::Axes;
 use crate::transpose::transpose;
 
-/// How normals are read and integrated.
+/// Settings for reading and integrating normals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Integration {
     /// The axes of the normals.
     pub axes: Axes,
     /// Size of a texel along `u` and `v` in metres.
     pub texel_m: [f64; 2],
-    /// How the map goes on beyond its edges.
+    /// Continuation of the map beyond its edges.
     pub wrap: Wrap,
-    /// How strongly waves of about two texels are kept down: 0 not at all.
+    /// Suppression of waves of about two texels, from 0, none, to 1.
     pub damping: f64,
-    /// The steepest slope accepted, metres up for a metre along.
+    /// Steepest accepted slope, in metres up for a metre along.
     pub steepest: f64,
 }
 
 impl Default for Integration {
-    /// Tangent space, texels of 1 m, tiled, undamped, slopes up to 32 (88°).
+    /// Returns tangent space, texels of 1 m, tiled, undamped, slopes up to 32 (88°).
     fn default() -> Self {
         Self { axes: Axes::Tangent, texel_m: [1.0; 2], wrap: Wrap::Repeat, damping: 0.0, steepest: 32.0 }
     }
 }
 
-/// Heights that normals were integrated to.
+/// Heights integrated from normals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IntegratedHeights {
     /// Columns and rows.
     pub size: [u32; 2],
     /// Heights in metres, row by row from the top; their mean is 0.
     pub heights_m: Vec<f32>,
-    /// Root mean square difference of the slopes of these heights from those given, by both axes together;
-    /// at the edges of a clamped map half of the difference.
+    /// Root mean square difference between the slopes of these heights and the given slopes, over
+    /// both axes together. At the edges of a clamped map it counts half.
     pub misfit: f64,
     /// Normals that were at or below the horizon or steeper than accepted.
     pub too_steep: usize,
 }
 
 impl IntegratedHeights {
-    /// The height map: its lowest texel is 0, its highest 1, and its displacement gives back the heights in
-    /// metres. A level one has scale 0.
+    /// Returns the height map: its lowest texel is 0, its highest 1, and its displacement gives
+    /// back the heights in metres. A level map has scale 0.
     ///
     /// # Errors
     ///
-    /// When heights are not finite, which integration does not make them.
+    /// When heights are not finite; integration returns finite ones.
     pub fn to_map(&self, wrap: Wrap) -> Result<HeightMap, HeightMapError> {
         let (low, high) =
             self.heights_m.iter().fold((f32::MAX, f32::MIN), |(low, high), &h| (low.min(h), high.max(h)));
@@ -61,9 +61,9 @@ impl IntegratedHeights {
     }
 }
 
-/// Heights from slopes along `u` and along `v` (down in the picture), in metres up for a metre along.
+/// Integrates slopes along `u` and along `v` (down in the picture), in metres up for a metre along.
 ///
-/// Takes two planes of `f64` beside what is given and returned.
+/// Takes two planes of `f64` besides its input and result.
 ///
 /// # Errors
 ///
@@ -102,7 +102,7 @@ impl Waves {
         Self { transforms, eigenvalues, damping: how.damping }
     }
 
-    /// Puts the heights in the place of the right-hand side. The other plane is scratch, as large.
+    /// Replaces the right-hand side by the heights. The other plane is scratch of the same size.
     pub fn solve(
         &self,
         plane: &mut [f64],
@@ -129,7 +129,7 @@ impl Waves {
     }
 }
 
-/// Whether planes and numbers can be integrated.
+/// Checks that planes and settings can be integrated.
 pub(super) fn check(size: [u32; 2], planes: &[&[f32]], how: &Integration) -> Result<(), FromNormalsError> {
     let [width, height] = size;
     HeightMap::check_size(width, height)?;
@@ -154,11 +154,11 @@ pub(super) fn check(size: [u32; 2], planes: &[&[f32]], how: &Integration) -> Res
     check_steepest(how.steepest)
 }
 
-/// What a wave along an axis adds to the diagonal.
+/// Contribution of a wave along an axis to the diagonal.
 struct Eigenvalue {
-    /// Its share in the squared slopes: `sin²θ / texel²`.
+    /// Share in the squared slopes: `sin²θ / texel²`.
     seen: f64,
-    /// Its share in what damping keeps down: `((1 - cos θ) / 2)² / texel²`.
+    /// Share in the damped part: `((1 - cos θ) / 2)² / texel²`.
     damped: f64,
 }
 
@@ -172,12 +172,12 @@ fn eigenvalues(transform: &LineTransform, side: usize, texel_m: f64) -> Vec<Eige
         .collect()
 }
 
-/// The neighbours of a texel along a side.
+/// Returns the neighbours of a texel along a side.
 pub(super) fn neighbours(wrap: Wrap, at: usize, side: usize) -> [usize; 2] {
     [-1, 1].map(|step| wrap.index(at as i64 + step, side as u32) as usize)
 }
 
-/// What slopes are multiplied by along both sides of a map. `D` takes half of the difference at the edge of a
+/// Factors of slopes along both sides of a map. `D` takes half of the difference at the edge of a
 /// clamped map; the slope of a normal there is all of it. With half of the slope both are alike.
 #[derive(Clone, Copy)]
 pub(super) struct EdgeWeights {
@@ -190,18 +190,18 @@ impl EdgeWeights {
         Self { is_clamped: wrap == Wrap::Clamp, sides }
     }
 
-    /// That of slopes along an axis.
+    /// Returns the factor of slopes along an axis.
     pub fn at(self, axis: usize, place: usize) -> f32 {
         if self.is_clamped && (place == 0 || place + 1 == self.sides[axis]) { 0.5 } else { 1.0 }
     }
 }
 
-/// `Dᵀs`: what the central differences' transpose makes of the slopes.
+/// `Dᵀs`: the transpose of the central differences, applied to the slopes.
 pub(super) fn divergence(slopes: [&[f32]; 2], width: usize, how: &Integration) -> Vec<f64> {
     let height = slopes[0].len() / width;
     let halves = how.texel_m.map(|texel| 0.5 / texel);
     let edges = EdgeWeights::new(how.wrap, [width, height]);
-    // Beyond an edge that is mirrored, slopes go on with the other sign.
+    // Beyond a mirrored edge, slopes continue with the opposite sign.
     let across = |before: f32, after: f32, at: usize, side: usize| {
         let mirrored = how.wrap != Wrap::Repeat;
         let before = if mirrored && at == 0 { -before } else { before };
@@ -223,8 +223,8 @@ pub(super) fn divergence(slopes: [&[f32]; 2], width: usize, how: &Integration) -
     out
 }
 
-/// Root mean square of `D h - s` at known texels, row by row so that threads do not change it. What is off at
-/// the edges of a clamped map counts half.
+/// Root mean square of `D h - s` at known texels, row by row so that threads do not change it.
+/// Differences at the edges of a clamped map count half.
 pub(super) fn misfit(
     heights: &[f32],
     slopes: [&[f32]; 2],

@@ -1,4 +1,4 @@
-//! Slopes integrated where only some texels have one.
+//! Integration of slopes that only some texels have.
 
 use rayon::prelude::*;
 use relief_core::{Watch, Wrap};
@@ -10,26 +10,27 @@ use super::integrate::{
 };
 use super::slopes::NormalSlopes;
 
-/// The error of the start, in root mean square of slopes, is reduced to this part.
+/// Root mean square error of the slopes at the end, as a part of the error at the start.
 const REDUCED: f64 = 1e-5;
 
-/// The same where it is only to be seen how well slopes fit.
+/// Part to which the error is reduced where only the quality of the fit matters.
 const ROUGHLY: f64 = 1e-2;
 
-/// Steps at most.
+/// Most steps.
 const MOST_STEPS: usize = 100;
 
-/// Heights whose slopes are nearest to those of the texels that hold a normal. Other texels do not count:
-/// their heights go on smoothly.
+/// Integrates the slopes of texels that hold a normal. Other texels do not count: their heights
+/// continue smoothly.
 ///
-/// Where all texels hold one this is [`heights_from_slopes`]. Elsewhere the least squares have weights of 0
-/// in holes, and are no longer diagonal in waves. They are solved by conjugate gradients, with the waves of
-/// the whole map as preconditioner, from the heights of filled slopes on. Each step costs as much as heights
-/// without holes; there are 100 at most. Takes six planes of `f64` beside what is given and returned.
+/// Where all texels hold a normal this is [`heights_from_slopes`]. Otherwise, the least squares
+/// have weights of 0 in holes and are no longer diagonal in waves. They are solved by conjugate
+/// gradients, from the heights of filled slopes on. The preconditioner is the waves of the whole
+/// map. Each step costs as much as heights without holes; there are 100 at most. Takes six planes
+/// of `f64` besides its input and result.
 ///
 /// # Errors
 ///
-/// As [`heights_from_slopes`].
+/// Fails as [`heights_from_slopes`] does.
 pub fn heights_from_known_slopes(
     slopes: &NormalSlopes,
     how: &Integration,
@@ -38,7 +39,7 @@ pub fn heights_from_known_slopes(
     solved(slopes, how, REDUCED, watch)
 }
 
-/// The same, only as exact as shows which slopes fit a relief better.
+/// Integrates only as exactly as is needed to compare the fits of two slopes.
 pub(super) fn roughly(
     slopes: &NormalSlopes,
     how: &Integration,
@@ -67,7 +68,7 @@ fn solved(
         watch.piece(part(step), part(step + 1))
     };
     waves.solve(&mut heights, &mut scratch, &piece(0))?;
-    // What is left of the right-hand side.
+    // Residual of the right-hand side.
     let mut rest = equations.right(along);
     let mut image = vec![0.0; heights.len()];
     equations.left(&heights, &mut image);
@@ -103,7 +104,7 @@ fn solved(
     Ok(IntegratedHeights { size: *size, heights_m, misfit, too_steep: 0 })
 }
 
-/// Summed row by row, so that threads do not change it.
+/// Dot product, summed row by row, so that threads do not change it.
 fn dot(a: &[f64], b: &[f64], width: usize) -> f64 {
     let rows: Vec<f64> = a
         .par_chunks(width)
@@ -121,7 +122,7 @@ struct Equations<'a> {
 }
 
 impl Equations<'_> {
-    /// The right-hand side.
+    /// Returns the right-hand side.
     fn right(&self, slopes: [&[f32]; 2]) -> Vec<f64> {
         let mut out = vec![0.0; self.known.len()];
         let sides = [self.width, self.known.len() / self.width];
@@ -134,7 +135,7 @@ impl Equations<'_> {
         out
     }
 
-    /// The left-hand side of heights.
+    /// Computes the left-hand side of heights.
     fn left(&self, heights: &[f64], out: &mut [f64]) {
         let damping = self.how.damping;
         let slope = |axis: usize, at: usize| {
@@ -155,7 +156,7 @@ impl Equations<'_> {
         self.transposed(slope, damped, out);
     }
 
-    /// The texels before and after one along an axis.
+    /// Returns the texels before and after a texel along an axis.
     fn beside(&self, axis: usize, at: usize) -> [usize; 2] {
         let (width, height) = (self.width, self.known.len() / self.width);
         let (column, row) = (at % width, at / width);
@@ -166,7 +167,7 @@ impl Equations<'_> {
         }
     }
 
-    /// `DᵀW` of slopes, and what is added to it.
+    /// Computes `DᵀW` of slopes, plus `more`.
     fn transposed(
         &self,
         slope: impl Fn(usize, usize) -> f64 + Sync,
@@ -182,7 +183,7 @@ impl Equations<'_> {
                 *out = more(at);
                 for (axis, place, side) in [(0, column, width), (1, row, height)] {
                     let [before, after] = self.beside(axis, at).map(|at| weighed(axis, at));
-                    // Beyond an edge that is mirrored, slopes go on with the other sign.
+                    // Beyond a mirrored edge, slopes continue with the opposite sign.
                     let before = if mirrored && place == 0 { -before } else { before };
                     let after = if mirrored && place + 1 == side { -after } else { after };
                     *out += (before - after) * 0.5 / self.how.texel_m[axis];

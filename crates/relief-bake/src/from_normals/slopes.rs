@@ -1,4 +1,4 @@
-//! From normals to slopes, and what was wrong with the normals.
+//! Conversion of normals to slopes, with a count of their faults.
 
 use rayon::prelude::*;
 use relief_core::HeightMap;
@@ -8,61 +8,64 @@ use super::holes::Holes;
 use crate::fill;
 use crate::kind::normal::Axes;
 
-/// Normals whose length is off from 1 by more are counted: compression and filtering leave less.
+/// Tolerance of a normal's length: greater deviations from 1 are counted. Compression and filtering
+/// leave less.
 pub const UNIT_TOLERANCE: f32 = 0.1;
 
-/// What was wrong with normals, in numbers of texels.
+/// Faults of normals, in numbers of texels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct NormalFaults {
-    /// They are NaN, infinite, or shorter than [`SHORTEST`](super::SHORTEST), as middle grey is.
+    /// Normals that are NaN, infinite, or shorter than [`SHORTEST`](super::SHORTEST), as middle
+    /// grey is.
     pub without_direction: usize,
-    /// All three components are at an end of their range, as in black, white and pure blue. A normal's
-    /// never are: such texels are background.
+    /// Texels with all three components at an end of their range, such as black, white and pure
+    /// blue. A normal's components never are: such texels are background.
     pub background: usize,
-    /// They are transparent, in a map whose opacity marks holes.
+    /// Texels that are transparent, in a map whose opacity marks holes.
     pub transparent: usize,
-    /// They lie beside one of those and are not of length 1: mixed with the background.
+    /// Texels beside such a hole whose length is not 1: they are mixed with the background.
     pub mixed: usize,
-    /// Column and row of the first of all those.
+    /// Column and row of the first hole.
     pub first_hole: Option<[u32; 2]>,
-    /// They have a direction, and a length off from 1 by more than [`UNIT_TOLERANCE`], which is not used.
+    /// Normals with a direction, and a length off from 1 by more than [`UNIT_TOLERANCE`], which is
+    /// not used.
     pub not_unit: usize,
-    /// They point along the surface or into it, which no relief's do.
+    /// Normals that point along the surface or into it, as no relief's normal does.
     pub below_horizon: usize,
-    /// They are above the horizon and stand for a steeper slope than accepted.
+    /// Normals above the horizon that stand for a steeper slope than accepted.
     pub too_steep: usize,
 }
 
 impl NormalFaults {
-    /// Texels that hold no normal.
+    /// Returns the number of texels that hold no normal.
     pub fn holes(&self) -> usize {
         self.without_direction + self.background + self.transparent + self.mixed
     }
 }
 
-/// The slopes that normals stand for.
+/// Slopes of normals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NormalSlopes {
     /// Columns and rows.
     pub size: [u32; 2],
     /// Slopes along `u` and along `v` (down in the picture), in metres a metre, row by row from the top.
     pub along: [Vec<f32>; 2],
-    /// Which texels hold a normal; none where all do. Slopes of the others were filled in.
+    /// Texels that hold a normal; none where all do. Slopes of the others were filled in.
     pub known: Option<Vec<bool>>,
-    /// What was wrong with the normals.
+    /// Faults of the normals.
     pub faults: NormalFaults,
 }
 
 impl NormalSlopes {
-    /// The slopes of normals in those axes, given row by row from the top, of any length. Normals at or below
-    /// the horizon, and those steeper than `steepest` (metres up for a metre along), keep their direction and
-    /// become as steep as accepted. In holes, which hold no normal, slopes are filled in smoothly from those
-    /// around.
+    /// Converts normals of any length, given row by row from the top. Normals steeper than
+    /// `steepest` (metres up for a metre along) keep their direction and become as steep as
+    /// `steepest`. So do normals at or below the horizon. Holes, which hold no normal, are filled
+    /// smoothly with slopes from around them.
     ///
     /// # Errors
     ///
-    /// When the number of normals is not that of the size, when the steepest slope is no slope, or when no
-    /// normal has a direction.
+    /// When the number of normals does not match the size, when `steepest` is not above 0, or when
+    /// no normal has a direction.
     pub fn of_normals(
         size: [u32; 2],
         normals: &[[f32; 3]],
@@ -72,12 +75,14 @@ impl NormalSlopes {
         Self::of_picture(size, normals, None, axes, steepest)
     }
 
-    /// As [`of_normals`](Self::of_normals), of a picture whose opacity may mark holes: transparent texels are
-    /// holes where opacity is a mask, 0 or 1 at nine of ten texels at least.
+    /// Converts a picture as [`of_normals`](Self::of_normals) does. Its opacity may mark holes:
+    /// transparent texels are holes if opacity is a mask. A mask is 0 or 1 at nine of ten texels at
+    /// least.
     ///
     /// # Errors
     ///
-    /// As [`of_normals`](Self::of_normals); and when there is not one opacity for each normal.
+    /// Fails as [`of_normals`](Self::of_normals) does, and when there is not one opacity for each
+    /// normal.
     pub fn of_picture(
         size: [u32; 2],
         normals: &[[f32; 3]],
@@ -132,14 +137,15 @@ impl NormalSlopes {
         Ok(Self { size, along, known, faults })
     }
 
-    /// The slopes of the same normals with `y` pointing the other way.
+    /// Returns the slopes of the same normals with `y` pointing the other way.
     #[must_use]
     pub fn turned_over(mut self) -> Self {
         self.along[1].par_iter_mut().for_each(|slope| *slope = -*slope);
         self
     }
 
-    /// Root mean square of the slopes of texels that hold a normal, by both axes together.
+    /// Returns the root mean square of the slopes of texels that hold a normal, over both axes
+    /// together.
     pub fn steepness(&self) -> f64 {
         let is_known = |at: usize| self.known.as_ref().is_none_or(|known| known[at]);
         let sum = |plane: &[f32]| {
@@ -151,7 +157,7 @@ impl NormalSlopes {
     }
 }
 
-/// Whether a normal is of length 1, as far as compression and filtering leave it.
+/// Returns whether a normal has length 1, within [`UNIT_TOLERANCE`].
 pub(super) fn is_unit(normal: [f32; 3]) -> bool {
     (length(normal) - 1.0).abs() <= UNIT_TOLERANCE
 }
@@ -160,14 +166,14 @@ pub(super) fn length(normal: [f32; 3]) -> f32 {
     normal.iter().map(|x| x * x).sum::<f32>().sqrt()
 }
 
-/// Why a normal's slope is not its own.
+/// Reason why a normal's slope was changed.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Fault {
     BelowHorizon,
     TooSteep,
 }
 
-/// The slope along `u` and `v` of a normal.
+/// Returns the slope along `u` and `v` of a normal.
 #[inline]
 pub(super) fn slope([x, y, z]: [f32; 3], axes: Axes, steepest: f32) -> ([f32; 2], Option<Fault>) {
     let (x, down, upright) = match axes {
@@ -179,7 +185,7 @@ pub(super) fn slope([x, y, z]: [f32; 3], axes: Axes, steepest: f32) -> ([f32; 2]
     if across <= steepest * upright && upright > 0.0 {
         return ([-x / upright, -down / upright], None);
     }
-    // The direction is kept. A normal without any is level.
+    // The direction stays. A normal without a direction becomes level.
     let part = if across > 0.0 { steepest / across } else { 0.0 };
     let fault = if upright > 0.0 { Fault::TooSteep } else { Fault::BelowHorizon };
     ([-x * part, -down * part], Some(fault))

@@ -11,15 +11,15 @@ use relief_core::{Cancelled, Watch};
 /// Lines that a thread transforms together.
 const LINES: usize = 16;
 
-/// A plane goes on beyond its edges tiled, or mirrored half a sample beyond the last one.
+/// Continuation of a plane beyond its edges: tiled, or mirrored half a sample beyond the last one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Border {
     Tiled,
     Mirrored,
 }
 
-/// The transform of lines of one length: of Hartley when they are tiled, of cosines (DCT-II) when they are
-/// mirrored. Both are real and made from one real FFT.
+/// Transform of lines of one length: Hartley when they are tiled, cosine (DCT-II) when they are
+/// mirrored. Both are real and computed from one real FFT.
 pub(super) struct LineTransform {
     border: Border,
     length: usize,
@@ -29,8 +29,8 @@ pub(super) struct LineTransform {
     quarter_turns: Vec<Complex<f64>>,
 }
 
-/// What transforming a line takes.
-struct Room {
+/// Buffers for the transform of a line.
+struct LineBuffers {
     line: Vec<f64>,
     spectrum: Vec<Complex<f64>>,
     scratch: Vec<Complex<f64>>,
@@ -44,7 +44,7 @@ impl LineTransform {
         Self { border, length, forward, back, quarter_turns: (0..=length / 2).map(turn).collect() }
     }
 
-    /// The angle by which a wave of index `k` turns from sample to sample.
+    /// Returns the angle by which a wave of index `k` turns from sample to sample.
     pub fn turn(&self, k: usize) -> f64 {
         match self.border {
             Border::Tiled => 2.0 * PI * k as f64 / self.length as f64,
@@ -52,15 +52,16 @@ impl LineTransform {
         }
     }
 
-    /// Whether central differences of the wave of index `k` vanish: the constant one, and in a tiled line of
-    /// even length the one that changes its sign from sample to sample.
+    /// Returns whether central differences of the wave of index `k` vanish. These are the constant
+    /// wave and, in a tiled line of even length, the wave that changes its sign from sample to
+    /// sample.
     pub fn is_invisible(&self, k: usize) -> bool {
         k == 0 || (self.border == Border::Tiled && 2 * k == self.length)
     }
 
     /// Transforms every line of a plane, or back.
     pub fn lines(&self, plane: &mut [f64], back: bool, watch: &Watch) -> Result<(), Cancelled> {
-        let room = || Room {
+        let buffers = || LineBuffers {
             line: vec![0.0; self.length],
             spectrum: self.forward.make_output_vec(),
             scratch: vec![
@@ -70,15 +71,15 @@ impl LineTransform {
         };
         let blocks = plane.len().div_ceil(self.length * LINES) as f32;
         plane.par_chunks_mut(self.length * LINES).enumerate().try_for_each_init(
-            room,
-            |room, (block, lines)| {
+            buffers,
+            |buffers, (block, lines)| {
                 watch.at(block as f32 / blocks)?;
                 for line in lines.chunks_mut(self.length) {
                     match (self.border, back) {
-                        (Border::Tiled, false) => self.hartley(line, 1.0, room),
-                        (Border::Tiled, true) => self.hartley(line, 1.0 / self.length as f64, room),
-                        (Border::Mirrored, false) => self.cosines(line, room),
-                        (Border::Mirrored, true) => self.cosines_back(line, room),
+                        (Border::Tiled, false) => self.hartley(line, 1.0, buffers),
+                        (Border::Tiled, true) => self.hartley(line, 1.0 / self.length as f64, buffers),
+                        (Border::Mirrored, false) => self.cosines(line, buffers),
+                        (Border::Mirrored, true) => self.cosines_back(line, buffers),
                     }
                 }
                 Ok(())
@@ -86,17 +87,17 @@ impl LineTransform {
         )
     }
 
-    fn fft(&self, room: &mut Room) {
+    fn fft(&self, buffers: &mut LineBuffers) {
         self.forward
-            .process_with_scratch(&mut room.line, &mut room.spectrum, &mut room.scratch)
+            .process_with_scratch(&mut buffers.line, &mut buffers.spectrum, &mut buffers.scratch)
             .expect("the buffers have the plan's lengths");
     }
 
     /// `H[k] = scale Σ x[n] (cos + sin)(2πkn/N)`; its own inverse with `scale = 1/N`.
-    fn hartley(&self, line: &mut [f64], scale: f64, room: &mut Room) {
-        room.line.copy_from_slice(line);
-        self.fft(room);
-        for (k, wave) in room.spectrum.iter().enumerate() {
+    fn hartley(&self, line: &mut [f64], scale: f64, buffers: &mut LineBuffers) {
+        buffers.line.copy_from_slice(line);
+        self.fft(buffers);
+        for (k, wave) in buffers.spectrum.iter().enumerate() {
             line[k] = scale * (wave.re - wave.im);
             line[(self.length - k) % self.length] = scale * (wave.re + wave.im);
         }
@@ -105,13 +106,13 @@ impl LineTransform {
 
     /// `C[k] = Σ x[n] cos(πk(2n+1)/2N)`, from an FFT of the even samples and then the odd ones backwards
     /// (Makhoul 1980).
-    fn cosines(&self, line: &mut [f64], room: &mut Room) {
+    fn cosines(&self, line: &mut [f64], buffers: &mut LineBuffers) {
         for (n, &x) in line.iter().enumerate() {
             let place = if n % 2 == 0 { n / 2 } else { self.length - 1 - n / 2 };
-            room.line[place] = x;
+            buffers.line[place] = x;
         }
-        self.fft(room);
-        for (k, (wave, turn)) in room.spectrum.iter().zip(&self.quarter_turns).enumerate() {
+        self.fft(buffers);
+        for (k, (wave, turn)) in buffers.spectrum.iter().zip(&self.quarter_turns).enumerate() {
             let wave = wave * turn;
             if k > 0 {
                 line[self.length - k] = -wave.im;
@@ -120,8 +121,8 @@ impl LineTransform {
         }
     }
 
-    fn cosines_back(&self, line: &mut [f64], room: &mut Room) {
-        for (k, (wave, turn)) in room.spectrum.iter_mut().zip(&self.quarter_turns).enumerate() {
+    fn cosines_back(&self, line: &mut [f64], buffers: &mut LineBuffers) {
+        for (k, (wave, turn)) in buffers.spectrum.iter_mut().zip(&self.quarter_turns).enumerate() {
             let mirrored = if k > 0 { line[self.length - k] } else { 0.0 };
             *wave = Complex::new(line[k], -mirrored) * turn.conj();
             if k == 0 || 2 * k == self.length {
@@ -129,12 +130,12 @@ impl LineTransform {
             }
         }
         self.back
-            .process_with_scratch(&mut room.spectrum, &mut room.line, &mut room.scratch)
+            .process_with_scratch(&mut buffers.spectrum, &mut buffers.line, &mut buffers.scratch)
             .expect("the buffers have the plan's lengths and the ends are real");
         let scale = 1.0 / self.length as f64;
         for (n, x) in line.iter_mut().enumerate() {
             let place = if n % 2 == 0 { n / 2 } else { self.length - 1 - n / 2 };
-            *x = scale * room.line[place];
+            *x = scale * buffers.line[place];
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What is far: the upper hull of each line, grown towards the texel that looks at it.
+//! The far part of horizons: the upper hull of each line, grown towards the texel that looks at it.
 
 use std::ops::Range;
 
@@ -7,7 +7,7 @@ use relief_core::{Cancelled, Watch};
 
 use crate::sheared_lines::{Lines, SKEW, Slab, Stretch};
 
-/// A vertex of the hull.
+/// Vertex of the hull.
 #[derive(Clone, Copy, Debug)]
 struct Vertex {
     position: f32,
@@ -16,7 +16,7 @@ struct Vertex {
     slope: f32,
 }
 
-/// The upper convex hull of the heights seen so far, the farthest first.
+/// Upper convex hull of the heights so far, the farthest first.
 #[derive(Default)]
 struct Hull {
     vertices: Vec<Vertex>,
@@ -38,11 +38,11 @@ impl Hull {
         self.vertices.push(Vertex { position, height, slope: f32::NEG_INFINITY });
     }
 
-    /// The slope of the tangent to the hull from a point in front of it.
+    /// Returns the slope of the tangent to the hull from a point in front of it.
     ///
-    /// From near to far the vertices are seen under a slope that first rises and then falls. Texels are close
-    /// to their line, so the top is almost always a few vertices away; else it is found by halving, so that
-    /// no map makes it slow.
+    /// From near to far, the slopes to the vertices first rise and then fall. Texels are close to
+    /// their line, so the top is almost always a few vertices away. Otherwise it is found by
+    /// halving, so that no map makes it slow.
     #[inline]
     fn tangent(&self, position: f32, height: f32) -> f32 {
         const STEPS: usize = 8;
@@ -56,10 +56,12 @@ impl Hull {
     }
 }
 
-/// Lines that one task looks along: as many as a cache line has texels, for lines across the map's rows.
+/// Lines that one task follows: as many as a cache line has texels, for lines across the map's
+/// rows.
 const LANES: usize = 16;
 
-/// What a task works with, of a few lines: where their texels look from, and what they are sampled at.
+/// Buffers of a task for a few lines: the heights of their texels, and the heights sampled along
+/// them.
 #[derive(Default)]
 struct Scratch {
     hull: Hull,
@@ -67,8 +69,8 @@ struct Scratch {
     heights: Vec<f32>,
 }
 
-/// Fills the slab with the greatest slope, in heights a step, under which each texel sees the line that
-/// passes it, from `nearest` steps away on.
+/// Fills the slab with the greatest slope, in heights a step, to the line that passes each texel,
+/// from `nearest` steps away on.
 pub(super) fn slopes(lines: &Lines, nearest: usize, slab: &mut Slab, watch: &Watch) -> Result<(), Cancelled> {
     let (first, count) = (slab.slots.start, slab.slots.len());
     let blocks = slab.values.par_chunks_mut(LANES * slab.stride).enumerate();
@@ -81,7 +83,7 @@ pub(super) fn slopes(lines: &Lines, nearest: usize, slab: &mut Slab, watch: &Wat
     })
 }
 
-/// The slopes of some slots, each in `row` values.
+/// Computes the slopes of some slots, each in `row` values.
 fn along_lines(
     lines: &Lines,
     nearest: usize,
@@ -91,7 +93,7 @@ fn along_lines(
     row: usize,
 ) {
     let Scratch { hull, origins, heights } = scratch;
-    // So long that lanes of a map of a power of two do not fall into the same cache lines.
+    // The stride keeps lanes of a map of a power of two from falling into the same cache lines.
     let origins_stride = lines.length + SKEW;
     origins.resize(slots.len() * origins_stride, 0.0);
     lines.origins(slots.start, origins_stride, origins);

@@ -1,4 +1,4 @@
-//! What is near: the ray of the texel itself, piece by piece, for every texel at once.
+//! The near part of horizons: the ray of the texel itself, piece by piece, for every texel at once.
 
 use std::ops::Range;
 
@@ -7,10 +7,11 @@ use relief_core::HeightMap;
 use crate::azimuths::Direction;
 use crate::sheared_lines::Run;
 
-/// Steps that are read from the texel's own ray. The error falls as one over their number, the time grows.
+/// Steps read from the texel's own ray. The error falls as one over their number, and the time
+/// grows.
 pub const NEAR_STEPS: usize = 8;
 
-/// A place on the ray where it crosses the line between two texels: `first + share * (second - first)`.
+/// Place where the ray crosses the line between two texels: `first + share * (second - first)`.
 #[derive(Clone, Copy, Debug)]
 struct Crossing {
     first: [i64; 2],
@@ -18,8 +19,8 @@ struct Crossing {
     share: f32,
 }
 
-/// The part of the ray in one dual cell, the same for every texel: the surface over it is
-/// `chord + bend (t - from) (t - to)`, `t` in steps.
+/// Part of the ray in one dual cell, the same for every texel. The surface over it is
+/// `chord + bend (t - from) (t - to)`, with `t` in steps.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     from: f32,
@@ -29,18 +30,19 @@ struct Piece {
     end: Crossing,
 }
 
-/// The first steps of every texel's ray in a direction.
+/// First steps of every texel's ray in a direction.
 pub(super) struct Near {
     pieces: Vec<Piece>,
-    /// The product of the ray's steps: how much of a cell's twist bends the surface over the ray.
+    /// Product of the ray's steps: the factor by which a cell's twist bends the surface over the
+    /// ray.
     twist: f32,
 }
 
-/// Crossings nearer together than this, in steps, are one: through a corner.
+/// Crossings nearer together than this, in steps, are one, through a corner.
 const CORNER: f64 = 1e-9;
 
 impl Near {
-    /// The pieces of the ray up to `steps` steps away.
+    /// Divides the ray into pieces, up to `steps` steps away.
     pub fn new(direction: &Direction, steps: usize) -> Self {
         let [x, y] = direction.step;
         let crossings = |speed: f64| {
@@ -61,13 +63,14 @@ impl Near {
         Self { pieces: pieces.collect(), twist: (x * y) as f32 }
     }
 
-    /// The greatest slope, in heights a step, under which each texel of a run sees the surface along its ray;
-    /// `start` is room for as many values.
+    /// Writes the greatest slope, in heights a step, of the surface along each texel's ray to
+    /// `slopes`. `start` is scratch for as many values.
     ///
-    /// In a cell the surface over the ray is `a + b t + c t²` above the texel. Its slope `a/t + b + c t` is
-    /// greatest at an end, or, where `a` and `c` are negative, at `t = sqrt(a/c)`, where it is
-    /// `b - 2 sqrt(a c)`. In the first cell `a` is 0, and `b` the slope at the texel itself. Beyond half of
-    /// the way only the ends of cells are looked at; the kind `horizon` bounds what that misses.
+    /// In a cell the surface over the ray is `a + b t + c t²` above the texel. Its slope
+    /// `a/t + b + c t` is greatest at an end, or at `t = sqrt(a/c)` where `a` and `c` are negative.
+    /// There it is `b - 2 sqrt(a c)`. In the first cell `a` is 0, and `b` is the slope at the texel
+    /// itself. Beyond half of the way, only the ends of cells count; the kind `horizon` bounds the
+    /// error.
     pub fn slopes(&self, band: &Padded, run: &Run, start: &mut [f32], slopes: &mut [f32]) {
         let own = band.row(run, [0, 0]);
         let start = &mut start[..slopes.len()];
@@ -110,7 +113,7 @@ impl Near {
     }
 }
 
-/// The crossing at a place relative to the texel, at least one of whose coordinates is whole.
+/// Returns the crossing at a place relative to the texel. At least one of its coordinates is whole.
 fn crossing(at: [f64; 2]) -> Crossing {
     let whole = |x: f64| (x - x.round()).abs() <= 2.0 * CORNER;
     if at.map(whole) == [true, true] {
@@ -125,7 +128,7 @@ fn crossing(at: [f64; 2]) -> Crossing {
     Crossing { first, second, share: (at[along] - at[along].floor()) as f32 }
 }
 
-/// A rectangle of a map with what lies around it, wrapped.
+/// Rectangle of a map with its surroundings, wrapped.
 pub(super) struct Padded {
     texels: Vec<f32>,
     first_column: usize,
@@ -134,7 +137,7 @@ pub(super) struct Padded {
 }
 
 impl Padded {
-    /// Those rows and columns with a margin.
+    /// Copies rows and columns with a margin.
     pub fn new(map: &HeightMap, rows: Range<usize>, columns: Range<usize>, margin: usize) -> Self {
         let width = map.width() as usize;
         let stride = columns.len() + 2 * margin;
@@ -153,7 +156,7 @@ impl Padded {
         Self { texels, first_column: columns.start, stride, margin }
     }
 
-    /// The texels `offset` away from a part of the rows.
+    /// Returns the texels `offset` away from a part of the rows.
     fn row(&self, run: &Run, offset: [i64; 2]) -> &[f32] {
         let at = |from: usize, by: i64| (from + self.margin).wrapping_add_signed(by as isize);
         let start =

@@ -10,19 +10,19 @@ use super::near::{self, NEAR_STEPS};
 use crate::azimuths::Direction;
 use crate::sheared_lines::{Band, Lines, Plane, Rows, SKEW, Slab};
 
-/// Parts into which the lines are divided, worked on one after the other. More of them take less memory.
+/// Parts of the lines, worked on one after the other. More parts take less memory.
 const SLABS: usize = 4;
 
-/// Rows that one task finishes together: more of them share their surroundings, and take more memory.
+/// Rows that one task finishes together. More rows share their surroundings, and take more memory.
 const BAND: usize = 16;
 
 /// Fewer lines than this are not divided further.
 const LEAST_SLAB: usize = 64;
 
-/// A map about to be looked over, azimuth by azimuth.
+/// Sweep over a map, azimuth by azimuth.
 ///
-/// Takes a quarter of the map (of small maps up to all of it), and for each thread 16 lines of the map and
-/// their reach, and 50 of its rows.
+/// Takes the memory of a quarter of the map (of small maps up to all of it). Each thread takes 16
+/// lines of the map with their reach, and 50 of its rows.
 pub(crate) struct Sweep<'a> {
     map: &'a HeightMap,
     metric: Metric,
@@ -33,13 +33,13 @@ pub(crate) struct Sweep<'a> {
 }
 
 impl<'a> Sweep<'a> {
-    /// In so many azimuths, as far as so many tiles.
+    /// Prepares a sweep of `azimuths` azimuths that reaches `tiles` tiles far.
     pub fn new(map: &'a HeightMap, metric: Metric, azimuths: u32, tiles: u32) -> Self {
         Self { map, metric, azimuths, tiles: tiles.max(1), rows: Rows::new(map), slab: Vec::new() }
     }
 
-    /// Finds the sines of an azimuth's horizons and adds them to planes of the map's size. `add` gets a part
-    /// of a row of each plane and the sines there, and every texel once.
+    /// Finds the sines of an azimuth's horizons and adds them to planes of the map's size. `add` is
+    /// called once for every texel. It gets a part of a row of each plane and the sines there.
     ///
     /// # Errors
     ///
@@ -67,7 +67,7 @@ impl<'a> Sweep<'a> {
             let slots = first..(first + most).min(lines.count);
             let part = |slot: usize| slot as f32 / lines.count as f32;
             let watch = watch.piece(part(slots.start), part(slots.end));
-            // Every value that is read has been written, whatever was there.
+            // Every value is written before it is read.
             let values = slots.len() * stride;
             self.slab.reserve_exact(values.saturating_sub(self.slab.len()));
             self.slab.resize(values, 0.0);
@@ -84,7 +84,7 @@ impl<'a> Sweep<'a> {
     }
 }
 
-/// A direction to look in.
+/// Direction of a sweep.
 struct Aim<'a> {
     map: &'a HeightMap,
     lines: &'a Lines<'a>,
@@ -93,7 +93,7 @@ struct Aim<'a> {
 }
 
 impl Aim<'_> {
-    /// Brings what is near and what is far together, row by row.
+    /// Combines the near and the far part, row by row.
     fn finish<const N: usize>(
         &self,
         far: &Plane,
@@ -130,13 +130,13 @@ impl Aim<'_> {
     }
 }
 
-/// Turns slopes in heights a step into sines.
+/// Converts slopes in heights a step into sines.
 #[derive(Clone, Copy)]
 struct Tilt(f32);
 
 impl Tilt {
-    /// For steps over which a rise by a height of 1 is that slope. Beyond the limits every sine is 0 or 1 to
-    /// rounding, and squares would not fit in `f32`.
+    /// Converts with `metres`, the slope of a rise by a height of 1 over a step. Beyond the limits
+    /// every sine is 0 or 1 to rounding, and squares would not fit in `f32`.
     fn new(metres: f64) -> Self {
         const MOST: f64 = 1e18;
         Self(metres.clamp(1.0 / MOST, MOST) as f32)

@@ -1,5 +1,6 @@
-//! The map kinds, one file each. A new one is a file here and its name in the list below. A kind's folder
-//! holds what belongs to that kind alone; what several kinds share lies beside `kind`.
+//! The kinds of baked map, one file each. A new kind is a file here and its name in [`KINDS`]. A
+//! kind's folder holds what belongs to that kind alone. Code that several kinds share lies beside
+//! `kind`.
 
 pub mod bent_normal;
 pub mod bounce;
@@ -21,47 +22,48 @@ use relief_core::registry::{Param, Publication, UnknownName};
 
 use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink, SinkError, quantise};
 
-/// Which texels a baked texel depends on.
+/// Texels on which a baked texel depends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reach {
-    /// Those at most so many texels away, along either axis.
+    /// Texels at most this far away along either axis.
     Texels(u32),
-    /// All of the map.
+    /// The whole map.
     Everything,
 }
 
-/// A kind of map: what it is, where it comes from, what it promises, and how it is made.
+/// Kind of baked map: its name, parameters, guarantee and bake.
 #[derive(Clone, Copy)]
 pub struct Kind {
-    /// The name on the command line.
+    /// Name on the command line.
     pub name: &'static str,
-    /// One line on what it holds.
+    /// Its content in one line.
     pub summary: &'static str,
-    /// Raised with every change of the values that are baked, so that maps kept from before are told apart.
+    /// Revision of the values, raised with every change of them. Cached maps of older revisions are
+    /// not used.
     pub revision: u32,
-    /// Where it was published.
+    /// Source of the method.
     pub publication: Publication,
-    /// Its parameters; one named `bits` quantises: 0 for floats, 8 or 16. One named `mips` adds mip levels:
-    /// 1, or 0 for none.
+    /// Parameters. One named `bits` quantises: 0 for floats, 8 or 16. One named `mips` adds mip
+    /// levels: 1, or 0 for none.
     pub params: &'static [Param],
-    /// What is promised of the stored values, and for which surface.
+    /// Promise about the stored values, and the surface for which it holds.
     pub guarantee: &'static str,
-    /// Whether other programs take its texture for a picture: grey, or red, green and blue, over the whole
-    /// range of their codes.
+    /// Whether other programs can show its texture as a picture: grey, or red, green and blue, over
+    /// the whole range of their codes.
     pub is_picture: bool,
-    /// The textures that it bakes from a map of so many columns and rows, in their order.
+    /// Returns the shapes of its textures, in order, for a map of the given columns and rows.
     pub shapes: fn([u32; 2], &Settings) -> Vec<Shape>,
-    /// How far a texel's value looks.
+    /// Returns the texels on which a baked texel depends.
     pub reach: fn(&Settings) -> Reach,
-    /// What a bake takes at most besides the height map and what it hands out, in maps of 32-bit floats of
-    /// the height map's size.
+    /// Returns the most memory that a bake takes besides the height map and its result. The unit is
+    /// the memory of the height map as 32-bit floats.
     pub working_maps: fn(&Settings) -> f32,
-    /// Bakes it.
+    /// Bakes a map into a sink.
     pub bake: fn(&BakeInput, &Settings, &Watch, &mut dyn Sink) -> Result<(), BakeError>,
 }
 
 impl Kind {
-    /// The defaults of its parameters.
+    /// Returns the defaults of its parameters.
     pub fn defaults(&self) -> Settings {
         Settings::defaults(self.name, self.params)
     }
@@ -85,8 +87,8 @@ pub static KINDS: &[Kind] = &[
     filter_levels::KIND,
 ];
 
-/// What other programs call the same maps.
-const SAME: [(&str, &str); 9] = [
+/// Names that other programs give to these kinds.
+const SYNONYMS: [(&str, &str); 9] = [
     ("ao", occlusion::KIND.name),
     ("ambient-occlusion", occlusion::KIND.name),
     // Over a level plane both are the mean of cos² of the horizons.
@@ -99,8 +101,8 @@ const SAME: [(&str, &str); 9] = [
     ("sdf", distance::KIND.name),
 ];
 
-/// Maps of other programs that no kind is, with the kind that tells most of the same.
-const NEAREST: [(&str, &str); 6] = [
+/// Maps of other programs without a kind of their own, and the kind that is nearest to each.
+const RELATED: [(&str, &str); 6] = [
     ("curvature", normal::KIND.name),
     ("roughness", normal::KIND.name),
     ("slope", normal::KIND.name),
@@ -109,27 +111,27 @@ const NEAREST: [(&str, &str); 6] = [
     ("openness", horizon::KIND.name),
 ];
 
-/// The kind of that name, or of the name that other programs give it, as `ao` for `occlusion`.
+/// Returns the kind of that name. Names of other programs count, too, such as `ao` for `occlusion`.
 ///
 /// # Errors
 ///
-/// When no kind has that name; the error names the nearest.
+/// Fails when no kind has that name; the error names the nearest.
 pub fn kind(name: &str) -> Result<&'static Kind, UnknownName> {
     let other = |names: &[(&str, &'static str)]| {
         names.iter().find(|(other, _)| other.eq_ignore_ascii_case(name)).map(|(_, kind)| *kind)
     };
-    let asked = other(&SAME).unwrap_or(name);
+    let asked = other(&SYNONYMS).unwrap_or(name);
     KINDS.iter().find(|kind| kind.name == asked).ok_or_else(|| {
         let unknown = UnknownName::new("map kind", name, KINDS.iter().map(|kind| kind.name));
-        let nearest = other(&NEAREST).map(str::to_owned).or(unknown.nearest);
+        let nearest = other(&RELATED).map(str::to_owned).or(unknown.nearest);
         UnknownName { nearest, ..unknown }
     })
 }
 
-/// What most kinds take while they are baked: see [`Kind::working_maps`].
+/// Working memory of most kinds, in maps: see [`Kind::working_maps`].
 const WORKING_MAPS: f32 = 6.5;
 
-/// The parameter that quantises.
+/// Parameter for the bits of stored values, rounded to the safe side.
 pub const BITS: Param = Param {
     name: crate::settings::BITS,
     summary: "bits of the stored values, rounded to the side that is safe for heights of as many bits: 8 or 16, \
@@ -142,13 +144,14 @@ pub const BITS: Param = Param {
     names: &[],
 };
 
-/// The same for kinds whose promise has no side: heights are not quantised first, so that an 8-bit normal
-/// map, say, is made from the heights as they are.
+/// Parameter for the bits of stored values, rounded to the nearest. Kinds use it whose promise has
+/// no side. Their heights are not quantised first: an 8-bit normal map is made from the exact
+/// heights.
 pub const BITS_TO_NEAREST: Param =
     Param { summary: "bits of the stored values, rounded to the nearest: 8 or 16, 0 for floats", ..BITS };
 
-/// Hands a slice to the sink, each plane rounded in place to integers of so many bits of its channel's range;
-/// with 0 bits as it is.
+/// Hands a slice to the sink. Each plane is first rounded in place to integers of `bits` bits over
+/// its channel's range. With 0 bits it stays as it is.
 fn to_nearest(
     sink: &mut dyn Sink,
     channels: &[Channel],

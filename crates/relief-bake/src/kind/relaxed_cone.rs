@@ -1,11 +1,11 @@
-//! Relaxed cone maps: cones that a view ray may leave below the surface, but only after a single entry.
+//! Relaxed cone maps: cones that a view ray leaves after at most one entry into the surface.
 //!
 //! * Policarpo and Oliveira, *Relaxed Cone Stepping for Relief Mapping*, GPU Gems 3, chapter 18, 2007.
 //! * Szirmay-Kalos and Umenhoffer, *Displacement Mapping on the GPU: State of the Art*, 2008, section 4.4.3.
 //!
-//! The published bake marches rays between pairs of texels, which passes over what lies between the samples.
-//! Here a cone is limited by falling patches only, and by bounds that hold for the bilinear surface; that is
-//! Relief's own.
+//! The published bake marches rays between pairs of texels, which misses the surface between the
+//! samples. Here only falling patches limit a cone, and the bounds hold for the bilinear surface.
+//! This is Relief's own.
 
 mod directions;
 mod extrusions;
@@ -23,7 +23,7 @@ use super::{BITS, Kind, Reach};
 use crate::cone_search::{Empty, Region, Search, texture};
 use crate::{BakeError, BakeInput, Settings, Shape, Sink};
 
-/// From where the relaxed cones of a map hold.
+/// Places from which the relaxed cones of a map hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RelaxedApex {
     /// From the surface at the texel's centre, as published.
@@ -71,66 +71,72 @@ pub const KIND: Kind = Kind {
     bake,
 };
 
-/// The relaxed cone ratio of every texel, row by row: metres from the axis for a texel height of 1 above the
-/// apex, in the metric of [`super::cone::cone_ratios`].
+/// Returns the relaxed cone ratio of every texel, row by row: metres from the axis for a texel
+/// height of 1 above the apex, in the metric of [`super::cone::cone_ratios`].
 ///
 /// # Guarantee
 ///
-/// Let `p` be a point of the bilinear surface `f` over an apex of the texel: its centre, or any place of its
-/// closed square. Let a straight ray begin at or above `p`, on the vertical through `p`, and fall or be
-/// level. If the ray is below the surface at some point inside the cone `{z ≥ f(p) + r / ratio}` at `p`, it
-/// is below the surface from there until it leaves the cone. So where it leaves, it is at or above the
-/// surface if it was nowhere below before, or below it after exactly one entry; a search that steps from
-/// border to border brackets the *first* entry between the last two points. Rays that rise or bend, as shadow
-/// rays do, may come out again: for them nothing is promised.
+/// Let `p` be a point of the bilinear surface `f` over an apex of the texel: its centre, or any
+/// place of its closed square. Let a straight ray begin at or above `p`, on the vertical through
+/// `p`, and fall or be level. If the ray is below the surface at some point inside the cone
+/// `{z ≥ f(p) + r / ratio}` at `p`, it is below the surface from there until it leaves the cone.
+/// Where it leaves, it is at or above the surface if it was nowhere below before, or below it after
+/// exactly one entry. A search that steps from border to border brackets the *first* entry between
+/// the last two points. Rays that rise or bend, as shadow rays do, may come out again: for them
+/// nothing is promised.
 ///
-/// A ray is below the surface where it is lower, not where it is as high. A level ray that reaches level
-/// ground at its very height, such as the edge of a terrace, touches it and has not entered; it may pass on
-/// over it. One that enters a rise below the height of a terrace stays below until the terrace ends. So level
-/// ground limits no cone, only the edge at which it falls off does.
+/// A ray is below the surface where it is lower, not where it is as high. A level ray that reaches
+/// level ground at its very height, such as the edge of a terrace, touches it and has not entered;
+/// it may pass over it. A ray that enters a rise below the height of a terrace stays below until
+/// the terrace ends. So level ground limits no cone; only the edge at which it falls off does.
 ///
 /// # Proof
 ///
-/// Let such a ray be below the surface and behind that, inside the cone, not below any more, for the first
-/// time at `q`, at the distance `r > 0` from `p`. Then `q` is on the surface, and just before it the gap from
-/// the ray up to the surface closes. So, as near to `q` as one likes, there are points `q'` below which the
-/// ray runs and at which the gap gets less. The ray does not rise, so at `q'` the surface falls along it:
-/// `∇f_X(q')·(q' - p) < 0`, with the patch `X` that holds the way before `q`. And `q` is in the cone:
-/// `(f(q) - f(p)) / r ≥ 1 / ratio`. Hence the cone is safe if its slope is above
+/// Let such a ray be below the surface and behind that, inside the cone, not below any more, for
+/// the first time at `q`, at the distance `r > 0` from `p`. Then `q` is on the surface, and just
+/// before it the gap from the ray up to the surface closes. So, as near to `q` as one likes, there
+/// are points `q'` below which the ray runs and at which the gap gets less. The ray does not rise,
+/// so at `q'` the surface falls along it: `∇f_X(q')·(q' - p) < 0`, with the patch `X` that holds
+/// the way before `q`. And `q` is in the cone: `(f(q) - f(p)) / r ≥ 1 / ratio`. Hence the cone is
+/// safe if its slope is above
 ///
 /// ```text
 /// sup (f(q) - f(p)) / |q - p|   over p in the apexes, q in a patch X with ∇f_X(q)·(q - p) < 0.
 /// ```
 ///
-/// That is also necessary: a nearly level ray through the surface at such a `q` is below it just before, and
-/// comes out. Where the surface is level along the ray nothing comes out, so the inequality is strict; and
-/// strict without rounding, see the module `fall`. With [`RelaxedApex::Centre`] the supremum is found in
-/// closed form, patch by patch, in the module `falling`, and the ratio is what it allows, less what `cone`
-/// gives away to rounding: no wider cone holds.
+/// This is also necessary: a nearly level ray through the surface at such a `q` is below it just
+/// before, and comes out. Where the surface is level along the ray nothing comes out, so the
+/// inequality is strict. It is strict without rounding; see the module `fall`. With
+/// [`RelaxedApex::Centre`] the supremum is found in closed form, patch by patch, in the module
+/// `falling`. The ratio is what it allows, less the rounding that `cone` allows for: no wider cone
+/// holds.
 ///
-/// With [`RelaxedApex::Footprint`] the apexes that suffice for `cone` do not, since which `q` count depends
-/// on `p`. There the supremum is bounded, patch by patch, by the lesser of two numbers; a patch where no pair
-/// falls does not count:
+/// With [`RelaxedApex::Footprint`] the apexes that suffice for `cone` do not, since the points `q`
+/// that count depend on `p`. There the supremum is bounded, patch by patch, by the lesser of two
+/// numbers. A patch where no pair falls does not count:
 ///
-/// * `∇f_X(q)·(q - p)` is affine in each of `q.x, q.y, p.x, p.y`, so it has its least value over a cell and
-///   the square at corners of both. Where that is not negative, no pair falls.
-/// * The slope from the rim of the square to the whole patch, found as the kind `cone` does. A way from
-///   inside of the square leads over the rim, and its slope is a mean of both parts: so the bound is moved
-///   towards the greatest slope in the square by as much as the first part, a diagonal at most, may count.
-/// * With the patch extended over `p` as `A + Bx + Cy + Dxy` over `f(p)`, `(x, y) = q - p`, a falling pair
-///   has `Bx + Cy + 2Dxy ≤ 0` and so rises by at most `A - Dxy`. It rises by at most the patch's highest
-///   corner over `f(p)` as well. In each quarter of the square, which lies in one patch, `A` is greatest and
-///   `f(p)` least at corners, so the lesser of both bounds is found for each quarter. `-Dxy` is greatest at a
-///   corner of the two boxes, and the distance is at least that of the boxes.
+/// * `∇f_X(q)·(q - p)` is affine in each of `q.x, q.y, p.x, p.y`, so over a cell and the square it
+///   has its least value at corners of both. Where this value is not negative, no pair falls.
+/// * The slope from the rim of the square to the whole patch is found as in the kind `cone`. A way
+///   from inside of the square leads over the rim, and its slope is a mean of both parts. So the
+///   bound is moved towards the greatest slope in the square, as far as the first part, a diagonal
+///   at most, may count.
+/// * With the patch extended over `p` as `A + Bx + Cy + Dxy` over `f(p)`, `(x, y) = q - p`, a
+///   falling pair has `Bx + Cy + 2Dxy ≤ 0` and so rises by at most `A - Dxy`. It rises by at most
+///   the patch's highest corner over `f(p)` as well. In each quarter of the square, which lies in
+///   one patch, `A` is greatest and `f(p)` least at corners. So the lesser of both bounds is found
+///   for each quarter. `-Dxy` is greatest at a corner of the two boxes, and the distance is at
+///   least the distance of the boxes.
 ///
-/// For the four patches around the centre, which hold the apexes, the last bound is refined: see the module
-/// `own`. So no relaxed cone is narrower than that of `cone` from the same apexes, and none is wider than the
-/// supremum allows. Where a patch falls in part only, it is somewhere between the two. Maps that are so much
-/// longer than wide that thousands of images are near get the cones of `cone`.
+/// For the four patches around the centre, which hold the apexes, the last bound is refined: see
+/// the module `own`. So no relaxed cone is narrower than the cone of `cone` from the same apexes,
+/// and none is wider than the supremum allows. Where a patch falls in part only, the relaxed cone
+/// is somewhere between the two. Maps so much longer than wide that thousands of images are near
+/// get the cones of `cone`.
 ///
 /// # Errors
 ///
-/// When it was cancelled.
+/// When it is cancelled.
 pub fn relaxed_cone_ratios(
     map: &HeightMap,
     metric: &Metric,
@@ -145,7 +151,8 @@ pub fn relaxed_cone_ratios(
     let search = Search::new(map, texel_m, region);
     match Relaxed::new(map, texel_m) {
         Some(relaxed) => search.ratios(&relaxed, watch),
-        // A cone that holds no surface is left after no entry at all, and for it the nearest images suffice.
+        // A ray leaves a cone that holds no surface after no entry at all. For such a cone, the
+        // nearest images suffice.
         None => search.ratios(&Empty, watch),
     }
 }

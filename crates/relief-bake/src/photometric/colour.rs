@@ -1,14 +1,14 @@
-//! Albedo in colour, once the normals are known.
+//! Albedo in colour, from known normals.
 
 use super::normals::{Exposure, Photo, Photometry, dot};
 use crate::fill;
 
-/// Collects the albedo of red, green and blue from photographs that come one after the other, so that one of
-/// them in colour is held at a time.
+/// Collects the albedo of red, green and blue from photographs that come one after the other. Only
+/// one coloured photograph is held at a time.
 ///
-/// With the unit normal `n` known, the albedo with the least sum of squares is `Σ I s / Σ s²` over the
-/// samples used, where `s = intensity (l · n)`. For the brightness that the normals were found from it is
-/// [`Photometry::albedo`].
+/// With the unit normal `n` known, the albedo with the least sum of squares is `Σ I s / Σ s²` over
+/// the samples used. Here `s = intensity (l · n)`. For the brightness from which the normals were
+/// found, this is [`Photometry::albedo`].
 pub struct ColourAlbedo<'a> {
     photometry: &'a Photometry,
     exposure: Exposure,
@@ -17,14 +17,15 @@ pub struct ColourAlbedo<'a> {
 }
 
 impl<'a> ColourAlbedo<'a> {
-    /// Of a surface with these normals, from samples with that exposure.
+    /// Starts without any photograph, for a surface with these normals. `exposure` says which
+    /// samples are used.
     pub fn new(photometry: &'a Photometry, exposure: Exposure) -> Self {
         let texels = photometry.albedo.len();
         Self { photometry, exposure, sums: [0; 3].map(|_| vec![0.0; texels]), weights: vec![0.0; texels] }
     }
 
-    /// Adds a photograph: its brightness, which decides what samples are used, and its colours. Pixels beyond
-    /// the surface's size are not looked at.
+    /// Adds a photograph: its brightness, which decides which samples are used, and its colours.
+    /// Pixels beyond the surface's size are ignored.
     pub fn add(&mut self, photo: &Photo, colours: &[[f32; 4]]) {
         let length = dot(photo.to_light, photo.to_light).sqrt();
         let light = photo.to_light.map(|x| x / length * photo.intensity);
@@ -42,7 +43,8 @@ impl<'a> ColourAlbedo<'a> {
         }
     }
 
-    /// Red, green and blue of a surface of that size; where no sample was used they are filled in smoothly.
+    /// Returns red, green and blue of a surface of `size`. Texels without any used sample are
+    /// filled in smoothly.
     pub fn finish(self, size: [u32; 2]) -> [Vec<f32>; 3] {
         let known: Vec<bool> = self.weights.iter().map(|&weight| weight > 0.0).collect();
         self.sums.map(|mut plane| {

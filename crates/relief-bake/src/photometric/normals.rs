@@ -6,9 +6,9 @@ use relief_core::{Cancelled, HeightMap, HeightMapError, Watch};
 use crate::fill;
 use crate::kind::normal::{Axes, Planes};
 
-/// The least determinant of the lights' second moments, in parts of what three lights at right angles have.
-/// With it, noise is amplified fifty times at most. Smaller, it would be more; larger, pixels that few lights
-/// reach would be given up.
+/// Least determinant of the lights' second moments, as a part of its value for three lights at
+/// right angles. With it, noise is amplified fifty times at most. A smaller limit would amplify
+/// more; a larger one would give up pixels that few lights reach.
 const SPREAD: f64 = 1e-3;
 
 /// Rows that a thread solves together.
@@ -25,7 +25,7 @@ pub struct Photo<'a> {
     pub intensity: f64,
 }
 
-/// Which samples are used.
+/// Thresholds of the samples that are used.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exposure {
     /// Samples at or below it are in shadow.
@@ -34,38 +34,38 @@ pub struct Exposure {
     pub overexposed: f32,
 }
 
-/// What photographs say of a surface.
+/// Normals and albedo found in photographs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Photometry {
     /// Unit normals in tangent space ([`Axes::Tangent`]: green up), in planes of `x`, `y` and `z`.
     pub normals: Planes,
-    /// Share of the light that is reflected; 1 is white.
+    /// Share of the light that is reflected, from 0; 1 is white.
     pub albedo: Vec<f32>,
     /// Whether the pixel was seen under enough lights; the others are filled in.
     pub known: Vec<bool>,
-    /// Root mean square, over all samples used, of what brightness differs from the fit.
+    /// Root mean square of the differences between brightness and fit, over all samples used.
     pub misfit: f64,
 }
 
-/// Why photographs give no normals.
+/// Reason why photographs give no normals.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PhotometricError {
-    /// The size is not that of a height map.
+    /// The size is invalid for a height map.
     #[error(transparent)]
     Size(#[from] HeightMapError),
-    /// Three are needed.
+    /// Fewer than three photographs.
     #[error("three or more photographs are needed, {0} were given")]
     TooFew(usize),
     /// A photograph has another size.
     #[error("photograph {photo} has {given} pixels, {width}x{height} are needed")]
     WrongLength {
-        /// Which one, from 0.
+        /// Number of the photograph, from 0.
         photo: usize,
         /// Width in pixels.
         width: u32,
         /// Height in pixels.
         height: u32,
-        /// How many pixels it has.
+        /// Pixels given.
         given: usize,
     },
     /// A pixel is NaN, infinite or negative.
@@ -73,13 +73,13 @@ pub enum PhotometricError {
         "photograph {photo}, pixel ({column}, {row}) is {value}: brightness must be finite and not negative"
     )]
     BadPixel {
-        /// Which photograph, from 0.
+        /// Number of the photograph, from 0.
         photo: usize,
         /// Column of the first such pixel.
         column: u32,
         /// Row of the first such pixel.
         row: u32,
-        /// Its value.
+        /// Value of that pixel.
         value: f32,
     },
     /// A light has no direction, or its intensity is not positive.
@@ -93,12 +93,12 @@ pub enum PhotometricError {
         "no pixel is lit in three photographs whose lights are well spread: check the exposure's thresholds"
     )]
     NothingKnown,
-    /// It was cancelled.
+    /// The work was cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
 }
 
-/// What a pixel's samples say.
+/// Least-squares fit of a pixel's samples.
 struct Fit {
     /// Normal times albedo.
     g: [f64; 3],
@@ -106,11 +106,12 @@ struct Fit {
     misfit: [f64; 2],
 }
 
-/// Normals and albedo from at least three photographs.
+/// Finds normals and albedo from at least three photographs.
 ///
 /// # Errors
 ///
-/// When there are too few photographs or known pixels, sizes, pixels or lights are wrong, or it is cancelled.
+/// Fails when there are too few photographs or known pixels, when sizes, pixels or lights are
+/// wrong, or when it is cancelled.
 pub fn normals_from_photos(
     size: [u32; 2],
     photos: &[Photo],
@@ -172,16 +173,17 @@ pub fn normals_from_photos(
     Ok(Photometry { normals: [x, y, z], albedo, known, misfit: (sum / count).sqrt() })
 }
 
-/// Whether lights, given as direction and intensity, tell normals apart; it takes no photographs.
+/// Checks that lights, given as direction and intensity, determine normals. Needs no photographs.
 ///
 /// # Errors
 ///
-/// When there are fewer than three, one has no direction or positive intensity, or all are near one plane.
+/// Fails for fewer than three lights, for a light without direction or positive intensity, and for
+/// lights all near one plane.
 pub fn check_lights(lights: &[([f64; 3], f64)]) -> Result<(), PhotometricError> {
     scaled(lights).map(|_| ())
 }
 
-/// The unit vectors to the lights times their intensities.
+/// Returns the unit vectors to the lights times their intensities.
 fn scaled(lights: &[([f64; 3], f64)]) -> Result<Vec<[f64; 3]>, PhotometricError> {
     if lights.len() < 3 {
         return Err(PhotometricError::TooFew(lights.len()));
@@ -198,7 +200,7 @@ fn scaled(lights: &[([f64; 3], f64)]) -> Result<Vec<[f64; 3]>, PhotometricError>
     if fit(&samples).is_none() { Err(PhotometricError::LightsInAPlane) } else { Ok(scaled) }
 }
 
-/// The lights of photographs that fit together.
+/// Checks that photographs fit together, and returns their lights.
 fn check(size: [u32; 2], photos: &[Photo]) -> Result<Vec<[f64; 3]>, PhotometricError> {
     let [width, height] = size;
     HeightMap::check_size(width, height)?;
@@ -217,8 +219,8 @@ fn check(size: [u32; 2], photos: &[Photo]) -> Result<Vec<[f64; 3]>, PhotometricE
     Ok(lights)
 }
 
-/// The fit without samples whose lights it is turned away from; `None` when too few remain or it is no
-/// relief's.
+/// Fits without samples whose lights the normal is turned away from. `None` when too few remain, or
+/// when no relief has such a normal.
 fn fit_lit(samples: &mut Vec<([f64; 3], f64)>) -> Option<Fit> {
     loop {
         let fit = fit(samples)?;
@@ -238,8 +240,8 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// The `g` with the least sum of `(l · g - I)²` over samples `(l, I)`; `None` when lights are too near one
-/// plane.
+/// Returns the `g` with the least sum of `(l · g - I)²` over samples `(l, I)`; `None` when the
+/// lights are too near one plane.
 fn fit(samples: &[([f64; 3], f64)]) -> Option<Fit> {
     if samples.len() < 3 {
         return None;
@@ -259,7 +261,7 @@ fn fit(samples: &[([f64; 3], f64)]) -> Option<Fit> {
     if determinant.is_nan() || determinant < SPREAD * mean.powi(3) {
         return None;
     }
-    // The matrix is symmetric, so that its adjugate's rows are these.
+    // The matrix is symmetric, so its adjugate has these rows.
     let g = minors.map(|minor| dot(minor, right) / determinant);
     let misfit = samples.iter().map(|&(light, value)| (dot(light, g) - value).powi(2)).sum();
     Some(Fit { g, misfit: [misfit, samples.len() as f64] })

@@ -7,20 +7,22 @@ use relief_core::{HeightMap, Wrap};
 use crate::azimuths::Direction;
 use crate::transpose::transpose;
 
-/// A map, from which lines are taken.
+/// Map from which lines are taken.
 pub(crate) struct Rows<'a> {
     map: &'a HeightMap,
-    /// Its transpose, where steep lines are to run along the rows of that.
+    /// Transpose of the map, whose rows steep lines follow.
     transposed: Option<Vec<f32>>,
 }
 
 impl<'a> Rows<'a> {
-    /// Without a transpose: steep lines run across the rows of the map, and are best read several at a time.
+    /// Creates it without a transpose. Steep lines run across the rows of the map, and are best
+    /// read several at a time.
     pub fn new(map: &'a HeightMap) -> Self {
         Self { map, transposed: None }
     }
 
-    /// With a transpose, for lines that are read at random. Takes as much memory as the map.
+    /// Creates it with a transpose, for lines that are read at random. Takes as much memory as the
+    /// map.
     pub fn with_transpose(map: &'a HeightMap) -> Self {
         let (width, height) = (map.width() as usize, map.height() as usize);
         let mut transposed = vec![0.0; width * height];
@@ -28,19 +30,19 @@ impl<'a> Rows<'a> {
         Self { map, transposed: Some(transposed) }
     }
 
-    /// How many steps of a direction reach so many tiles; at least [`MIN_REACH`].
+    /// Returns the steps of a direction that cover `tiles` tiles; at least [`MIN_REACH`].
     pub fn reach(&self, direction: &Direction, tiles: u32) -> usize {
         let length = if direction.is_steep() { self.map.height() } else { self.map.width() };
         (length as usize * tiles as usize).max(MIN_REACH)
     }
 
-    /// The lines along a direction, which go on for `reach` steps beyond the map.
+    /// Returns the lines along a direction. They continue for `reach` steps beyond the map.
     pub fn lines(&self, direction: &Direction, reach: usize) -> Lines<'_> {
         let (width, height) = (self.map.width() as usize, self.map.height() as usize);
         let [x, y] = direction.step;
         let steep = direction.is_steep();
         let (length, count) = if steep { (height, width) } else { (width, height) };
-        // From one texel to the next, along lines and across them.
+        // Distances in memory between texels, along lines and across them.
         let (texels, along, across) = match (&self.transposed, steep) {
             (Some(transposed), true) => (transposed.as_slice(), 1, height),
             (None, true) => (self.map.texels(), width, 1),
@@ -102,63 +104,64 @@ impl<'a> Rows<'a> {
 /// Rows around a line that are read: a ray strays half a row from its line and moves at most a row a step.
 const MARGIN: i64 = 3;
 
-/// The least reach in texels: small tiles are there to be repeated many times.
+/// Least reach in texels: small tiles are repeated many times.
 pub(crate) const MIN_REACH: usize = 64;
 
-/// The lines of one direction. Positions `p` count texels along the major axis in the direction of the lines;
-/// line `b` is at row `b + slope p`, rows counting texels along the other axis.
+/// Lines of one direction. Positions `p` count texels along the major axis in the direction of the
+/// lines. Line `b` is at row `b + slope p`, where rows count texels along the other axis.
 ///
 /// The texel at position `p` and row `y` belongs to the line `y - shift(p)`, `shift(p) = floor(slope p + ½)`,
 /// which passes it at most half a row away.
 pub(crate) struct Lines<'a> {
     texels: &'a [f32],
-    /// From one texel to the next along the lines, and across them.
+    /// Distances in memory between texels, along the lines and across them.
     along: usize,
     across: usize,
     /// Texels along the lines.
     pub length: usize,
     /// Texels across them.
     pub count: usize,
-    /// How many texels beyond the map lines go on.
+    /// Texels by which lines continue beyond the map.
     pub reach: usize,
     wrap: Wrap,
-    /// Whether the lines run along `v`: positions are rows of the map then.
+    /// Whether the lines run along `v`; positions are then rows of the map.
     pub steep: bool,
     /// Whether position 0 is the last column.
     pub reversed: bool,
     /// Rows a position.
     pub slope: f64,
     lowest: i64,
-    /// Where the texel of a position is in the first row; `starts` where rows begin.
+    /// Index of a position's texel in the first row; `starts` has the index of each row's begin.
     columns: Vec<usize>,
-    /// `shift(p)`; the same modulo `period`; the same modulo `count`.
+    /// `shift(p)` by itself, modulo `period`, and modulo `count`.
     shifts: Vec<i64>,
     turns: Vec<i64>,
     slots: Vec<i64>,
-    /// After so many rows a line runs over the same texels again.
+    /// Rows after which a line runs over the same texels again.
     period: i64,
-    /// Whole rows and the rest by which a line is displaced at a position.
+    /// Displacement of a line at a position, in whole rows and the rest.
     places: Vec<(i64, f32)>,
     starts: Vec<usize>,
 }
 
-/// A part of a line whose texels lie in the map.
+/// Part of a line whose texels lie in the map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Stretch {
     /// The line.
     pub line: i64,
-    /// Its first position with such a texel and the one after its last.
+    /// First position with such a texel, and the one after the last.
     pub from: usize,
     pub to: usize,
 }
 
 impl Lines<'_> {
-    /// The stretches that make up slot `slot` of a sheared map. The texel at `(p, y)` belongs to the slot
-    /// `(y - shift(p)) mod count`, so that every slot has exactly one texel at every position.
+    /// Returns the stretches that make up slot `slot` of a sheared map. The texel at `(p, y)`
+    /// belongs to the slot `(y - shift(p)) mod count`, so that every slot has exactly one texel at
+    /// every position.
     ///
-    /// Under repeat a slot is one line. Under mirror the texels of a slot are those of two lines, which fold
-    /// back into the map in turn; a line with all its copies is again a single one. A clamped line that
-    /// leaves the map never comes back, and the slot goes on with the next.
+    /// Under repeat, a slot is one line. Under mirror, the texels of a slot belong to two lines,
+    /// which fold back into the map in turn; a line with all its copies is again a single one. A
+    /// clamped line that leaves the map never returns, and the slot continues with the next line.
     pub fn stretches(&self, slot: usize) -> Vec<Stretch> {
         let (count, line) = (self.count as i64, slot as i64);
         let whole = |line| Stretch { line, from: 0, to: self.length };
@@ -180,32 +183,32 @@ impl Lines<'_> {
         }
     }
 
-    /// By how many rows lines are displaced at a position of the map, to the nearest.
+    /// Returns the rows by which lines are displaced at a position of the map, to the nearest.
     pub fn shift(&self, p: usize) -> i64 {
         self.shifts[p]
     }
 
-    /// The slot of the texel at a position and row.
+    /// Returns the slot of the texel at a position and row.
     pub fn slot(&self, p: usize, row: usize) -> usize {
         let slot = row as i64 - self.slots[p];
         (if slot < 0 { slot + self.count as i64 } else { slot }) as usize
     }
 
-    /// The row of the texel at a position of a stretch, if it is in the map.
+    /// Returns the row of the texel at a position of a stretch, if it is in the map.
     pub fn row(&self, stretch: &Stretch, p: usize) -> Option<usize> {
         let row = stretch.line + self.turns[p];
         let row = if row >= self.period { row - self.period } else { row };
         (row < self.count as i64).then_some(row as usize)
     }
 
-    /// The texel at a position and row of the map.
+    /// Returns the texel at a position and row of the map.
     pub fn texel(&self, p: usize, row: usize) -> f32 {
         self.texels[row * self.across + self.columns[p]]
     }
 
-    /// The cell between the positions `p` and `p + 1`, both below `length + reach`, and the rows `row` and
-    /// `row + 1`, at most [`MARGIN`] off a line there: the texels at `(p, row)`, `(p + 1, row)`,
-    /// `(p, row + 1)` and `(p + 1, row + 1)`.
+    /// Returns the cell between the positions `p` and `p + 1`, both below `length + reach`, and the
+    /// rows `row` and `row + 1`, at most [`MARGIN`] off a line there. Its texels are at `(p, row)`,
+    /// `(p + 1, row)`, `(p, row + 1)` and `(p + 1, row + 1)`.
     #[inline]
     pub fn cell(&self, p: usize, row: i64) -> [f32; 4] {
         let at = (row - self.lowest) as usize;
@@ -219,8 +222,8 @@ impl Lines<'_> {
         ]
     }
 
-    /// The highest point of the surface at position `p`, at most `aside` rows off a line; `p` is below
-    /// `length + reach`, `aside` below 2.
+    /// Returns the highest point of the surface at position `p`, at most `aside` rows off a line.
+    /// `p` is below `length + reach`, `aside` below 2.
     #[inline]
     pub fn highest(&self, line: i64, p: usize, aside: f64) -> f32 {
         let (floor, share) = self.places[p];
@@ -239,8 +242,9 @@ impl Lines<'_> {
         highest
     }
 
-    /// The heights of the surface at the positions `from..to`, below `length + reach`, on so many
-    /// neighbouring lines from `line` on, each line's in `stride` values.
+    /// Samples the surface at the positions `from..to`, below `length + reach`. It follows
+    /// neighbouring lines from `line` on, until `heights` is full. Each line's heights take
+    /// `stride` values.
     pub fn samples(&self, line: i64, from: usize, to: usize, stride: usize, heights: &mut [f32]) {
         let sample = |line: i64, p: usize| {
             let (floor, share) = self.places[p];
@@ -252,13 +256,13 @@ impl Lines<'_> {
         self.each(from..to, heights, stride, |lane, p| sample(line + lane as i64, p));
     }
 
-    /// The heights from which the texels of neighbouring slots from `slot` on look along their lines,
-    /// position by position, each slot's in `stride` values.
+    /// Computes the heights from which texels look along their lines, position by position. It
+    /// takes neighbouring slots from `slot` on; each slot's heights take `stride` values.
     ///
-    /// Each is the texel's own height, corrected for the line that passes beside it: by the line's distance
-    /// in rows times the slope across. The slope is the lesser of the differences to the rows on both sides,
-    /// or 0 where one rises and the other falls. On the edge of a clamped map it is the difference to the row
-    /// inside, if the lines go there.
+    /// Each is the texel's own height, corrected for the line that passes beside it. The correction
+    /// is the line's distance in rows times the slope across. The slope is the lesser of the
+    /// differences to the rows on both sides, or 0 where one rises and the other falls. On the edge
+    /// of a clamped map it is the difference to the row inside, if the lines go there.
     pub fn origins(&self, slot: usize, stride: usize, heights: &mut [f32]) {
         let last = self.count - 1;
         let goes_inside = |row: usize| match self.wrap {
@@ -310,7 +314,7 @@ impl Lines<'_> {
         }
     }
 
-    /// The columns of a row of the map whose texels lie in some slots, in runs.
+    /// Finds the columns of a row of the map whose texels lie in some slots, as runs.
     pub fn runs(&self, row: usize, slots: &Range<usize>, runs: &mut Vec<Range<usize>>) {
         runs.clear();
         if self.steep {
@@ -323,7 +327,7 @@ impl Lines<'_> {
             }
             return;
         }
-        // The slot of the texel at `p` is `row - shift(p)` modulo `count`, and shifts rise or fall steadily.
+        // The slot of the texel at `p` is `row - shift(p)` modulo `count`, and shifts are monotone.
         let count = self.count as i64;
         let (first, last) = (self.shifts[0], self.shifts[self.length - 1]);
         let (least, most) = (row as i64 + 1 - slots.end as i64, row as i64 - slots.start as i64);

@@ -8,15 +8,15 @@ use super::lines::Lines;
 /// all fall into the same cache lines.
 pub(crate) const SKEW: usize = 16;
 
-/// Some neighbouring slots of a sheared map, `stride` values each.
+/// Neighbouring slots of a sheared map, `stride` values each.
 pub(crate) struct Slab<'a> {
     pub slots: Range<usize>,
     pub stride: usize,
     pub values: &'a mut [f32],
 }
 
-/// Some neighbouring slots of a sheared map, for reading: the value of position `p` in slot `slots.start + k`
-/// is at `k * stride + offset + p`.
+/// Neighbouring slots of a sheared map, for reading. The value of position `p` in slot
+/// `slots.start + k` is at `k * stride + offset + p`.
 #[derive(Clone)]
 pub(crate) struct Plane<'a> {
     pub texels: &'a [f32],
@@ -25,7 +25,7 @@ pub(crate) struct Plane<'a> {
     pub slots: Range<usize>,
 }
 
-/// A part of a row of the map.
+/// Part of a row of the map.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Run {
     /// The row, from the band's first.
@@ -34,9 +34,9 @@ pub(crate) struct Run {
     pub columns: Range<usize>,
 }
 
-/// A band of rows of the map, as far as its texels lie in a plane's slots.
+/// Band of rows of the map, as far as its texels lie in a plane's slots.
 pub(crate) struct Band {
-    /// The parts, row by row.
+    /// Parts of the rows, row by row.
     pub runs: Vec<Run>,
     /// Columns that hold them all.
     pub columns: Range<usize>,
@@ -45,7 +45,8 @@ pub(crate) struct Band {
 }
 
 impl Band {
-    /// The parts of the rows `rows` without their values; `None` where no texel of them lies in those slots.
+    /// Finds the parts of the rows `rows`, without their values; `None` where no texel of them lies
+    /// in those slots.
     pub fn new(lines: &Lines, rows: Range<usize>, slots: &Range<usize>) -> Option<Self> {
         let (mut runs, mut found) = (Vec::new(), Vec::new());
         for row in 0..rows.len() {
@@ -58,18 +59,18 @@ impl Band {
         Some(Self { runs, columns, top: rows.start, values })
     }
 
-    /// Where the texel of a row, from the band's first, and a column is.
+    /// Returns the index of a texel, given its row from the band's first and its column.
     fn place(&self, row: usize, column: usize) -> usize {
         row * (self.columns.len() + SKEW) + column - self.columns.start
     }
 
-    /// The values of a part.
+    /// Returns the values of a part.
     pub fn row(&self, run: &Run) -> &[f32] {
         let start = self.place(run.row, run.columns.start);
         &self.values[start..start + run.columns.len()]
     }
 
-    /// Takes the values out of the sheared plane.
+    /// Copies the values out of the sheared plane.
     pub fn unshear(&mut self, lines: &Lines, plane: &Plane) {
         let position = |along: usize| if lines.reversed { lines.length - 1 - along } else { along };
         if !lines.steep {

@@ -1,4 +1,4 @@
-//! Nodes that a plane above them tells to be no steeper than what was found.
+//! Nodes that a plane above them proves to be no steeper than the best slope.
 
 use pulp::Simd;
 
@@ -7,16 +7,18 @@ use super::super::lanes::{COLUMNS, LANE_BITS, LANES};
 use super::{Bilinear, CAUTION, Group, Image, Node, Walk};
 
 impl Walk<'_> {
-    /// The lanes, a bit each, for which a node may matter by the plane above it; all where there is none.
+    /// Returns the lanes, a bit each, for which a node may matter by the plane above it; all where
+    /// there is none.
     ///
-    /// Let the plane be `A ≥ 0` above an apex and have the slope `b`. Then what is below the plane and at
-    /// least `d` away is at most as steep as `b + A / d`, and as `b` where `A` is negative. Over a piece of
-    /// the rim on which the surface is linear, `A` is greatest at an end; from inside of the square it is
-    /// greatest at the centre or on the rim. That takes the plane to be as steep in all directions; what lies
-    /// aside of its inclination is passed over by [`Self::may_be_steeper`].
+    /// Let the plane be `A ≥ 0` above an apex and have the slope `b`. Then a point below the plane
+    /// and at least `d` away is at most as steep as `b + A / d`. Where `A` is negative, it is at
+    /// most as steep as `b`. Over a piece of the rim on which the surface is linear, `A` is
+    /// greatest at an end. From inside of the square it is greatest at the centre or on the rim.
+    /// This bound takes the plane to be equally steep in all directions. Points aside of its
+    /// inclination are skipped by [`Self::may_be_steeper`].
     #[inline(always)]
     pub(super) fn above_plane<S: Simd>(&self, simd: S, group: &Group, image: &Image, node: &Node) -> u64 {
-        let Node { level, at, ref sight, lanes: among } = *node;
+        let Node { level, at, ref extent, lanes: among } = *node;
         let Some(plane) = self.planes.plane(level, at) else { return among };
         // In columns and rows from the group's first texel.
         let mut along = plane.along.map(f64::from);
@@ -31,10 +33,10 @@ impl Walk<'_> {
         let half = f64::from(self.half);
         let (zero, above, along_u) =
             (simd.splat_f64s(0.0), simd.splat_f64s(above), simd.splat_f64s(along[0]));
-        let (from, to) = (f64::from(sight.columns[0]), f64::from(sight.columns[1]));
+        let (from, to) = (f64::from(extent.columns[0]), f64::from(extent.columns[1]));
         let (from, to) = (simd.splat_f64s(from - half - 1.0), simd.splat_f64s(to + half + 1.0));
         let side = simd.splat_f64s(self.texel_m[0]);
-        let rows2 = f64::from(sight.rows.near2[1]) * self.side_m * self.side_m * CAUTION;
+        let rows2 = f64::from(extent.rows.near2[1]) * self.side_m * self.side_m * CAUTION;
         let rows2 = simd.splat_f64s(rows2);
         let mut lanes = [0u64; LANES];
         for (part, lanes) in S::as_mut_simd_u64s(&mut lanes).0.iter_mut().enumerate() {
@@ -60,16 +62,16 @@ impl Walk<'_> {
         if may == 0 {
             return 0;
         }
-        let [left, right] = [sight.columns[0] - 1.0, sight.columns[1] + 1.0].map(f64::from);
+        let [left, right] = [extent.columns[0] - 1.0, extent.columns[1] + 1.0].map(f64::from);
         let [top, bottom] = self.span(image, 1, at[1], level).map(f64::from);
         let (top, bottom) = (top - 1.0, bottom + 1.0);
         let corner = |u: f64, v: f64| height + along[0] * u + along[1] * v;
-        let seen = Bilinear {
+        let bounds = Bilinear {
             from: [left, top],
             to: [right, bottom],
             heights: [corner(left, top), corner(right, top), corner(left, bottom), corner(right, bottom)],
         };
-        may & self.may_be_steeper(simd, group, &seen)
+        may & self.may_be_steeper(simd, group, &bounds)
     }
 }
 
@@ -79,29 +81,29 @@ mod tests {
     use relief_core::{HeightMap, Wrap};
 
     use super::super::super::apexes::{Apexes, Region};
-    use super::super::Look;
+    use super::super::VertexVisitor;
     use super::*;
 
-    /// Counts the vertices that are looked at.
+    /// Counts the visited vertices.
     struct Count(usize);
 
-    impl Look for Count {
+    impl VertexVisitor for Count {
         const HIGHEST_CORNERS: bool = false;
 
         fn may_matter(&self, _: u32, _: [u32; 2], _: [f32; 2], _: [f32; 2]) -> bool {
             true
         }
 
-        fn look<S: Simd>(&mut self, _: S, _: &mut Group, excess: &[f32; LANES], _: [i64; 2], _: f64) {
+        fn visit<S: Simd>(&mut self, _: S, _: &mut Group, excess: &[f32; LANES], _: [i64; 2], _: f64) {
             self.0 += excess.iter().filter(|excess| **excess > 0.0).count();
         }
     }
 
-    /// What is found in a column, in heights a texel.
+    /// Slope found in a column, in heights a texel.
     type Slope = fn(i64) -> f64;
 
-    /// How often texels inside of a map look at a vertex when those slopes, in heights a texel, are found in
-    /// their columns.
+    /// Counts the vertices that texels inside of a map visit, when `slope` gives the slopes found
+    /// in their columns, in heights a texel.
     fn looks(map: &HeightMap, slope: Slope) -> usize {
         let walk = Walk::new(map, [1.0; 2], Region::Centre);
         let mut group = Group::new();

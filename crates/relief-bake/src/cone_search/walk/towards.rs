@@ -1,4 +1,4 @@
-//! Cells and nodes that, towards them, are nowhere steeper than what was found.
+//! Cells and nodes that, in their direction, are nowhere steeper than the best slope.
 
 use pulp::Simd;
 
@@ -6,30 +6,31 @@ use super::super::apexes::{APEXES, RIM};
 use super::super::lanes::{COLUMNS, LANE_BITS, LANES};
 use super::{Group, Walk};
 
-/// What rounding may add, in parts of heights and of what a cone rises to them.
+/// Rounding, as a part of heights and of a cone's rise to them.
 const ROUNDING: f64 = 1e-14;
 
-/// A box, and what is nowhere below the surface in it.
-pub(crate) trait Above {
-    /// The sides of the box, in columns and rows from the group's first texel.
+/// Box with an upper bound of the surface in it.
+pub(crate) trait UpperBound {
+    /// Returns the sides of the box, in columns and rows from the group's first texel.
     fn sides(&self) -> [[f64; 2]; 2];
 
-    /// The highest of it, less what a plane rises to there that passes through a lane's texel at 0. The plane
-    /// is inclined by `along` heights a texel; the texels are `by` columns from the group's first.
+    /// Returns the greatest height of the bound above a plane through a lane's texel at height 0.
+    /// The plane is inclined by `along` heights a texel; the texels are `by` columns from the
+    /// group's first.
     fn highest<S: Simd>(&self, simd: S, along: [S::f64s; 2], by: S::f64s) -> S::f64s;
 }
 
-/// A box over which nothing is higher than what is bilinear between its corners.
+/// Box over which the surface is nowhere above the bilinear patch between four corners.
 #[derive(Clone, Copy)]
 pub(crate) struct Bilinear {
-    /// Its sides, in columns and rows from the group's first texel.
+    /// Sides, in columns and rows from the group's first texel.
     pub from: [f64; 2],
     pub to: [f64; 2],
-    /// The heights `h00 h10 h01 h11` of its corners.
+    /// Heights `h00 h10 h01 h11` of its corners.
     pub heights: [f64; 4],
 }
 
-impl Above for Bilinear {
+impl UpperBound for Bilinear {
     fn sides(&self) -> [[f64; 2]; 2] {
         [[self.from[0], self.to[0]], [self.from[1], self.to[1]]]
     }
@@ -48,25 +49,26 @@ impl Above for Bilinear {
     }
 }
 
-/// A vertex of the upper hull of a profile: of the highest of a node's columns, or rows.
+/// Vertex of the upper hull of a profile, which holds the highest texel of each of a node's
+/// columns, or rows.
 #[derive(Clone, Copy)]
 pub(crate) struct ProfileVertex {
-    /// How many columns, or rows, behind the node's first one.
+    /// Columns, or rows, behind the node's first one.
     pub place: i32,
     pub height: f32,
 }
 
-/// A box over which nothing is higher than the upper hull of a profile along an axis.
+/// Box over which the surface is nowhere above the upper hull of a profile along an axis.
 pub(super) struct Profile<'a> {
     pub sides: [[f64; 2]; 2],
     pub axis: usize,
     pub hull: &'a [ProfileVertex],
-    /// Where the node's first column, or row, is, and which way the next one lies.
+    /// Place of the node's first column, or row, and the direction of the next one.
     pub first: f64,
     pub step: f64,
 }
 
-impl Above for Profile<'_> {
+impl UpperBound for Profile<'_> {
     fn sides(&self) -> [[f64; 2]; 2] {
         self.sides
     }
@@ -92,19 +94,19 @@ impl Above for Profile<'_> {
 }
 
 impl Walk<'_> {
-    /// The lanes, a bit each, for which a point of the box may be steeper than what was found, from any of
-    /// their apexes.
+    /// Returns the lanes, a bit each, for which a point of the box may be steeper than the best
+    /// slope, from any of their apexes.
     ///
-    /// Let `n` be a direction, and `S` the slope found. No point `q` is steeper from `p` if `f(q) - f(p) ≤ S
-    /// n·(q - p)`, as that is at most `S |q - p|`. Either side, `f(q) - S n·q` and `f(p) - S n·p`, is
-    /// bilinear: the one over the box, the other over each quarter of the texel's square. So corners tell.
-    /// The direction is that to the box's middle; then of a box far away, or on ground inclined towards it,
-    /// little is lost.
+    /// Let `n` be a direction, and `S` the slope found. No point `q` is steeper from `p` if
+    /// `f(q) - f(p) ≤ S n·(q - p)`, as the right side is at most `S |q - p|`. Either side,
+    /// `f(q) - S n·q` and `f(p) - S n·p`, is bilinear: the one over the box, the other over each
+    /// quarter of the texel's square. So corners suffice. The direction is towards the box's
+    /// middle. Little is then lost for a box far away, or on ground inclined towards it.
     #[inline(always)]
-    pub fn may_be_steeper<S: Simd, A: Above>(&self, simd: S, group: &Group, seen: &A) -> u64 {
+    pub fn may_be_steeper<S: Simd, A: UpperBound>(&self, simd: S, group: &Group, bounds: &A) -> u64 {
         let splat = |x: f64| simd.splat_f64s(x);
         let [side_u, side_v] = self.texel_m;
-        let [columns, rows] = seen.sides();
+        let [columns, rows] = bounds.sides();
         let centre_v = 0.5 * (rows[0] + rows[1]) * side_v;
         let centre_u = 0.5 * (columns[0] + columns[1]);
         let size_m = 0.5 * ((columns[1] - columns[0]) * side_u + (rows[1] - rows[0]) * side_v);
@@ -120,8 +122,8 @@ impl Walk<'_> {
             // Heights a texel along both axes.
             let along_u = simd.mul_f64s(simd.mul_f64s(slope, x), splat(side_u));
             let along_v = simd.mul_f64s(simd.mul_f64s(slope, y), splat(side_v));
-            let above = seen.highest(simd, [along_u, along_v], by);
-            // The lowest apex, so inclined.
+            let above = bounds.highest(simd, [along_u, along_v], by);
+            // The lowest apex, inclined in the same way.
             let mut low = S::as_simd_f64s(&group.centres).0[part];
             if half > 0.0 {
                 let (half_u, half_v) =
@@ -134,7 +136,7 @@ impl Walk<'_> {
             }
             let cone = simd.mul_f64s(best, simd.add_f64s(far, splat(size_m)));
             let rounding = simd.mul_f64s(simd.add_f64s(cone, splat(1.0)), splat(ROUNDING));
-            // Of a box around the lane's texel nothing is told: its direction is no number.
+            // A box around the lane's texel is never skipped: its direction is no number.
             let is_below = simd.less_than_or_equal_f64s(simd.add_f64s(above, rounding), low);
             *lanes = simd.select_u64s(is_below, simd.splat_u64s(0), S::as_simd_u64s(&LANE_BITS).0[part]);
         }

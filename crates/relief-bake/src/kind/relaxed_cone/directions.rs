@@ -1,36 +1,37 @@
-//! In which directions the surface falls, so that ground that only rises away from an apex is passed over.
+//! Directions in which the surface falls. Ground that only rises away from an apex is skipped by
+//! them.
 //!
-//! Directions are told apart by octants, in texels. The gradients of a patch lie in a box; their product with
-//! a direction of an octant is least at a corner of the box and on one of the two rays that bound the octant.
-//! So the patch falls in the octant if it does along one of these rays.
+//! Directions are grouped into octants, in texels. The gradients of a patch lie in a box. Their
+//! product with a direction of an octant is least at a corner of the box and on one of the two rays
+//! that bound the octant. So the patch falls in the octant if it does along one of these rays.
 //!
-//! On an inclined plane that is too coarse: half of an octant beside a contour rises, and nothing in it
-//! falls. So squares of vertices have boxes of gradients too, from a size on at which these take little
-//! memory.
+//! On an inclined plane octants are too coarse: half of an octant beside a contour rises, and
+//! nothing in it falls. So squares of vertices have boxes of gradients, too, from the level at
+//! which these take little memory.
 
 use rayon::prelude::*;
 use relief_core::HeightMap;
 
-use crate::cone_search::{Field, Seen};
+use crate::cone_search::{Field, RelativeCell};
 
-/// What may be lost to rounding, in parts of the gradient.
+/// Rounding, as a part of the gradient.
 const ROUNDING: f64 = 1e-12;
 
-/// The same in `f32`.
+/// Rounding in `f32`, as a part of the gradient.
 const ROUNDING_F32: f32 = 1e-6;
 
-/// The first level that has boxes of gradients.
+/// First level that has boxes of gradients.
 const FIRST: u32 = 3;
 
-/// For each vertex the octants, a bit each, in which a cell falls whose highest corner it is; and level by
-/// level the same for squares of vertices.
+/// For each vertex, the octants, a bit each, in which a cell falls whose highest corner it is.
+/// Coarser levels hold the same for squares of vertices.
 pub(super) struct Directions {
     levels: Vec<OctantLevel>,
     /// Boxes of gradients of the same cells, from level [`FIRST`] on.
     boxes: Vec<BoxLevel>,
 }
 
-/// The least and the greatest slopes along both axes, in heights a texel.
+/// Least and greatest slopes along both axes, in heights a texel.
 #[derive(Clone, Copy)]
 struct Gradients {
     least: [f32; 2],
@@ -48,7 +49,7 @@ struct OctantLevel {
 }
 
 impl Directions {
-    /// Those of a map.
+    /// Builds the directions of a map.
     pub fn new(map: &HeightMap) -> Self {
         let (field, width) = (Field::new(map), map.width() as usize);
         let mut octants = vec![0; map.texels().len()];
@@ -69,7 +70,8 @@ impl Directions {
         Self { levels, boxes }
     }
 
-    /// Whether something may fall around the vertices of a node, from `from` to `to` texels away.
+    /// Returns whether a cell may fall around the vertices of a node, from `from` to `to` texels
+    /// away.
     #[inline(always)]
     pub fn may_fall(&self, level: u32, [column, row]: [u32; 2], from: [f32; 2], to: [f32; 2]) -> bool {
         let octants = &self.levels[level as usize];
@@ -86,7 +88,7 @@ impl Directions {
 impl Gradients {
     const NONE: Self = Self { least: [f32::INFINITY; 2], most: [f32::NEG_INFINITY; 2] };
 
-    /// With those of a cell; rounded outward.
+    /// Adds the gradients of a cell, rounded outward.
     fn with([h00, h10, h01, h11]: [f64; 4], mut all: Self) -> Self {
         for (axis, slopes) in [[h10 - h00, h11 - h01], [h01 - h00, h11 - h10]].into_iter().enumerate() {
             for slope in slopes {
@@ -107,7 +109,8 @@ impl Gradients {
         }
     }
 
-    /// Whether the product with a place of a box may be negative. It is least at corners of both boxes.
+    /// Returns whether the product with a place of a box may be negative. It is least at corners of
+    /// both boxes.
     #[inline(always)]
     fn may_fall(&self, from: [f32; 2], to: [f32; 2]) -> bool {
         let least = |axis: usize| {
@@ -121,14 +124,14 @@ impl Gradients {
     }
 }
 
-/// The lesser one, in the form that compiles to one instruction.
+/// Returns the lesser number, in the form that compiles to one instruction.
 #[inline(always)]
 fn lesser(x: f32, y: f32) -> f32 {
     if x < y { x } else { y }
 }
 
 impl BoxLevel {
-    /// The level of a map.
+    /// Builds the level of a map.
     fn new(field: &Field, level: u32) -> Self {
         let size = [field.map.width(), field.map.height()];
         let [width, height] = size.map(|side| side.div_ceil(1 << level) as usize);
@@ -147,7 +150,7 @@ impl BoxLevel {
         Self { boxes, width }
     }
 
-    /// The level of half the size, rounded up.
+    /// Builds the level of half the size, rounded up.
     fn halved(&self) -> Self {
         let width = self.width.div_ceil(2);
         let rows = self.boxes.chunks(2 * self.width);
@@ -164,7 +167,7 @@ impl BoxLevel {
 }
 
 impl OctantLevel {
-    /// The level of half the size, rounded up; `None` above a single node.
+    /// Builds the level of half the size, rounded up; `None` above a single node.
     fn halved(&self) -> Option<Self> {
         if self.octants.len() == 1 {
             return None;
@@ -183,31 +186,32 @@ impl OctantLevel {
     }
 }
 
-/// The cells of which the middle one of 3 by 3 vertices is the highest corner.
+/// Returns the cells whose highest corner is the middle one of 3 by 3 vertices.
 fn highest_cells(around: &[[f64; 3]; 3]) -> impl Iterator<Item = [f64; 4]> {
     let highest = around[1][1];
-    let cells = Seen::around([0, 0], around).map(|seen| seen.heights);
+    let cells = RelativeCell::around([0, 0], around).map(|cell| cell.heights);
     cells.into_iter().filter(move |heights| heights.iter().all(|&height| height <= highest))
 }
 
-/// The octants in which a cell falls of which the middle one of 3 by 3 vertices is the highest corner.
+/// Returns the octants in which a cell falls whose highest corner is the middle one of 3 by 3
+/// vertices.
 fn of_vertex(around: &[[f64; 3]; 3]) -> u8 {
     highest_cells(around).map(of_cell).fold(0, |all, one| all | one)
 }
 
-/// The octants in which a cell falls at some point. Where it is level it does not.
+/// Returns the octants in which a cell falls at some point. Where it is level it does not fall.
 pub(super) fn of_cell([h00, h10, h01, h11]: [f64; 4]) -> u8 {
     let (above, below, left, right) = (h10 - h00, h11 - h01, h01 - h00, h11 - h10);
     let (x0, x1) = (above.min(below), above.max(below));
     let (y0, y1) = (left.min(right), left.max(right));
-    // Along the rays from that of the first axis on, towards the second one.
+    // Along the rays from the first axis on, towards the second one.
     let least = [[x0, 0.0], [x0, y0], [0.0, y0], [-x1, y0], [-x1, 0.0], [-x1, -y1], [0.0, -y1], [x0, -y1]];
     let falls = |[x, y]: [f64; 2]| x + y < ROUNDING * (x.abs() + y.abs());
     let rays = (0..8).fold(0u8, |rays, ray| rays | u8::from(falls(least[ray])) << ray);
     rays | rays.rotate_right(1)
 }
 
-/// The octants that hold something of a box.
+/// Returns the octants that hold something of a box.
 #[inline(always)]
 fn octants_of([x0, y0]: [f32; 2], [x1, y1]: [f32; 2]) -> u8 {
     let when = |is: bool, octants: u8| if is { octants } else { 0 };

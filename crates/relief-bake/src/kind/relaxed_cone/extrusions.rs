@@ -1,28 +1,29 @@
 //! Squares of vertices in which all rows are alike, or all columns.
 //!
-//! Ground that is inclined along an axis falls only back, seen from an apex. But a contour leads through the
-//! apex, and the cells on it fall in part: as far as the ground goes, all of them are equally high, and no
-//! bound on heights or directions tells that they matter less the farther away they are. Where rows or
-//! columns are alike the cells of one of them tell what all of them ask for at most.
+//! Ground that is inclined along an axis falls only backward, seen from an apex. But a contour
+//! leads through the apex, and the cells on it fall in part. All of them are equally high, as far
+//! as the ground extends. No bound on heights or directions shows that they matter less the farther
+//! away they are. Where rows or columns are alike, the cells of one of them bound all of them.
 
 use rayon::prelude::*;
 use relief_core::HeightMap;
 
 use super::fall::ROUNDING;
-use crate::cone_search::{Apexes, Field, LANE_BITS, LANES, Lanes, Region, Search, Seen, bits_of};
+use crate::cone_search::{Apexes, Field, LANE_BITS, LANES, Lanes, Region, RelativeCell, Search, bits_of};
 
-/// The levels of the pyramid whose nodes are looked at. Lower ones have few cells. The columns of higher ones
-/// take long to go through.
+/// Levels of the pyramid whose nodes are tested. Lower levels have few cells. The columns of higher
+/// levels take long to visit.
 const FIRST: u32 = 3;
 const LAST: u32 = 6;
 
 /// Places farther away are rounded.
 const FAR: f32 = (1u32 << 22) as f32;
 
-/// More than the bound of a cell is rounded by, relatively.
+/// Relative factor that exceeds the rounding of a cell's bound.
 const CAUTION: f64 = 1.0 + 1e-9;
 
-/// For nodes of a pyramid the axes, a bit each, along which no cell around their vertices changes its height.
+/// For each node of a pyramid, the axes, a bit each, along which no cell around its vertices
+/// changes its height.
 pub(super) struct Extrusions {
     levels: Vec<Level>,
 }
@@ -32,18 +33,18 @@ struct Level {
     width: usize,
 }
 
-/// A node as a group of texels sees it.
-pub(super) struct AlikeNode {
-    /// The axis along which heights change.
+/// Node relative to a group of texels.
+pub(super) struct ExtrudedNode {
+    /// Axis along which heights change.
     across: usize,
-    /// Its first and last vertex along both axes, from the group's first texel.
+    /// First and last vertex along both axes, from the group's first texel.
     spans: [[i64; 2]; 2],
 }
 
-/// What a group of texels has found.
-pub(super) struct Found<'a> {
+/// Apexes and best slopes of a group of texels.
+pub(super) struct GroupSlopes<'a> {
     pub apexes: &'a [Apexes; LANES],
-    /// The squared slopes.
+    /// Steepest squared slopes so far.
     pub best: &'a Lanes,
 }
 
@@ -58,7 +59,7 @@ impl Extrusions {
             for row in top..(top + (1 << FIRST)).min(size[1]) {
                 for column in 0..size[0] {
                     let around = field.around([i64::from(column), i64::from(row)]);
-                    let cells = Seen::around([0, 0], &around);
+                    let cells = RelativeCell::around([0, 0], &around);
                     nodes[(column >> FIRST) as usize] &=
                         cells.into_iter().fold(0b11, |all, cell| all & of_cell(cell.heights));
                 }
@@ -71,20 +72,20 @@ impl Extrusions {
         Self { levels }
     }
 
-    /// Of ground where nothing is alike.
+    /// Creates extrusions of ground where nothing is alike.
     #[cfg(test)]
     pub fn none() -> Self {
         Self { levels: Vec::new() }
     }
 
-    /// A node in which rows or columns are alike, given its first and last vertices from a group's first
-    /// texel; `None` where neither are.
+    /// Returns a node in which rows or columns are alike, given its first and last vertices from a
+    /// group's first texel; `None` where neither are.
     #[inline(always)]
-    pub fn node(&self, level: u32, [column, row]: [u32; 2], spans: [[f32; 2]; 2]) -> Option<AlikeNode> {
+    pub fn node(&self, level: u32, [column, row]: [u32; 2], spans: [[f32; 2]; 2]) -> Option<ExtrudedNode> {
         let nodes = self.levels.get(level.checked_sub(FIRST)? as usize)?;
         let level_along = *nodes.level_along.get(row as usize * nodes.width + column as usize)?;
         let is_near = spans.as_flattened().iter().all(|place| place.abs() < FAR);
-        (level_along != 0 && is_near).then(|| AlikeNode {
+        (level_along != 0 && is_near).then(|| ExtrudedNode {
             across: usize::from(level_along & 1 != 0),
             spans: spans.map(|span| span.map(|place| place as i64)),
         })
@@ -92,7 +93,7 @@ impl Extrusions {
 }
 
 impl Level {
-    /// The level of half the size, rounded up.
+    /// Builds the level of half the size, rounded up.
     fn halved(&self) -> Self {
         let width = self.width.div_ceil(2);
         let rows = self.level_along.chunks(2 * self.width);
@@ -108,21 +109,21 @@ impl Level {
     }
 }
 
-/// The axes along which a cell is level, a bit each.
+/// Returns the axes along which a cell is level, a bit each.
 fn of_cell([h00, h10, h01, h11]: [f64; 4]) -> u8 {
     u8::from(h00 == h10 && h01 == h11) | u8::from(h00 == h01 && h10 == h11) << 1
 }
 
-impl AlikeNode {
-    /// The lanes, a bit each, for which a cell of the node may matter more than what they have found. For the
-    /// other lanes no cell of it changes a bit.
+impl ExtrudedNode {
+    /// Returns the lanes, a bit each, for which a cell of the node may be steeper than their best
+    /// slope. For the other lanes no cell of it changes a bit.
     ///
-    /// Such a cell has the slope `b` across and no twist. So an apex `p` that it falls from is at most as far
-    /// below it as the cell extended over `p` is above `p`, whatever the row; and the cell matters less, the
-    /// farther away it is.
-    pub fn may_matter(&self, search: &Search, found: &Found, lanes: u64) -> u64 {
+    /// Such a cell has the slope `b` across and no twist. Let the cell fall from an apex `p`,
+    /// whatever the row. Then `p` is at most as far below the cell as the cell, extended over `p`,
+    /// is above `p`. So the cell matters less, the farther away it is.
+    pub fn may_matter(&self, search: &Search, group: &GroupSlopes, lanes: u64) -> u64 {
         let Self { across, spans } = *self;
-        let (along, first) = (1 - across, found.apexes[0].texel);
+        let (along, first) = (1 - across, group.apexes[0].texel);
         let mut height_at = {
             let mut place = [first[0] + spans[0][0], first[1] + spans[1][0]];
             move |at: i64| {
@@ -146,8 +147,8 @@ impl AlikeNode {
                     let heights = [before, behind];
                     if may_raise(
                         search,
-                        &found.apexes[lane],
-                        found.best[lane],
+                        &group.apexes[lane],
+                        group.best[lane],
                         heights,
                         across,
                         nearest,
@@ -167,8 +168,9 @@ impl AlikeNode {
     }
 }
 
-/// Whether cells that are level along an axis may ask for a steeper slope: those from the `nearest` one, in
-/// texels, to the `farthest` one along that axis. Their heights change `across`.
+/// Returns whether cells that are level along an axis may require a steeper slope. The cells are
+/// those from the `nearest` one, in texels, to the `farthest` one along that axis. Their heights
+/// change `across`.
 fn may_raise(
     search: &Search,
     apexes: &Apexes,
@@ -178,23 +180,24 @@ fn may_raise(
     nearest: [f64; 2],
     farthest: f64,
 ) -> bool {
-    let places = &search.places;
-    let (half, by, from) = (places.region.half(), behind - before, nearest[across]);
+    let geometry = &search.geometry;
+    let (half, by, from) = (geometry.region.half(), behind - before, nearest[across]);
     let falls = if by > 0.0 { from - half < 0.0 } else { from + 1.0 + half > 0.0 };
     if !falls {
         return false;
     }
-    let distance2 = places.distance2(nearest, nearest.map(|at| at + 1.0));
+    let distance2 = geometry.distance2(nearest, nearest.map(|at| at + 1.0));
     let rise = (before.max(behind) - apexes.low).max(0.0);
     if rise * rise <= best * distance2 {
         return false;
     }
-    if places.region == Region::Centre {
+    if geometry.region == Region::Centre {
         return true;
     }
-    // As in the bound of a cell, of which the twist and the other slope are 0: quarter by quarter of the
-    // square, the lesser of what it rises over apexes that it falls from, and over the lowest apex.
-    let grid = places.grid(apexes);
+    // This is the bound of a cell whose twist and other slope are 0. In each quarter of the square,
+    // it takes the lesser of two rises: over apexes from which the cell falls, and over the lowest
+    // apex.
+    let grid = geometry.grid(apexes);
     let over = [0, 1, 2].map(|row: usize| {
         [0, 1, 2].map(|column: usize| {
             let at = ([column, row][across] as f64 - 1.0) * half - from;
@@ -225,7 +228,7 @@ mod tests {
 
     use super::super::search::{Relaxed, looks};
     use super::*;
-    use crate::cone_search::{Group, Sort, State};
+    use crate::cone_search::{ConeType, Group, State};
 
     /// Ground that is alike along an axis, by the place along the other one, and its name.
     type Ground = (&'static str, fn(u32, u32) -> f32);
@@ -276,7 +279,7 @@ mod tests {
         }
     }
 
-    /// Vertices that are looked at for some texels.
+    /// Counts the vertices that are visited for some texels.
     fn looked_at(relaxed: &Relaxed, map: &HeightMap, texel_m: [f64; 2]) -> u64 {
         let search = Search::new(map, texel_m, Region::Footprint);
         let side = map.width();

@@ -1,19 +1,22 @@
-//! How a patch falls away from apexes, told from level ground by signs that no rounding changes.
+//! Fall of a patch away from apexes, told apart from level ground by signs that no rounding
+//! changes.
 //!
-//! At a point `q` a patch falls, seen from `p`, by the slope `F = ∇f(q)·(q - p)`. In texels it is a sum of
-//! two products of a difference of heights and a difference of places. Along level ground, such as a terrace,
-//! it is exactly 0, and rounding must not make a fall of that. Nor must it hide a fall.
+//! At a point `q` a patch falls, seen from `p`, by the slope `F = ∇f(q)·(q - p)`. In texels, `F` is
+//! a sum of two products of a difference of heights and a difference of places. Along level ground,
+//! such as a terrace, it is exactly 0, and rounding must not turn this into a fall. Nor must
+//! rounding hide a fall.
 
-use crate::cone_search::Seen;
+use crate::cone_search::RelativeCell;
 
-/// What rounding may make of a sum of two products, in parts of the sum of their sizes.
+/// Rounding of a sum of two products, as a part of the sum of their sizes.
 pub(super) const ROUNDING: f64 = 1e-14;
 
-/// A rise from one height to another.
+/// Rise from one height to another.
 #[derive(Clone, Copy)]
 struct Rise {
     by: f64,
-    /// Whether `by` is the difference itself. Heights are `f32`, so it is, unless one of them is tiny.
+    /// Whether `by` is the exact difference. Heights are `f32`, so it is exact unless one of them
+    /// is tiny.
     is_exact: bool,
 }
 
@@ -24,14 +27,15 @@ impl Rise {
     }
 }
 
-/// `F` at the corners `h00 h10 h01 h11` of a cell: the least over all apexes up to `half` texels from the
-/// texel's centre along each axis. It has its least value over the whole cell at one of the corners.
+/// Returns `F` at the corners `h00 h10 h01 h11` of a cell: the least over all apexes up to `half`
+/// texels from the texel's centre along each axis. Over the whole cell, it has its least value at
+/// one of the corners.
 ///
-/// Where it is not negative, it is not negative without rounding either. Where it is 0 without rounding, it
-/// is 0, unless a height is tiny beside another.
-pub(super) fn falls(seen: &Seen, half: f64) -> [f64; 4] {
-    let [h00, h10, h01, h11] = seen.heights;
-    let [x, y] = seen.offset.map(|offset| offset as f64);
+/// Where the result is not negative, it is not negative without rounding either. Where it is 0
+/// without rounding, it is 0, unless a height is tiny beside another.
+pub(super) fn falls(cell: &RelativeCell, half: f64) -> [f64; 4] {
+    let [h00, h10, h01, h11] = cell.heights;
+    let [x, y] = cell.offset.map(|offset| offset as f64);
     let (above, below) = (Rise::new(h00, h10), Rise::new(h01, h11));
     let (left, right) = (Rise::new(h00, h01), Rise::new(h10, h11));
     [
@@ -42,7 +46,8 @@ pub(super) fn falls(seen: &Seen, half: f64) -> [f64; 4] {
     ]
 }
 
-/// `F` at a corner where the patch rises so along the axes, for the apex from which it is least.
+/// Returns `F` at a corner with these rises of the patch along the axes, for the apex from which it
+/// is least.
 fn towards([along_x, along_y]: [Rise; 2], [x, y]: [f64; 2], half: f64) -> f64 {
     let (x, y) = (x - half.copysign(along_x.by), y - half.copysign(along_y.by));
     let (p, q) = (along_x.by * x, along_y.by * y);
@@ -53,7 +58,8 @@ fn towards([along_x, along_y]: [Rise; 2], [x, y]: [f64; 2], half: f64) -> f64 {
     if !(along_x.is_exact && along_y.is_exact) {
         return -rounding;
     }
-    // The products nearly cancel, so their sum is exact. What is missing is what was rounded off them.
+    // The products nearly cancel, so their sum is exact. Only the parts rounded off the products
+    // are missing.
     sum + (along_x.by.mul_add(x, -p) + along_y.by.mul_add(y, -q))
 }
 
@@ -62,7 +68,7 @@ mod tests {
     use super::*;
 
     fn falls_of(offset: [i64; 2], heights: [f32; 4], half: f64) -> [f64; 4] {
-        falls(&Seen { offset, heights: heights.map(f64::from) }, half)
+        falls(&RelativeCell { offset, heights: heights.map(f64::from) }, half)
     }
 
     #[test]

@@ -1,26 +1,30 @@
-//! The steepest slope from one apex to where a patch falls, in closed form.
+//! Steepest slope from one apex to the falling part of a patch, in closed form.
 //!
-//! With the rise `f = A + Bx + Cy + Dxy` above the apex, `(x, y)` metres from it, the patch falls away from
-//! the apex where `F = Bx + Cy + 2Dxy < 0`. There the slope `f/r` falls along every ray from the apex, as
-//! `(f/r)' = (F/r - f/r) / r`, where it is positive. So its supremum is where the ray enters the patch or
-//! where the patch begins to fall: on an edge, or on the curve of peaks `F = 0`.
+//! With the rise `f = A + Bx + Cy + Dxy` above the apex, `(x, y)` metres from it, the patch falls
+//! away from the apex where `F = Bx + Cy + 2Dxy < 0`. There the slope `f/r` falls along every ray
+//! from the apex, as `(f/r)' = (F/r - f/r) / r`, where it is positive. So its supremum is where the
+//! ray enters the patch or where the patch begins to fall: on an edge, or on the curve of peaks
+//! `F = 0`.
 //!
-//! `F` is bilinear. Where it is negative at no corner the patch does not fall: it may be level, or touch `F =
-//! 0` at a corner or along an edge.
+//! `F` is bilinear. Where it is negative at no corner the patch does not fall: it may be level, or
+//! touch `F = 0` at a corner or along an edge.
 //!
-//! * On an edge `F` is linear, and so is `f`: the slope has one maximum, and the falling part is a segment.
-//!   Where `F` is 0 along a whole edge, the patch falls right beside it where it does at the opposite edge.
-//! * On the curve, towards `(cos, sin)` with `g = B cos + C sin`, the radius is `-g / (2D sin cos)` and the
-//!   slope `g/2 - 2AD sin cos / g`. Its derivative vanishes where
-//!   `(B²C - 4ADB) + (2BC² - B³) t + (C³ - 2B²C) t² + (4ADC - BC²) t³ = 0`, `t = tan`. Where the curve leaves
-//!   the patch it meets an edge.
-//! * With the apex at a corner of the patch, `A` is 0 and the slope on the curve `g/2`, greatest in the
-//!   direction of `(B, C)`. Close to the apex nothing of this may be left to rounding, so it is found apart.
+//! * On an edge `F` is linear, and so is `f`: the slope has one maximum, and the falling part is a
+//!   segment. Where `F` is 0 along a whole edge, the patch falls right beside it if it does at the
+//!   opposite edge.
+//! * On the curve, towards `(cos, sin)` with `g = B cos + C sin`, the radius is `-g / (2D sin cos)`
+//!   and the slope `g/2 - 2AD sin cos / g`. Its derivative vanishes where
+//!   `(B²C - 4ADB) + (2BC² - B³) t + (C³ - 2B²C) t² + (4ADC - BC²) t³ = 0`, `t = tan`. Where the
+//!   curve leaves the patch it meets an edge.
+//! * With the apex at a corner of the patch, `A` is 0 and the slope on the curve is `g/2`, greatest
+//!   in the direction of `(B, C)`. Close to the apex nothing of this may be left to rounding, so it
+//!   is found separately.
 
 use crate::cone_search::{Patch, inside_segment, to_point};
 
-/// The supremum of the squared slopes to points of the patch at which it falls away from the apex; 0 where
-/// there is none. Given are signs and sizes of `F` at the corners: see [`super::fall::falls`].
+/// Returns the supremum of the squared slopes to points of the patch at which it falls away from
+/// the apex; 0 where there is none. `falls` are signs and sizes of `F` at the corners: see
+/// [`super::fall::falls`].
 pub(super) fn falling_slope2(patch: &Patch, falls: [f64; 4]) -> f64 {
     if falls.iter().all(|fall| *fall >= 0.0) {
         return 0.0;
@@ -38,7 +42,7 @@ pub(super) fn falling_slope2(patch: &Patch, falls: [f64; 4]) -> f64 {
     }
     let is_inside = |x: f64, y: f64| x > x0 && x < x1 && y > y0 && y < y1;
     if (x0 == 0.0 || x1 == 0.0) && (y0 == 0.0 || y1 == 0.0) {
-        // The rises along the two edges that meet at the apex.
+        // Rises along the two edges that meet at the apex.
         let aside = if y0 == 0.0 { [h00, h10] } else { [h01, h11] };
         let ahead = if x0 == 0.0 { [h00, h01] } else { [h10, h11] };
         let (b, c) = ((aside[1] - aside[0]) / ax, (ahead[1] - ahead[0]) / ay);
@@ -65,15 +69,15 @@ pub(super) fn falling_slope2(patch: &Patch, falls: [f64; 4]) -> f64 {
     best
 }
 
-/// The greatest squared slope to the falling part of an edge from `from` to `to` along one axis, `beside`
-/// away along the other, given the rises above the apex at its ends, and `F` there and at the ends of the
-/// opposite edge.
+/// Returns the greatest squared slope to the falling part of an edge from `from` to `to` along one
+/// axis, `beside` away along the other. `rise` are the rises above the apex at its ends. `own` and
+/// `opposite` are `F` there and at the ends of the opposite edge.
 fn falling_edge(rise: [f64; 2], [own, opposite]: [[f64; 2]; 2], [from, to]: [f64; 2], beside: f64) -> f64 {
     let falls = if own == [0.0; 2] { opposite } else { own };
     if falls[0] >= 0.0 && falls[1] >= 0.0 {
         return 0.0;
     }
-    // Where, as a part of the edge, F is 0.
+    // Place where `F` is 0, as a part of the edge.
     let turn = (falls[0] / (falls[0] - falls[1])).clamp(0.0, 1.0);
     let [begin, end] = [if falls[0] > 0.0 { turn } else { 0.0 }, if falls[1] > 0.0 { turn } else { 1.0 }];
     let rises = [begin, end].map(|part| rise[0] + (rise[1] - rise[0]) * part);
@@ -82,11 +86,11 @@ fn falling_edge(rise: [f64; 2], [own, opposite]: [[f64; 2]; 2], [from, to]: [f64
     ends.max(inside_segment(rises, places[0], places[1], beside))
 }
 
-/// The real roots of a polynomial of degree 3 at most, lowest coefficient first. Good to some digits, which
-/// is enough: they are places of maxima.
+/// Returns the real roots of a polynomial of degree 3 at most, lowest coefficient first. A few
+/// correct digits suffice, since the roots are places of maxima.
 fn real_roots([k0, k1, k2, k3]: [f64; 4]) -> [Option<f64>; 3] {
     let size = k0.abs().max(k1.abs()).max(k2.abs()).max(k3.abs());
-    // Below that the third root is farther than all that is looked at.
+    // Below this the third root is farther than anything visited.
     const FLAT: f64 = 1e-12;
     if k3.abs() <= FLAT * size {
         if k2.abs() <= FLAT * size {

@@ -1,8 +1,8 @@
-//! Where, in squares of vertices, what falls is high: a node of the pyramid tells its highest vertex, not
-//! that only the rim of level ground in it falls.
+//! Upper hulls of the falling cells in squares of vertices. A node of the pyramid has only its
+//! highest vertex. It does not show that only the rim of level ground in the node falls.
 //!
-//! The profile of a node along an axis holds, for each column (or row), the highest corner of the cells that
-//! fall anywhere. Seen from aside it is as high as its upper hull.
+//! The profile of a node along an axis holds, for each column (or row), the highest corner of the
+//! cells that fall anywhere. Seen from aside it is as high as its upper hull.
 
 use rayon::prelude::*;
 use relief_core::HeightMap;
@@ -11,16 +11,17 @@ use super::directions::of_cell;
 use crate::cone_search::{Field, ProfileVertex};
 use crate::upper_hulls::{HullLevel, push_to_hull};
 
-/// The first level of the pyramid that has hulls: on lower ones they would take as much memory as the map.
+/// First level of the pyramid that has hulls: on lower levels they would take as much memory as the
+/// map.
 const FIRST: u32 = 5;
 
-/// Upper hulls, along both axes, of all that falls around the vertices of the nodes of a pyramid.
+/// Upper hulls, along both axes, of the falling cells around the vertices of a pyramid's nodes.
 pub(super) struct FallingHulls {
     levels: Vec<[HullLevel<ProfileVertex>; 2]>,
 }
 
 impl FallingHulls {
-    /// Those of a map.
+    /// Builds the hulls of a map.
     pub fn new(map: &HeightMap) -> Self {
         let (field, size) = (Field::new(map), [map.width(), map.height()]);
         let mut levels = Vec::new();
@@ -35,7 +36,7 @@ impl FallingHulls {
                         profiles[axis].clear();
                         profiles[axis].resize(last[axis] - first[axis] + 2, f32::NEG_INFINITY);
                     }
-                    // From the cells before the node's first column and row on.
+                    // Begins with the cells before the node's first column and row.
                     for row in first[1]..=last[1] {
                         for column in first[0]..=last[0] {
                             let heights = cell(&field, [column as i64 - 1, row as i64 - 1]);
@@ -60,21 +61,22 @@ impl FallingHulls {
         Self { levels }
     }
 
-    /// The hull along an axis of what falls around the vertices of a node; `None` on low levels.
+    /// Returns the hull along an axis of the falling cells around a node's vertices; `None` on low
+    /// levels.
     #[inline(always)]
     pub fn hull(&self, level: u32, at: [u32; 2], axis: usize) -> Option<&[ProfileVertex]> {
         self.levels.get(level.checked_sub(FIRST)? as usize)?[axis].hull(at)
     }
 }
 
-/// The heights `h00 h10 h01 h11` of a cell, inside of the map or not.
+/// Returns the heights `h00 h10 h01 h11` of a cell, inside of the map or not.
 fn cell(field: &Field, [i, j]: [i64; 2]) -> [f64; 4] {
     let ([h00, h10], [h01, h11]) = (field.row([i, j]), field.row([i, j + 1]));
     [h00, h10, h01, h11]
 }
 
-/// The vertices of the upper hull of heights one apart, of which the first is at -1; where nothing falls
-/// there is nothing.
+/// Returns the vertices of the upper hull of heights one apart, starting at -1. The hull is empty
+/// where nothing falls.
 fn upper_hull(profile: &[f32]) -> Vec<ProfileVertex> {
     let mut hull = Vec::new();
     for (place, &height) in profile.iter().enumerate().filter(|(_, height)| **height >= 0.0) {
@@ -91,7 +93,7 @@ mod tests {
 
     use super::*;
 
-    /// How high a hull is at a place; nothing beside it.
+    /// Height of a hull at a place; none beside it.
     fn height(hull: &[ProfileVertex], place: i32) -> Option<f64> {
         let pair = hull.windows(2).find(|pair| (pair[0].place..=pair[1].place).contains(&place));
         let only = hull.iter().find(|vertex| vertex.place == place).map(|vertex| f64::from(vertex.height));
@@ -109,8 +111,9 @@ mod tests {
                 let map = named.build(wrap);
                 let (hulls, field) = (FallingHulls::new(&map), Field::new(&map));
                 for (j, i) in (0..map.height()).flat_map(|j| (0..map.width()).map(move |i| (j, i))) {
-                    let seen = crate::cone_search::Seen::around([0, 0], &field.around([i.into(), j.into()]));
-                    for cell in seen.iter().filter(|cell| of_cell(cell.heights) != 0) {
+                    let cells =
+                        crate::cone_search::RelativeCell::around([0, 0], &field.around([i.into(), j.into()]));
+                    for cell in cells.iter().filter(|cell| of_cell(cell.heights) != 0) {
                         for level in FIRST..=map.width().max(map.height()).ilog2() {
                             let at = [i >> level, j >> level];
                             for (corner, axis) in (0..4).flat_map(|corner| [(corner, 0), (corner, 1)]) {

@@ -1,29 +1,30 @@
-//! The search for the steepest falling points.
+//! Search for the steepest falling points.
 
 use pulp::Simd;
 use relief_core::{HeightMap, Wrap};
 
 use super::directions::Directions;
-use super::extrusions::{Extrusions, Found};
+use super::extrusions::{Extrusions, GroupSlopes};
 use super::fall::{ROUNDING, falls};
 use super::falling::falling_slope2;
 use super::hulls::FallingHulls;
 use super::own::own_bound;
 use crate::cone_search::{
-    Apexes, Bilinear, Block, COLUMNS, Group, LANE_BITS, LANES, Lanes, Look, ProfileVertex, Region, Search,
-    Seen, Sort, State, bits_of, cells_of_block, is_in_block, offset_of, steepest_in_quarter,
+    Apexes, Bilinear, Block, COLUMNS, ConeType, Group, LANE_BITS, LANES, Lanes, ProfileVertex, Region,
+    RelativeCell, Search, State, VertexVisitor, bits_of, cells_of_block, is_in_block, offset_of,
+    steepest_in_quarter,
 };
 
-/// The most images of the map that are looked at. Tiles a hundred times longer than wide need more; larger,
-/// and such a map takes hours for cones that hardly differ.
+/// Most images of the map that are visited. Tiles a hundred times longer than wide need more. With
+/// a greater limit, such a map would take hours for cones that hardly differ.
 const MOST_IMAGES: i64 = 4096;
 
-/// What is below the best by no more than this is not known to be below it.
+/// Slopes below the best by no more than this are not known to be below it.
 const CAUTION: f64 = 1.0 - 1e-12;
 
 /// Cones that a falling ray leaves after one entry at most.
 pub(super) struct Relaxed {
-    /// How many tiles away, along either axis, images may matter.
+    /// Distance in tiles, along either axis, within which images may matter.
     tiles: [i64; 2],
     directions: Directions,
     hulls: FallingHulls,
@@ -33,7 +34,7 @@ pub(super) struct Relaxed {
 }
 
 impl Relaxed {
-    /// For that map; none where too many images would have to be looked at.
+    /// Prepares a map; none where too many images would have to be visited.
     pub fn new(map: &HeightMap, texel_m: [f64; 2]) -> Option<Self> {
         let of = |tiles| Self {
             tiles,
@@ -54,14 +55,15 @@ impl Relaxed {
         (images <= MOST_IMAGES).then(|| of(tiles))
     }
 
-    /// The same, which looks at all cells of ground that is alike along an axis.
+    /// Prepares a map, but visits all cells of ground that is alike along an axis.
     #[cfg(test)]
     pub fn without_extrusions(map: &HeightMap, texel_m: [f64; 2]) -> Option<Self> {
         Self::new(map, texel_m).map(|relaxed| Self { extrusions: Extrusions::none(), ..relaxed })
     }
 
-    /// Two squared slopes: what the four cells around the centre, which hold the apexes, ask for, by the
-    /// lesser of two bounds; and that of the surface itself in the square.
+    /// Returns two squared slopes. The first is required by the four cells around the centre, which
+    /// hold the apexes, by the lesser of two bounds. The second is the slope of the surface itself
+    /// in the square.
     #[inline(always)]
     fn own_slopes2<S: Simd>(
         &self,
@@ -72,27 +74,28 @@ impl Relaxed {
         apexes: &Apexes,
     ) -> [f64; 2] {
         let around = block.around(lane);
-        let (texel_m, half) = (search.places.texel_m, search.places.region.half());
+        let (texel_m, half) = (search.geometry.texel_m, search.geometry.region.half());
         let bound = own_bound(&around, texel_m, half);
         let per_side = texel_m.map(|side| 1.0 / side);
-        let cells = Seen::around([0, 0], &around);
+        let cells = RelativeCell::around([0, 0], &around);
         let mut gradient2 = 0.0f64;
-        for seen in &cells {
-            let [column, row] = [usize::from(seen.offset[0] == 0) * 2, usize::from(seen.offset[1] == 0) * 2];
+        for cell in &cells {
+            let [column, row] = [usize::from(cell.offset[0] == 0) * 2, usize::from(cell.offset[1] == 0) * 2];
             let quarter = [around[1][1], around[1][column], around[row][1], around[row][column]];
             gradient2 = gradient2.max(steepest_in_quarter(quarter, per_side));
         }
         let mut whole = gradient2;
-        for seen in &cells {
+        for cell in &cells {
             if whole >= bound * bound {
                 break;
             }
-            whole = search.to_cell(simd, apexes, seen, whole);
+            whole = search.to_cell(simd, apexes, cell, whole);
         }
         [whole.min(bound * bound), gradient2]
     }
 
-    /// Raises `best` to what the falling part of a cell asks for, when the cell falls anywhere.
+    /// Raises `best` to the slope that the falling part of a cell requires, when the cell falls
+    /// anywhere.
     #[inline(always)]
     fn raise<S: Simd>(
         &self,
@@ -100,37 +103,38 @@ impl Relaxed {
         search: &Search,
         apexes: &Apexes,
         gradient2: f64,
-        seen: &Seen,
+        cell: &RelativeCell,
         best: &mut f64,
     ) {
-        let places = &search.places;
-        let from = seen.offset.map(|offset| offset as f64);
-        let distance2 = places.distance2(from, [from[0] + 1.0, from[1] + 1.0]);
+        let geometry = &search.geometry;
+        let from = cell.offset.map(|offset| offset as f64);
+        let distance2 = geometry.distance2(from, [from[0] + 1.0, from[1] + 1.0]);
         let highest =
-            seen.heights.iter().fold(0.0, |most, &height| if height > most { height } else { most });
+            cell.heights.iter().fold(0.0, |most, &height| if height > most { height } else { most });
         let rise = (highest - apexes.low).max(0.0);
-        let half = places.region.half();
+        let half = geometry.region.half();
         if rise * rise <= *best * distance2 {
             return;
         }
-        let falls = falls(seen, half);
-        if places.region == Region::Centre {
-            *best = falling_slope2(&places.patch(apexes, 0, seen), falls).max(*best);
+        let falls = falls(cell, half);
+        if geometry.region == Region::Centre {
+            *best = falling_slope2(&geometry.patch(apexes, 0, cell), falls).max(*best);
             return;
         }
         if falls.iter().all(|fall| *fall >= 0.0) {
             return;
         }
-        let bound = falling_bound2(&places.grid(apexes), half, seen, distance2, *best);
+        let bound = falling_bound2(&geometry.grid(apexes), half, cell, distance2, *best);
         if bound > *best {
-            // From inside the square the way leads over the rim: its slope is a mean of those before and
-            // behind, of which the first part is no longer than the square's diagonal.
+            // From inside the square the way leads over the rim: its slope is a mean of the slopes
+            // before and behind. The first part is no longer than the square's diagonal.
             let (gradient, far) = (gradient2.sqrt(), distance2.sqrt());
             let inside = self.diagonal_m / (self.diagonal_m + far);
-            // Below this slope from the rim the way is not steeper than the best, whatever is inside.
+            // Below this slope from the rim the way is not steeper than the best, whatever is
+            // inside.
             let steepest = best.sqrt();
             let least = ((steepest - gradient.max(steepest) * inside) / (1.0 - inside)).max(0.0) * CAUTION;
-            let rim = search.to_cell(simd, apexes, seen, least * least).sqrt();
+            let rim = search.to_cell(simd, apexes, cell, least * least).sqrt();
             if rim <= least {
                 return;
             }
@@ -140,7 +144,7 @@ impl Relaxed {
     }
 }
 
-impl Sort for Relaxed {
+impl ConeType for Relaxed {
     const NEAR: bool = false;
 
     #[inline(always)]
@@ -153,7 +157,7 @@ impl Sort for Relaxed {
         _: Lanes,
         state: &mut State,
     ) -> Lanes {
-        let region = search.places.region;
+        let region = search.geometry.region;
         let block = Block::new(&search.field, texel);
         let apexes = block.apexes(texel, region);
         let mut best = [0.0; LANES];
@@ -174,8 +178,8 @@ impl Sort for Relaxed {
         for lane in 0..count {
             search.walk.raise_bar(group, lane, falling.best[lane]);
         }
-        // What was steepest for the texel before, and in the row above, then the nearest cells: after these
-        // little else is steeper.
+        // The points that were steepest for the texel before and in the row above come first, then
+        // the nearest cells. After these, little is steeper.
         let lanes = (1 << count) - 1;
         let of_row_above: [_; LANES] = std::array::from_fn(|lane| falling.seeds.get(lane).copied().flatten());
         let of_texel_before = before.last().copied().flatten().map(|seed| (lanes, seed));
@@ -186,7 +190,7 @@ impl Sort for Relaxed {
             for (only, lane) in only.iter_mut().zip(LANE_BITS) {
                 *only = if lanes & lane == 0 { 0.0 } else { 1.0 };
             }
-            falling.look(simd, group, &only, seed, f64::from(search.field.map.texel(seed[0], seed[1])));
+            falling.visit(simd, group, &only, seed, f64::from(search.field.map.texel(seed[0], seed[1])));
         }
         for first in cells_of_block() {
             for lane in bits_of(lanes & falling.may_matter_in_block(simd, &block, first)) {
@@ -206,18 +210,18 @@ thread_local! {
     static LOOKS: std::cell::Cell<u64> = const { std::cell::Cell::new(0) };
 }
 
-/// Vertices that this thread has looked at.
+/// Returns the number of vertices that this thread has visited.
 #[cfg(test)]
 pub(super) fn looks() -> u64 {
     LOOKS.get()
 }
 
-/// Looks for what is steepest for each lane.
+/// Visitor that finds the steepest falling point for each lane.
 struct Falling<'a, 'b> {
     relaxed: &'b Relaxed,
     search: &'b Search<'a>,
     apexes: &'b [Apexes; LANES],
-    /// The lowest apexes.
+    /// Lowest apexes.
     lows: Lanes,
     /// Squared slopes of the surface itself in the squares.
     gradients2: Lanes,
@@ -226,26 +230,28 @@ struct Falling<'a, 'b> {
 }
 
 impl Falling<'_, '_> {
-    /// Raises a lane to what a cell asks for; with a footprint its own cells are bounded otherwise.
+    /// Raises a lane to the slope that a cell requires; with a footprint its own cells are bounded
+    /// otherwise.
     #[inline(always)]
-    fn raise<S: Simd>(&mut self, simd: S, lane: usize, seen: &Seen) {
-        let is_own = seen.offset.iter().all(|&x| x == 0 || x == -1);
-        if !is_own || self.search.places.region == Region::Centre {
+    fn raise<S: Simd>(&mut self, simd: S, lane: usize, cell: &RelativeCell) {
+        let is_own = cell.offset.iter().all(|&x| x == 0 || x == -1);
+        if !is_own || self.search.geometry.region == Region::Centre {
             let (apexes, gradient2) = (&self.apexes[lane], self.gradients2[lane]);
-            self.relaxed.raise(simd, self.search, apexes, gradient2, seen, &mut self.best[lane]);
+            self.relaxed.raise(simd, self.search, apexes, gradient2, cell, &mut self.best[lane]);
         }
     }
 }
 
 impl Falling<'_, '_> {
-    /// The lanes, a bit each, whose cell at a vertex of the block may fall and be steeper than the best.
+    /// Returns the lanes, a bit each, whose cell at a vertex of the block may fall and be steeper
+    /// than the best.
     #[inline(always)]
     fn may_matter_in_block<S: Simd>(&self, simd: S, block: &Block, first: usize) -> u64 {
         let corners = block.corners(first);
         let [x, y] = offset_of(first).map(|offset| offset as f64);
-        let distance2 = simd.splat_f64s(self.search.places.distance2([x, y], [x + 1.0, y + 1.0]));
+        let distance2 = simd.splat_f64s(self.search.geometry.distance2([x, y], [x + 1.0, y + 1.0]));
         let (x, y) = (simd.splat_f64s(x), simd.splat_f64s(y));
-        let half = simd.splat_f64s(self.search.places.region.half());
+        let half = simd.splat_f64s(self.search.geometry.region.half());
         let zero = simd.splat_f64s(0.0);
         let mut may = [0; LANES];
         for (part, may) in S::as_mut_simd_u64s(&mut may).0.iter_mut().enumerate() {
@@ -265,14 +271,14 @@ impl Falling<'_, '_> {
         may.into_iter().fold(0, |all, bit| all | bit)
     }
 
-    /// The lanes, a bit each, for which a cell, as seen from the first lane, may fall.
+    /// Returns the lanes, a bit each, for which a cell, relative to the first lane, may fall.
     #[inline(always)]
-    fn may_fall<S: Simd>(&self, simd: S, seen: &Seen) -> u64 {
-        let [h00, h10, h01, h11] = seen.heights;
+    fn may_fall<S: Simd>(&self, simd: S, cell: &RelativeCell) -> u64 {
+        let [h00, h10, h01, h11] = cell.heights;
         let corners =
             [simd.splat_f64s(h00), simd.splat_f64s(h10), simd.splat_f64s(h01), simd.splat_f64s(h11)];
-        let (x, y) = (simd.splat_f64s(seen.offset[0] as f64), simd.splat_f64s(seen.offset[1] as f64));
-        let half = simd.splat_f64s(self.search.places.region.half());
+        let (x, y) = (simd.splat_f64s(cell.offset[0] as f64), simd.splat_f64s(cell.offset[1] as f64));
+        let half = simd.splat_f64s(self.search.geometry.region.half());
         let mut may = [0; LANES];
         for (part, may) in S::as_mut_simd_u64s(&mut may).0.iter_mut().enumerate() {
             let x = simd.sub_f64s(x, S::as_simd_f64s(&COLUMNS).0[part]);
@@ -283,7 +289,7 @@ impl Falling<'_, '_> {
     }
 }
 
-impl Look for Falling<'_, '_> {
+impl VertexVisitor for Falling<'_, '_> {
     const HIGHEST_CORNERS: bool = true;
 
     #[inline(always)]
@@ -299,11 +305,11 @@ impl Look for Falling<'_, '_> {
     #[inline(always)]
     fn may_matter_to(&self, level: u32, at: [u32; 2], spans: [[f32; 2]; 2], lanes: u64) -> u64 {
         let Some(node) = self.relaxed.extrusions.node(level, at, spans) else { return lanes };
-        node.may_matter(self.search, &Found { apexes: self.apexes, best: self.best }, lanes)
+        node.may_matter(self.search, &GroupSlopes { apexes: self.apexes, best: self.best }, lanes)
     }
 
     #[inline(always)]
-    fn look<S: Simd>(
+    fn visit<S: Simd>(
         &mut self,
         simd: S,
         group: &mut Group,
@@ -317,23 +323,23 @@ impl Look for Falling<'_, '_> {
         let by = [vertex[0] - first[0], vertex[1] - first[1]];
         let wanted =
             excess.iter().zip(LANE_BITS).fold(0, |all, (&x, bit)| all | if x > 0.0 { bit } else { 0 });
-        for seen in Seen::around(by, &self.search.field.around(vertex)) {
-            // A cell is looked at from its highest corner: once, but where corners are equally high.
-            let [h00, h10, h01, h11] = seen.heights;
+        for cell in RelativeCell::around(by, &self.search.field.around(vertex)) {
+            // A cell is visited from its highest corner: once, but where corners are equally high.
+            let [h00, h10, h01, h11] = cell.heights;
             if (h00 > height) | (h10 > height) | (h01 > height) | (h11 > height) {
                 continue;
             }
-            let from = seen.offset.map(|offset| offset as f64);
-            let cell = Bilinear { from, to: [from[0] + 1.0, from[1] + 1.0], heights: seen.heights };
-            let mut lanes = wanted & self.may_fall(simd, &seen);
+            let from = cell.offset.map(|offset| offset as f64);
+            let bounds = Bilinear { from, to: [from[0] + 1.0, from[1] + 1.0], heights: cell.heights };
+            let mut lanes = wanted & self.may_fall(simd, &cell);
             if lanes != 0 {
-                lanes &= self.search.walk.may_be_steeper(simd, group, &cell);
+                lanes &= self.search.walk.may_be_steeper(simd, group, &bounds);
             }
             for lane in bits_of(lanes) {
-                let offset = [seen.offset[0] - lane as i64, seen.offset[1]];
+                let offset = [cell.offset[0] - lane as i64, cell.offset[1]];
                 let before = self.best[lane];
                 if !is_in_block(offset) {
-                    self.raise(simd, lane, &Seen { offset, heights: seen.heights });
+                    self.raise(simd, lane, &RelativeCell { offset, heights: cell.heights });
                 }
                 if self.best[lane] > before {
                     self.seeds[lane] = Some(vertex);
@@ -344,9 +350,9 @@ impl Look for Falling<'_, '_> {
     }
 }
 
-/// The lanes in which a patch may fall at some point of it as seen from some apex: all in which it does, and
-/// none in which it is level. Its corner `h00` is `(x, y)` texels from the centre of the apexes, which are up
-/// to `half` texels from there along each axis.
+/// Returns the lanes in which a patch may fall at some point of it as seen from some apex. These
+/// are all lanes in which it falls, and none in which it is level. Its corner `h00` is `(x, y)`
+/// texels from the centre of the apexes, which are up to `half` texels from there along each axis.
 #[inline(always)]
 fn may_fall<S: Simd>(
     simd: S,
@@ -370,7 +376,7 @@ fn may_fall<S: Simd>(
     simd.or_m64s(upper, lower)
 }
 
-/// The lanes in which the slope at a corner, towards it, may be negative from some apex.
+/// Returns the lanes in which the slope at a corner, towards it, may be negative from some apex.
 #[inline(always)]
 fn may_fall_towards<S: Simd>(simd: S, along: [S::f64s; 2], place: [S::f64s; 2], half: S::f64s) -> S::m64s {
     let size = [simd.abs_f64s(along[0]), simd.abs_f64s(along[1])];
@@ -381,13 +387,13 @@ fn may_fall_towards<S: Simd>(simd: S, along: [S::f64s; 2], place: [S::f64s; 2], 
     simd.less_than_f64s(least, simd.mul_f64s(most, simd.splat_f64s(ROUNDING)))
 }
 
-/// The square of what a falling pair rises at most over the distance: the last bound of the proof; 0 where
-/// it is not above `best`.
+/// Returns the square of a falling pair's greatest rise over the distance: the last bound of the
+/// proof. It is 0 where it is not above `best`.
 #[inline(always)]
-fn falling_bound2(grid: &[[f64; 3]; 3], half: f64, seen: &Seen, distance2: f64, best: f64) -> f64 {
-    let [h00, h10, h01, h11] = seen.heights;
+fn falling_bound2(grid: &[[f64; 3]; 3], half: f64, cell: &RelativeCell, distance2: f64, best: f64) -> f64 {
+    let [h00, h10, h01, h11] = cell.heights;
     let highest = h00.max(h10).max(h01).max(h11);
-    let [x0, y0] = seen.offset.map(|offset| offset as f64);
+    let [x0, y0] = cell.offset.map(|offset| offset as f64);
     let (bx, by, d) = (h10 - h00, h01 - h00, (h00 - h10) + (h11 - h01));
     let (mut over, mut extended) = ([[0.0; 3]; 3], f64::NEG_INFINITY);
     for (row, (over, heights)) in over.iter_mut().zip(grid).enumerate() {

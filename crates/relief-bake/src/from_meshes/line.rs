@@ -1,58 +1,59 @@
-//! From a base point to the detailed mesh.
+//! Lines from a base point to the detailed mesh.
 
 use relief_core::mesh::BasePoint;
 use relief_core::raycast::{Ray, RayCaster, Sides, SurfaceHit};
 
 use super::Layer;
 
-/// What lies on a line.
+/// Result of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Seen {
-    /// The detailed mesh, so many metres of displacement away.
+pub(super) enum LineHit {
+    /// Hit of the detailed mesh, at this displacement in metres.
     At(f64),
-    /// Only faces that look the other way.
-    Behind,
-    /// Nothing.
-    Nothing,
+    /// Only faces turned the other way are hit.
+    BackFace,
+    /// Nothing is hit.
+    Miss,
 }
 
-/// How lines are looked along.
+/// Settings of the lines.
 pub(super) struct Line<'a> {
     pub high: &'a RayCaster,
-    /// The farthest that counts, in metres.
+    /// Greatest distance of a hit, in metres.
     pub cage_m: f64,
     pub layer: Layer,
     pub two_sided: bool,
-    /// Heights up to it are 0, in metres.
+    /// Heights up to this are 0, in metres.
     pub rounding: f64,
 }
 
 impl Line<'_> {
-    /// Looks outward and inward from a base point along its normal.
-    pub fn look(&self, base: &BasePoint) -> Seen {
+    /// Casts a line outward and inward from a base point along its normal.
+    pub fn cast(&self, base: &BasePoint) -> LineHit {
         let length = base.normal.length();
         match self.find(base) {
-            Some((height, _)) if height.abs() * length <= self.rounding => Seen::At(0.0),
-            Some((height, _)) => Seen::At(height),
+            Some((height, _)) if height.abs() * length <= self.rounding => LineHit::At(0.0),
+            Some((height, _)) => LineHit::At(height),
             None => {
                 let both = Line { two_sided: true, ..*self };
-                if both.find(base).is_some() { Seen::Behind } else { Seen::Nothing }
+                if both.find(base).is_some() { LineHit::BackFace } else { LineHit::Miss }
             }
         }
     }
 
-    /// The displacement that takes a base point to the detailed mesh, in metres, and what is hit there.
+    /// Returns the displacement that takes a base point to the detailed mesh, in metres, and the
+    /// hit.
     pub fn find(&self, base: &BasePoint) -> Option<(f64, SurfaceHit)> {
         let length = base.normal.length();
         if !(length > 0.0 && length.is_finite()) {
             return None;
         }
-        // A displacement of so much is as far as the cage.
+        // A displacement of this much is as far as the cage.
         let farthest = self.cage_m / length;
         let [outward, inward] =
             [base.normal, -base.normal].map(|direction| Ray { origin: base.position, direction });
         let within = |hit: &SurfaceHit| hit.t <= farthest;
-        // Who goes outward meets a face that looks outward from its back.
+        // An outward ray meets a face turned outward from its back.
         let agrees = |hit: &SurfaceHit| self.two_sided || !hit.front;
         let mut out = self.high.hits(&outward, Sides::Both).take_while(within).filter(agrees);
         let sides = if self.two_sided { Sides::Both } else { Sides::Front };
