@@ -1,7 +1,7 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `adapt`, `bake`, `cost`, `cracks`, `detail`,
 //! `embree`, `frame`, `fuzz`, `ground`, `impostors`, `judge`, `lanes`, `levels`, `looks`, `mesh`,
 //! `object-slices`, `probe`, `pyramid`, `quadrics`, `readers`, `remesh`, `shadow`, `sheet`, `slices`,
-//! `solids`, `surfaces`, `tessellate`, `trace` and `units`. Results are kept in `docs/`.
+//! `solids`, `surfaces`, `tessellate`, `trace` and `units`. Results are kept in `docs/measurements/`.
 
 use std::process::ExitCode;
 

@@ -34,7 +34,7 @@ pub struct Arguments {
     /// Folder with height maps; files in folders below it count, too
     folder: PathBuf,
     /// Sheet of all pictures to write
-    #[arg(short, long, default_value = "docs/first-try.png")]
+    #[arg(short, long, default_value = "docs/notes/first-try.png")]
     output: PathBuf,
 }
 

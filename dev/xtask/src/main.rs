@@ -1,4 +1,5 @@
-//! Developer commands: `cargo xtask link` writes the linked shaders, `cargo xtask data` the sample maps.
+//! Developer commands: `cargo xtask link` writes the linked shaders, `cargo xtask data` the sample maps,
+//! `cargo xtask guide` the guide's pictures.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -6,6 +7,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 mod data;
+mod guide;
 mod link;
 mod output;
 
@@ -25,6 +27,12 @@ enum Command {
     Link,
     /// Generate the sample maps that the project made itself, into data.
     Data,
+    /// Run the commands of README and docs/guide, and make the pictures that they show.
+    Guide {
+        /// Program to run [default: relief, built in the profile of xtask].
+        #[arg(long)]
+        relief: Option<PathBuf>,
+    },
 }
 
 /// The root of the workspace.
@@ -35,11 +43,13 @@ fn workspace() -> PathBuf {
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    let result = match arguments.command {
-        Command::Link => link::files(&workspace()),
-        Command::Data => data::files(&workspace()),
+    let root = workspace();
+    let settle = |files: Vec<output::Generated>| output::settle(&root, &files, arguments.check);
+    let done = match arguments.command {
+        Command::Link => link::files(&root).and_then(settle),
+        Command::Data => data::files(&root).and_then(settle),
+        Command::Guide { relief } => guide::settle(&root, relief.as_deref(), arguments.check),
     };
-    let done = result.and_then(|files| output::settle(&workspace(), &files, arguments.check));
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {

@@ -1,5 +1,5 @@
-//! The example commands of the README and of every help run, on stand-in files and in small pictures, and their
-//! answers make sense.
+//! The example commands of `docs/commands.md` and of every help run, on stand-in files and in small pictures,
+//! and their answers make sense. Those of README and the guide run by `cargo xtask guide --check`.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -94,17 +94,12 @@ fn examples_of_help(folder: &Folder, command: &str) -> Vec<String> {
 
 /// All examples, each once, in an order of their own.
 fn all(folder: &Folder) -> BTreeSet<String> {
-    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../README.md");
-    let readme = fs::read_to_string(readme).expect("the README");
-    let blocks = readme
-        .split("```")
-        .skip(1)
-        .step_by(2)
-        .map(|block| block.replace("cargo run --release --bin relief -- ", "relief "));
-    let of_readme = blocks.flat_map(|block| examples(&block)).collect::<Vec<_>>();
-    assert!(of_readme.len() > 30, "{of_readme:?}");
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/commands.md");
+    let page = fs::read_to_string(page).expect("the page of commands");
+    let of_page = page.split("```").skip(1).step_by(2).flat_map(examples).collect::<Vec<_>>();
+    assert!(of_page.len() > 30, "{of_page:?}");
     let of_help = COMMANDS.iter().flat_map(|command| examples_of_help(folder, command));
-    of_help.chain(of_readme).collect()
+    of_help.chain(of_page).collect()
 }
 
 /// A folder with every file that an example reads.

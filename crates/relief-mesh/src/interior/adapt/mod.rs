@@ -39,7 +39,8 @@ pub const INTERIOR: Interior = Interior {
     fills: Fills::Ground(Fill { tile: fill_tile, facet: fill_facet }),
 };
 
-/// Factor on the tolerance before heights are fitted, found by trying: see `docs/mesh.md`.
+/// Factor on the tolerance before heights are fitted, found by trying: see
+/// `docs/measurements/mesh.md`.
 const LOOSER: f64 = 1.35;
 
 /// Rounding of distances in `f32`.
