@@ -9,7 +9,7 @@ use crate::{BakeInput, Channel, Texture};
 /// Parameter for the number of azimuths.
 pub(crate) const AZIMUTHS: Param = Param {
     name: "azimuths",
-    summary: "directions along the base plane in which the horizon is looked for",
+    summary: "number of directions along the base plane in which horizons are searched",
     unit: "",
     min: 4.0,
     max: 256.0,
@@ -21,7 +21,7 @@ pub(crate) const AZIMUTHS: Param = Param {
 /// Parameter for the reach of the horizon, in tiles.
 pub(crate) const TILES: Param = Param {
     name: "tiles",
-    summary: "how far the horizon is looked for, in tiles",
+    summary: "reach of the search for the horizon, in tiles",
     unit: "tiles",
     min: 1.0,
     max: 16.0,

@@ -5,22 +5,23 @@
 //!
 //! # What is stored
 //!
-//! The mean of all directions in which the sky is seen, each weighted by the same solid angle, as a unit
-//! vector in tangent space: `x` along `+u`, `y` along `-v` (up in the picture, as in glTF's normal maps), `z`
-//! along the base normal. Channels have the range `[-1, 1]`. Where no sky is seen it is the base normal. The
-//! sky of the azimuth `φ` above the horizon `H` adds
+//! The map holds the mean of all directions in which the sky is seen, each weighted by the same
+//! solid angle, as a unit vector in tangent space. `x` points along `+u`, `y` along `-v` (up in the
+//! picture, as in glTF's normal maps), `z` along the base normal. Channels have the range
+//! `[-1, 1]`. Where no sky is seen it is the base normal. The sky of the azimuth `φ` above the
+//! horizon `H` adds
 //!
 //! * along the base, in the direction of `φ`: `∫ from H to π/2 of cos² e de = (π/2 - H - sin H cos H) / 2`,
 //! * upward: `∫ from H to π/2 of sin e cos e de = cos² H / 2`.
 //!
-//! With `scaled` it is not a unit vector but the integral itself over π: its `z` is the
-//! [`occlusion`](super::occlusion), and its product with the relief's normal the part of a uniform sky's
-//! light that arrives there, where all of the sky that is seen lies before that normal.
+//! With `scaled`, the map holds the integral over π instead of a unit vector. Its `z` is the
+//! [`occlusion`](super::occlusion). Its product with the relief's normal is the part of a uniform
+//! sky's light that arrives there, if all visible sky lies before that normal.
 //!
 //! # Accuracy
 //!
-//! Exact in elevation, for the horizons that it is given; the rectangle rule between azimuths. Because the
-//! azimuths are spread evenly, an open plain has exactly the base normal.
+//! The map is exact in elevation, for the horizons given, and uses the rectangle rule between
+//! azimuths. Because the azimuths are spread evenly, an open plain has exactly the base normal.
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
@@ -31,7 +32,7 @@ use crate::azimuths::{AZIMUTHS, TILES, texture, unit_vector};
 use crate::horizon_sweep::Sweep;
 use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink};
 
-/// The kind.
+/// The kind `bent-normal`.
 pub const KIND: Kind = Kind {
     name: "bent-normal",
     summary: "the mean direction in which a texel sees the sky",
@@ -46,7 +47,7 @@ pub const KIND: Kind = Kind {
     bake,
 };
 
-/// Place of the parameter `scaled`.
+/// Index of the parameter `scaled`.
 const SCALED_PLACE: usize = 3;
 
 const SCALED: Param = Param {
@@ -60,8 +61,9 @@ const SCALED: Param = Param {
     names: &[],
 };
 
-/// The bent normal of every texel as three planes, row by row from the top: along `+u`, along `-v`, up.
-/// Parameters and the working set besides input and result are those of [`super::occlusion::visibility`].
+/// Returns the bent normal of every texel as three planes, row by row from the top: along `+u`,
+/// along `-v`, up. Parameters, and the working set besides input and result, are the ones of
+/// [`super::occlusion::visibility`].
 ///
 /// # Errors
 ///
@@ -79,7 +81,8 @@ pub fn bent_normals(
     Ok(planes)
 }
 
-/// The same, as long as the part of the sky that is seen: the integral of its directions over π.
+/// Returns the integral over π of the visible sky's directions at every texel, in the planes of
+/// [`bent_normals`]. Its length measures the visible part of the sky.
 ///
 /// # Errors
 ///
@@ -97,7 +100,7 @@ pub fn skies(
     Ok(planes)
 }
 
-/// The sums of the azimuths' integrals.
+/// Returns the sums of the azimuths' integrals.
 fn sums(
     map: &HeightMap,
     metric: Metric,
@@ -123,7 +126,7 @@ fn sums(
     Ok(planes)
 }
 
-/// A vector of unit length, up where there is none.
+/// Normalises a vector; up where it has no length.
 fn unit([x, y, z]: [f32; 3]) -> [f32; 3] {
     let length = (x * x + y * y + z * z).sqrt();
     if length > 0.0 { [x / length, y / length, z / length] } else { [0.0, 0.0, 1.0] }

@@ -1,20 +1,23 @@
-//! Light that bounces: what every texel receives of a uniform sky, straight and from other texels.
+//! Bounced light: the light that every texel receives of a uniform sky, directly and from other
+//! texels.
 //!
-//! Heidrich, Daubert, Kautz and Seidel 2000, *Illuminating micro geometry based on precomputed visibility*;
-//! Szirmay-Kalos and Umenhoffer 2008, section 6.2: paths of light are chained through what every texel sees
-//! in fixed directions (see [`visibility`]).
+//! Heidrich, Daubert, Kautz and Seidel 2000, *Illuminating micro geometry based on precomputed
+//! visibility*; Szirmay-Kalos and Umenhoffer 2008, section 6.2. Paths of light are chained through
+//! the first hits of every texel in fixed directions (see [`visibility`]).
 //!
 //! # What is stored
 //!
-//! The irradiance about the base normal, over π times the sky's radiance, in `[0, 1]`: with 0 bounces the
-//! part of the sky that is seen, as [`occlusion`](super::occlusion) has it, and with each bounce what other
-//! texels throw back of theirs, all by the same albedo.
+//! The map holds the irradiance about the base normal, over π times the sky's radiance, in
+//! `[0, 1]`. With 0 bounces it is the visible part of the sky, as in
+//! [`occlusion`](super::occlusion). Each bounce adds the light that other texels reflect, all with
+//! the same albedo.
 //!
 //! # Accuracy
 //!
-//! A mean over the directions, in each of which the texel nearest to the first hit stands for it. So no
-//! energy is made and none is lost but what further bounces would bring, at most `albedo` to the power of
-//! `bounces + 1`: in a white furnace, with an albedo of 1, the values rise to 1 with the bounces.
+//! The light is a mean over the directions; in each, the texel nearest to the first hit stands for
+//! it. So no energy is made, and only the light of further bounces is lost: at most `albedo` to the
+//! power of `bounces + 1`. In a white furnace, with an albedo of 1, the values rise to 1 with the
+//! bounces.
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
@@ -25,10 +28,10 @@ use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
 use crate::azimuths::{AZIMUTHS, texture};
 use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink};
 
-/// The kind.
+/// The kind `bounce`.
 pub const KIND: Kind = Kind {
     name: "bounce",
-    summary: "the sky's light that a texel receives, straight and thrown back by other texels",
+    summary: "the sky's light that a texel receives, directly and reflected by other texels",
     revision: 1,
     publication: Publication {
         paper: "Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008",
@@ -43,12 +46,12 @@ pub const KIND: Kind = Kind {
     bake,
 };
 
-/// Place of the parameter `albedo`.
+/// Index of the parameter `albedo`.
 const ALBEDO_PLACE: usize = 3;
 
 const ALBEDO: Param = Param {
     name: "albedo",
-    summary: "the part of the light that every texel throws back",
+    summary: "part of the light that every texel reflects",
     unit: "",
     min: 0.0,
     max: 1.0,
@@ -59,7 +62,7 @@ const ALBEDO: Param = Param {
 
 const BOUNCES: Param = Param {
     name: "bounces",
-    summary: "how often light is thrown back",
+    summary: "number of reflections of light",
     unit: "",
     min: 0.0,
     max: 256.0,
@@ -68,19 +71,19 @@ const BOUNCES: Param = Param {
     names: &[],
 };
 
-/// The most looks of a bake, one for each texel, direction and bounce: several hours of work.
-const MOST_LOOKS: u64 = 1 << 36;
+/// Most rays of a bake, one for each texel, direction and bounce: several hours of work.
+const MOST_RAYS: u64 = 1 << 36;
 
-/// What every texel receives, row by row from the top, of a sky of radiance 1 after so many bounces off
-/// texels of that albedo. `azimuths` times `elevations` directions are looked along for each, within `tiles`
-/// tiles.
+/// Returns the light that every texel receives, row by row from the top, from a sky of radiance 1
+/// after `bounces` bounces off texels of `albedo`. `directions` are the azimuths and the elevations
+/// of the rays, which are `tiles` tiles long.
 ///
-/// The working set is that of [`visibility::views`] and two maps of `f32`: what is seen is found again for
-/// each bounce, until a bounce changes no texel.
+/// The working set is the working set of [`visibility::views`] and two maps of `f32`. First hits
+/// are computed again for each bounce, until a bounce changes no texel.
 ///
 /// # Errors
 ///
-/// When there is not that much memory, or the bake is cancelled.
+/// When memory does not suffice, or the bake is cancelled.
 pub fn light(
     map: &HeightMap,
     metric: Metric,
@@ -112,23 +115,23 @@ pub fn light(
             before.to_bits() != sent.to_bits()
         });
         if !is_other.reduce(|| false, |a, b| a | b) {
-            // All further bounces send the same.
+            // All further bounces send the same light.
             break;
         }
     }
     Ok(received)
 }
 
-/// Refuses settings whose looks would take more than hours.
-fn check_looks(texels: usize, [azimuths, elevations]: [u32; 2], bounces: u32) -> Result<(), BakeError> {
-    let looks = [texels as u64, azimuths.into(), elevations.into(), u64::from(bounces) + 1];
-    let looks = looks.into_iter().fold(1, u64::saturating_mul);
-    if looks <= MOST_LOOKS {
+/// Refuses settings whose rays would take more than hours.
+fn check_rays(texels: usize, [azimuths, elevations]: [u32; 2], bounces: u32) -> Result<(), BakeError> {
+    let rays = [texels as u64, azimuths.into(), elevations.into(), u64::from(bounces) + 1];
+    let rays = rays.into_iter().fold(1, u64::saturating_mul);
+    if rays <= MOST_RAYS {
         return Ok(());
     }
     let reason = format!(
-        "{azimuths} x {elevations} directions and {bounces} bounces of {texels} texels are {looks} looks, of \
-         which at most {MOST_LOOKS} are made: choose fewer azimuths, elevations or bounces, or a smaller map"
+        "{azimuths} x {elevations} directions and {bounces} bounces of {texels} texels need {rays} rays, more \
+         than the limit of {MOST_RAYS}: choose fewer azimuths, elevations or bounces, or a smaller map"
     );
     Err(BakeError::Impossible { kind: KIND.name, reason })
 }
@@ -141,7 +144,7 @@ fn bake(
 ) -> Result<(), BakeError> {
     let [azimuths, elevations, tiles] = [0, 1, 2].map(|place| settings.count(place));
     let (albedo, bounces, bits) = (settings.get(ALBEDO_PLACE), settings.count(4), settings.count(5));
-    check_looks(source.map.texels().len(), [azimuths, elevations], bounces)?;
+    check_rays(source.map.texels().len(), [azimuths, elevations], bounces)?;
     let channels = [Channel { name: "light", unit: "1", range: [0.0, 1.0], rounding: Rounding::Nearest }];
     let mut texture = texture(source, azimuths, 1, channels.to_vec());
     texture.notes.push(("elevations", elevations.to_string()));
@@ -166,7 +169,7 @@ mod tests {
         HeightMap::from_fn(side, side, Wrap::Repeat, height).expect("a valid map")
     }
 
-    /// The light, and how often progress was told.
+    /// Returns the light, and the number of progress reports.
     fn of(map: &HeightMap, albedo: f32, bounces: u32) -> (Vec<f32>, usize) {
         let (told, cancel) = (AtomicUsize::new(0), AtomicBool::new(false));
         let report = |_: &str, _: f32| {
@@ -178,18 +181,18 @@ mod tests {
     }
 
     #[test]
-    fn more_looks_than_end_are_refused() {
+    fn too_many_rays_are_refused() {
         let texels = |side: usize| side * side;
         for (side, directions, bounces) in
             [(256, [256, 64], 256), (512, [256, 64], 16), (16_384, [256, 64], 0), (8192, [16, 4], 16)]
         {
-            let refused = check_looks(texels(side), directions, bounces);
+            let refused = check_rays(texels(side), directions, bounces);
             let said = refused.expect_err("too many").to_string();
             assert!(said.contains("bounces") && said.contains(&texels(side).to_string()), "{said}");
         }
         // By default, and small maps at the maxima.
         for (side, directions, bounces) in [(8192, [16, 4], 4), (64, [256, 64], 256), (2048, [64, 16], 4)] {
-            assert!(check_looks(texels(side), directions, bounces).is_ok(), "{side}");
+            assert!(check_rays(texels(side), directions, bounces).is_ok(), "{side}");
         }
     }
 
@@ -200,7 +203,7 @@ mod tests {
             let [(once, one), (many, told)] = [0, 256].map(|bounces| of(&map, albedo, bounces));
             assert!(told < 60 * one, "{told} reports with albedo {albedo}, {one} for a bounce");
             assert!(many.iter().zip(&once).all(|(many, once)| many >= once));
-            // What is left out would have changed nothing.
+            // The bounces left out would have changed nothing.
             assert_eq!(many, of(&map, albedo, 250).0);
         }
         let (few, most) = (of(&map, 0.5, 4).1, of(&map, 0.5, 256).1);

@@ -63,8 +63,8 @@ pub const KIND: Kind = Kind {
     },
     params: &[APEX, BITS],
     guarantee: "for every point p of the surface in the texel's square (apex 0: at its centre) and every point q of it, \
-        q rises over p by at most their horizontal distance over the ratio; with apex 2 the same at every p for what a \
-        bilinear filter makes of the stored values there",
+        q rises over p by at most their horizontal distance over the ratio; with apex 2 the same holds at every p \
+        for the stored values as a bilinear filter reads them there",
     is_picture: false,
     shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
     reach: |_| Reach::Everything,

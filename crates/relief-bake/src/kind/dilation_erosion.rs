@@ -12,13 +12,13 @@
 //! nowhere below the cell's `erosion` and nowhere above its `dilation`; both are attained.*
 //!
 //! Proof. These places make up the square of cells `i - radius ..= i + radius` by
-//! `j - radius ..= j + radius`. A bilinear patch is a mean of its corners with weights that are not negative,
-//! so over whole cells the surface takes its extremes at texels, and the texels of that square are
-//! `i - radius ..= i + radius + 1` by the like, wrapped as the map is. Their extremes are stored. They are
-//! taken axis by axis, which is the same, because the window is a product of intervals. Nothing rounds: in
-//! `f32` the bound is exact. With `bits` it holds for the surface of the heights decoded from so many bits,
-//! and is as exact: rounding to the nearest never swaps two heights, so the extremes of rounded heights are
-//! the rounded extremes.
+//! `j - radius ..= j + radius`. A bilinear patch is a mean of its corners with weights that are not
+//! negative, so over whole cells the surface takes its extremes at texels. The texels of that
+//! square are `i - radius ..= i + radius + 1` by the like, wrapped as the map is. Their extremes
+//! are stored. They are taken axis by axis, which is the same, because the window is a product of
+//! intervals. Nothing rounds: in `f32` the bound is exact. With `bits` the bound holds for the
+//! surface of the heights decoded from that many bits, and is as exact. Rounding to the nearest
+//! never swaps two heights, so the extremes of rounded heights are the rounded extremes.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -48,13 +48,13 @@ pub const KIND: Kind = Kind {
     bake,
 };
 
-/// Place of the parameter `radius`.
+/// Index of the parameter `radius`.
 const RADIUS: usize = 0;
 
 const PARAMS: &[Param] = &[
     Param {
         name: "radius",
-        summary: "how far around a dual cell heights count, along both axes",
+        summary: "distance around a dual cell within which heights count, along both axes",
         unit: "texels",
         min: 0.0,
         max: MAX_SIDE as f32,
@@ -65,24 +65,25 @@ const PARAMS: &[Param] = &[
     BITS_OF_HEIGHTS,
 ];
 
-/// Place of the parameter `bits`.
+/// Index of the parameter `bits`.
 const BITS_PLACE: usize = 1;
 
-/// Extremes are rounded instead of the heights: the same values, without a second map.
+/// Parameter for the bits of the extremes, which are rounded instead of the heights: the same
+/// values, without a second map.
 const BITS_OF_HEIGHTS: Param = Param { summary: "bits of the heights: 8 or 16, 0 for floats", ..BITS };
 
 /// Least and greatest height around every dual cell, row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindowBounds {
-    /// The least heights: the erosion.
+    /// Least heights: the erosion.
     pub min: Vec<f32>,
-    /// The greatest heights: the dilation.
+    /// Greatest heights: the dilation.
     pub max: Vec<f32>,
 }
 
-/// The extremes of the surface over every dual cell grown by `radius` texels. Takes no longer for a larger
-/// radius, and one plane of memory besides the two that it returns (and 16 bytes a row, for each 512
-/// columns).
+/// Computes the extremes of the surface over every dual cell grown by `radius` texels. A larger
+/// radius takes no longer. Besides its two planes of results it takes one plane of memory (and 16
+/// bytes a row, for each 512 columns).
 ///
 /// # Errors
 ///
@@ -127,13 +128,14 @@ fn bake(
     Ok(to_nearest(sink, &channels, bits, &mut [&mut bounds.min, &mut bounds.max])?)
 }
 
-/// Columns that a task of the vertical pass works on, so that the rows of a window stay cached.
+/// Columns that a task of the vertical pass processes, so that the rows of a window stay cached.
 const STRIP: usize = 512;
 
-/// Texels between two looks at the progress: well below a millisecond of work.
+/// Texels between two progress reports: well below a millisecond of work.
 const BATCH: usize = 1 << 16;
 
-/// The `pick` over every window of a map, any height before `worst`. `along_rows` is room for a plane.
+/// Computes the `pick` over every window of a map; any height is picked over `worst`. `along_rows`
+/// is scratch for a plane.
 fn extremes(
     map: &HeightMap,
     radius: u32,
@@ -200,12 +202,12 @@ fn extremes(
     Ok(picked)
 }
 
-/// The windows of one axis.
+/// Windows of one axis.
 struct Windows {
-    /// Texels of a window.
+    /// Number of texels of a window.
     length: usize,
-    /// The texels, wrapped, from the first window's first to the last window's last: window `i` is `length`
-    /// of them from place `i` on.
+    /// Texels, wrapped, from the first window's first to the last window's last. Window `i` is
+    /// `length` of them from index `i` on.
     texels: Vec<u32>,
 }
 
@@ -220,8 +222,9 @@ impl Windows {
     }
 }
 
-/// The `pick` of every window of so many texels, in blocks of as many windows. The part of a window in its
-/// own block is picked backward from the block's end, the part in the next block forward from there.
+/// Computes the `pick` of every window of `length` texels, in blocks of `length` windows. The part
+/// of a window in its own block is picked backward from the block's end, the part in the next block
+/// forward from there.
 fn pick_row(texels: &[f32], length: usize, pick: impl Fn(f32, f32) -> f32, worst: f32, picked: &mut [f32]) {
     for (block, picked) in picked.chunks_mut(length).enumerate() {
         let (own, next) = texels[block * length..].split_at(length);
@@ -244,14 +247,15 @@ fn pick_each(best: &mut [f32], others: &[f32], pick: impl Fn(f32, f32) -> f32) {
     }
 }
 
-/// A rectangle of a plane, as slices of its rows.
+/// Rectangle of a plane, as slices of its rows.
 struct Strip<'a> {
     first_column: usize,
     first_row: usize,
     rows: Vec<&'a mut [f32]>,
 }
 
-/// A plane of that width in rectangles of [`STRIP`] columns and so many rows, at 16 bytes a row of each.
+/// Divides a plane of that width into rectangles of [`STRIP`] columns and `rows` rows, at 16 bytes
+/// a row of each.
 fn strips(plane: &mut [f32], width: usize, rows: usize) -> Vec<Strip<'_>> {
     let mut strips = Vec::new();
     for (band, plane) in plane.chunks_mut(width * rows).enumerate() {

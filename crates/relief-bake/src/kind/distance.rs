@@ -1,15 +1,16 @@
-//! Distance fields for sphere tracing: how far a ray may go, in any direction, from a point above the relief.
+//! Distance fields for sphere tracing: lower bounds of the distance to the relief, from every point
+//! above it.
 //!
-//! Szirmay-Kalos and Umenhoffer 2008, section 4.3.4, after Hart 1993 and Donnelly 2005. Danielsson's
-//! transform, which they use, is not exact; here each height slice is one exact two-dimensional transform,
-//! along columns and then along rows (Felzenszwalb and Huttenlocher 2012).
+//! Szirmay-Kalos and Umenhoffer 2008, section 4.3.4, after Hart 1993 and Donnelly 2005. Their
+//! transform, by Danielsson, is not exact. Here each height slice is one exact two-dimensional
+//! transform, along columns and then along rows (Felzenszwalb and Huttenlocher 2012).
 //!
 //! # What is stored
 //!
-//! A volume of `W x H x slices` voxels, to be read trilinearly at `(u, v, height)`, with the map's wrap along
-//! `u` and `v` and clamped along the height: voxel `(i, j, k)` has its centre over texel `(i, j)` at height
-//! `(k + ½) / slices`. A value is a length in metres of the [`Metric`], negative where the surface may be
-//! nearer than the voxels can tell.
+//! The map is a volume of `W x H x slices` voxels, read trilinearly at `(u, v, height)`, with the
+//! map's wrap along `u` and `v` and clamped along the height. Voxel `(i, j, k)` has its centre over
+//! texel `(i, j)` at height `(k + ½) / slices`. A value is a length in metres of the [`Metric`]. It
+//! is negative where the surface may be nearer than the voxels can resolve.
 //!
 //! # Guarantee
 //!
@@ -20,36 +21,38 @@
 //! *Proof.* Let `S` be the closed set on and below the bilinear surface, `d` the distance to it, `c` the
 //! eight voxel centres around `q` and `w` their trilinear weights, so that `q = Σ w c`.
 //!
-//! 1. *At a voxel centre* the transform gives the distance `b` to the union of boxes that stand on dual cells
-//!    and reach up to the highest of their four corners. A patch never rises above its corners, so `S` lies
-//!    in the union and `b(c) ≤ d(c)`. It is exact because the point of a dual cell that is nearest to a texel
-//!    centre is one of the cell's corners: the least over boxes is the least over texels `x` of
-//!    `|c - x|² + max(0, z - h⁺(x))²`, with `h⁺` the highest of the 3x3 texels around `x`, which are the
-//!    corners of the four boxes that meet there. Texels beyond the edge of a clamped or mirrored map need not
-//!    be looked at, since each repeats the `h⁺` of one inside that is nearer, or a lower one.
-//! 2. *Between voxel centres*: let `s` be the point of `S` next to `q`. Then `b(c)² ≤ |c - s|²`, and
-//!    `Σ w |c - s|² = |q - s|² + Σ w |c - q|²`, where the last sum is `Σ over axes a² f (1 - f)` for the
-//!    voxel's sides `a` and the fractions `f` of `q` in it, thus at most `δ²` with `δ` half of the voxel's
-//!    diagonal. So `Σ w b² ≤ d(q)² + δ²`.
-//! 3. *Stored* is `φ(b²)` with `φ(t) = (t - δ²) / δ` up to `t = 2δ²` and `sqrt(t - δ²)` above. `φ` rises and
-//!    is concave (at `2δ²` its slope falls from `1/δ` to `1/2δ`), so the fetch is
-//!    `Σ w φ(b²) ≤ φ(Σ w b²) ≤ φ(d(q)² + δ²)`, which is `d(q)` from `d(q) = δ` on and `d(q)²/δ ≤ d(q)`
-//!    before. Far from the surface that costs `δ²/2d` only, where subtracting half of the diagonal would cost
-//!    `δ` everywhere.
-//! 4. *Ends of the volume*: `d` grows with the height, since a ball lifted out of `S` stays out of it. So the
-//!    last slice bounds all that is above it. Slice 0 holds `φ(0)`, the value at height 0, which the fetch
-//!    between height 0 and its centre needs; its centre would allow more. Outside of a clamped footprint the
-//!    fetch is that of the nearest point of the border, and clamping coordinates takes `S` into itself and
-//!    brings no two points further apart.
-//! 5. *Rounding*: every stored value is lowered by `2^-19 (|value| + 6δ)`, more than what the `f32` of five
-//!    roundings of the square, of `φ` and of a trilinear interpolation in `f32` can add (neighbours differ by
-//!    `4√2 δ` at most), and by `δ/128`, the way between `q` and the point that a texture unit fetches for it
-//!    when its weights have 8 bits.
+//! 1. *At a voxel centre* the transform gives the distance `b` to the union of boxes that stand on
+//!    dual cells and reach up to the highest of their four corners. A patch never rises above its
+//!    corners, so `S` lies in the union and `b(c) ≤ d(c)`. The distance is exact because the point
+//!    of a dual cell that is nearest to a texel centre is one of the cell's corners. So the least
+//!    over boxes is the least over texels `x` of `|c - x|² + max(0, z - h⁺(x))²`. Here `h⁺` is the
+//!    highest of the 3x3 texels around `x`, which are the corners of the four boxes that meet
+//!    there. Texels beyond the edge of a clamped or mirrored map may be left out, since each
+//!    repeats the `h⁺` of a nearer one inside, or a lower one.
+//! 2. *Between voxel centres*: let `s` be the point of `S` next to `q`. Then `b(c)² ≤ |c - s|²`,
+//!    and `Σ w |c - s|² = |q - s|² + Σ w |c - q|²`. The last sum is `Σ over axes a² f (1 - f)` for
+//!    the voxel's sides `a` and the fractions `f` of `q` in it. It is at most `δ²` with `δ` half of
+//!    the voxel's diagonal. So `Σ w b² ≤ d(q)² + δ²`.
+//! 3. *Stored* is `φ(b²)` with `φ(t) = (t - δ²) / δ` up to `t = 2δ²` and `sqrt(t - δ²)` above. `φ`
+//!    rises and is concave (at `2δ²` its slope falls from `1/δ` to `1/2δ`). So the fetch is
+//!    `Σ w φ(b²) ≤ φ(Σ w b²) ≤ φ(d(q)² + δ²)`, which is `d(q)` from `d(q) = δ` on and
+//!    `d(q)²/δ ≤ d(q)` before. Far from the surface this costs `δ²/2d` only, where subtracting half
+//!    of the diagonal would cost `δ` everywhere.
+//! 4. *Ends of the volume*: `d` grows with the height, since a ball lifted out of `S` stays out of
+//!    it. So the last slice bounds everything above it. Slice 0 holds `φ(0)`, the value at height
+//!    0, which the fetch between height 0 and its centre needs; its centre would allow more.
+//!    Outside of a clamped footprint the fetch equals the fetch at the nearest point of the border.
+//!    Clamping coordinates takes `S` into itself and brings no two points further apart.
+//! 5. *Rounding*: every stored value is lowered by `2^-19 (|value| + 6δ)` and by `δ/128`. The first
+//!    is more than `f32` rounding can add: five roundings of the square, of `φ` and of a trilinear
+//!    interpolation in `f32` (neighbours differ by `4√2 δ` at most). The second is the way between
+//!    `q` and the point that a texture unit fetches for it when its weights have 8 bits.
 //!
 //! # Cost
 //!
-//! O(1) a voxel. Slices are made one after the other, each by all threads; the working set is three planes of
-//! `f32` beside the map (`h⁺`, one transform and the slice) and, for each thread, 16 lines.
+//! The time is O(1) a voxel. Slices are made one after the other, each by all threads. The working
+//! set is three planes of `f32` beside the map (`h⁺`, one transform and the slice) and, for each
+//! thread, 16 lines.
 
 mod line;
 mod monotone;
@@ -64,7 +67,7 @@ use super::{BITS, Kind, Reach};
 use crate::quantise::unorm;
 use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink, Texture};
 
-/// The kind.
+/// The kind `distance`.
 pub const KIND: Kind = Kind {
     name: "distance",
     summary: "distance to the relief from every point above it, a volume, for sphere tracing",
@@ -93,40 +96,41 @@ const SLICES: Param = Param {
 /// Lines that a thread transposes together: one cache line of `f32` from each column.
 const LINES: usize = 16;
 
-/// What stored values are lowered by, relative to themselves and six half diagonals. Smaller, rounding could
-/// break the bound.
+/// Amount by which stored values are lowered, relative to themselves and six half diagonals.
+/// Smaller, rounding could break the bound.
 const ROUNDING: f32 = 1.0 / (1 << 19) as f32;
 
-/// Parts of the half diagonal that a texture unit's 8-bit weights may move the fetched point by: 1 of 128.
+/// Part of the half diagonal by which a texture unit's 8-bit weights may move the fetched point: 1
+/// of 128.
 const WEIGHTS: f32 = 1.0 / 128.0;
 
-/// What integers are lowered by before they are rounded down, in parts of the range: twice what scaling to
-/// the range and back can add in `f32`.
+/// Amount by which integers are lowered before they are rounded down, as a part of the range. It is
+/// twice the rounding of scaling to the range and back in `f32`.
 const DECODING: f32 = 1.0 / (1 << 21) as f32;
 
-/// A distance field about to be made: what its slices share.
+/// Distance field to be computed, with the data that its slices share.
 #[derive(Debug)]
 pub struct DistanceField {
     size: [u32; 3],
     /// Whether the map is repeated beyond its edges.
     repeats: bool,
-    /// The most texels that a distance is long, along `u` and `v`.
+    /// Most texels that a distance is long, along `u` and `v`.
     reach: [usize; 2],
-    /// The unit of lengths, in metres: the longest of texel and relief, so that squares fit `f32`.
+    /// Unit of lengths, in metres: the longest of texel and relief, so that squares fit `f32`.
     unit_m: f64,
     /// Size of a texel along `u` and `v` and height of the relief, in that unit.
     texel: [f64; 2],
     scale: f64,
     /// Half of a voxel's diagonal in that unit.
     half_diagonal: f64,
-    /// The dilated heights `h⁺`, column by column.
+    /// Dilated heights `h⁺`, column by column.
     tops: Vec<f32>,
-    /// The lowest of them.
+    /// Lowest dilated height.
     lowest: f32,
 }
 
 impl DistanceField {
-    /// Prepares the field of a map in a metric, with that many height slices, at least one.
+    /// Prepares the field of a map in a metric, with `slices` height slices, at least one.
     pub fn new(map: &HeightMap, metric: Metric, slices: u32) -> Self {
         let slices = slices.max(1);
         let texel_m = metric.texel_m(map);
@@ -145,12 +149,12 @@ impl DistanceField {
         Self { size, repeats, reach, unit_m, texel, scale, half_diagonal, tops, lowest }
     }
 
-    /// Half of a voxel's diagonal in metres.
+    /// Returns half of a voxel's diagonal in metres.
     pub fn half_diagonal_m(&self) -> f64 {
         self.half_diagonal * self.unit_m
     }
 
-    /// What all values lie between, in metres.
+    /// Returns the range of all values, in metres.
     pub fn range_m(&self) -> [f32; 2] {
         let top = 1.0 - 0.5 / f64::from(self.size[2]);
         let longest = (top - f64::from(self.lowest)).max(0.0) * self.scale;
@@ -158,12 +162,12 @@ impl DistanceField {
         [(least * (1.0 + 1e-6)) as f32, (longest.max(self.half_diagonal) * self.unit_m) as f32]
     }
 
-    /// Makes the slices from the lowest up and hands each over, its values in metres row by row from the top.
-    /// Ends early with the first error.
+    /// Computes the slices from the lowest up and hands each to `each`, its values in metres row by
+    /// row from the top. Ends early with the first error.
     ///
     /// # Errors
     ///
-    /// When the bake is cancelled, or what `each` returns.
+    /// When the bake is cancelled, or `each` fails.
     pub fn slices(
         &self,
         watch: &Watch,
@@ -187,8 +191,9 @@ impl DistanceField {
         Ok(watch.at(1.0)?)
     }
 
-    /// Squared distances within each column at that height. [`LINES`] columns lie together, and within them
-    /// as many rows, column by column: what [`Self::along_rows`] reads at once.
+    /// Computes squared distances within each column at height `level`. [`LINES`] columns lie
+    /// together. Within them, [`LINES`] rows lie together, column by column, as
+    /// [`Self::along_rows`] reads them.
     fn along_columns(&self, level: f64, columns: &mut [f32], watch: &Watch) -> Result<(), Cancelled> {
         let height = self.size[1] as usize;
         let blocks = self.size[0].div_ceil(LINES as u32) as f32;
@@ -213,12 +218,13 @@ impl DistanceField {
         )
     }
 
-    /// The slice's values from the squared distances within columns.
+    /// Computes the slice's values from the squared distances within columns.
     fn along_rows(&self, columns: &[f32], slice: &mut [f32], watch: &Watch) -> Result<(), Cancelled> {
         let [width, height] = [self.size[0] as usize, self.size[1] as usize];
         let blocks = self.size[1].div_ceil(LINES as u32) as f32;
         let line = || Line::new(width, self.texel[0], self.reach[0], self.repeats);
-        // Longer than a row, so that rows of a power of two do not all fall into the same cache lines.
+        // The stride is longer than a row, so that rows of a power of two do not all fall into the
+        // same cache lines.
         let stride = width + LINES;
         slice.par_chunks_mut(width * LINES).enumerate().try_for_each_init(
             || (line(), vec![0.0f32; stride * LINES]),
@@ -246,13 +252,13 @@ impl DistanceField {
         )
     }
 
-    /// The stored value for a squared distance to the boxes, in metres.
+    /// Returns the stored value for a squared distance to the boxes, in metres.
     #[inline]
     fn metres(&self, squared: f32) -> f32 {
         self.stored(squared) * self.unit_m as f32
     }
 
-    /// The same in the field's unit: `φ` and what rounding takes.
+    /// Returns the stored value in the field's unit: `φ`, lowered for rounding.
     #[inline]
     fn stored(&self, squared: f32) -> f32 {
         let half = self.half_diagonal as f32;
@@ -262,7 +268,7 @@ impl DistanceField {
     }
 }
 
-/// The highest of the 3x3 texels around each texel, column by column.
+/// Returns the highest of the 3x3 texels around each texel, column by column.
 fn dilated_columns(map: &HeightMap) -> Vec<f32> {
     let [width, height] = [map.width() as usize, map.height() as usize];
     let wrapped = |at: usize, side: u32| {
@@ -303,7 +309,7 @@ fn bake(
     let [low, high] = field.range_m();
     if !(low.is_normal() && high.is_normal() && (high - low).is_normal()) {
         let reason =
-            format!("distances of {low} to {high} m are beyond 32-bit floats; use another unit of length");
+            format!("distances of {low} to {high} m are beyond 32-bit floats: use another unit of length");
         return Err(BakeError::Impossible { kind: KIND.name, reason });
     }
     sink.begin(&Texture {

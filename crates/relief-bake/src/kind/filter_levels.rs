@@ -1,43 +1,47 @@
-//! Filter levels: a chain of coarser height maps, each of which is a bilinear surface for itself.
+//! Filter levels: a chain of coarser height maps, each of them a bilinear surface of its own.
 //!
 //! * Gumhold and Hüttner 1999, "Multiresolution Rendering With Displacement Mapping": section 4.2 for levels
 //!   of the least difference volume, section 4.1 for maxima and minima.
 //!
-//! Sides halve rounded down, until a level is a single texel. Level 0 is the map, and every level but an
-//! average is made from it, not from the one before. A level's surface lies over the same texture square as
-//! the map's, goes on beyond it as the map does, and its heights are from 0 to 1 with the map's scale and
-//! bias.
+//! Sides halve, rounded down, until a level is a single texel. Level 0 is the map. Every level but
+//! an average is computed from it, not from the previous level. A level's surface lies over the
+//! same texture square as the map's and continues beyond it with the same wrap. Its heights are
+//! from 0 to 1 with the map's scale and bias.
 //!
 //! # Guarantee
 //!
-//! * `average`: a texel is the mean of the map's texels over its area ([`HeightMap::level`], to rounding).
+//! * `average`: a texel is the mean of the map's texels over its area ([`HeightMap::level`], to
+//!   rounding).
 //! * `max`: *the level's surface is nowhere below the map's.* `min`: it is nowhere above.
 //!
-//!   Proof. A texel is the extreme of the map's surface over the texel's whole support: the square to the
-//!   centres of the texels around it. A point of the level lies in one cell, and the cell in the supports
-//!   of its four corners, so each of these is at least as high as the map's surface at that point, and so
-//!   is the mean of them, with weights that are not negative and sum to 1, that the level's surface is
-//!   there. Beyond the outermost centres of a map that is not tiled both surfaces are as high as at these.
-//!   The extreme of a bilinear surface over a rectangle lies at a corner of one of the pieces into which
-//!   the cells cut it: at a texel, or where an end of the support crosses a line between texels or another
-//!   end. All of these are looked at, so that the bound is attained, to a rounding. Heights between texels
-//!   are raised by more than `f64` rounds off (never above their neighbours), and rounded up to `f32` and
-//!   to codes. The maximum over the texel's own area, as is usual, holds only at its centre.
-//! * `least-squares`: the integral of the squared difference of the surfaces is the least of all heights from
-//!   0 to 1. The integrals of products of hats are exact, also where sides are odd.
-//! * `variational`: the difference volume, as [`difference_volume()`] sums it, is at most that of `average`
-//!   and of `least-squares`. Mostly it is near the least, which is convex and has no other minimum; the
-//!   paper's descent with a numeric derivative goes to the same place.
+//!   Proof. A texel is the extreme of the map's surface over the texel's whole support: the square
+//!   to the centres of the texels around it. A point of the level lies in one cell, and the cell in
+//!   the supports of its four corners. So each of the four heights is at least as high as the map's
+//!   surface at that point. The level's surface there is their mean, with weights that are not
+//!   negative and sum to 1, so it is at least as high, too. Beyond the outermost centres of a map that
+//!   is not tiled, both surfaces are as high as at these centres. The extreme of a bilinear surface
+//!   over a rectangle lies at a corner of one of the pieces into which the cells cut it. Such a corner
+//!   is a texel, or a point where an end of the support crosses a line between texels or another end.
+//!   All of these are visited, so the bound is attained, to a rounding. Heights between texels are
+//!   raised by more than the rounding of `f64` (never above their neighbours), and rounded up to `f32`
+//!   and to codes. The usual maximum over the texel's own area holds only at its centre.
+//! * `least-squares`: of all heights from 0 to 1, these have the least integral of the squared
+//!   difference of the surfaces. The integrals of products of hats are exact, also where sides are
+//!   odd.
+//! * `variational`: the difference volume, as [`difference_volume()`] sums it, is at most the
+//!   volume of `average` and of `least-squares`. Mostly it is near the least, which is convex and
+//!   has no other minimum. The paper's descent with a numeric derivative reaches the same level.
 //!
-//! Heights are quantised first when there are `bits`, then those of levels: to the nearest, or to the side of
-//! the extreme. What is said of the last two holds of the floats.
+//! With `bits`, heights are quantised first, then the heights of levels: to the nearest, or to the
+//! side of the extreme. The guarantees of the last two filters hold for the floats.
 //!
 //! # Cost
 //!
-//! A level takes O(texels of the map): of least squares and extremes a few operations each, of
-//! `variational` eleven passes over four points or more of each cell. Besides the map, what is handed out
-//! and the averages, which are a third of the map, `least-squares` takes one and a quarter maps, and
-//! `variational` as much, and some hundred kilobytes a thread.
+//! A level takes O(texels of the map) time. Least squares and extremes take a few operations for
+//! each texel; `variational` takes eleven passes over four points or more of each cell. Memory
+//! counts besides the map, the result and the averages, which are a third of the map.
+//! `least-squares` takes one and a quarter maps, `variational` as much, and some hundred kilobytes
+//! a thread.
 
 mod axis;
 mod extremes;
@@ -69,9 +73,9 @@ pub const KIND: Kind = Kind {
         section: "4.1, 4.2",
     },
     params: &[FILTER, BITS],
-    guarantee: "The bilinear surface of a level of max is nowhere below that of the map, of min nowhere \
-        above. The volume between the two is with variational at most that with average or least-squares, \
-        the integral of the squared difference with least-squares the least that there is.",
+    guarantee: "With max, the bilinear surface of a level is nowhere below the map's, with min nowhere above. \
+        With variational, the volume between the two is at most the volume with average or least-squares. \
+        With least-squares, the integral of the squared difference is the least possible.",
     is_picture: false,
     shapes: |size, _| vec![shape(size)],
     reach: |_| Reach::Everything,
@@ -81,7 +85,7 @@ pub const KIND: Kind = Kind {
 
 const FILTER: Param = Param {
     name: "filter",
-    summary: "how levels are made: 0 average, the mean over a texel's area, 1 max, nowhere below the \
+    summary: "filter of the levels: 0 average, the mean over a texel's area, 1 max, nowhere below the \
         surface, 2 min, nowhere above it, 3 least-squares, 4 variational, the least volume between the \
         surfaces",
     unit: "",
@@ -92,21 +96,21 @@ const FILTER: Param = Param {
     names: &[],
 };
 
-/// How a level is made.
+/// Filter that computes a level.
 ///
 /// The discriminants are the values of the setting `filter`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[repr(u32)]
 pub enum Filter {
-    /// The mean over a texel's area.
+    /// Mean over a texel's area.
     Average = 0,
-    /// A surface that is nowhere below the map's: for what is seen from the front.
+    /// Surface nowhere below the map's, for rays from the front.
     Max = 1,
-    /// A surface that is nowhere above the map's: for what is seen from the back.
+    /// Surface nowhere above the map's, for rays from the back.
     Min = 2,
-    /// The least squared difference of the surfaces.
+    /// Least squared difference of the surfaces.
     LeastSquares = 3,
-    /// The least volume between the surfaces.
+    /// Least volume between the surfaces.
     #[default]
     Variational = 4,
 }
@@ -116,7 +120,7 @@ impl Filter {
     pub const ALL: [Filter; 5] =
         [Filter::Average, Filter::Max, Filter::Min, Filter::LeastSquares, Filter::Variational];
 
-    /// Its name.
+    /// Returns its name.
     pub const fn name(self) -> &'static str {
         match self {
             Filter::Average => "average",
@@ -127,7 +131,7 @@ impl Filter {
         }
     }
 
-    /// The side to which heights are rounded.
+    /// Returns the side to which heights are rounded.
     pub const fn rounding(self) -> Rounding {
         match self {
             Filter::Max => Rounding::Up,
@@ -152,10 +156,10 @@ impl FromStr for Filter {
     }
 }
 
-/// A level of a map, of which 0 is the map itself: of half the sides of the one before, rounded down, at
-/// least 1. Of what is coarser than a single texel, that texel. It lies as the map lies
-/// ([`HeightMap::wrap`], [`HeightMap::scale_m`], [`HeightMap::bias_m`]), without its metadata, and takes
-/// the place of the map where it is to be coarser.
+/// Computes a level of a map; level 0 is the map itself. Each level has half the sides of the
+/// previous one, rounded down, and at least 1. Beyond the single texel, levels stay that texel. The
+/// level lies as the map lies ([`HeightMap::wrap`], [`HeightMap::scale_m`], [`HeightMap::bias_m`]),
+/// without its metadata. It can replace the map wherever a coarser one is wanted.
 ///
 /// # Errors
 ///
@@ -182,11 +186,11 @@ pub fn filter_level(
         }
     };
     watch.at(1.0)?;
-    let made = HeightMap::new(size[0], size[1], texels, map.wrap())?;
-    Ok(made.with_displacement(map.scale_m(), map.bias_m())?)
+    let level = HeightMap::new(size[0], size[1], texels, map.wrap())?;
+    Ok(level.with_displacement(map.scale_m(), map.bias_m())?)
 }
 
-/// All levels of a map, from the map itself to a single texel: see [`filter_level`].
+/// Computes all levels of a map, from the map itself to a single texel: see [`filter_level`].
 ///
 /// # Errors
 ///
@@ -196,10 +200,11 @@ pub fn filter_levels(map: &HeightMap, filter: Filter, watch: &Watch) -> Result<V
     (0..count).map(|level| filter_level(map, level, filter, &part(watch, level, count))).collect()
 }
 
-/// The watch of one level among several: each but the first, which is there, looks at the whole map.
+/// Returns the watch of one level among several. Each level reads the whole map, except the first,
+/// which is the map.
 fn part<'a>(watch: &Watch<'a>, level: u32, count: u32) -> Watch<'a> {
-    let made = (count - 1).max(1) as f32;
-    watch.piece(level.saturating_sub(1) as f32 / made, (level as f32 / made).min(1.0))
+    let computed = (count - 1).max(1) as f32;
+    watch.piece(level.saturating_sub(1) as f32 / computed, (level as f32 / computed).min(1.0))
 }
 
 fn bake(
@@ -220,8 +225,8 @@ fn bake(
     sink.slice(&[map.texels()])?;
     let count = map.levels();
     for level in 1..count {
-        let made = filter_level(map, level, filter, &part(watch, level, count))?;
-        let mut texels = made.into_texels();
+        let level = filter_level(map, level, filter, &part(watch, level, count))?;
+        let mut texels = level.into_texels();
         if bits != 0 {
             texels.iter_mut().for_each(|texel| *texel = quantise::unorm(*texel, bits, filter.rounding()));
         }
@@ -230,7 +235,7 @@ fn bake(
     Ok(())
 }
 
-/// One channel, and each level half the size of the one before, rounded down.
+/// Shape of one channel; each level has half the size of the previous one, rounded down.
 fn shape([width, height]: [u32; 2]) -> Shape {
     let mut shape = Shape::slices("", [width, height], 1, 1);
     let mut size = [width, height];

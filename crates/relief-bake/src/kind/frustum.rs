@@ -1,38 +1,39 @@
 //! The quadrant frustum map: for every dual cell the widest empty frustum in each of four quadrants.
 //!
-//! Published here first. It stands between pyramids (boxes of empty space; Tevs, Ihrke and Seidel 2008) and
-//! cone maps (Dummer 2006): a frustum is as wide as a cone, knows the direction as far as its quadrant, and
-//! its step is one division an axis.
+//! Published here first. It stands between pyramids (boxes of empty space; Tevs, Ihrke and Seidel
+//! 2008) and cone maps (Dummer 2006). A frustum is as wide as a cone, and depends on the direction
+//! by its quadrant. Its step takes one division an axis.
 //!
 //! # What is stored
 //!
-//! For dual cell `c = (i, j)` its *top* `z`, the greatest of its four heights, and for each quadrant the
-//! *least slope* `S ≥ 0`, in heights a texel, such that over all of the quadrant the surface `f` is
+//! For dual cell `c = (i, j)`, the map holds its *top* `z`, the greatest of its four heights. For
+//! each quadrant it holds the *least slope* `S ≥ 0`, in heights a texel, such that over all of the
+//! quadrant the surface `f` is
 //!
 //! ```text
 //! f(x, y) ≤ z + S d(x, y),   d = max(distance of x from the cell's columns, distance of y from its rows)
 //! ```
 //!
-//! in texels. The quadrant that goes forward along both axes is `x ≥ i, y ≥ j`; backward along `x` it is
-//! `x ≤ i + 1`. A ray that is somewhere over the cell stays in the quadrant of its direction; along an axis
-//! on which it does not move, either side will do. Metres do not come into it: the map is valid in any
-//! metric.
+//! in texels. The quadrant that goes forward along both axes is `x ≥ i, y ≥ j`; backward along `x`
+//! it is `x ≤ i + 1`. A ray that is somewhere over the cell stays in the quadrant of its direction.
+//! Along an axis on which it does not move, either side will do. Metres do not appear: the map is
+//! valid in any metric.
 //!
 //! # How a ray uses it
 //!
-//! While the ray is over the cell and above `z`, it is above the surface; where it sinks below `z` there, the
-//! cell's patch is solved. Otherwise let its height be `h0 + h1 t`, let it move `v` texels along an axis a
-//! unit of `t`, and leave the cell along that axis at `t_v`. It is above the surface as far as it is above
-//! `z + S d`: until the least, over the axes, of
+//! While the ray is over the cell and above `z`, it is above the surface. Where it sinks below `z`
+//! there, the cell's patch is solved. Otherwise let its height be `h0 + h1 t`, let it move `v`
+//! texels along an axis a unit of `t`, and leave the cell along that axis at `t_v`. It is above the
+//! surface as far as it is above `z + S d`: until the least, over the axes, of
 //!
 //! ```text
 //! t = (h0 - z + S |v| t_v) / (S |v| - h1)
 //! ```
 //!
-//! An axis whose denominator is not positive sets no limit. For `d` is the greatest `|v| (t - t_v)` of the
-//! axes along which the ray has left the cell. That is convex in `t`, and the ray is linear (or bends down),
-//! so the gap is concave and does not close before. For a ray that bends up, with `h2 t²`, the limit is the
-//! first root of each axis' quadratic.
+//! An axis whose denominator is not positive sets no limit. For `d` is the greatest `|v| (t - t_v)`
+//! of the axes along which the ray has left the cell. This `d` is convex in `t`, and the ray is
+//! linear (or bends down). So the gap is concave and does not close before. For a ray that bends
+//! up, with `h2 t²`, the limit is the first root of each axis' quadratic.
 //!
 //! # Guarantee
 //!
@@ -44,41 +45,46 @@
 //! columns and rows of texels from the cell's near corner, `d(p, q) = max(p, q, 1) - 1`, and call
 //! `h - z ≤ S d` the demand of a texel.
 //!
-//! 1. *Off the diagonal.* Over the cell `[p, p+1] x [q, q+1]` with `p > q`, `d` is `x - i - 1`, and with
-//!    `p < q` it is `y - j - 1`: linear over the cell. `f - z - S d` is then bilinear, so it is greatest at a
-//!    corner: it is nowhere positive just when the corners' demands are met.
-//! 2. *On the diagonal*, over `[k, k+1]²` with `k ≥ 1`, `d = k - 1 + max(u, v)` with `u, v` in `[0, 1]` is
-//!    not bilinear, and corners are not enough: the patch through corners that just meet their demands can
-//!    pass it by `S/4`. On the triangle `u ≥ v`, `d` is linear, and `f - z - S d` is `α + β u + γ v + δ u v`,
-//!    whose second derivatives have the determinant `-δ² ≤ 0`: it has no maximum inside, so it is greatest on
-//!    an edge. Along the two outer edges it is linear, so the corners' demands settle them. Along `u = v` it
-//!    is a quadratic, and the least `S` for which that is nowhere positive has a closed form: see
-//!    `diagonal.rs`. The triangle `u ≤ v` shares that edge. So these two kinds of demand together are met
-//!    just when the surface is below the frustum.
+//! 1. *Off the diagonal.* Over the cell `[p, p+1] x [q, q+1]` with `p > q`, `d` is `x - i - 1`, and
+//!    with `p < q` it is `y - j - 1`: linear over the cell. `f - z - S d` is then bilinear, so it
+//!    is greatest at a corner. It is nowhere positive just when the corners' demands are met.
+//! 2. *On the diagonal*, over `[k, k+1]²` with `k ≥ 1`, `d = k - 1 + max(u, v)` with `u, v` in
+//!    `[0, 1]` is not bilinear, and corners are not enough. The patch through corners that just
+//!    meet their demands can exceed it by `S/4`. On the triangle `u ≥ v`, `d` is linear, and
+//!    `f - z - S d` is `α + β u + γ v + δ u v`. Its second derivatives have the determinant
+//!    `-δ² ≤ 0`: it has no maximum inside, so it is greatest on an edge. Along the two outer edges
+//!    it is linear, so the corners' demands settle them. Along `u = v` it is a quadratic. The least
+//!    `S` for which this quadratic is nowhere positive has a closed form: see `diagonal.rs`. The
+//!    triangle `u ≤ v` shares that edge. So these two kinds of demand together are met just when
+//!    the surface is below the frustum.
 //! 3. *The cell itself.* Over it `d` is 0 and `f ≤ z`, as for every patch (see the kind `pyramid`).
-//! 4. *The quadrant is infinite, but its nearest images suffice.* The surface is the same at a point and at
-//!    its images: under `repeat` those moved by whole tiles along either axis, under `mirror` also those
-//!    mirrored at the tiles' edges, under `clamp` beyond the outermost texels those moved along the axis.
-//!    Each is independent for the two axes, and `d` does not fall as a point moves away along one. So of the
-//!    images of a point that lie in the quadrant, the one nearest along both axes has the least `d`, and
-//!    where `f ≤ z + S d` holds there it holds at all, as `S ≥ 0`. Under `repeat` the nearest images lie in
-//!    `[i, i + W] x [j, j + H]`; under `mirror` in `[i, 2W - 1]` along `x`, which holds every column ahead
-//!    and then those behind, mirrored; under `clamp` in `[i, W - 1]`; rows likewise. The demands of the
-//!    texels and the diagonal cells in these are all that is searched for.
-//! 5. *Squares.* Most slopes are found by the greatest heights of squares that grow; why they ask for the same
-//!    is said in `growing_squares.rs`. The others are searched for, in a pyramid of maxima.
-//! 6. *Rounding.* A corner's demand is a difference and a quotient in `f64`, below the true one by less than
-//!    2⁻⁵¹ of it; a diagonal's is never below the true one. The greatest is raised by 2⁻⁵⁰ of it and rounded
-//!    up to `f32`. A square is passed over only where its bound is below what is found already by more than
-//!    the rounding of the comparison, and so is a node of the pyramid, or where without any rounding a hull or
-//!    a plane above the node is not above the frustum found. So what is found is the greatest of all demands,
-//!    but for those of nodes whose hull or plane is above that frustum and not above one steeper by 2⁻¹⁶:
-//!    where the search passed over such a node it raises the slope by so much. Heights and tops are not
-//!    rounded. With `bits`, heights are decoded from so many bits first, so the top is one that is stored
-//!    exactly; slopes are rounded up, to steps of a power of two over `2^bits - 1`.
+//! 4. *The quadrant is infinite, but its nearest images suffice.* The surface is the same at a
+//!    point and at its images. Under `repeat`, images are moved by whole tiles along either axis.
+//!    Under `mirror`, they are also mirrored at the tiles' edges. Under `clamp`, points beyond the
+//!    outermost texels are images moved along the axis. Each move is independent for the two axes,
+//!    and `d` does not fall as a point moves away along one. So of the images of a point that lie
+//!    in the quadrant, the one nearest along both axes has the least `d`. Where `f ≤ z + S d` holds
+//!    there, it holds at all images, as `S ≥ 0`. Under `repeat` the nearest images lie in
+//!    `[i, i + W] x [j, j + H]`. Under `mirror` they lie in `[i, 2W - 1]` along `x`, which holds
+//!    every column ahead and then the columns behind, mirrored. Under `clamp` they lie in
+//!    `[i, W - 1]`; rows likewise. Only the demands of the texels and the diagonal cells in these
+//!    ranges are searched.
+//! 5. *Squares.* Most slopes are found by the greatest heights of squares that grow;
+//!    `growing_squares.rs` explains why they require the same slope. The others are searched in a
+//!    pyramid of maxima.
+//! 6. *Rounding.* A corner's demand is a difference and a quotient in `f64`, below the true one by
+//!    less than 2⁻⁵¹ of it; a diagonal's is never below the true one. The greatest is raised by
+//!    2⁻⁵⁰ of it and rounded up to `f32`. A square is skipped only where its bound is below the
+//!    slope so far by more than the rounding of the comparison. The same holds for a node of the
+//!    pyramid. A node is also skipped where, without any rounding, a hull or a plane above it is
+//!    not above the frustum found. So the result is the greatest of all demands, with one
+//!    exception: nodes whose hull or plane is above that frustum, but not above one steeper by
+//!    2⁻¹⁶. Where the search skipped such a node it raises the slope by this amount. Heights and
+//!    tops are not rounded. With `bits`, heights are decoded from that many bits first, so the top
+//!    is stored exactly. Slopes are rounded up, to steps of a power of two over `2^bits - 1`.
 //!
-//! The half cells before texel 0 of a clamped or mirrored map, and all cells outside, are found by
-//! [`FrustumMap::at`]; that is proven there.
+//! [`FrustumMap::at`] returns the half cells before texel 0 of a clamped or mirrored map, and all
+//! cells outside. The proof is there.
 
 mod ahead;
 mod diagonal;
@@ -116,15 +122,16 @@ pub const KIND: Kind = Kind {
     bake,
 };
 
-/// Place of the parameter `bits`.
+/// Index of the parameter `bits`.
 const BITS_PLACE: usize = 0;
 
 const PARAMS: &[Param] = &[BITS];
 
-/// The four quadrants in the order of the channels: whether they go forward along `u` and `v`.
+/// Quadrants in the order of the channels: whether they go forward along `u` and `v`.
 const QUADRANTS: [[bool; 2]; 4] = [[true, true], [false, true], [true, false], [false, false]];
 
-/// The frustum map of a height map: five times its size, and 4/3 more while it is made.
+/// Computes the frustum map of a height map. It takes five times the memory of the height map, and
+/// 4/3 more during the bake.
 ///
 /// # Errors
 ///
@@ -188,8 +195,8 @@ fn bake(
     Ok(())
 }
 
-/// The least power of two that is not below the steepest slope; 1 without one. Dividing by it and multiplying
-/// again is exact, so that what is rounded to the safe side stays there.
+/// Returns the least power of two that is not below the steepest slope; 1 without a slope. Dividing
+/// by it and multiplying again is exact, so values rounded to the safe side stay there.
 fn range_for(steepest: f32) -> f32 {
     let mut range = 2.0;
     while range * 0.5 >= steepest && range > f32::MIN_POSITIVE {

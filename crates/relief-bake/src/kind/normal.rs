@@ -1,47 +1,52 @@
-//! Normal maps, with the moments that filtering them needs.
+//! Normal maps, with moments of the slope for filtering.
 //!
 //! Szirmay-Kalos and Umenhoffer 2008, sections 2.1 and 2.2, eq. 9; for mip levels Dupuy et al. 2013 (LEADR).
 //!
 //! # What is stored
 //!
-//! At every texel centre the unit normal of the relief in the [`Metric`]: with slopes `su` along `u` and `sv`
-//! along `v` (which points down in the picture), it is `(-su, sv, 1)` over its length in tangent space, where
-//! `x` points along the tangent, `y` up in the picture, which is along `-B` (green as in OpenGL and glTF; the
-//! other sign is an option), and `z` outward. These are eq. 9's signs for a downward `v`. In world space, for
-//! the built-in plane, it is `(-su, 1, -sv)`.
+//! The map holds the unit normal of the relief in the [`Metric`] at every texel centre. With slopes
+//! `su` along `u` and `sv` along `v` (which points down in the picture), it is `(-su, sv, 1)` over
+//! its length in tangent space. There `x` points along the tangent and `z` outward. `y` points up
+//! in the picture, which is along `-B` (green as in OpenGL and glTF; the other sign is an option).
+//! These are eq. 9's signs for a downward `v`. In world space, for the built-in plane, it is
+//! `(-su, 1, -sv)`.
 //!
-//! At the edges of a clamped map differences are one-sided: from the edge's texel to the one inside. So an
-//! even slope has the same normal everywhere, and tiles of a terrain meet without a rim.
+//! At the edges of a clamped map differences are one-sided: from the edge's texel to the one
+//! inside. So an even slope has the same normal everywhere, and tiles of a terrain meet without a
+//! rim.
 //!
-//! Mip levels hold the normal of the *mean slope* and, as three more channels, the central second moments of
-//! the slopes along `u` and `v` over the texel (`uu`, `uv`, `vv`, the same whatever space and green): a
-//! shader adds them to the roughness of the material. They are 0 in level 0. Sides halve rounded down; texels
-//! are weighted by area, so that the last level holds mean and moments of the whole map.
+//! Mip levels hold the normal of the *mean slope* and three more channels: the central second
+//! moments of the slopes along `u` and `v` over the texel (`uu`, `uv`, `vv`, the same whatever
+//! space and green). A shader adds them to the roughness of the material. They are 0 in level 0.
+//! Sides halve, rounded down. Texels are weighted by area, so the last level holds mean and moments
+//! of the whole map.
 //!
 //! # Guarantee
 //!
-//! For heights sampled from a smooth surface `h` in metres, texels `a` by `b` metres, away from the edges of
-//! a clamped or mirrored map, the angle between the stored and the true normal is at most
-//! `sqrt((a² max|h_uuu|)² + (b² max|h_vvv|)²) / 6` plus `4e-7` plus `1.2e-7 (scale/a + scale/b)`: it falls
-//! with the square of the texel.
+//! Let heights be sampled from a smooth surface `h` in metres, with texels `a` by `b` metres. Away
+//! from the edges of a clamped or mirrored map, the angle between the stored and the true normal is
+//! at most `sqrt((a² max|h_uuu|)² + (b² max|h_vvv|)²) / 6` plus `4e-7` plus
+//! `1.2e-7 (scale/a + scale/b)`. It falls with the square of the texel.
 //!
-//! *Proof.* By Taylor's theorem a central difference misses the slope by at most `a²/6 max|h_uuu|`. The angle
-//! between the normals of two slopes is at most the distance of the slopes, because `s ↦ (-s, 1)/|(-s, 1)|`
-//! has derivatives of at most 1: `1/(1+|s|²)` radially and `1/sqrt(1+|s|²)` across. Heights rounded to `f32`
-//! are off by `2^-25`, which moves their difference by `2^-24` and the slope by `2^-25 scale/a`; the
-//! subtraction and the two products add `2^-23` of the slope, which turns the normal by less than that times
-//! `|s|/(1+|s|²)`, and dividing by the length three roundings. With [`Derivative::Patches`] the slopes to
-//! either side, and their weights, differ in proportion to the texel, so that the order is the same with
-//! another constant. Opposite slopes cancel there, and rounding adds up to `4e-7` times the steepest of them.
+//! *Proof.* By Taylor's theorem a central difference misses the slope by at most `a²/6 max|h_uuu|`.
+//! The angle between the normals of two slopes is at most the distance of the slopes, because
+//! `s ↦ (-s, 1)/|(-s, 1)|` has derivatives of at most 1: `1/(1+|s|²)` radially and `1/sqrt(1+|s|²)`
+//! across. Heights rounded to `f32` are off by `2^-25`, which moves their difference by `2^-24` and
+//! the slope by `2^-25 scale/a`. The subtraction and the two products add `2^-23` of the slope,
+//! which turns the normal by less than that times `|s|/(1+|s|²)`. Dividing by the length adds three
+//! roundings. With [`Derivative::Patches`] the slopes to either side, and their weights, differ in
+//! proportion to the texel, so the order is the same with another constant. Opposite slopes cancel
+//! there, and rounding adds up to `4e-7` times the steepest of them.
 //!
-//! Stored in `bits` the components are rounded to the nearest, each by at most `1 / (2^bits - 1)`, so the
-//! angle grows by at most `asin(sqrt(3) / (2^bits - 1))`: 0.39° with 8 bits, 0.0015° with 16. (0 is no code:
-//! a flat map comes back tilted by `sqrt(2) / (2^bits - 1)`.) Nothing here is one-sided, hence heights are
-//! not quantised first.
+//! Stored in `bits` the components are rounded to the nearest, each by at most `1 / (2^bits - 1)`.
+//! The angle thus grows by at most `asin(sqrt(3) / (2^bits - 1))`: 0.39° with 8 bits, 0.0015° with
+//! 16. (0 is no code: a flat map comes back tilted by `sqrt(2) / (2^bits - 1)`.) Nothing here is
+//! one-sided, hence heights are not quantised first.
 //!
 //! # Cost
 //!
-//! O(1) a texel; the six planes of level 0 (three without mips) beside the map, then less.
+//! The time is O(1) a texel. Memory is the six planes of level 0 (three without mips) beside the
+//! map, then less.
 
 mod moments;
 mod slopes;
@@ -56,7 +61,7 @@ pub use self::slopes::{Derivative, Slopes};
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
 use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink, Texture};
 
-/// The kind.
+/// The kind `normal`.
 pub const KIND: Kind = Kind {
     name: "normal",
     summary: "unit normals, and in mip levels the moments of the slope that filtering needs",
@@ -71,7 +76,7 @@ pub const KIND: Kind = Kind {
     bake,
 };
 
-/// A parameter that is off, 0, or on, 1.
+/// Creates a parameter that is off, 0, or on, 1.
 const fn switch(name: &'static str, summary: &'static str, default: f32) -> Param {
     Param { name, summary, unit: "", min: 0.0, max: 1.0, default, integer: true, names: &[] }
 }
@@ -81,28 +86,28 @@ const PATCHES: Param =
 const WORLD: Param = switch("world", "1: in world space, for the built-in plane; 0: in tangent space", 0.0);
 const GREEN_DOWN: Param =
     switch("green_down", "1: green points down in the picture (DirectX); 0: up (OpenGL, glTF)", 0.0);
-/// Place of the parameter `mips`.
+/// Index of the parameter `mips`.
 const MIPS_PLACE: usize = 3;
 
 const MIPS: Param = switch("mips", "1: mip levels and the moments of the slope", 1.0);
 
-/// Rows that a thread makes together.
+/// Rows that a thread computes together.
 const ROWS: usize = 16;
 
-/// In which axes normals are stored.
+/// Axes in which normals are stored.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Axes {
-    /// Tangent space: along the tangent, up in the picture, outward.
+    /// Tangent space: `x` along the tangent, `y` up in the picture, `z` outward.
     #[default]
     Tangent,
-    /// Tangent space with `y` down in the picture, as DirectX has it.
+    /// Tangent space with `y` down in the picture, as in DirectX.
     TangentGreenDown,
     /// World space on the built-in plane: `u` along `x`, `v` along `z`, outward along `y`.
     World,
 }
 
 impl Axes {
-    /// The unit normal of a surface with those slopes along `u` and `v`.
+    /// Returns the unit normal of a surface with those slopes along `u` and `v`.
     #[inline]
     pub fn normal(self, [along_u, along_v]: [f32; 2]) -> [f32; 3] {
         let upright = 1.0 / (1.0 + along_u * along_u + along_v * along_v).sqrt();
@@ -115,10 +120,11 @@ impl Axes {
     }
 }
 
-/// A plane for each component, row by row from the top.
+/// Planes of a vector's three components, row by row from the top.
 pub type Planes = [Vec<f32>; 3];
 
-/// The normals at all texel centres of a map, and the least and the greatest slope along `u` and `v`.
+/// Returns the normals at all texel centres of a map, and the least and the greatest slope along
+/// `u` and `v`.
 ///
 /// # Errors
 ///
@@ -182,8 +188,8 @@ fn wider(a: [[f32; 2]; 2], b: [[f32; 2]; 2]) -> [[f32; 2]; 2] {
     [0, 1].map(|axis| [a[axis][0].min(b[axis][0]), a[axis][1].max(b[axis][1])])
 }
 
-/// The channels, for slopes between those extremes. A variance is at most a quarter of the squared range
-/// (Popoviciu), a covariance at most the root of the product of two.
+/// Returns the channels, for slopes between those extremes. A variance is at most a quarter of the
+/// squared range (Popoviciu), a covariance at most the root of the product of two.
 fn channels(extremes: [[f32; 2]; 2], mips: bool) -> Vec<Channel> {
     let channel = |name, range| Channel { name, unit: "1", range, rounding: Rounding::Nearest };
     let half = extremes.map(|[low, high]| if high > low { 0.5 * (high - low) * (1.0 + 1e-5) } else { 1.0 });
@@ -244,7 +250,7 @@ fn bake(
     }
 }
 
-/// The texture's shape: the channels of the moments come with mip levels.
+/// Shape of the texture; the channels of the moments come with mip levels.
 fn shape([width, height]: [u32; 2], mips: bool) -> Shape {
     let mut shape = Shape::slices("", [width, height], 1, if mips { 6 } else { 3 });
     let mut size = [width as usize, height as usize];

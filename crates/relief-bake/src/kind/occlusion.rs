@@ -1,21 +1,22 @@
 //! Ambient occlusion, from horizons in closed form.
 //!
-//! Zhukov, Iones and Kronin 1998, *An ambient light illumination model*, of which Max 1988's horizons are all
-//! that is needed over a height field; Timonen and Westerholm 2010.
+//! Zhukov, Iones and Kronin 1998, *An ambient light illumination model*; over a height field it
+//! needs only the horizons of Max 1988. Timonen and Westerholm 2010.
 //!
 //! # What is stored
 //!
-//! The visibility `1 - mean(sin² H)` in `[0, 1]` over the azimuths, `H` the elevation of the
-//! [`horizon`](super::horizon): the part of a uniform sky's light that reaches a plane parallel to the base
-//! at the texel. It is the cosine-weighted part of the hemisphere about the *base* normal that is open,
-//! `1/π ∫ V cos θ dω`, since the sky of one azimuth above the horizon contributes
-//! `∫ from H to π/2 of sin e cos e de = cos² H / 2`. It is not about the relief's own normal.
+//! The map holds the visibility `1 - mean(sin² H)` in `[0, 1]` over the azimuths, `H` the elevation
+//! of the [`horizon`](super::horizon). It is the part of a uniform sky's light that reaches a plane
+//! parallel to the base at the texel: the cosine-weighted open part of the hemisphere about the
+//! *base* normal, `1/π ∫ V cos θ dω`. The sky of one azimuth above the horizon contributes
+//! `∫ from H to π/2 of sin e cos e de = cos² H / 2`. The relief's own normal plays no part.
 //!
 //! # Accuracy
 //!
-//! Exact in elevation, for the horizons that it is given. Between azimuths the mean is the rectangle rule,
-//! which for 16 azimuths leaves about a hundredth on rough ground; an error `ε` of a horizon, in radians,
-//! moves the visibility by at most `ε`, since `|d sin² H / dH| = |sin 2H| <= 1`.
+//! The map is exact in elevation, for the horizons given. Between azimuths the mean is the
+//! rectangle rule, which for 16 azimuths leaves about a hundredth on rough ground. An error `ε` of
+//! a horizon, in radians, moves the visibility by at most `ε`, since
+//! `|d sin² H / dH| = |sin 2H| <= 1`.
 
 use relief_core::registry::Publication;
 use relief_core::{Cancelled, HeightMap, Metric, Rounding, Watch};
@@ -25,7 +26,7 @@ use crate::azimuths::{AZIMUTHS, TILES, texture};
 use crate::horizon_sweep::Sweep;
 use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink};
 
-/// The kind.
+/// The kind `occlusion`.
 pub const KIND: Kind = Kind {
     name: "occlusion",
     summary: "the part of the sky's light that reaches a texel, about the base normal",
@@ -35,7 +36,7 @@ pub const KIND: Kind = Kind {
         section: "",
     },
     params: &[AZIMUTHS, TILES, BITS_TO_NEAREST],
-    guarantee: "closed form of the horizons, off by at most their mean error in radians and what is between azimuths",
+    guarantee: "closed form of the horizons, off by at most their mean error in radians and the part between azimuths",
     is_picture: true,
     shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
     reach: |_| Reach::Everything,
@@ -43,9 +44,10 @@ pub const KIND: Kind = Kind {
     bake,
 };
 
-/// The visibility of the sky at every texel, row by row from the top. Parameters are those of
-/// [`horizons`](super::horizon::horizons). The working set besides input and result is a quarter of the map,
-/// and for each thread 16 lines of the map and their reach and 50 of its rows.
+/// Returns the visibility of the sky at every texel, from 0 to 1, row by row from the top.
+/// Parameters are the ones of [`horizons`](super::horizon::horizons). The working set besides input
+/// and result is a quarter of the map; each thread takes 16 lines of the map with their reach, and
+/// 50 of its rows.
 ///
 /// # Errors
 ///

@@ -1,30 +1,33 @@
-//! The pyramid of least and greatest heights.
+//! Pyramid of least and greatest heights.
 //!
 //! * Oh, Ki and Lee 2006, "Pyramidal displacement mapping": a quadtree of the empty space above the surface.
 //! * Tevs, Ihrke and Seidel 2008, "Maximum mipmaps for fast, accurate, and scalable dynamic height field
 //!   rendering": the maxima of texels, with bilinear patches between them.
 //! * Szirmay-Kalos and Umenhoffer 2008, "Displacement mapping on the GPU: state of the art", section 4.3.3.
 //!
-//! Those take the extremes of *texels*, which does not bound the surface between texel centres: level 0 here
-//! is taken over dual cells, unless the parameter `over` asks for what was published. The pyramids themselves
-//! are [`relief_core::MinPyramid`] and [`relief_core::MaxPyramid`]; see there for which cells a node covers
-//! where a side is no power of two, and for cells outside of the map.
+//! These papers take the extremes of *texels*, which does not bound the surface between texel
+//! centres. Level 0 here is taken over dual cells, unless the parameter `over` asks for the
+//! published extremes. The pyramids themselves are [`relief_core::MinPyramid`] and
+//! [`relief_core::MaxPyramid`]. Their docs state which cells a node covers where a side is no power
+//! of two, and the treatment of cells outside of the map.
 //!
 //! # Guarantee
 //!
 //! *At every level the surface over the cells of a node is nowhere below its `min` and nowhere above its
 //! `max`.*
 //!
-//! Proof. A patch is `(1-x)(1-y) h00 + x(1-y) h10 + (1-x)y h01 + xy h11` with `x, y` in `[0, 1]`: the four
-//! weights are not negative and sum to 1, so it lies between the least and the greatest corner, and level 0
-//! holds exactly these. Every node above is the extreme of nodes below that together cover its cells. Nothing
-//! is padded, so nothing is covered that is not there. Taking extremes does not round: in `f32` the bound is
-//! exact, and over the cells of one node it is attained, at a texel. With `bits`, heights are decoded from so
-//! many bits first, and each node is one of them: stored in as many bits it is still exact.
+//! Proof. A patch is `(1-x)(1-y) h00 + x(1-y) h10 + (1-x)y h01 + xy h11` with `x, y` in `[0, 1]`.
+//! The four weights are not negative and sum to 1, so it lies between the least and the greatest
+//! corner, and level 0 holds exactly these. Every node above is the extreme of nodes below that
+//! together cover its cells. Nothing is padded, so a node covers only cells of the map. Taking
+//! extremes does not round: in `f32` the bound is exact, and over the cells of one node it is
+//! attained, at a texel. With `bits`, heights are decoded from that many bits first, and each node
+//! is one of them, so it is stored exactly.
 //!
-//! With the parameter `over` at 2 nodes take the extremes of the map's coarser levels along, by the cells
-//! that [`MaxPyramid::over_levels`] names: the guarantee holds for the surface of each of these levels. Area
-//! means are no heights of so many bits, so such nodes are rounded to their own side when they are stored.
+//! With the parameter `over` at 2, nodes include the extremes of the map's coarser levels, by the
+//! cells that [`MaxPyramid::over_levels`] names. The guarantee then holds for the surface of each
+//! of these levels. Area means do not fit into the bits of the heights, so such nodes are rounded
+//! to their own side when they are stored.
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
@@ -57,7 +60,7 @@ pub const KIND: Kind = Kind {
 
 const PARAMS: &[Param] = &[OVER, BITS];
 
-/// Place of the parameter `over`.
+/// Index of the parameter `over`.
 const OVER_PLACE: usize = 0;
 
 /// The value of `over` for dual cells.
@@ -71,8 +74,8 @@ pub const OVER_LEVELS: u32 = 2;
 
 const OVER: Param = Param {
     name: "over",
-    summary: "what nodes are over: 0 dual cells, which bounds the surface, 1 texels, as published, which \
-        does not, 2 dual cells of the map and of its levels of detail, which bounds the surface of each",
+    summary: "area of the nodes: 0 dual cells, whose extremes bound the surface, 1 texels, as published, \
+        whose extremes do not, 2 dual cells of the map and of its levels of detail, which bound each surface",
     unit: "",
     min: 0.0,
     max: 2.0,
@@ -81,7 +84,7 @@ const OVER: Param = Param {
     names: &[],
 };
 
-/// Both pyramids of a map, 8/3 of its size in all.
+/// Builds both pyramids of a map, 8/3 of its size in all.
 ///
 /// # Errors
 ///
@@ -92,7 +95,7 @@ pub fn pyramids(map: &HeightMap, watch: &Watch) -> Result<(MinPyramid, MaxPyrami
     Ok((min, max))
 }
 
-/// Both channels, and each level half the size of the one before, rounded up.
+/// Shape of both channels; each level has half the size of the previous one, rounded up.
 fn shape([width, height]: [u32; 2]) -> Shape {
     let mut shape = Shape::slices("", [width, height], 1, 2);
     let mut size = [width, height];
@@ -103,7 +106,7 @@ fn shape([width, height]: [u32; 2]) -> Shape {
     shape
 }
 
-/// One level of the extremes of squares of texels: least, greatest, and how many in a row.
+/// Level of the extremes of squares of texels: least, greatest, and nodes in a row.
 struct TexelLevel {
     least: Vec<f32>,
     greatest: Vec<f32>,
@@ -111,7 +114,7 @@ struct TexelLevel {
 }
 
 impl TexelLevel {
-    /// The level above: half the size, rounded up.
+    /// Builds the level above: half the size, rounded up.
     fn halved(&self) -> Self {
         let width = self.width.div_ceil(2);
         let height = (self.least.len() / self.width).div_ceil(2);
@@ -132,7 +135,7 @@ impl TexelLevel {
     }
 }
 
-/// The texels and the extremes of their squares, level by level.
+/// Bakes the texels and the extremes of their squares, level by level.
 fn bake_over_texels(map: &HeightMap, watch: &Watch, sink: &mut dyn Sink) -> Result<(), BakeError> {
     sink.begin(&texture(
         map,
@@ -174,7 +177,7 @@ fn bake(
     Ok(())
 }
 
-/// The texture of a map's extremes.
+/// Describes the texture of a map's extremes.
 fn texture(map: &HeightMap, texels: &str) -> Texture {
     let Shape { name, size, mips, .. } = shape([map.width(), map.height()]);
     Texture {

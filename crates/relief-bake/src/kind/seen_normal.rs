@@ -1,27 +1,28 @@
-//! Seen normals: what an eye in each of some fixed directions sees of the relief's normals.
+//! Seen normals: the relief's normals as an eye sees them from fixed directions.
 //!
-//! Becker and Max 1993, *Smooth transitions between bump rendering algorithms*, redistribute the normals of a
-//! bump map so that an eye sees as much of each as it would of the displaced surface; Szirmay-Kalos and
-//! Umenhoffer 2008, section 4.1.1. They tabulate the distribution of the normals by the direction of view.
-//! Here every texel has a table of its own: it holds the means over its area.
+//! Becker and Max 1993, *Smooth transitions between bump rendering algorithms*, redistribute the
+//! normals of a bump map: an eye then sees as much of each as it would of the displaced surface.
+//! Szirmay-Kalos and Umenhoffer 2008, section 4.1.1. Both tabulate the distribution of the normals
+//! by the direction of view. Here every texel has a table of its own, with the means over its area.
 //!
 //! # What is stored
 //!
-//! The texture has a quarter of the map's sides, rounded down, and mip levels, each a mean over areas. All
-//! rays of a direction are parallel. They come from an eye at azimuth `a`, at the angle `2π a / azimuths` in
-//! metres from `+u` towards `+v`, and at elevation `e`, whose sine is `(e + 1) / elevations`: the last one
-//! looks straight down.
+//! The texture has a quarter of the map's sides, rounded down, and mip levels, each a mean over
+//! areas. All rays of a direction are parallel. They come from an eye at azimuth `a`, at the angle
+//! `2π a / azimuths` in metres from `+u` towards `+v`, and at elevation `e`, whose sine is
+//! `(e + 1) / elevations`. The last elevation looks straight down.
 //!
-//! A ray belongs to the texel over which it crosses the plane at the map's mean height. Its normal is that of
-//! the first hit, by central differences over two texels, or over less at the edge of a clamped map: a unit
-//! vector in tangent space, `y` along falling `v`. Slice `2 (a * elevations + e)` holds the means of `x`,
-//! `y`, `z` and `x²`. The next slice holds the means of `xy`, `y²`, `xz` and `yz`. (`z²` is what is missing
-//! to 1.)
+//! A ray belongs to the texel over which it crosses the plane at the map's mean height. Its normal
+//! is taken at the first hit, by central differences over two texels, or over less at the edge of a
+//! clamped map. It is a unit vector in tangent space, `y` along falling `v`. Slice
+//! `2 (a * elevations + e)` holds the means of `x`, `y`, `z` and `x²`. The next slice holds the
+//! means of `xy`, `y²`, `xz` and `yz`. (`z²` is the rest to 1.)
 //!
 //! # Guarantee
 //!
-//! One ray for each texel of the map, whose hit is the exact first hit to `f32` rounding of the fast exact
-//! tracer. A mean over many texels is that of its rays; the area between the rays is not looked at.
+//! One ray is traced for each texel of the map. Its hit is the exact first hit to `f32` rounding of
+//! the fast exact tracer. A mean over many texels is the mean of its rays; the area between the
+//! rays is not sampled.
 
 use relief_core::area_mean::{coarser, coarser_of, coarser_size, level_count};
 use relief_core::encoding::seen_normal::{self, FIRST_LEVEL};
@@ -34,13 +35,13 @@ use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
 use crate::azimuths::{self, unit_vector};
 use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink, Texture};
 
-/// Numbers of a direction: the means of a normal's parts and of their products.
+/// Values of a direction: the means of a normal's components and of their products.
 const MEANS: usize = 8;
 
-/// The kind.
+/// The kind `seen-normal`.
 pub const KIND: Kind = Kind {
     name: "seen-normal",
-    summary: "means of the normals that are seen from each of some fixed directions, for what is far away",
+    summary: "means of the normals that are visible from fixed directions, for distant surfaces",
     revision: 2,
     publication: Publication {
         paper: "Becker and Max 1993; Szirmay-Kalos and Umenhoffer 2008",
@@ -48,13 +49,13 @@ pub const KIND: Kind = Kind {
     },
     params: &[
         Param {
-            summary: "directions along the base plane from which is looked",
+            summary: "number of azimuths of the viewing directions",
             default: seen_normal::AZIMUTHS as f32,
             max: 64.0,
             ..azimuths::AZIMUTHS
         },
         Param {
-            summary: "elevations in each azimuth, equally spaced in the sine",
+            summary: "number of elevations in each azimuth, equally spaced in the sine",
             default: seen_normal::ELEVATIONS as f32,
             ..ELEVATIONS
         },
@@ -68,7 +69,7 @@ pub const KIND: Kind = Kind {
     bake,
 };
 
-/// Two slices a direction, and all levels.
+/// Shape with two slices a direction, and all levels.
 fn shape(map: [u32; 2], directions: u32) -> Shape {
     let first = FIRST_LEVEL.min(level_count(map) - 1);
     let mut size = (0..first).fold(map, |size, _| coarser_size(size));
@@ -80,19 +81,19 @@ fn shape(map: [u32; 2], directions: u32) -> Shape {
     shape
 }
 
-/// What the rays toward an eye see.
+/// Rays toward an eye.
 struct Eye<'a> {
     map: &'a HeightMap,
     tracer: &'a FastTracer,
     metric: Metric,
-    /// How far a ray moves, in texture coordinates, on its way down by a height of 1.
+    /// Way of a ray in texture coordinates while it sinks by a height of 1.
     down: [f64; 2],
-    /// The height at which a texel's ray crosses over it.
+    /// Height at which a texel's ray crosses over it.
     middle: f64,
 }
 
 impl Eye<'_> {
-    /// The normal that is seen over a point, and the products of its parts.
+    /// Returns the normal that is seen over a point, and the products of its components.
     fn seen(&self, uv: [f64; 2]) -> [f32; MEANS] {
         let start = [0, 1].map(|axis| uv[axis] - self.down[axis] * (1.0 - self.middle));
         let path = Path {
@@ -109,7 +110,7 @@ impl Eye<'_> {
         [x, y, z, x * x, x * y, y * y, x * z, y * z].map(|mean| mean as f32)
     }
 
-    /// The unit normal at a point.
+    /// Returns the unit normal at a point.
     fn normal(&self, [u, v]: [f64; 2]) -> [f64; 3] {
         let [du, dv] = [1.0 / f64::from(self.map.width()), 1.0 / f64::from(self.map.height())];
         let rise_u = self.map.height_at(u + du, v) - self.map.height_at(u - du, v);
@@ -123,7 +124,8 @@ impl Eye<'_> {
     }
 }
 
-/// The working set is the second level of the texture, 4 maps with the default directions, and 6.5 maps more.
+/// The working set is the second level of the texture, 4 maps with the default directions, and 6.5
+/// maps more.
 fn bake(
     source: &BakeInput,
     settings: &Settings,
@@ -171,7 +173,7 @@ fn bake(
     Ok(())
 }
 
-/// Both slices of a direction.
+/// Hands both slices of a direction to the sink.
 fn hand_out(
     means: &[[f32; MEANS]],
     channels: &[Channel],
@@ -186,7 +188,7 @@ fn hand_out(
     Ok(())
 }
 
-/// The finest level of a direction.
+/// Computes the finest level of a direction.
 fn finest(eye: &Eye) -> Vec<[f32; MEANS]> {
     let size = [eye.map.width(), eye.map.height()];
     let levels = level_count(size);

@@ -1,35 +1,36 @@
-//! Precomputed visibility: what every texel sees in fixed directions.
+//! Precomputed visibility: the first hit from every texel in fixed directions.
 //!
-//! Heidrich, Daubert, Kautz and Seidel 2000, *Illuminating micro geometry based on precomputed visibility*;
-//! Szirmay-Kalos and Umenhoffer 2008, section 6.2. Along a fixed azimuth and slope the first hit is a
-//! next-greater-element query: in a frame that rises with the rays, the first column that is higher than the
-//! texel. A stack of records along the sheared lines of the horizon's sweep (see [`horizon`](super::horizon))
-//! answers it in O(1), and the cells that it leaves are solved: mostly one or two, and on ridges along the
-//! ray as many as the ridge is long.
+//! Heidrich, Daubert, Kautz and Seidel 2000, *Illuminating micro geometry based on precomputed
+//! visibility*; Szirmay-Kalos and Umenhoffer 2008, section 6.2. Along a fixed azimuth and slope the
+//! first hit is a next-greater-element query: in a frame that rises with the rays, the first column
+//! that is higher than the texel. A stack of records along the sheared lines of the horizon's sweep
+//! (see [`horizon`](super::horizon)) answers it in O(1). The remaining cells are solved: mostly one
+//! or two, and on ridges along the ray as many as the ridge is long.
 //!
 //! # What is stored
 //!
-//! Slice `a * elevations + e` looks at azimuth `a`, at the angle `2π a / azimuths` in metres from `+u`
-//! towards `+v`, under the elevation with `sin² = (e + ½) / elevations`: every slice stands for the same part
-//! of the cosine-weighted hemisphere about the base normal. Channels `u` and `v` are the texture coordinates
-//! of the first hit in `[0, 1]`, wrapped into the map; `hit` is 1, or 0 where the ray leaves the relief. A
-//! ray that starts into the surface sees its own texel.
+//! Slice `a * elevations + e` looks at azimuth `a`, at the angle `2π a / azimuths` in metres from
+//! `+u` towards `+v`, under the elevation with `sin² = (e + ½) / elevations`. Every slice thus
+//! stands for the same part of the cosine-weighted hemisphere about the base normal. Channels `u`
+//! and `v` are the texture coordinates of the first hit in `[0, 1]`, wrapped into the map. `hit` is
+//! 1, or 0 where the ray leaves the relief. A ray that starts into the surface sees its own texel.
 //!
 //! # Guarantee
 //!
-//! Hits are the exact first hits of the rays from the texels' centres with the bilinear surface, solved in
-//! closed form in `f64` cell by cell, but for flips where the ray clears the surface by no more than
-//! rounding, 1e-6 heights; the distance is then rounded to `f32`. The record stack only says which cells need
-//! not be looked at: line `b` carries at column `c` the highest point `A(c)` of the surface at most `½ + p`
-//! rows aside, `p` the rows that a ray moves a step. A ray of the line is never more than half a row off it,
-//! so on the way to and from column `c` it stays in those rows; and between the columns `c` and `c + 1` the
-//! surface at row `y` is a mixture of those in the two columns,
-//! `(1-τ) f(c, y) + τ f(c+1, y) <= (1-τ) A(c) + τ A(c+1)`. So where the ray is not below `A` in both columns
-//! it is not below the surface between them. `A` is rounded in `f32`: a ray may dip below the surface by 2e-7
-//! heights unnoticed.
+//! Hits are the exact first hits of the rays from the texels' centres with the bilinear surface,
+//! solved in closed form in `f64` cell by cell. The exception is flips where the ray clears the
+//! surface by no more than rounding, 1e-6 heights. The distance is then rounded to `f32`. The
+//! record stack only says which cells may be skipped. Line `b` carries at column `c` the highest
+//! point `A(c)` of the surface at most `½ + p` rows aside, where `p` is the rows that a ray moves a
+//! step. A ray of the line is never more than half a row off it, so on the way to and from column
+//! `c` it stays in those rows. Between the columns `c` and `c + 1` the surface at row `y` is a
+//! mixture of the surface in the two columns,
+//! `(1-τ) f(c, y) + τ f(c+1, y) <= (1-τ) A(c) + τ A(c+1)`. So where the ray is not below `A` in
+//! both columns it is not below the surface between them. `A` is rounded in `f32`: a ray may dip
+//! below the surface by 2e-7 heights unnoticed.
 //!
-//! A ray is followed until it is above the highest texel, or for `tiles` times the map's side along the axis
-//! that it crosses faster, at least for 64 texels; what is farther is not seen.
+//! A ray is followed until it is above the highest texel, or for `tiles` times the map's side along
+//! the axis that it crosses faster, at least for 64 texels. Farther hits are not found.
 
 mod gather;
 mod rays;
@@ -47,7 +48,7 @@ use crate::{BakeError, BakeInput, Channel, Settings, Shape, Sink};
 
 pub(super) const ELEVATIONS: Param = Param {
     name: "elevations",
-    summary: "elevations in each azimuth, equally spaced in the squared sine",
+    summary: "number of elevations in each azimuth, equally spaced in the squared sine",
     unit: "",
     min: 1.0,
     max: 64.0,
@@ -57,15 +58,15 @@ pub(super) const ELEVATIONS: Param = Param {
 };
 
 pub(super) const TILES: Param =
-    Param { summary: "how far a ray is followed, in tiles", default: 4.0, ..azimuths::TILES };
+    Param { summary: "length of a ray, in tiles", default: 4.0, ..azimuths::TILES };
 
-/// Rows of the map that one task puts in place together.
+/// Rows of the map that one task copies into place together.
 const BAND: usize = 32;
 
-/// The kind.
+/// The kind `visibility`.
 pub const KIND: Kind = Kind {
     name: "visibility",
-    summary: "the point that is seen in each of some fixed directions, for shadows and light that bounces",
+    summary: "the first point hit in each of some fixed directions, for shadows and bounced light",
     revision: 1,
     publication: Publication {
         paper: "Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008",
@@ -80,20 +81,21 @@ pub const KIND: Kind = Kind {
     bake,
 };
 
-/// What all texels see in one direction.
+/// First hits of all texels in one direction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View<'a> {
-    /// The direction, of unit length: along `+u`, along `+v` and up the base normal.
+    /// Direction of unit length: along `+u`, along `+v` and up the base normal.
     pub direction: [f64; 3],
     /// Change of the texture coordinates a step.
     pub step_uv: [f64; 2],
-    /// For every texel, row by row from the top, the steps to its first hit; infinite for none.
+    /// Steps to the first hit of every texel, row by row from the top; infinite for none.
     pub steps: &'a [f32],
     size: [u32; 2],
 }
 
 impl View<'_> {
-    /// Texture coordinates, not wrapped, of what a texel sees. The texel must be in the map.
+    /// Returns the texture coordinates, not wrapped, of a texel's first hit. The texel must be in
+    /// the map.
     pub fn hit(&self, column: u32, row: u32) -> Option<[f64; 2]> {
         let [width, height] = self.size.map(f64::from);
         let steps = f64::from(self.steps[row as usize * self.size[0] as usize + column as usize]);
@@ -105,8 +107,8 @@ impl View<'_> {
         })
     }
 
-    /// The texel, counted row by row, that is nearest to what a texel sees in a map of that wrap; `None` for
-    /// the sky. The texel must be in the map.
+    /// Returns the texel, counted row by row, nearest to a texel's first hit in a map of that wrap;
+    /// `None` for the sky. The texel must be in the map.
     pub fn seen(&self, column: u32, row: u32, wrap: Wrap) -> Option<usize> {
         let [width, height] = self.size;
         let index = |at: f64, side: u32| wrap.index((at * f64::from(side)).floor() as i64, side) as usize;
@@ -115,15 +117,16 @@ impl View<'_> {
     }
 }
 
-/// The views in `azimuths` times `elevations` directions, azimuth by azimuth and from the lowest elevation.
-/// See the [module](self) for their meaning and accuracy.
+/// Computes the views in `azimuths` times `elevations` directions, azimuth by azimuth and from the
+/// lowest elevation, and hands each to `take`. `tiles` is the reach in tiles. See the
+/// [module](self) for their meaning and accuracy.
 ///
-/// The working set is two maps of `f32` besides the input, and one for each elevation, for any number of
-/// azimuths.
+/// The working set is two maps of `f32` besides the input, and one for each elevation, for any
+/// number of azimuths.
 ///
 /// # Errors
 ///
-/// When there is not that much memory, the bake is cancelled, and what `take` returns.
+/// When memory does not suffice, the bake is cancelled, or `take` fails.
 pub fn views(
     map: &HeightMap,
     metric: Metric,
@@ -154,7 +157,7 @@ pub fn views(
             .map(|square| {
                 let slope = (square / (1.0 - square)).sqrt() * direction.step_m / metric.scale_m;
                 let out = f64::from(high - low) / slope;
-                // Two more: the column beyond which the ray is out, and what rounding takes.
+                // Two more steps: the column beyond which the ray is out, and rounding.
                 rays::SlopedRay { slope, reach: (out + 2.0).min(limit as f64) as usize }
             })
             .collect();
@@ -194,7 +197,7 @@ pub fn views(
     Ok(())
 }
 
-/// The working set is that of [`views`] and three maps, which the sink is handed.
+/// The working set is two maps, one for each elevation, and three more for the sink.
 fn bake(
     source: &BakeInput,
     settings: &Settings,
@@ -224,7 +227,7 @@ fn bake(
     })
 }
 
-/// A texture coordinate inside of the map that stands for `at`.
+/// Returns the texture coordinate inside of the map that stands for `at`.
 fn wrapped(map: &HeightMap, at: f64) -> f64 {
     match map.wrap() {
         Wrap::Repeat => at.rem_euclid(1.0),

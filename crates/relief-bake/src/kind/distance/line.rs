@@ -1,12 +1,12 @@
-//! The squared distance transform of a line, by the faster of two exact ways.
+//! Squared distance transform of a line, by the faster of two exact algorithms.
 
 use super::monotone::Monotone;
 use super::window;
 
-/// Steps to either side from which on monotone minima are faster than looking around.
+/// Steps to either side from which on monotone minima are faster than the window.
 const MONOTONE_FROM: f32 = 16.0;
 
-/// A line of samples with a margin at either end, and the room to transform it.
+/// Line of samples with a margin at either end, and the buffers of its transform.
 #[derive(Debug)]
 pub struct Line {
     samples: Vec<f32>,
@@ -17,7 +17,8 @@ pub struct Line {
 }
 
 impl Line {
-    /// Room for lines of `length` samples, `step` apart, for distances of up to `reach` samples.
+    /// Allocates buffers for lines of `length` samples, `step` apart, for distances of up to
+    /// `reach` samples.
     pub fn new(length: usize, step: f64, reach: usize, repeats: bool) -> Self {
         // In a repeated line the nearest copy of a sample is at most half of it away.
         let margin = reach.min(if repeats { length / 2 } else { length - 1 });
@@ -27,15 +28,15 @@ impl Line {
         Self { samples, margin, repeats, step_squared, monotone }
     }
 
-    /// The samples, to be filled in before they are transformed.
+    /// Returns the samples, to be filled in before they are transformed.
     pub fn samples(&mut self) -> &mut [f32] {
         let end = self.samples.len() - self.margin;
         &mut self.samples[self.margin..end]
     }
 
-    /// `out[i] = min over v of samples[v] + (step (i - v))²`, rounded to `f32`, over all samples and, in a
-    /// repeated line, their copies. Samples must be finite and not negative, and no greater than
-    /// `(step reach)²`.
+    /// Computes `out[i] = min over v of samples[v] + (step (i - v))²`, rounded to `f32`, over all
+    /// samples and, in a repeated line, their copies. Samples must be finite and not negative, and
+    /// no greater than `(step reach)²`.
     pub fn transform(&mut self, out: &mut [f32]) {
         let (margin, length) = (self.margin, self.samples.len() - 2 * self.margin);
         if self.repeats {

@@ -1,43 +1,46 @@
-//! The squared distance transform of a line by its monotone minima.
+//! Squared distance transform of a line by its monotone minima.
 //!
-//! All parabolas are the same but for their place. So of two samples each stays the nearer one on its side of
-//! where they cross, and from sample to sample the place of the minimum never goes back: the matrix of
-//! distances is totally monotone (Aggarwal, Klawe, Moran, Shor and Wilber 1987, *Geometric Applications of a
-//! Matrix-Searching Algorithm*). For a few samples the places are found by halving, each between the places
-//! of its two neighbours. Samples between two of these few look only between the two places: in the mean at
-//! as many places as there are samples, whatever the distances. Where roundings leave open which of some
-//! places it is, all of them are kept, in whole runs that are compared at once.
+//! All parabolas are the same but for their place. So of two samples each stays the nearer one on
+//! its side of where they cross. From sample to sample the place of the minimum never goes back:
+//! the matrix of distances is totally monotone (Aggarwal, Klawe, Moran, Shor and Wilber 1987,
+//! *Geometric Applications of a Matrix-Searching Algorithm*). For a few samples the places are
+//! found by halving, each between the places of its two neighbours. Samples between two of these
+//! few test only the places between the two. In the mean these are as many places as there are
+//! samples, whatever the distances. Where roundings leave several places open, all of them stay
+//! candidates, in whole runs that are compared at once.
 
-/// Samples between two for which the place of the minimum is found: they look at their candidates together.
+/// Samples between two whose place of the minimum is found: they test their candidates together.
 const BLOCK: usize = 16;
 
 /// Candidates that are compared together.
 const LANES: usize = 16;
 
-/// What a minimum in `f32` may be above another to be taken for no less: more than the roundings of both.
+/// Relative excess in `f32` up to which a minimum counts as no greater than another: more than the
+/// roundings of both.
 const CAUTION: f32 = 1.0 / (1 << 20) as f32;
 
-/// What lines of one length share, and the room to transform them.
+/// Tables and buffers for lines of one length.
 #[derive(Debug)]
 pub struct Monotone {
     margin: usize,
-    /// The squared distance of samples, from `margin` and a block to the left on.
+    /// Squared distances of samples, from `margin` and a block to the left on.
     rises: Vec<f32>,
-    /// For every sample at a block's begin, and the last one, the first and the last place where its minimum
-    /// may be attained.
+    /// First and last place where the minimum may be attained, for every sample at a block's begin,
+    /// and for the last sample.
     places: Vec<[usize; 2]>,
 }
 
 impl Monotone {
-    /// Room for lines of `length` samples, `step_squared` apart, with `margin` more at either end.
+    /// Allocates buffers for lines of `length` samples, `step_squared` apart, with `margin` more at
+    /// either end.
     pub fn new(length: usize, margin: usize, step_squared: f32) -> Self {
         let farthest = (margin + BLOCK) as i64;
         let rises = (-farthest..=farthest).map(|k| step_squared * (k * k) as f32).collect();
         Self { margin, rises, places: vec![[0; 2]; length.div_ceil(BLOCK) + 1] }
     }
 
-    /// `out[i] = min over k of values[margin + i + k] + step² k²` for `k` from `-margin` to `margin`, in
-    /// `f32`. The minimum over more samples must not be less.
+    /// Computes `out[i] = min over k of values[margin + i + k] + step² k²` for `k` from `-margin`
+    /// to `margin`, in `f32`. The minimum over more samples must not be less.
     pub fn transform(&mut self, values: &[f32], out: &mut [f32]) {
         let last = self.places.len() - 1;
         let sample = |point: usize| (point * BLOCK).min(out.len() - 1);
@@ -69,7 +72,8 @@ impl Monotone {
         }
     }
 
-    /// The first and the last place, between two given ones, where the minimum of a sample may be attained.
+    /// Returns the first and the last place, between two given ones, where the minimum of a sample
+    /// may be attained.
     fn attained(&self, values: &[f32], sample: usize, [from, to]: [usize; 2]) -> [usize; 2] {
         let (from, to) = (from.max(sample), to.min(sample + 2 * self.margin));
         let values = &values[from..=to];

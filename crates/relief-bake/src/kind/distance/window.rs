@@ -1,12 +1,12 @@
-//! The squared distance transform of a line by looking around, for distances of few samples.
+//! Squared distance transform of a line by windows, for distances of few samples.
 
-/// Samples that are looked around from together.
+/// Samples whose windows are searched together.
 const BLOCK: usize = 32;
 
-/// Steps between two looks at whether nothing nearer is left.
+/// Steps between two tests whether nothing nearer is left.
 const STRIDE: usize = 4;
 
-/// The steps that the mean block of a line would have to look to either side, at most.
+/// Returns an upper bound of the steps that the mean block of a line needs to either side.
 ///
 /// `values` has `margin` more samples at either end; `step_squared` is their squared distance.
 pub fn mean_steps(values: &[f32], margin: usize, step_squared: f32) -> f32 {
@@ -15,7 +15,8 @@ pub fn mean_steps(values: &[f32], margin: usize, step_squared: f32) -> f32 {
     inner.chunks(BLOCK).map(steps).sum::<f32>() / inner.len().div_ceil(BLOCK) as f32
 }
 
-/// `out[i] = min over k of values[margin + i + k] + step² k²` for `k` from `-margin` to `margin`.
+/// Computes `out[i] = min over k of values[margin + i + k] + step² k²` for `k` from `-margin` to
+/// `margin`.
 pub fn transform(values: &[f32], margin: usize, step_squared: f32, out: &mut [f32]) {
     for (block, out) in out.chunks_mut(BLOCK).enumerate() {
         let first = margin + block * BLOCK;
@@ -23,20 +24,21 @@ pub fn transform(values: &[f32], margin: usize, step_squared: f32, out: &mut [f3
             let mut best = [0.0; BLOCK];
             let part = &mut best[..out.len()];
             part.copy_from_slice(&values[first..first + part.len()]);
-            look_around(values, first, margin, step_squared, part);
+            search_window(values, first, margin, step_squared, part);
             out.copy_from_slice(part);
             continue;
         };
         let mut best = [0.0; BLOCK];
         best.copy_from_slice(&values[first..first + BLOCK]);
-        look_around(values, first, margin, step_squared, &mut best);
+        search_window(values, first, margin, step_squared, &mut best);
         *whole = best;
     }
 }
 
-/// Lowers `best` to the least over the samples around it, nearest first, until none left can be lower.
+/// Lowers `best` to the least over the samples around it, nearest first, until none left can be
+/// lower.
 #[inline(always)]
-fn look_around(values: &[f32], first: usize, margin: usize, step_squared: f32, best: &mut [f32]) {
+fn search_window(values: &[f32], first: usize, margin: usize, step_squared: f32, best: &mut [f32]) {
     let mut k = 1;
     while k <= margin && step_squared * (k * k) as f32 <= highest(best) {
         for k in k..=margin.min(k + STRIDE - 1) {
@@ -52,7 +54,7 @@ fn look_around(values: &[f32], first: usize, margin: usize, step_squared: f32, b
     }
 }
 
-/// The highest of some values that are not negative.
+/// Returns the highest of some values that are not negative.
 #[inline(always)]
 fn highest(values: &[f32]) -> f32 {
     let higher = |a: f32, b: f32| if b > a { b } else { a };

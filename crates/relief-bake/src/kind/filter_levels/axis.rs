@@ -1,7 +1,7 @@
 //! One axis of two grids of texels over the same square: the map's and a level's.
 
-/// Sides of the map and of a level, and whether both are tiled; else their edge texels go on for ever, which
-/// within the square is what `mirror` does, too.
+/// Sides of the map and of a level, and whether both are tiled. Otherwise their edge texels
+/// continue for ever, which within the square is what `mirror` does, too.
 #[derive(Clone, Copy, Debug)]
 pub struct Axis {
     /// Texels of the map.
@@ -12,39 +12,40 @@ pub struct Axis {
     pub repeats: bool,
 }
 
-/// Where between two of the level's texels a point lies.
+/// Position of a point between two of the level's texels.
 #[derive(Clone, Copy, Debug)]
-pub struct Place {
-    /// The cell between them.
+pub struct CellPoint {
+    /// Cell between them.
     pub cell: usize,
-    /// The part of the way from the first to the second.
+    /// Part of the way from the first to the second, from 0 to 1.
     pub within: f64,
 }
 
 impl Axis {
-    /// The level's texels.
+    /// Returns the number of the level's texels.
     pub fn nodes(&self) -> usize {
         self.coarse as usize
     }
 
-    /// The level's cells: between neighbours, and of a tiled level between the last and the first, too. A
-    /// single texel has one.
+    /// Returns the number of the level's cells: between neighbours, and in a tiled level between
+    /// the last and the first, too. A single texel has one.
     pub fn cells(&self) -> usize {
         if self.repeats { self.nodes() } else { (self.nodes() - 1).max(1) }
     }
 
-    /// The texels at both ends of one of the level's cells.
+    /// Returns the texels at both ends of one of the level's cells.
     pub fn ends(&self, cell: usize) -> [usize; 2] {
         let next = cell + 1;
         [cell, if next < self.nodes() { next } else { 0 }]
     }
 
-    /// The points at which integrals over the axis are sampled, counted in texels of the map from the first
-    /// centre, and the length that each stands for: between the centres of either grid, where both surfaces
-    /// are linear, the two of Gauss and Legendre, so that integrals of products of two are exact.
+    /// Returns the points at which integrals over the axis are sampled, and the length that each
+    /// stands for. Points are counted in texels of the map from the first centre. Between the
+    /// centres of either grid, where both surfaces are linear, these are the two points of Gauss
+    /// and Legendre. Integrals of products of two are then exact.
     pub fn points(&self) -> Vec<[f64; 2]> {
         let (fine, coarse) = (u64::from(self.fine), u64::from(self.coarse));
-        // In units of which a texel of the map is 2 `coarse` long and one of the level 2 `fine`.
+        // In these units a texel of the map is 2 `coarse` long, and a texel of the level 2 `fine`.
         let of_map = (0..fine).map(|texel| (2 * texel + 1) * coarse);
         let of_level = (0..coarse).map(|texel| (2 * texel + 1) * fine);
         let mut knots: Vec<u64> = of_map.chain(of_level).chain([0, 2 * fine * coarse]).collect();
@@ -59,21 +60,23 @@ impl Axis {
         knots.windows(2).flat_map(points).collect()
     }
 
-    /// Where a point lies in the level that is at `at` in the map, counted in texels from the first centre.
-    pub fn place(&self, at: f64) -> Place {
+    /// Returns the position in the level of a point at `at` in the map, counted in texels from the
+    /// first centre.
+    pub fn place(&self, at: f64) -> CellPoint {
         let coarse = f64::from(self.coarse);
         let at = (at + 0.5) * coarse / f64::from(self.fine) - 0.5;
         if self.repeats {
             let at = if at < 0.0 { at + coarse } else { at };
             let cell = (at as usize).min(self.cells() - 1);
-            return Place { cell, within: (at - cell as f64).min(1.0) };
+            return CellPoint { cell, within: (at - cell as f64).min(1.0) };
         }
         let at = at.clamp(0.0, coarse - 1.0);
         let cell = (at as usize).min(self.cells() - 1);
-        Place { cell, within: at - cell as f64 }
+        CellPoint { cell, within: at - cell as f64 }
     }
 
-    /// The texels of the map before and after such a point, and the part of the way between them.
+    /// Returns the texels of the map before and after such a point, and the part of the way between
+    /// them.
     pub fn between(&self, at: f64) -> ([u32; 2], f64) {
         let (before, last) = (at.floor(), i64::from(self.fine) - 1);
         let wrapped = |texel: i64| {
@@ -84,25 +87,25 @@ impl Axis {
     }
 }
 
-/// The points of an axis at which integrals over it are sampled: see [`Axis::points`].
+/// Points of an axis at which integrals over it are sampled: see [`Axis::points`].
 #[derive(Debug)]
 pub struct Samples {
-    /// The texels of the map before and after each point, from cell to cell of the level.
+    /// Texels of the map before and after each point, from cell to cell of the level.
     pub texels: Vec<[u32; 2]>,
-    /// The part of the way between them.
+    /// Part of the way between these texels.
     pub between: Vec<f64>,
-    /// The part of the way through the level's cell.
+    /// Part of the way through the level's cell.
     pub within: Vec<f64>,
-    /// The length that the point stands for, in texels of the map.
+    /// Length that the point stands for, in texels of the map.
     pub length: Vec<f64>,
-    /// The first point of each of the level's cells, and where the last one's end.
+    /// First point of each of the level's cells, and the end of the last cell's points.
     first: Vec<usize>,
 }
 
 impl Samples {
-    /// The points of an axis.
+    /// Computes the points of an axis.
     pub fn new(axis: Axis) -> Self {
-        let mut points: Vec<(Place, f64, f64)> =
+        let mut points: Vec<(CellPoint, f64, f64)> =
             axis.points().into_iter().map(|[at, length]| (axis.place(at), at, length)).collect();
         points.sort_by(|(a, ..), (b, ..)| a.cell.cmp(&b.cell).then(a.within.total_cmp(&b.within)));
         let first = |cell| points.partition_point(|(place, ..)| place.cell < cell);
@@ -117,7 +120,7 @@ impl Samples {
         }
     }
 
-    /// The numbers of the points in one of the level's cells.
+    /// Returns the numbers of the points in one of the level's cells.
     pub fn of_cell(&self, cell: usize) -> std::ops::Range<usize> {
         self.first[cell]..self.first[cell + 1]
     }

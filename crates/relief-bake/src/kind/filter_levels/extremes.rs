@@ -5,11 +5,11 @@ use relief_core::{Cancelled, HeightMap, Watch, Wrap};
 
 use super::axis::Axis;
 
-/// What is added to a height between texels before it is rounded: more than what two interpolations in `f64`
-/// round off.
+/// Amount added to a height between texels before it is rounded: more than the rounding of two
+/// interpolations in `f64`.
 const SLACK: f64 = 1.0 / (1u64 << 50) as f64;
 
-/// Which extremes.
+/// Choice of extremes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// The greatest heights.
@@ -18,17 +18,18 @@ pub enum Side {
     Below,
 }
 
-/// Where the surface along an axis has its extremes over a texel's support: at the centres of the map's
-/// texels, and at both ends.
+/// Places along an axis at which the surface has its extremes over a texel's support: the centres
+/// of the map's texels, and both ends.
 struct Support {
-    /// The first and the last centre within, not wrapped; none where the last is before the first.
+    /// First and last centre within, not wrapped; none where the last is before the first.
     centres: [i64; 2],
-    /// The ends that lie between two centres: the first of them, and the part of the way to the second.
+    /// Ends that lie between two centres: the first of these, and the part of the way to the
+    /// second.
     cuts: [Option<(i64, f64)>; 2],
 }
 
 impl Support {
-    /// From the centre of the texel before to that of the one after.
+    /// Creates the support from the centre of the previous texel to the centre of the next one.
     fn new(axis: Axis, texel: usize) -> Self {
         let [fine, coarse, texel] = [i64::from(axis.fine), i64::from(axis.coarse), texel as i64];
         // In texels of the map from the centre of the first, times 2 `coarse`.
@@ -52,19 +53,19 @@ impl Support {
     }
 }
 
-/// The height at least between two heights.
+/// Returns the height between two heights, raised by more than its rounding.
 fn mixed(a: f64, b: f64, part: f64) -> f64 {
     if a == b { a } else { (a + (b - a) * part + SLACK).min(a.max(b)) }
 }
 
-/// The least `f32` that is not below a value.
+/// Returns the least `f32` that is not below a value.
 fn rounded_up(value: f64) -> f32 {
     let rounded = value as f32;
     if f64::from(rounded) < value { rounded.next_up() } else { rounded }
 }
 
-/// The level's texels, row by row from the top: each the extreme of the map's surface over all points where
-/// the texel counts.
+/// Returns the level's texels, row by row from the top: each is the extreme of the map's surface
+/// over all points where the texel counts.
 pub fn level(map: &HeightMap, size: [u32; 2], side: Side, watch: &Watch) -> Result<Vec<f32>, Cancelled> {
     // The least heights are the greatest of the heights turned upside down.
     let sign = if side == Side::Above { 1.0 } else { -1.0 };
@@ -98,7 +99,7 @@ pub fn level(map: &HeightMap, size: [u32; 2], side: Side, watch: &Watch) -> Resu
                 raise(highest, line, &columns, map.wrap());
             }
             for (texel, &highest) in texels.iter_mut().zip(highest.iter()) {
-                // The sum makes the negative zero that a sign may have left a zero.
+                // The sum turns the negative zero that a sign may have left into zero.
                 *texel = sign as f32 * rounded_up(highest) + 0.0;
             }
             Ok(())
@@ -107,7 +108,7 @@ pub fn level(map: &HeightMap, size: [u32; 2], side: Side, watch: &Watch) -> Resu
     Ok(level)
 }
 
-/// Raises what is found so far to the heights of a line over every column's support.
+/// Raises the highest so far to the heights of a line over every column's support.
 fn raise(highest: &mut [f64], line: &[f64], columns: &[Support], wrap: Wrap) {
     let value = |at: i64| line[wrap.index(at, line.len() as u32) as usize];
     for (highest, Support { centres: [first, last], cuts }) in highest.iter_mut().zip(columns) {

@@ -1,33 +1,34 @@
-//! The level whose surface misses the map's least in the mean square.
+//! Level whose surface has the least mean square difference from the map's.
 
 use rayon::prelude::*;
 use relief_core::{Cancelled, HeightMap, Watch, Wrap};
 
 use super::axis::Axis;
 
-/// Steps at most: the error falls to `sqrt(2/3)` of itself in each, and from 1 to below a rounding of `f32`.
+/// Most steps: the error falls to `sqrt(2/3)` of itself in each, and from 1 to below a rounding of
+/// `f32`.
 const STEPS: usize = 120;
 
-/// Where a step moves nothing by more than the distance of two `f32` below 1, it is the last one.
+/// A step that moves nothing by more than the distance of two `f32` below 1 is the last one.
 const SMALLEST: f64 = 1.0 / (1 << 24) as f64;
 
-/// The least eigenvalue of the mass matrix of hats is at least `1/3` along an axis, by Gershgorin's circles,
-/// and the greatest at most 1, so that of the surfaces at least `1/9`: Nesterov's momentum for these is
-/// `(1 - sqrt(1/9)) / (1 + sqrt(1/9))`.
+/// Nesterov's momentum `(1 - sqrt(1/9)) / (1 + sqrt(1/9))`. Along an axis, the least eigenvalue of
+/// the mass matrix of hats is at least `1/3`, by Gershgorin's circles, and the greatest at most 1.
+/// For surfaces, the least eigenvalue is therefore at least `1/9`.
 const MOMENTUM: f64 = 0.5;
 
-/// The integrals along an axis, in texels of the level.
+/// Integrals along an axis, in texels of the level.
 struct Integrals {
-    /// Of the square of each hat.
+    /// Integrals of the square of each hat.
     own: Vec<f64>,
-    /// Of each hat times the next.
+    /// Integrals of each hat times the next.
     next: Vec<f64>,
-    /// Of each hat times hats of the map: texels and values.
+    /// Integrals of each hat times hats of the map: texels and values.
     with_map: Vec<Vec<(u32, f64)>>,
 }
 
 impl Integrals {
-    /// By points at which products of two hats are sampled exactly.
+    /// Sums over points at which products of two hats are sampled exactly.
     fn new(axis: Axis) -> Self {
         let nodes = axis.nodes();
         let (mut own, mut next, mut with_map) = (vec![0.0; nodes], vec![0.0; nodes], vec![Vec::new(); nodes]);
@@ -58,7 +59,8 @@ impl Integrals {
         Self { own, next, with_map }
     }
 
-    /// The texel before one, if it is not the first of a map that is not tiled: then its integral is 0.
+    /// Returns the texel before one. For the first of a map that is not tiled, it is the last;
+    /// their integral is 0.
     fn before(&self, node: usize) -> usize {
         node.checked_sub(1).unwrap_or(self.own.len() - 1)
     }
@@ -67,15 +69,17 @@ impl Integrals {
         if node + 1 < self.own.len() { node + 1 } else { 0 }
     }
 
-    /// A texel, the one before and the one after, with their integrals times its hat.
+    /// Returns a texel, the one before and the one after, with the integrals of their hats times
+    /// its hat.
     fn around(&self, node: usize) -> [(usize, f64); 3] {
         let before = self.before(node);
         [(before, self.next[before]), (node, self.own[node]), (self.after(node), self.next[node])]
     }
 }
 
-/// The level's texels, row by row from the top, from those of a level near by. Of the heights from 0 to 1
-/// these have the least integral of the squared difference, to rounding.
+/// Returns the level's texels, row by row from the top. Of all heights from 0 to 1, these have the
+/// least integral of the squared difference, to rounding. `start` are the texels of a level near
+/// by.
 pub fn level(map: &HeightMap, size: [u32; 2], start: &[f32], watch: &Watch) -> Result<Vec<f32>, Cancelled> {
     let repeats = map.wrap() == Wrap::Repeat;
     let across = Integrals::new(Axis { fine: map.width(), coarse: size[0], repeats });
@@ -122,7 +126,8 @@ pub fn level(map: &HeightMap, size: [u32; 2], start: &[f32], watch: &Watch) -> R
     Ok(x)
 }
 
-/// The integral of each of the level's surface hats times the map's surface, row by row from the top.
+/// Returns the integral of each of the level's surface hats times the map's surface, row by row
+/// from the top.
 fn with_map(
     map: &HeightMap,
     across: &Integrals,

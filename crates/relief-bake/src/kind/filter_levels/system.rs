@@ -1,15 +1,16 @@
-//! The weighted mass matrix of a tile of a level, and its solution by conjugate gradients.
+//! Weighted mass matrix of a tile of a level, and its solution by conjugate gradients.
 
 use super::tiles::Span;
 use super::volume::{Moments, corners};
 
-/// Conjugate gradients take so many steps at most.
+/// Most steps of the conjugate gradients.
 const STEPS: usize = 12;
 
-/// They end when the residual has fallen to this part: the weights are those of the step before anyway.
+/// Part of the residual at which the steps end: the weights belong to the previous step anyway.
 const SOLVED: f64 = 1e-3;
 
-/// How a node is coupled with itself and with half of its neighbours; the others know it of themselves.
+/// Coupling of a node with itself and with half of its neighbours. The other neighbours hold
+/// theirs.
 #[derive(Clone, Copy, Default)]
 struct Row {
     own: f64,
@@ -19,7 +20,7 @@ struct Row {
     below_after: f64,
 }
 
-/// The matrix, row by row of nodes from the top, and the gradient of the volume.
+/// Matrix, row by row of nodes from the top, and the gradient of the volume.
 pub struct System<'a> {
     across: &'a Span,
     down: &'a Span,
@@ -28,15 +29,16 @@ pub struct System<'a> {
 }
 
 impl<'a> System<'a> {
-    /// A system of a tile's nodes, nothing of it known yet.
+    /// Creates an empty system of a tile's nodes.
     pub fn new(across: &'a Span, down: &'a Span) -> Self {
         let nodes = across.nodes.len() * down.nodes.len();
         Self { across, down, rows: vec![Row::default(); nodes], gradient: vec![0.0; nodes] }
     }
 
-    /// Adds a cell between columns and rows, of which some may be beyond the tile, where nothing changes.
+    /// Adds a cell between columns and rows. Some may be beyond the tile, where nothing changes.
     pub fn add(&mut self, columns: [Option<usize>; 2], rows: [Option<usize>; 2], moments: &Moments) {
-        // Sums of the products of the hats along one axis: of the first's square, of both, of the second's.
+        // Sums of the products of the hats along one axis: the first squared, first times second,
+        // the second squared.
         let products = |[one, x, xx]: [f64; 3]| [one - 2.0 * x + xx, x - xx, xx];
         let across = moments.weights.map(products);
         let [left, both, right] = [0, 1, 2].map(|k| products(across.map(|row| row[k])));
@@ -67,8 +69,8 @@ impl<'a> System<'a> {
         }
     }
 
-    /// The change of every node's height, row by row, that makes the gradient of the weighted squares vanish.
-    /// A height that would leave the range from 0 to 1 at once stays.
+    /// Returns the change of every node's height, row by row, that makes the gradient of the
+    /// weighted squares vanish. A height that would leave the range from 0 to 1 at once stays.
     pub fn solve(&self, height: impl Fn(usize, usize) -> f32) -> Vec<f64> {
         let (width, count) = (self.across.nodes.len(), self.rows.len());
         let scale: Vec<f64> = (0..count)
@@ -107,7 +109,7 @@ impl<'a> System<'a> {
         change
     }
 
-    /// The matrix times a vector.
+    /// Multiplies the matrix by a vector.
     fn multiply(&self, x: &[f64], product: &mut [f64]) {
         let width = self.across.nodes.len();
         product.fill(0.0);

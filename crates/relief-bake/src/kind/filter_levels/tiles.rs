@@ -1,42 +1,41 @@
-//! A level cut into tiles that are solved by themselves, so that threads share nothing and matrices are
-//! small.
+//! Tiles of a level, which are solved independently. Threads share nothing, and matrices are small.
 
 use super::axis::Axis;
 
 /// Texels of a level along a side of a tile.
 const SIDE: usize = 48;
 
-/// Texels beyond a tile's that are solved with it: what is wrong at their end, where neighbours are held as
-/// they were, falls to about a quarter from texel to texel.
+/// Texels beyond a tile that are solved with it. The error at their end, where neighbours are held
+/// fixed, falls to about a quarter from texel to texel.
 const OVERLAP: usize = 3;
 
-/// The texels of a tile along an axis, and the cells that these are corners of.
+/// Texels of a tile along an axis, and the cells with these texels as corners.
 pub struct Span {
-    /// Texels of the level, those solved with the tile's among them.
+    /// Texels of the level, including those solved with the tile.
     pub nodes: Vec<usize>,
-    /// The places among them of the tile's own.
+    /// Indices among them of the tile's own texels.
     pub own: std::ops::Range<usize>,
-    /// The cells.
+    /// Cells with these texels as corners.
     pub cells: Vec<SpanCell>,
-    /// The place before that of each node, and after it. Where there is none, its own.
+    /// Index of each node's predecessor; without one, its own.
     pub before: Vec<usize>,
-    /// See `before`.
+    /// Index of each node's successor; without one, its own.
     pub after: Vec<usize>,
 }
 
-/// A cell of a tile.
+/// Cell of a tile.
 pub struct SpanCell {
-    /// Its number in the level.
+    /// Number in the level.
     pub cell: usize,
-    /// The places of its ends among the tile's nodes.
+    /// Indices of its ends among the tile's nodes.
     pub ends: [Option<usize>; 2],
     /// Whether no other tile counts it.
     pub is_own: bool,
 }
 
 impl Span {
-    /// The spans of an axis. An axis that is no longer than a tile is one, which closes where the map is
-    /// tiled.
+    /// Returns the spans of an axis. An axis that is no longer than a tile has one span, which
+    /// closes where the map is tiled.
     pub fn all(axis: Axis) -> Vec<Self> {
         let nodes = axis.nodes();
         if nodes <= SIDE {

@@ -1,10 +1,11 @@
-//! The level with the least volume between its surface and the map's: iteratively reweighted least squares.
+//! Level with the least volume between its surface and the map's: iteratively reweighted least
+//! squares.
 //!
-//! The volume `V = ∫ |f - f0|` is at most `∫ (d²/w + w) / 2` with `d = f - f0` and any `w`, and equal to
-//! it for `w = |d|`: least squares with the weights `1/|d|` of the last step lower it. Distances are held
-//! above a length that shrinks, so that weights stay finite. Each step solves the weighted mass matrix of
-//! each tile. Of all steps the level of the least volume is kept, from the average's and that of least
-//! squares on.
+//! The volume `V = ∫ |f - f0|` is at most `∫ (d²/w + w) / 2` with `d = f - f0` and any `w`, and
+//! equal to it for `w = |d|`. Least squares with the weights `1/|d|` of the last step therefore
+//! lower it. Distances are held above a length that shrinks, so that weights stay finite. Each step
+//! solves the weighted mass matrix of each tile. The steps start from the better of the average and
+//! least squares. The result is the level of the least volume among the starts and all steps.
 
 use rayon::prelude::*;
 use relief_core::{Cancelled, HeightMap, Watch};
@@ -13,17 +14,17 @@ use super::system::System;
 use super::tiles::Span;
 use super::volume::Surfaces;
 
-/// Steps, each of which looks at the whole map. Twelve lower the volume by a thousandth more.
+/// Steps, each over the whole map. Twelve would lower the volume by a thousandth more.
 const STEPS: usize = 8;
 
-/// The part of the mean distance below which distances count as that, in the first step.
+/// Least distance in the first step, as a part of the mean distance.
 const SMOOTH: f64 = 0.5;
 
-/// What becomes of it from step to step.
+/// Factor of this part from step to step.
 const SHRINK: f64 = 0.6;
 
-/// The level's texels, row by row from the top: of all that were found from those starts on, and of the
-/// starts, the ones of the least volume.
+/// Returns the level's texels, row by row from the top: the ones of the least volume among the
+/// starts and all later steps.
 pub fn level(
     map: &HeightMap,
     size: [u32; 2],
@@ -41,7 +42,7 @@ pub fn level(
     let mut heights = best.clone();
     let mut smooth = SMOOTH * least / surfaces.area();
     for step in 0..STEPS {
-        // Surfaces that are the same leave nothing to divide by.
+        // Equal surfaces leave nothing to divide by.
         if smooth <= f64::from(f32::MIN_POSITIVE) {
             return Ok(best);
         }
@@ -57,7 +58,7 @@ pub fn level(
     Ok(if volume < least { heights } else { best })
 }
 
-/// The tiles of a level.
+/// Tiles of a level.
 struct Tiles<'a> {
     surfaces: &'a Surfaces<'a>,
     across: Vec<Span>,
@@ -65,7 +66,7 @@ struct Tiles<'a> {
 }
 
 impl Tiles<'_> {
-    /// The volume, times the map's texels, between the map and a level of those heights.
+    /// Returns the volume, times the map's texels, between the map and a level of those heights.
     fn volume(&self, heights: &[f32], watch: &Watch) -> Result<f64, Cancelled> {
         let [columns, rows] = self.surfaces.axes.map(|axis| axis.cells());
         let cells: Vec<usize> = (0..columns).collect();
@@ -77,7 +78,7 @@ impl Tiles<'_> {
         Ok(sums.collect::<Result<Vec<f64>, Cancelled>>()?.iter().sum())
     }
 
-    /// That volume, and the heights after a step.
+    /// Returns the volume before a step, and the heights after it.
     fn step(&self, heights: &[f32], smooth: f64, watch: &Watch) -> Result<(f64, Vec<f32>), Cancelled> {
         let tiles: Vec<(&Span, &Span)> =
             self.down.iter().flat_map(|down| self.across.iter().map(move |across| (across, down))).collect();
@@ -97,7 +98,7 @@ impl Tiles<'_> {
         Ok((solved.iter().map(|(volume, _)| volume).sum(), next))
     }
 
-    /// The volume over a tile's own cells, and its own heights after a step.
+    /// Returns the volume over a tile's own cells, and its own heights after a step.
     fn solved(&self, heights: &[f32], smooth: f64, across: &Span, down: &Span) -> (f64, Vec<f32>) {
         let cells: Vec<usize> = across.cells.iter().map(|cell| cell.cell).collect();
         let (mut system, mut volume) = (System::new(across, down), 0.0);

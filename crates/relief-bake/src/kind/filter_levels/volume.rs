@@ -1,4 +1,4 @@
-//! The volume between the surface of a level and the map's, with what lowering it needs.
+//! Volume between the surface of a level and the map's, and the sums needed to lower it.
 
 use rayon::prelude::*;
 use relief_core::{HeightMap, Wrap};
@@ -8,15 +8,15 @@ use super::axis::{Axis, Samples};
 /// Rows of points that one task sums up; sums of tasks are added in their order.
 const ROWS: usize = 16;
 
-/// Sums over the points of one of the level's cells. In all, `x` and `y` are the parts of the way through the
-/// cell, and the point's area counts in texels of the map.
+/// Sums over the points of one of the level's cells. In all, `x` and `y` are the parts of the way
+/// through the cell, and the point's area counts in texels of the map.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Moments {
-    /// Of the distance between the surfaces.
+    /// Sum of the distance between the surfaces.
     pub volume: f64,
-    /// Of `x^p y^q` over the distance, in `[q][p]`.
+    /// Sums of `x^p y^q` over the distance, in `[q][p]`.
     pub weights: [[f64; 3]; 3],
-    /// Of `x^p y^q` times the sign of the level less the map, in `[q][p]`.
+    /// Sums of `x^p y^q` times the sign of the level less the map, in `[q][p]`.
     pub signs: [[f64; 2]; 2],
 }
 
@@ -32,7 +32,7 @@ impl Moments {
     }
 }
 
-/// A map and the grid of a level of it.
+/// Map and the grid of one of its levels.
 pub struct Surfaces<'a> {
     map: &'a HeightMap,
     /// Both axes.
@@ -41,7 +41,7 @@ pub struct Surfaces<'a> {
 }
 
 impl<'a> Surfaces<'a> {
-    /// Of a level of that size.
+    /// Prepares the surfaces of a map and a level of `size`.
     pub fn new(map: &'a HeightMap, size: [u32; 2]) -> Self {
         let repeats = map.wrap() == Wrap::Repeat;
         let axes = [(map.width(), size[0]), (map.height(), size[1])];
@@ -49,13 +49,13 @@ impl<'a> Surfaces<'a> {
         Self { map, axes, points: axes.map(Samples::new) }
     }
 
-    /// The area of the square in texels of the map.
+    /// Returns the area of the square in texels of the map.
     pub fn area(&self) -> f64 {
         self.map.texels().len() as f64
     }
 
-    /// The sums of some cells of a row of cells, for a level of those heights. Distances below `smooth` count
-    /// as `smooth` where they divide: then signs are parts of it.
+    /// Returns the sums of some cells of a row of cells, for a level of those heights. Distances
+    /// below `smooth` count as `smooth` where they divide: signs are then parts of it.
     pub fn moments(&self, heights: &[f32], row: usize, cells: &[usize], smooth: f64) -> Vec<Moments> {
         let rows = self.points[1].of_cell(row);
         let of = |rows: std::ops::Range<usize>| {
@@ -130,7 +130,7 @@ impl<'a> Surfaces<'a> {
         }
     }
 
-    /// The sums of all cells, row by row.
+    /// Returns the sums of all cells, row by row.
     fn all(&self, heights: &[f32]) -> Vec<Vec<Moments>> {
         let cells: Vec<usize> = (0..self.axes[0].cells()).collect();
         let rows = (0..self.axes[1].cells()).into_par_iter();
@@ -138,14 +138,14 @@ impl<'a> Surfaces<'a> {
     }
 }
 
-/// The volume between the surface of a level, or of any map of its size, and that of the map: the integral of
-/// their distance over the texture square, whose area is 1, in heights. Multiplied by the metres of
-/// [`HeightMap::scale_m`] and of the tile it is in cubic metres.
+/// Returns the volume between the surfaces of a map and of a level, or of any other map of the
+/// level's size. It is the integral of their distance over the texture square, whose area is 1, in
+/// heights. Multiply it by [`HeightMap::scale_m`] and by the area of the tile for cubic metres.
 ///
-/// The integral is sampled: at four points, those of Gauss and Legendre, of each rectangle between the lines
-/// through the centres of either grid, in which both surfaces are bilinear. That is not exact where they
-/// cross: of natural maps it is off by a hundredth or two, by up to a third where they cross everywhere in
-/// the same way, as on a checkerboard.
+/// The integral is sampled at the four points of Gauss and Legendre of each rectangle between the
+/// lines through the centres of either grid. Both surfaces are bilinear there. The sum is not exact
+/// where they cross. For natural maps it is off by a hundredth or two; by up to a third where they
+/// cross everywhere in the same way, as on a checkerboard.
 ///
 /// Both surfaces are taken with the map's wrap.
 pub fn difference_volume(map: &HeightMap, level: &HeightMap) -> f64 {
@@ -154,9 +154,9 @@ pub fn difference_volume(map: &HeightMap, level: &HeightMap) -> f64 {
     rows.iter().flatten().map(|moments| moments.volume).sum::<f64>() / surfaces.area()
 }
 
-/// The derivative of [`difference_volume`] by each of the level's texels, row by row from the top: the
-/// integral of the texel's hat times the sign of the level less the map (Gumhold and Hüttner 1999, eq. 12,
-/// in the limit of no step).
+/// Returns the derivative of [`difference_volume`] by each of the level's texels, row by row from
+/// the top. It is the integral of the texel's hat times the sign of the level less the map (Gumhold
+/// and Hüttner 1999, eq. 12, in the limit of no step).
 pub fn difference_volume_gradient(map: &HeightMap, level: &HeightMap) -> Vec<f64> {
     let surfaces = Surfaces::new(map, [level.width(), level.height()]);
     let nodes = surfaces.axes[0].nodes();
@@ -175,7 +175,7 @@ pub fn difference_volume_gradient(map: &HeightMap, level: &HeightMap) -> Vec<f64
     gradient
 }
 
-/// The sums of each corner's hat, by row and column, from those of `x^p y^q`.
+/// Returns the sums of each corner's hat, by row and column, from the sums of `x^p y^q`.
 pub fn corners(sums: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     let [above, below] = sums.map(|[one, x]| [one - x, x]);
     [[above[0] - below[0], above[1] - below[1]], below]

@@ -1,38 +1,38 @@
-//! The texels ahead of a dual cell along one axis.
+//! Texels ahead of a dual cell along one axis.
 
 use relief_core::Wrap;
 
-/// The texels `first..=last` of the map, as one run of those ahead of a cell.
+/// Texels `first..=last` of the map, as one run ahead of a cell.
 #[derive(Clone, Copy, Debug)]
 pub struct Run {
-    /// The first of them in the map.
+    /// First texel in the map.
     pub first: u32,
-    /// The last of them in the map.
+    /// Last texel in the map.
     pub last: u32,
-    /// Texel 0 is so many texels ahead; the cell's own near texel is 0 ahead.
+    /// Distance of texel 0 ahead, in texels; the cell's own near texel is 0 ahead.
     zero: i64,
-    /// Whether the texels get farther with their number.
+    /// Whether the texels get farther as their number grows.
     pub rising: bool,
 }
 
 impl Run {
-    /// How many texels ahead a texel is.
+    /// Returns the distance of a texel ahead, in texels.
     #[inline]
     pub fn ahead(&self, texel: u32) -> i64 {
         if self.rising { self.zero + i64::from(texel) } else { self.zero - i64::from(texel) }
     }
 }
 
-/// The number, not wrapped, of the texel so many ahead of a cell.
+/// Returns the number, not wrapped, of the texel `ahead` texels ahead of a cell.
 #[inline]
 pub fn texel(cell: u32, forward: bool, ahead: i64) -> i64 {
     if forward { i64::from(cell) + ahead } else { i64::from(cell) + 1 - ahead }
 }
 
-/// The nearest image of every texel ahead of the cells `first..=last`, nearest run first. How far ahead is
-/// counted from the first cell. In a repeated map the last cell may end at column 0 of the next tile; that is
-/// included. For a single one of several cells, runs may hold texels behind it (less than 0 ahead) and
-/// farther images.
+/// Returns runs with the nearest image of every texel ahead of the cells `first..=last`, nearest
+/// run first. Distances ahead are counted from the first cell. In a repeated map the last cell may
+/// end at column 0 of the next tile; this column is included. For one of several cells, runs may
+/// also hold texels behind it (less than 0 ahead) and farther images.
 pub fn runs(wrap: Wrap, size: u32, [first, last]: [u32; 2], forward: bool) -> [Option<Run>; 3] {
     let (end, side) = (size - 1, i64::from(size));
     let at = i64::from(first);
@@ -52,7 +52,7 @@ pub fn runs(wrap: Wrap, size: u32, [first, last]: [u32; 2], forward: bool) -> [O
             Wrap::Repeat => Some(Run { first: near, last: end, zero: at + 1 + side, rising: false }),
             Wrap::Mirror => Some(Run { first: near, last: end, zero: at + 2, rising: true }),
         };
-        // The near column of the last cell is that of the next tile.
+        // The last cell's near column belongs to the next tile.
         let closing = Run { first: 0, last: 0, zero: at + 1 - side, rising: false };
         [Some(own), images, (wrap == Wrap::Repeat && last == end).then_some(closing)]
     }

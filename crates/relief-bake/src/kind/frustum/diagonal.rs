@@ -1,28 +1,30 @@
-//! The cells on a quadrant's diagonal, over which the distance is not linear.
+//! Cells on a quadrant's diagonal, over which the distance is not linear.
 
-/// The error of a height less a product of slope and distance, of at most 2 in all: four roundings.
+/// Error of a height less a product of slope and distance, of at most 2 in all: four roundings.
 const ERROR: f64 = 1.0 / (1u64 << 49) as f64;
 
-/// The share of a correction that is surely less than the true one, after eight roundings.
+/// Share of a correction that is surely less than the true one, after eight roundings.
 const SHARE: f64 = 1.0 - 1.0 / (1u64 << 48) as f64;
 
-/// The least slope under which the frustum stays above the diagonal of the `k`-th diagonal cell, from 1.
+/// Returns the least slope with which the frustum stays above the diagonal of the `k`-th diagonal
+/// cell, from 1.
 ///
-/// `near` and `far` are the heights of the corners `(k, k)` and `(k + 1, k + 1)` above the top, `mean` is the
-/// mean of the other two's, and `mean` must be positive. Along the diagonal, at `s` from 0 to 1, the surface
-/// is `(1-s)² near + 2s(1-s) mean + s² far` above the top, and the distance `k - 1 + s` is
-/// `(1-s)² (k-1) + 2s(1-s) (k-½) + s² k`. With slope `S` the gap therefore has the Bernstein coefficients
+/// `near` and `far` are the heights of the corners `(k, k)` and `(k + 1, k + 1)` above the top.
+/// `mean` is the mean height of the other two, and must be positive. Along the diagonal, at `s`
+/// from 0 to 1, the surface is `(1-s)² near + 2s(1-s) mean + s² far` above the top. The distance
+/// `k - 1 + s` is `(1-s)² (k-1) + 2s(1-s) (k-½) + s² k`. With slope `S` the gap therefore has the
+/// Bernstein coefficients
 ///
 /// ```text
 /// a = S (k-1) - near,   m = S (k-½) - mean,   c = S k - far
 /// ```
 ///
-/// and, where `a` and `c` are not negative (else a corner asks for more), it is nowhere negative just when
-/// `m ≥ -√(a c)`. At `S₀ = mean / (k-½)`, `m` is 0. Below it, at `S₀ - δ`, equality is
-/// `δ² (k-½)² = (a₀ - δ (k-1)) (c₀ - δ k)`, that is `δ²/4 + B δ - a₀ c₀ = 0` with `B = a₀ k + c₀ (k-1)`,
-/// whose positive root is `δ = 2 a₀ c₀ / (B + √(B² + a₀ c₀))`. Nothing cancels in it but `a₀` and `c₀`; both
-/// are lowered by more than their error, which lowers `δ`, for it grows with either. So what is returned is
-/// never too little, and never more than `S₀`.
+/// Where `a` or `c` is negative, a corner demands more. Otherwise the gap is nowhere negative just
+/// when `m ≥ -√(a c)`. At `S₀ = mean / (k-½)`, `m` is 0. Below it, at `S₀ - δ`, equality is
+/// `δ² (k-½)² = (a₀ - δ (k-1)) (c₀ - δ k)`, that is `δ²/4 + B δ - a₀ c₀ = 0` with
+/// `B = a₀ k + c₀ (k-1)`. Its positive root is `δ = 2 a₀ c₀ / (B + √(B² + a₀ c₀))`. Nothing cancels
+/// in it but `a₀` and `c₀`. Both are lowered by more than their error, which lowers `δ`, for it
+/// grows with either. So the returned slope is never too small, and never more than `S₀`.
 pub fn slope(k: i64, near: f64, mean: f64, far: f64) -> f64 {
     let k = k as f64;
     let steepest = mean / (k - 0.5);

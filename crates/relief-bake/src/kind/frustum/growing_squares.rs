@@ -1,19 +1,21 @@
-//! The least slopes of most cells, by squares of texels that grow ahead of all cells at once.
+//! Least slopes of most cells, by squares of texels that grow ahead of all cells at once.
 //!
-//! Let `z` be a cell's top, and `B(k)` the greatest height of the texels up to `k` ahead along both axes: a
-//! square. A texel of height `h` that is `k` ahead asks for the slope `(h - z) / (k - 1)`. The highest
-//! texel of a square may be nearer than its end, and then asks for more. So `(B(k) - z) / (k - 1)` is never
-//! too much, and at some `k` it is all that texels ask for. The cell on the diagonal that ends at `k` asks
-//! for less than `(B(k) - z) / (k - 3/2)`, or for less than its corners do.
+//! Let `z` be a cell's top, and `B(k)` the greatest height in the square of texels up to `k` ahead
+//! along both axes. A texel of height `h` that is `k` ahead requires the slope `(h - z) / (k - 1)`.
+//! The highest texel of a square may be nearer than the square's end, and then requires more. So
+//! `(B(k) - z) / (k - 1)` is never too much, and at some `k` it equals the slope that all texels
+//! require. The cell on the diagonal that ends at `k` requires less than `(B(k) - z) / (k - 3/2)`,
+//! or less than its corners do.
 //!
-//! Squares of `2^m` texels, one at every texel, follow from those of half the side. Four of them, which may
-//! overlap, make any square of up to twice the side. So `k` goes from one power of two to the next, a ring,
-//! for all cells at once, and two planes of squares are all that is held. A ring is cut into spans. In a
-//! first pass their ends estimate all slopes. In a second pass they tell which spans may ask for more; only
-//! there is `k` looked at one by one, from far to near, and what is passed over is too low to ask for more.
+//! Squares of `2^m` texels, one at every texel, are built from squares of half the side. Four of
+//! them, which may overlap, make any square of up to twice the side. So `k` goes from one power of
+//! two to the next, a ring, for all cells at once, and only two planes of squares are held. A ring
+//! is cut into spans. In a first pass, the ends of the spans estimate all slopes. In a second pass,
+//! they show which spans may require more. Only there is `k` tested one by one, from far to near;
+//! the skipped values are too low to require more.
 //!
-//! On inclined ground every `k` is as steep as the next. A cell that took many steps in vain is left to the
-//! search of `least_slopes.rs`, which begins with what was found here.
+//! On inclined ground every `k` is as steep as the next. A cell that took many steps in vain is
+//! left to the search of `least_slopes.rs`, which begins with the slope found here.
 
 mod squares;
 
@@ -27,47 +29,47 @@ use self::squares::{Squares, greater};
 use super::diagonal;
 use super::rounding::{CAUTION, round_up};
 
-/// Steps that a cell may take without a rise: natural ground takes about ten.
+/// Steps that a cell may take without a rise; natural ground takes about ten.
 const PATIENCE: u8 = 64;
 
-/// Spans of a ring that are looked into one by one.
+/// Spans of a ring that are tested one by one.
 const SPANS: usize = 16;
 
 /// Spans of a ring for estimates.
 const SPANS_OF_ESTIMATE: usize = 8;
 
-/// Cells side by side of which a ring is passed over together.
+/// Cells side by side that skip a ring together.
 const SEGMENT: usize = 64;
 
-/// Raises how far a height reaches by more than its rounding has lowered it.
+/// Factor that raises the reach of a height by more than its rounding has lowered it.
 const REACH: f64 = 1.0 + 1.0 / (1u64 << 40) as f64;
 
-/// The share of two heights above a top by which rounding may have lowered their mean, and more.
+/// Share of two heights above a top by which rounding may have lowered their mean, and more.
 const ROUNDED: f32 = 1.0 / (1u32 << 22) as f32;
 
 /// Cells that are compared together.
 const BLOCK: usize = 8;
 
-/// The slopes of a quadrant as far as squares tell.
-pub struct Found {
-    /// None is more than the least slope, rounded up.
+/// Slopes of a quadrant, as far as squares determine them.
+pub struct SquareSlopes {
+    /// Slopes, none of them more than the least slope, rounded up.
     pub slopes: Vec<f32>,
-    /// The steps that were left to each cell. With none left, its slope may be less than it is to be.
+    /// Steps that each cell has left. A cell without steps may need a greater slope.
     pub patience: Vec<u8>,
 }
 
-/// What squares tell of the slopes of all cells, with those tops, in those quadrants: each goes forward or
-/// not along both axes.
+/// Computes the slopes of all cells by squares. `tops` are the cells' tops. Each quadrant goes
+/// forward or not along both axes.
 pub fn slopes_by_squares<const N: usize>(
     map: &HeightMap,
     tops: &[f32],
     quadrants: [[bool; 2]; N],
     watch: &Watch,
-) -> Result<[Found; N], Cancelled> {
+) -> Result<[SquareSlopes; N], Cancelled> {
     let width = map.width() as usize;
     let highest_of_all = map.texels().iter().fold(0.0, |highest, &texel| greater(highest, texel));
     let planes = &mut [const { Vec::new() }; 2];
-    let mut each = [const { Found { slopes: Vec::new(), patience: Vec::new() } }; N];
+    let mut each = [const { SquareSlopes { slopes: Vec::new(), patience: Vec::new() } }; N];
     for (place, (found, forward)) in each.iter_mut().zip(quadrants).enumerate() {
         let watch = watch.piece(place as f32 / N as f32, (place + 1) as f32 / N as f32);
         let ground = Ground { map, tops, highest_of_all, forward };
@@ -85,16 +87,16 @@ pub fn slopes_by_squares<const N: usize>(
     Ok(each)
 }
 
-/// What is done while squares grow.
+/// Work of a pass while squares grow.
 #[derive(Clone, Copy, PartialEq)]
 enum Pass {
-    /// Slopes are raised to little less than what the squares up to the end of each span ask for.
+    /// Raises slopes to a little less than the squares up to the end of each span require.
     Estimate,
-    /// Spans are looked into that may ask for more.
+    /// Tests the spans that may require more.
     Settle,
 }
 
-/// A map and the tops of its cells, for a quadrant.
+/// Map and the tops of its cells, for a quadrant.
 #[derive(Clone, Copy)]
 struct Ground<'a> {
     map: &'a HeightMap,
@@ -103,12 +105,12 @@ struct Ground<'a> {
     forward: [bool; 2],
 }
 
-/// Lets squares grow until they can ask for nothing more. They are held in two planes.
+/// Lets squares grow until they can require nothing more. They are held in two planes.
 fn grow(
     ground: Ground,
     pass: Pass,
     planes: &mut [Vec<f32>; 2],
-    found: &mut Found,
+    found: &mut SquareSlopes,
     watch: &Watch,
 ) -> Result<(), Cancelled> {
     let Ground { map, tops, forward, .. } = ground;
@@ -155,7 +157,7 @@ fn grow(
     Ok(())
 }
 
-/// Turns rows around that were counted ahead, where that is backward in the map.
+/// Turns rows around that were counted ahead, where ahead is backward in the map.
 fn turn<T>(cells: &mut [T], width: usize, forward: [bool; 2]) {
     match forward {
         [true, true] => {}
@@ -168,8 +170,8 @@ fn turn<T>(cells: &mut [T], width: usize, forward: [bool; 2]) {
     }
 }
 
-/// A row of cells and the squares of twice the side that begin at them, to be worked on with the vectors that
-/// the machine has.
+/// Row of cells and the squares of twice the side that begin at them, processed with the vectors of
+/// the machine.
 struct Row<'a> {
     ground: Ground<'a>,
     pass: Pass,
@@ -181,19 +183,20 @@ struct Row<'a> {
     patience: &'a mut [u8],
 }
 
-/// Rows of numbers that a task works with.
+/// Buffers of a task, one row each.
 struct Scratch {
     tops: Vec<f32>,
-    /// The greatest heights up to the end of a span.
+    /// Greatest heights up to the end of a span.
     highest: Vec<f32>,
-    /// The texels on both sides of the diagonal.
+    /// Texels on both sides of the diagonal.
     beside: [Vec<f32>; 2],
-    /// How much more a cell may ask for than its slope, in heights: positive where it may.
+    /// Excess of a possible demand over a cell's slope, in heights: positive where the cell may
+    /// require more.
     excess: Vec<f32>,
 }
 
 impl Scratch {
-    /// For rows of so many cells.
+    /// Creates buffers for rows of `width` cells.
     fn new(width: usize) -> Self {
         let row = || vec![0.0; width];
         Self { tops: row(), highest: row(), beside: [row(), row()], excess: row() }
@@ -201,7 +204,7 @@ impl Scratch {
 }
 
 impl WithSimd for Row<'_> {
-    /// Whether squares of a larger side may ask for more.
+    /// Whether squares of a larger side may require more.
     type Output = bool;
 
     #[inline(always)]
@@ -223,7 +226,7 @@ impl WithSimd for Row<'_> {
             while end < width && self.may_rise(segment(end)) {
                 end = segment(end).end;
             }
-            self.look_into(begin..end);
+            self.test_spans(begin..end);
             begin = end;
         }
         let beyond = 2.0 * side as f32 - 1.5;
@@ -236,7 +239,7 @@ impl WithSimd for Row<'_> {
 }
 
 impl Row<'_> {
-    /// Whether the ring may ask for more in any of those cells.
+    /// Returns whether the ring may require more in any of those cells.
     #[inline(always)]
     fn may_rise(&self, cells: Range<usize>) -> bool {
         let distance = CAUTION * (self.squares.side as f32 - 1.5);
@@ -249,9 +252,9 @@ impl Row<'_> {
         may_rise
     }
 
-    /// Looks at the ring's spans for those cells.
+    /// Tests the ring's spans for those cells.
     #[inline(always)]
-    fn look_into(&mut self, cells: Range<usize>) {
+    fn test_spans(&mut self, cells: Range<usize>) {
         let (squares, side) = (self.squares, self.squares.side);
         let spans = if self.pass == Pass::Estimate { SPANS_OF_ESTIMATE } else { SPANS };
         let span = side.div_ceil(spans);
@@ -271,7 +274,7 @@ impl Row<'_> {
         }
     }
 
-    /// Raises slopes to little less than what the squares up to so many texels ahead ask for.
+    /// Raises slopes to a little less than the squares up to `last` texels ahead require.
     #[inline(always)]
     fn estimate(&mut self, last: usize, cells: Range<usize>) {
         let share = CAUTION / (last as f32 - 1.0);
@@ -281,7 +284,7 @@ impl Row<'_> {
         }
     }
 
-    /// What squares that end so many texels ahead or farther may ask for.
+    /// Computes the excess of squares that end `first` texels ahead or farther.
     #[inline(always)]
     fn compare(&mut self, first: usize, cells: Range<usize>) {
         let Scratch { tops, highest, excess, .. } = &mut *self.scratch;
@@ -293,7 +296,8 @@ impl Row<'_> {
         }
     }
 
-    /// What the square that ends so many texels ahead may ask for, and the cell on its diagonal.
+    /// Computes the excess of the square that ends `ahead` texels ahead, and of the cell on its
+    /// diagonal.
     #[inline(always)]
     fn compare_square(&mut self, ahead: usize, cells: Range<usize>) {
         let Scratch { tops, highest, beside, excess } = &mut *self.scratch;
@@ -310,13 +314,13 @@ impl Row<'_> {
         }
     }
 
-    /// Raises the slopes of those cells that may ask for more.
+    /// Raises the slopes of the cells that may require more.
     #[inline(always)]
     fn raise(&mut self, span: [usize; 2], cells: Range<usize>) {
         let mut begin = cells.start;
         while begin < cells.end {
             let end = (begin + BLOCK).min(cells.end);
-            // Of a known length, so that it compiles to one comparison.
+            // The length is known, so that this compiles to one comparison.
             let is_none = end - begin == BLOCK
                 && !self.scratch.excess[begin..begin + BLOCK].iter().fold(false, |any, by| any | (*by > 0.0));
             if !is_none {
@@ -342,8 +346,8 @@ impl Row<'_> {
 }
 
 impl Squares<'_> {
-    /// Raises a cell's slope to what the squares up to those so many texels ahead ask for, the outermost of
-    /// which is so high.
+    /// Raises a cell's slope to the demand of the squares from `first` to `last` texels ahead.
+    /// `outermost` is the greatest height of the outermost square.
     #[inline(never)]
     fn raise(
         &self,
@@ -357,7 +361,7 @@ impl Squares<'_> {
         let top = f64::from(top);
         let begun = f64::from(*stored);
         let mut slope = begun;
-        // How far a height reaches, raised by more than rounding has lowered it.
+        // Reach of a height, raised by more than rounding has lowered it.
         let mut reach = REACH / slope;
         let (mut ahead, mut height) = (last, f64::from(outermost) - top);
         while height > 0.0 {
@@ -387,7 +391,8 @@ impl Squares<'_> {
         }
     }
 
-    /// What the `k`-th cell on the diagonal asks for, if it is more than a slope; else 0.
+    /// Returns the slope that the `k`-th cell on the diagonal requires, if it is more than `slope`;
+    /// otherwise 0.
     #[inline(always)]
     fn diagonal(&self, [column, row]: [usize; 2], top: f64, k: usize, slope: f64) -> f64 {
         let rise = |u: usize, v: usize| f64::from(self.texel([column + u, row + v])) - top;
@@ -408,7 +413,7 @@ mod tests {
 
     const QUADRANTS: [[bool; 2]; 4] = [[true, true], [false, true], [true, false], [false, false]];
 
-    fn found(map: &HeightMap) -> [Found; 4] {
+    fn found(map: &HeightMap) -> [SquareSlopes; 4] {
         let tops = MaxPyramid::new(map).nodes(0).to_vec();
         slopes_by_squares(map, &tops, QUADRANTS, &Watch::none()).expect("nobody cancels")
     }
@@ -446,7 +451,7 @@ mod tests {
         let of = |height: fn(u32, u32) -> f32| {
             found(&HeightMap::from_fn(256, 256, Wrap::Clamp, height).expect("heights from 0 to 1"))
         };
-        let left = |found: &Found| found.patience.iter().filter(|patience| **patience == 0).count();
+        let left = |found: &SquareSlopes| found.patience.iter().filter(|patience| **patience == 0).count();
         let inclined = of(|i, j| (2 * i + j) as f32 / 1024.0);
         assert!(left(&inclined[0]) > 256 * 256 / 4, "{} are left uphill", left(&inclined[0]));
         assert!(inclined[3].patience.is_empty() && inclined[3].slopes.iter().all(|slope| *slope == 0.0));

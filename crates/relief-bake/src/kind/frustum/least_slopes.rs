@@ -1,12 +1,14 @@
-//! The least slopes of one quadrant, of the cells that growing squares have left.
+//! Least slopes of one quadrant, for the cells that growing squares have left.
 //!
-//! A branch and bound over a maximum pyramid of texels, for a few cells side by side at once. A node is
-//! passed over when its greatest height, at its least distance, is for none of them steeper than the best so
-//! far. What was steepest for the row before is looked at first; it is mostly steepest again, or nearly.
+//! The search is a branch and bound over a maximum pyramid of texels, for a few cells side by side
+//! at once. A node is skipped when its greatest height, at its least distance, is for none of them
+//! steeper than the best so far. The texel that was steepest for the previous row is visited first;
+//! it is mostly steepest again, or nearly.
 //!
-//! Aside of the diagonal the distance goes along one axis, so that the hull of a node's profile along it
-//! tells at once what is steepest in the node. Hulls and planes above nodes tell as well that nothing of a
-//! node asks for more: on inclined ground all that is ahead is equally steep, and heights tell nothing.
+//! Aside of the diagonal the distance goes along one axis. The hull of a node's profile along it
+//! then gives the steepest point of the node at once. Hulls and planes above nodes also show that a
+//! node requires no more. On inclined ground everything ahead is equally steep, and heights alone
+//! show nothing.
 
 mod bounds;
 
@@ -18,42 +20,43 @@ use relief_core::{Cancelled, HeightMap, Watch};
 
 use super::ahead::{self, Run};
 use super::diagonal;
-use super::growing_squares::Found;
+use super::growing_squares::SquareSlopes;
 use super::rounding::{CAUTION, round_up};
 use crate::fixed_point::floor;
 use crate::texel_pyramid::TexelPyramid;
 use crate::upper_hulls::UpperHulls;
 use crate::upper_planes::UpperPlanes;
 
-/// How many cells are searched for at once. They share the walk through the pyramid and are compared
-/// together; more of them would have fewer nodes in common.
+/// Cells that are searched at once. They share the walk through the pyramid and are compared
+/// together. More of them would have fewer nodes in common.
 const LANES: usize = 8;
 
-/// Rows of a tile of cells that one thread works through: about a millisecond of work.
+/// Rows of a tile of cells that one thread processes: about a millisecond of work.
 const ROWS: usize = 64;
 
-/// Tiles that are worked on before they are put in place; at most so many values are held twice.
+/// Tiles that are computed before they are copied into place; at most this many are held twice.
 const TILES: usize = 2048;
 
-/// What a slope is raised by where something else is as steep to within this. Else the rounding of heights
-/// would decide what is steepest of much that is equally steep, and all of it had to be looked at.
+/// Factor that raises a slope where another point is as steep to within this factor. Otherwise, the
+/// rounding of heights would decide which of many equally steep points is steepest, and all of them
+/// would be visited.
 const TIE: f64 = 1.0 + 1.0 / (1u64 << 16) as f64;
 
-/// Nodes that a search looks into before it asks for hulls and planes: natural ground mostly takes fewer.
+/// Nodes that a search visits before it tests hulls and planes; natural ground mostly takes fewer.
 const PATIENCE: u32 = 64;
 
-/// The least slope of every cell, with those tops, in the quadrant that goes `forward` or not along each
-/// axis, from what squares have told of them.
+/// Returns the least slope of every cell in the quadrant that goes `forward` or not along each
+/// axis. `tops` are the cells' tops, and `found` is the result of the squares.
 pub fn least_slopes(
     map: &HeightMap,
     tops: &[f32],
     nodes: &Nodes,
     forward: [bool; 2],
-    found: Found,
+    found: SquareSlopes,
     watch: &Watch,
 ) -> Result<Vec<f32>, Cancelled> {
     let (width, height) = (map.width() as usize, map.height() as usize);
-    let Found { mut slopes, patience } = found;
+    let SquareSlopes { mut slopes, patience } = found;
     let done = AtomicUsize::new(0);
     let across = width.div_ceil(LANES);
     let tiles = across * height.div_ceil(ROWS);
@@ -63,7 +66,7 @@ pub fn least_slopes(
             let columns = [column, (column + LANES).min(width) - 1].map(|column| column as u32);
             let rows = [row, (row + ROWS).min(height) - 1].map(|row| row as u32);
             let mut search = Search::new(map, tops, nodes, (&slopes, &patience), forward, columns);
-            // Not wider ones: eight cells are searched for together.
+            // Wider vectors are of no use: eight cells are searched together.
             let found = relief_core::Lanes::Eight.run_up_to_eight(Rows { search: &mut search, rows });
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
             watch.at(done as f32 / tiles as f32).map(|()| (columns, rows, found))
@@ -81,7 +84,7 @@ pub fn least_slopes(
     Ok(slopes)
 }
 
-/// What is known of the squares of texels that a search goes through.
+/// Data of the squares of texels that a search visits.
 pub struct Nodes<'a> {
     levels: TexelPyramid<'a>,
     planes: UpperPlanes,
@@ -89,14 +92,14 @@ pub struct Nodes<'a> {
 }
 
 impl<'a> Nodes<'a> {
-    /// Those of a map.
+    /// Builds the nodes of a map.
     pub fn new(map: &'a HeightMap) -> Self {
         let (levels, planes, hulls) = (TexelPyramid::new(map), UpperPlanes::new(map), UpperHulls::new(map));
         Self { levels, planes, hulls }
     }
 }
 
-/// Rows of a tile, to be searched with the vectors that the machine has.
+/// Rows of a tile, to be searched with the vectors of the machine.
 struct Rows<'a, 'b> {
     search: &'b mut Search<'a>,
     rows: [u32; 2],
@@ -111,18 +114,18 @@ impl WithSimd for Rows<'_, '_> {
     }
 }
 
-/// A node of the pyramid.
+/// Node of the pyramid.
 #[derive(Clone, Copy)]
 struct Node {
     level: u32,
     at: [u32; 2],
-    /// The lanes that may look into it.
+    /// Lanes that may visit it.
     lanes: [bool; LANES],
 }
 
-/// How many texels ahead of the first lane a node begins and ends, along both axes, and its height.
+/// Begin and end of a node along both axes, in texels ahead of the first lane, and its height.
 #[derive(Clone, Copy)]
-struct Sight {
+struct NodeExtent {
     near: [i64; 2],
     far: [i64; 2],
     highest: f32,
@@ -131,7 +134,7 @@ struct Sight {
 struct Search<'a> {
     map: &'a HeightMap,
     tops: &'a [f32],
-    /// The slopes of all cells to begin with. Those of cells without patience are searched for.
+    /// Slopes of all cells at the start. Cells without patience are searched.
     begun: &'a [f32],
     patience: &'a [u8],
     levels: &'a TexelPyramid<'a>,
@@ -140,21 +143,21 @@ struct Search<'a> {
     forward: [bool; 2],
     columns: [u32; 2],
     row: u32,
-    /// The tops of the lanes' cells; infinite for lanes without a cell.
+    /// Tops of the lanes' cells; infinite for lanes without a cell.
     top: [f32; LANES],
-    /// How much farther ahead everything is for a lane than for the first.
+    /// Texels by which everything is farther ahead for a lane than for the first.
     shift: [f32; LANES],
-    /// The steepest so far, and lowered for comparisons in `f32`.
+    /// Steepest slope so far, and the same lowered for comparisons in `f32`.
     slope: [f64; LANES],
     cautious: [f32; LANES],
     /// Tops and slopes rounded down to multiples of one over [`GRID`](crate::fixed_point::GRID).
     fine_top: [f64; LANES],
     fine_slope: [f64; LANES],
-    /// Whether something that was passed over may be steeper, by no more than a [`TIE`].
+    /// Whether a skipped point may be steeper, by no more than a [`TIE`].
     is_tied: [bool; LANES],
-    /// How many texels ahead it is.
+    /// Texels ahead to the steepest point.
     ahead: [[i64; 2]; LANES],
-    /// Nodes still to be looked at.
+    /// Nodes yet to be visited.
     pending: Vec<Node>,
 }
 
@@ -191,11 +194,11 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The least slopes of all lanes in those rows.
+    /// Returns the least slopes of all lanes in those rows.
     #[inline(always)]
     fn rows(&mut self, [first, last]: [u32; 2]) -> Vec<[f32; LANES]> {
         let mut found = vec![[0.0; LANES]; (last - first) as usize + 1];
-        // From far to near, so that what is steepest for one row is ahead of the next.
+        // Rows go from far to near, so that the steepest point of one row is ahead of the next.
         for at in 0..found.len() {
             let row = if self.forward[1] { found.len() - 1 - at } else { at };
             self.row = first + row as u32;
@@ -223,7 +226,7 @@ impl<'a> Search<'a> {
             self.top[lane] = tops[lane];
             let [u, v] = self.ahead[lane];
             self.offer(lane, f64::from(found[lane]), [u, v + 1]);
-            self.look(lane, [u, v + 1]);
+            self.visit(lane, [u, v + 1]);
         }
         self.fine_top = self.top.map(|top| floor(f64::from(top)));
         let (size, wrap) = ([self.map.width(), self.map.height()], self.map.wrap());
@@ -244,7 +247,7 @@ impl<'a> Search<'a> {
         found
     }
 
-    /// The height of a texel so many ahead of a lane's cell, above its top.
+    /// Returns the height of a texel `u` and `v` texels ahead of a lane's cell, above its top.
     #[inline(always)]
     fn rise(&self, lane: usize, [u, v]: [i64; 2]) -> f64 {
         let column = ahead::texel(self.columns[0] + lane as u32, self.forward[0], u);
@@ -252,9 +255,10 @@ impl<'a> Search<'a> {
         f64::from(self.map.texel(column, row)) - f64::from(self.top[lane])
     }
 
-    /// Offers a lane what a texel ahead asks for, and the diagonal cell that it is a corner of.
+    /// Offers a lane the slopes that a texel ahead requires, and the diagonal cell with the texel
+    /// as a corner.
     #[inline(never)]
-    fn look(&mut self, lane: usize, ahead: [i64; 2]) {
+    fn visit(&mut self, lane: usize, ahead: [i64; 2]) {
         let [u, v] = ahead;
         let distance = u.max(v) - 1;
         if u < 0 || distance < 1 {
@@ -281,21 +285,21 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Looks at the texels of a product of runs.
+    /// Visits the texels of a product of runs.
     #[inline(always)]
     fn search(&mut self, runs: &[Run; 2]) {
         let mut pending = std::mem::take(&mut self.pending);
         pending.push(Node { level: self.levels.top(), at: [0, 0], lanes: [true; LANES] });
-        let mut looked_into = 0;
+        let mut visited = 0;
         while let Some(node) = pending.pop() {
-            let Some(sight) = self.worth(runs, node) else { continue };
+            let Some(extent) = self.extent_if_steeper(runs, node) else { continue };
             let mut lanes = node.lanes;
-            looked_into += 1;
-            if looked_into > PATIENCE && !self.may_be_steeper(runs, node, &sight, &mut lanes) {
+            visited += 1;
+            if visited > PATIENCE && !self.may_be_steeper(runs, node, &extent, &mut lanes) {
                 continue;
             }
             if node.level == 0 {
-                self.look_at_texel(&sight, &lanes);
+                self.visit_texel(&extent, &lanes);
                 continue;
             }
             let level = node.level - 1;
@@ -308,18 +312,18 @@ impl<'a> Search<'a> {
                 for row in order(1, true) {
                     for column in order(0, true) {
                         let child = Node { level, at: [column, row], lanes };
-                        if let Some(sight) = self.sight(runs, child) {
-                            self.look_at_texel(&sight, &lanes);
+                        if let Some(extent) = self.extent(runs, child) {
+                            self.visit_texel(&extent, &lanes);
                         }
                     }
                 }
                 continue;
             }
-            // The last one pushed is looked at first: that is to be the nearest.
+            // The last one pushed is visited first: it should be the nearest.
             for row in order(1, false) {
                 for column in order(0, false) {
                     let child = Node { level, at: [column, row], lanes };
-                    if column < columns && row < rows && self.worth(runs, child).is_some() {
+                    if column < columns && row < rows && self.extent_if_steeper(runs, child).is_some() {
                         pending.push(child);
                     }
                 }
@@ -328,9 +332,9 @@ impl<'a> Search<'a> {
         self.pending = pending;
     }
 
-    /// Where the texels of a node that are in the runs are; `None` without any.
+    /// Returns the extent of a node's texels that are in the runs; `None` without any.
     #[inline(always)]
-    fn sight(&self, runs: &[Run; 2], node: Node) -> Option<Sight> {
+    fn extent(&self, runs: &[Run; 2], node: Node) -> Option<NodeExtent> {
         let (mut near, mut far) = ([0; 2], [0; 2]);
         for axis in 0..2 {
             let first = (node.at[axis] << node.level).max(runs[axis].first);
@@ -342,23 +346,23 @@ impl<'a> Search<'a> {
             (near[axis], far[axis]) = (a.min(b), a.max(b));
         }
         let level = self.levels.level(node.level);
-        Some(Sight { near, far, highest: level.highest(node.at) })
+        Some(NodeExtent { near, far, highest: level.highest(node.at) })
     }
 
-    /// Where a node is, if any lane must look into it.
+    /// Returns a node's extent, if any lane must visit it.
     #[inline(always)]
-    fn worth(&self, runs: &[Run; 2], node: Node) -> Option<Sight> {
-        let sight = self.sight(runs, node)?;
-        let worth = self.excess(&sight).iter().fold(false, |worth, excess| worth | (*excess > 0.0));
-        worth.then_some(sight)
+    fn extent_if_steeper(&self, runs: &[Run; 2], node: Node) -> Option<NodeExtent> {
+        let extent = self.extent(runs, node)?;
+        let is_steeper = self.excess(&extent).iter().fold(false, |any, excess| any | (*excess > 0.0));
+        is_steeper.then_some(extent)
     }
 
-    /// Looks at a texel for those lanes for which it may be steeper than their best.
+    /// Visits a texel for the lanes for which it may be steeper than their best.
     #[inline(always)]
-    fn look_at_texel(&mut self, sight: &Sight, lanes: &[bool; LANES]) {
-        let excess = self.excess(sight);
+    fn visit_texel(&mut self, extent: &NodeExtent, lanes: &[bool; LANES]) {
+        let excess = self.excess(extent);
         for lane in (0..LANES).filter(|lane| lanes[*lane] && excess[*lane] > 0.0) {
-            self.look(lane, [sight.near[0] + self.shift[lane] as i64, sight.near[1]]);
+            self.visit(lane, [extent.near[0] + self.shift[lane] as i64, extent.near[1]]);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The frustum map as it is read.
+//! Frustum maps, as searches read them.
 
 use relief_core::{HeightMap, HeightMapError, Wrap};
 
@@ -11,24 +11,24 @@ pub struct FrustumMap {
     slopes: [Vec<f32>; 4],
 }
 
-/// The frustum over one cell, in a quadrant, for a ray that is over the cell.
+/// Frustum over one cell, in a quadrant, for a ray that is over the cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frustum {
-    /// The top: above it a ray over the rectangle is above the surface.
+    /// Top: above it a ray over the rectangle is above the surface.
     pub top: f32,
-    /// The least slope, in heights a texel of Chebyshev distance from the rectangle.
+    /// Least slope, in heights a texel of Chebyshev distance from the rectangle.
     pub slope: f32,
-    /// First column and row of the rectangle that the frustum stands on, in cells, not wrapped; minus
-    /// infinity where it goes on for ever.
+    /// First column and row of the frustum's rectangle, in cells, not wrapped; minus infinity where
+    /// it extends for ever.
     pub low: [f64; 2],
-    /// Where the rectangle ends; infinity where it goes on for ever.
+    /// End of the rectangle; infinity where it extends for ever.
     pub high: [f64; 2],
 }
 
-/// Why planes are no frustum map.
+/// Reason why planes are no frustum map.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FrustumMapError {
-    /// The size is no map's.
+    /// The size is invalid for a map.
     #[error(transparent)]
     Size(#[from] HeightMapError),
     /// A plane has another number of cells than the map.
@@ -42,24 +42,25 @@ pub enum FrustumMapError {
     /// A top or a slope is NaN, infinite or negative.
     #[error("a top or a slope is {value}: it must be finite and not negative")]
     Value {
-        /// The value.
+        /// Value given.
         value: f32,
     },
 }
 
-/// Place of a quadrant among the four planes of slopes: forward along both axes, backward along `u`, along
-/// `v`, along both.
+/// Returns the index of a quadrant among the four planes of slopes: forward along both axes,
+/// backward along `u`, along `v`, along both.
 pub fn quadrant(forward: [bool; 2]) -> usize {
     usize::from(!forward[0]) + 2 * usize::from(!forward[1])
 }
 
 impl FrustumMap {
-    /// A frustum map of baked planes, row by row from the top: tops in heights, and slopes in heights a texel
-    /// for the quadrants in the order of [`quadrant`].
+    /// Creates a frustum map from baked planes, row by row from the top: tops in heights, and
+    /// slopes in heights a texel for the quadrants in the order of [`quadrant`].
     ///
     /// # Errors
     ///
-    /// When the size is no map's, a plane is too short or too long, or a value is negative or not finite.
+    /// When the size is invalid for a map, a plane is too short or too long, or a value is negative
+    /// or not finite.
     pub fn new(
         size: [u32; 2],
         wrap: Wrap,
@@ -79,40 +80,41 @@ impl FrustumMap {
         Ok(Self { size, wrap, top, slopes })
     }
 
-    /// The planes of a map's cells, made for it.
+    /// Wraps the planes computed for a map.
     pub(super) fn of_map(map: &HeightMap, top: Vec<f32>, slopes: [Vec<f32>; 4]) -> Self {
         Self { size: [map.width(), map.height()], wrap: map.wrap(), top, slopes }
     }
 
-    /// Tops of all cells, row by row.
+    /// Returns the tops of all cells, row by row.
     pub fn top(&self) -> &[f32] {
         &self.top
     }
 
-    /// Least slopes of all cells in a quadrant, row by row.
+    /// Returns the least slopes of all cells in a quadrant, row by row.
     pub fn slopes(&self, forward: [bool; 2]) -> &[f32] {
         &self.slopes[quadrant(forward)]
     }
 
-    /// The planes: tops, and slopes in the order of [`quadrant`].
+    /// Returns the planes: tops, and slopes in the order of [`quadrant`].
     pub fn into_planes(self) -> (Vec<f32>, [Vec<f32>; 4]) {
         (self.top, self.slopes)
     }
 
-    /// The frustum for a ray over a dual cell, which may lie outside of the map, that goes forward along the
-    /// axes for which `forward` says so.
+    /// Returns the frustum for a ray over a dual cell, which may lie outside of the map. `forward`
+    /// says along which axes the ray goes forward.
     ///
-    /// Cells outside are images of cells inside, moved or mirrored, and under `mirror` a mirrored cell has
-    /// the quadrants of the other side. Left over are the half cells before texel 0, between cell 0 and its
-    /// image:
+    /// Cells outside are images of cells inside, moved or mirrored. Under `mirror`, a mirrored cell
+    /// has the quadrants of the other side. Only the half cells before texel 0, between cell 0 and
+    /// its image, need more:
     ///
-    /// * Under `clamp` the first and the last cell go on outward for ever, as their rectangles do. The
-    ///   surface out there is the surface at the outermost texel, `f(x, y) = f(0, y)`, and `(0, y)` is over
-    ///   cell 0's column. So both have the same distance, that along `y`, and the inequality at `(0, y)` is
-    ///   that at `(x, y)`.
-    /// * Under `mirror`, cell -1 from texel -1 to texel 0, both the same, is flat along the axis. A ray in it
-    ///   that goes toward cell 0 is given cell 0 with that half cell added to its rectangle, `[-1, 1]`; over
-    ///   it, too, `f(x, y) = f(0, y)`. A ray that goes the other way is given the mirror image of that.
+    /// * Under `clamp` the first and the last cell extend outward for ever, as their rectangles do.
+    ///   The surface out there is the surface at the outermost texel, `f(x, y) = f(0, y)`, and
+    ///   `(0, y)` is over cell 0's column. Both points have the same distance, along `y`. So the
+    ///   inequality at `(0, y)` is also the inequality at `(x, y)`.
+    /// * Under `mirror`, cell -1 from texel -1 to texel 0, both the same, is flat along the axis. A
+    ///   ray in it that goes toward cell 0 is given cell 0 with that half cell added to its
+    ///   rectangle, `[-1, 1]`; over it, too, `f(x, y) = f(0, y)`. A ray that goes the other way is
+    ///   given the mirror image of that rectangle.
     pub fn at(&self, cell: [i64; 2], forward: [bool; 2]) -> Frustum {
         let u = Folded::new(self.wrap, self.size[0], cell[0], forward[0]);
         let v = Folded::new(self.wrap, self.size[1], cell[1], forward[1]);
@@ -126,7 +128,7 @@ impl FrustumMap {
     }
 }
 
-/// One axis of a cell outside of the map: which cell inside it is an image of.
+/// One axis of a cell outside of the map, with the cell inside whose image it is.
 struct Folded {
     cell: u32,
     /// Whether forward along the axis is forward in the cell inside.

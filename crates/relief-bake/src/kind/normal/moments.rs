@@ -1,8 +1,9 @@
 //! Slopes filtered for minification: mean and central second moments.
 //!
-//! Olano and Baker 2010, *LEAN Mapping*, and Dupuy et al. 2013, *Linear Efficient Antialiased Displacement
-//! and Reflectance Mapping* (LEADR), who store the raw second moments and subtract the squared mean when
-//! shading; here they are centred at every level already, because in 16 bits that subtraction cancels.
+//! Olano and Baker 2010, *LEAN Mapping*, and Dupuy et al. 2013, *Linear Efficient Antialiased
+//! Displacement and Reflectance Mapping* (LEADR), store the raw second moments and subtract the
+//! squared mean when shading. Here moments are centred at every level already, because in 16 bits
+//! that subtraction cancels.
 
 use rayon::prelude::*;
 use relief_core::{Cancelled, Watch};
@@ -12,7 +13,7 @@ use super::slopes::Slopes;
 /// Rows that a thread filters together.
 const ROWS: usize = 8;
 
-/// A mip level of slopes.
+/// Mip level of slopes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moments {
     /// Columns and rows.
@@ -23,13 +24,13 @@ pub struct Moments {
     pub second: [Vec<f32>; 3],
 }
 
-/// Columns and rows of the mip level after one of that size.
+/// Returns columns and rows of the next mip level.
 pub(super) fn next_size(size: [usize; 2]) -> [usize; 2] {
     size.map(|side| (side / 2).max(1))
 }
 
 impl Moments {
-    /// Mip level 1 of a map of that size: the slopes at its texel centres, averaged.
+    /// Computes mip level 1 of a map of `size`: the slopes at its texel centres, averaged.
     ///
     /// # Errors
     ///
@@ -38,9 +39,9 @@ impl Moments {
         reduced(size, watch, |row, [u, v, ..]| slopes.row(row, u, v))
     }
 
-    /// The next mip level: half the size, rounded down, at least 1. Where a side is odd, texels of this level
-    /// are shared between two of the next in proportion to the area, so that means and moments over the map
-    /// are kept.
+    /// Computes the next mip level: half the size, rounded down, at least 1. Where a side is odd,
+    /// texels of this level are shared between two of the next in proportion to the area. Means and
+    /// moments over the map thus stay the same.
     ///
     /// # Errors
     ///
@@ -56,16 +57,16 @@ impl Moments {
     }
 }
 
-/// How the texels of a level are shared out along a side.
+/// Shares of a level's texels along a side.
 struct Shares {
-    /// How many texels, from the first, a texel of the next level covers.
+    /// Texels, from the first, that a texel of the next level covers.
     count: usize,
-    /// For each texel of the next level the first that it covers, and the shares of them.
+    /// First texel that each texel of the next level covers, and the shares of the covered texels.
     of: Vec<(usize, [f32; 3])>,
 }
 
 impl Shares {
-    /// From a side of `from` texels to the next level's.
+    /// Computes the shares from a side of `from` texels to the next level's.
     fn new(from: usize, to: usize) -> Self {
         if from == 1 {
             return Self { count: 1, of: vec![(0, [1.0, 0.0, 0.0])] };
@@ -80,8 +81,8 @@ impl Shares {
     }
 }
 
-/// The level after one of that size whose rows are filled in by `row_of`: mean `u`, `v`, and moments `uu`,
-/// `uv`, `vv`, which are 0 unless it sets them.
+/// Computes the level after one of size `from` whose rows `row_of` fills in: mean `u`, `v`, and
+/// moments `uu`, `uv`, `vv`, which are 0 unless it sets them.
 fn reduced(
     from: [usize; 2],
     watch: &Watch,

@@ -2,25 +2,27 @@
 
 use relief_core::{HeightMap, Metric, Wrap};
 
-/// Slopes are cut off here, so that their squares fit `f32` in any metric.
+/// Limit of slopes, so that their squares fit `f32` in any metric.
 const STEEPEST: f64 = 1e18;
 
-/// How the slope at a texel centre is taken from the heights around it.
+/// Rule for the slope at a texel centre, from the heights around it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Derivative {
-    /// Half of the difference between the neighbours on both sides, as the shader of eq. 9 has it. It is the
-    /// mean of the slopes of the four patches that meet there.
+    /// Half of the difference between the neighbours on both sides, as in the shader of eq. 9. It
+    /// is the mean of the slopes of the four patches that meet there.
     #[default]
     Central,
-    /// The slope of the mean of the four unit normals that the bilinear surface has there, one of each patch:
-    /// steep patches count less.
+    /// Slope of the mean of the four unit normals that the bilinear surface has there, one of each
+    /// patch. Steep patches count less.
     Patches,
 }
 
-/// The slopes of a map: metres up for a metre along `u`, and along `v`, which points down in the picture.
+/// Slopes of a map: metres up for a metre along `u`, and along `v`, which points down in the
+/// picture.
 ///
-/// At the edge of a clamped map they are one-sided, from the edge's texel to the one inside: nothing is known
-/// of the ground beyond. So an even slope has one normal everywhere, and tiles of a terrain have no rim.
+/// At the edge of a clamped map they are one-sided, from the edge's texel to the one inside: the
+/// ground beyond is unknown. So an even slope has one normal everywhere, and tiles of a terrain
+/// have no rim.
 #[derive(Clone, Copy, Debug)]
 pub struct Slopes<'a> {
     map: &'a HeightMap,
@@ -30,13 +32,14 @@ pub struct Slopes<'a> {
 }
 
 impl<'a> Slopes<'a> {
-    /// The slopes of a map.
+    /// Prepares the slopes of a map.
     pub fn new(map: &'a HeightMap, metric: Metric, derivative: Derivative) -> Self {
         let steepness = metric.texel_m(map).map(|texel| (metric.scale_m / texel).min(STEEPEST) as f32);
         Self { map, derivative, steepness }
     }
 
-    /// The slopes along a row, which must be one of the map: each slice takes one value a column.
+    /// Computes the slopes along a row, which must be one of the map: each slice takes one value a
+    /// column.
     pub fn row(&self, row: usize, along_u: &mut [f32], along_v: &mut [f32]) {
         let (width, height, wrap) = (self.map.width(), self.map.height(), self.map.wrap());
         let line = |row: i64| {
@@ -46,7 +49,8 @@ impl<'a> Slopes<'a> {
         let (above, here, below) = (line(row as i64 - 1), line(row as i64), line(row as i64 + 1));
         let last = width as usize - 1;
         let of_row = Edge::at(row, height, wrap);
-        // Inside nothing wraps, and with the choice outside of the loop several texels are taken at once.
+        // Inside nothing wraps, and with the choice outside of the loop several texels are computed
+        // at once.
         if last > 1 {
             let around = here[..last - 1].iter().zip(&here[2..]).zip(&here[1..]);
             let lines = around.zip(above[1..].iter().zip(&below[1..]));
@@ -78,16 +82,17 @@ impl<'a> Slopes<'a> {
         }
     }
 
-    /// Slope for a difference of 1 between what lies before and behind, along `u` and `v`.
+    /// Returns the slope for a difference of 1 between the texels before and behind, along `u` and
+    /// `v`.
     fn rates(&self, edges: [Edge; 2]) -> [f32; 2] {
         [0, 1].map(|axis| match edges[axis] {
             Edge::Inside => 0.5 * self.steepness[axis],
-            // Before or behind is the texel itself: the difference is over one texel.
+            // The texel before or behind is the texel itself: the difference is over one texel.
             Edge::First | Edge::Last => self.steepness[axis],
         })
     }
 
-    /// The slope of the mean of the normals of the four patches around a texel.
+    /// Returns the slope of the mean of the normals of the four patches around a texel.
     #[inline(always)]
     fn patches(
         &self,
@@ -108,20 +113,21 @@ impl<'a> Slopes<'a> {
     }
 }
 
-/// The differences over the neighbours before and behind, by what a difference of 1 is as a slope.
+/// Returns the differences over the neighbours before and behind, times the slope of a difference
+/// of 1.
 #[inline(always)]
 fn central(rates: [f32; 2], [left, right]: [f32; 2], [above, below]: [f32; 2]) -> [f32; 2] {
     [rates[0] * (right - left), rates[1] * (below - above)]
 }
 
-/// Where a texel lies along an axis.
+/// Position of a texel along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Edge {
-    /// It has neighbours on both sides, if need be by the map's wrap.
+    /// Neighbours on both sides, if need be by the map's wrap.
     Inside,
-    /// It is the first of a clamped map: the ground before it is not known.
+    /// First texel of a clamped map: the ground before it is unknown.
     First,
-    /// It is the last of a clamped map.
+    /// Last texel of a clamped map.
     Last,
 }
 
@@ -135,7 +141,8 @@ impl Edge {
         }
     }
 
-    /// The slopes of the patches before and behind. Beyond an edge the patch inside goes on.
+    /// Returns the slopes of the patches before and behind. Beyond an edge the patch inside
+    /// continues.
     #[inline(always)]
     fn of_patches(self, [before, behind]: [f32; 2]) -> [f32; 2] {
         match self {

@@ -6,30 +6,30 @@ use relief_core::{HeightMap, Metric, Watch};
 use super::views;
 use crate::BakeError;
 
-/// No texel is seen: the ray leaves the relief.
+/// No texel is hit: the ray leaves the relief.
 const SKY: u32 = u32::MAX;
 
-/// For every texel and direction the texel nearest to what is seen there.
+/// The nearest texel to the first hit, for every texel and direction.
 ///
-/// Light is gathered about the base normal: all directions weigh the same, since they are spread over the
-/// hemisphere in proportion to the cosine, and the weights of a texel sum to 1. So a gather is a mean, which
-/// neither makes nor loses energy: inside of a furnace, where the sky and every texel have the same radiance,
-/// every texel receives just that.
+/// Light is gathered about the base normal. All directions weigh the same, since they are spread
+/// over the hemisphere in proportion to the cosine, and the weights of a texel sum to 1. So a
+/// gather is a mean, which neither makes nor loses energy. Inside of a furnace, where the sky and
+/// every texel have the same radiance, every texel receives exactly this radiance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Visibility {
     directions: Vec<[f64; 3]>,
-    /// Direction after direction, row by row from the top.
+    /// Texels direction after direction, row by row from the top.
     seen: Vec<u32>,
     texels: usize,
 }
 
 impl Visibility {
-    /// What the texels of a map see in `azimuths` times `elevations` directions within `tiles` tiles. Takes 4
-    /// bytes a texel and direction.
+    /// Bakes the visibility of a map in `azimuths` times `elevations` directions within `tiles`
+    /// tiles. Takes 4 bytes a texel and direction.
     ///
     /// # Errors
     ///
-    /// When there is not that much memory, or the bake is cancelled.
+    /// When memory does not suffice, or the bake is cancelled.
     pub fn bake(
         map: &HeightMap,
         metric: Metric,
@@ -62,20 +62,20 @@ impl Visibility {
         Ok(Self { directions: all, seen, texels })
     }
 
-    /// The directions, of unit length: along `+u`, along `+v` and up the base normal.
+    /// Returns the directions, of unit length: along `+u`, along `+v` and up the base normal.
     pub fn directions(&self) -> &[[f64; 3]] {
         &self.directions
     }
 
-    /// The texel, counted row by row, that a texel sees in a direction; `None` for the sky.
+    /// Returns the texel, counted row by row, that a texel sees in a direction; `None` for the sky.
     pub fn seen(&self, texel: usize, direction: usize) -> Option<usize> {
         let seen = self.seen[direction * self.texels + texel];
         (seen != SKY).then_some(seen as usize)
     }
 
-    /// What every texel receives when the sky has those radiances in the directions and the texels send out
-    /// those radiances: the irradiance over π, about the base normal. `None` unless there is one radiance a
-    /// direction and a texel.
+    /// Returns the light that every texel receives from a sky and from other texels: the irradiance
+    /// over π, about the base normal. `sky` has one radiance a direction, `texels` one radiance a
+    /// texel; otherwise the result is `None`.
     pub fn gather(&self, sky: &[f32], texels: &[f32]) -> Option<Vec<f32>> {
         if sky.len() != self.directions.len() || texels.len() != self.texels {
             return None;
@@ -96,8 +96,9 @@ impl Visibility {
         Some(received)
     }
 
-    /// What every texel receives from that sky after `bounces` reflections off texels of that albedo, each in
-    /// `[0, 1]`; with 0 bounces the sky's light alone. `None` as for [`Self::gather`].
+    /// Returns the light that every texel receives from that sky after `bounces` reflections off
+    /// texels of that albedo, each in `[0, 1]`. With 0 bounces it is the sky's light alone. `None`
+    /// as for [`Self::gather`].
     pub fn bounce(&self, sky: &[f32], albedo: &[f32], bounces: u32) -> Option<Vec<f32>> {
         if albedo.len() != self.texels {
             return None;

@@ -5,22 +5,23 @@ use relief_core::{Cancelled, Watch};
 
 use crate::sheared_lines::{Lines, Stretch};
 
-/// A column in whose neighbourhood the surface may stand above a ray.
+/// Column near which the surface may stand above a ray.
 #[derive(Clone, Copy, Debug)]
 struct Record {
     position: usize,
-    /// Its height, less the height that a ray gains on the way from position 0.
+    /// Height, less the height that a ray gains on the way from position 0.
     height: f64,
 }
 
-/// The columns that are higher, in a ray's frame, than all nearer ones; the farthest first.
+/// Columns that are higher, in a ray's frame, than all nearer ones; the farthest first.
 #[derive(Default)]
 struct Records {
     stack: Vec<Record>,
 }
 
 impl Records {
-    /// Adds a column nearer than all others; returns the nearest that is higher, `usize::MAX` for none.
+    /// Adds a column nearer than all others. Returns the nearest higher column, `usize::MAX` for
+    /// none.
     fn push(&mut self, position: usize, height: f64) -> usize {
         while self.stack.last().is_some_and(|last| last.height <= height) {
             self.stack.pop();
@@ -30,7 +31,7 @@ impl Records {
         higher
     }
 
-    /// The nearest column above a height.
+    /// Returns the nearest column above a height.
     fn above(&self, height: f64) -> Option<usize> {
         const STEPS: usize = 8;
         let near = self.stack.iter().rev().take(STEPS).find(|record| record.height > height);
@@ -42,17 +43,18 @@ impl Records {
     }
 }
 
-/// What a task works with.
+/// Buffers of a task.
 #[derive(Default)]
 struct Scratch {
     records: Records,
     highest: Vec<f32>,
-    /// For every column the next that is higher in the rays' frame.
+    /// Next higher column in the rays' frame, for every column.
     higher: Vec<usize>,
 }
 
-/// For every texel and ray the distance in steps to the first hit; infinite for none within the ray's reach.
-/// That of ray `k` is at `(slot * rays.len() + k) * length + position`.
+/// Computes the distance in steps to the first hit for every texel and ray; infinite for none
+/// within the ray's reach. Ray `k` has its distance at
+/// `(slot * rays.len() + k) * length + position`.
 pub(super) fn first_hits(
     lines: &Lines,
     rays: &[SlopedRay],
@@ -77,16 +79,17 @@ pub(super) fn first_hits(
     })
 }
 
-/// A ray's rise and how far it is followed.
+/// Rise of a ray, and its length.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SlopedRay {
-    /// Heights a step; positive.
+    /// Slope in heights a step; positive.
     pub slope: f64,
-    /// Steps.
+    /// Length in steps.
     pub reach: usize,
 }
 
-/// `highest[k]` is the highest point near the line at position `stretch.from + k`.
+/// Finds the first hits of a ray's slope along a stretch. `highest[k]` is the highest point near
+/// the line at position `stretch.from + k`.
 fn sweep(lines: &Lines, stretch: &Stretch, ray: &SlopedRay, scratch: &mut Scratch, hits: &mut [f32]) {
     let Scratch { records, highest, higher } = scratch;
     records.stack.clear();
@@ -107,7 +110,7 @@ fn sweep(lines: &Lines, stretch: &Stretch, ray: &SlopedRay, scratch: &mut Scratc
     }
 }
 
-/// The ray of one texel.
+/// Ray of one texel.
 struct Walk<'a> {
     lines: &'a Lines<'a>,
     ray: &'a SlopedRay,
@@ -116,9 +119,9 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    /// The distance to the first hit. `candidate` is the first column, counted from the stretch's begin,
-    /// beside which the surface may be above the ray; `level` are the highest points there in the ray's
-    /// frame, and `higher` the next column of each where that is greater.
+    /// Returns the distance to the first hit. `candidate` is the first column, counted from the
+    /// stretch's begin, beside which the surface may be above the ray. `level` are the highest
+    /// points there in the ray's frame, and `higher` the next higher column of each.
     fn first_hit(
         &self,
         stretch: &Stretch,
@@ -131,7 +134,7 @@ impl Walk<'_> {
         if start + 1 >= last {
             return f64::INFINITY;
         }
-        // The way to the first column is always looked at: there the ray is on the surface.
+        // The way to the first column is always solved: there the ray is on the surface.
         if let Some(t) = self.step(stretch, 0) {
             return t;
         }
@@ -146,8 +149,8 @@ impl Walk<'_> {
                 k += 1;
                 continue;
             }
-            // Between two columns below the ray the surface is below it too. Columns up to the next higher
-            // one are no higher than this.
+            // Between two columns below the ray the surface is below it, too. Columns up to the
+            // next higher one are no higher than this.
             let mut next = higher[k + 1];
             while next < last && level(next) <= own {
                 next = higher[next];
@@ -160,7 +163,7 @@ impl Walk<'_> {
         f64::INFINITY
     }
 
-    /// The first hit between `steps` and `steps + 1` steps.
+    /// Returns the first hit between `steps` and `steps + 1` steps.
     fn step(&self, stretch: &Stretch, steps: usize) -> Option<f64> {
         let slope = self.lines.slope;
         let (from, to) = (steps as f64, (steps + 1) as f64);
@@ -178,7 +181,8 @@ impl Walk<'_> {
             .or_else(|| self.piece(steps, base, second, crossing, to))
     }
 
-    /// The first hit in the cell that begins `row` rows beside the texel, between `from` and `to`.
+    /// Returns the first hit in the cell that begins `row` rows beside the texel, between `from`
+    /// and `to`.
     fn piece(&self, steps: usize, base: i64, row: f64, from: f64, to: f64) -> Option<f64> {
         let slope = self.lines.slope;
         let [h00, h10, h01, h11] = self.lines.cell(self.p + steps, base + row as i64).map(f64::from);
@@ -195,8 +199,8 @@ impl Walk<'_> {
     }
 }
 
-/// The first root of `c1 τ + c2 τ²` in `[0, length]` behind which it is negative: a ray that leaves the
-/// surface hits it where it starts only if it goes below it.
+/// Returns the first root of `c1 τ + c2 τ²` in `[0, length]` behind which it is negative. A ray
+/// that leaves the surface hits it at its start only if it goes below it.
 fn leaves(c1: f64, c2: f64, length: f64) -> Option<f64> {
     if c1 < 0.0 || (c1 == 0.0 && c2 < 0.0) {
         return Some(0.0);
@@ -205,7 +209,7 @@ fn leaves(c1: f64, c2: f64, length: f64) -> Option<f64> {
     (c2 < 0.0 && root <= length).then_some(root)
 }
 
-/// The first `τ` in `[0, length]` where `c0 + c1 τ + c2 τ²` is not positive.
+/// Returns the first `τ` in `[0, length]` where `c0 + c1 τ + c2 τ²` is not positive.
 fn first_root(c0: f64, c1: f64, c2: f64, length: f64) -> Option<f64> {
     if c0 <= 0.0 {
         return Some(0.0);

@@ -1,26 +1,25 @@
-//! The greatest heights of squares of texels, as seen in a quadrant.
+//! Greatest heights of squares of texels, in the directions of a quadrant.
 
 use rayon::prelude::*;
 use relief_core::{HeightMap, Wrap};
 
 use super::SPANS;
 
-/// The greatest heights of the squares of a side that begin at the texels ahead of all cells.
+/// Greatest heights of the squares of a side that begin at the texels ahead of all cells.
 ///
-/// Places are counted in the direction of the quadrant, so that a cell's near texel has the cell's own place
-/// among the cells in that direction. There is one more of them than cells. Squares go on beyond the map as
-/// the map does.
+/// Places are counted in the direction of the quadrant: a cell's near texel has the same place as
+/// the cell. There is one more place than cells. Squares continue beyond the map with its wrap.
 pub struct Squares<'a> {
     map: &'a HeightMap,
     forward: [bool; 2],
     pub side: usize,
     pub highest: Vec<f32>,
-    /// The columns in the map of the places from the number of its columns on.
+    /// Columns in the map of the places beyond its width.
     beyond: Vec<usize>,
 }
 
 impl<'a> Squares<'a> {
-    /// Those of one texel, in a plane that is used again.
+    /// Creates the squares of one texel, in a plane that is used again.
     pub fn of_texels(map: &'a HeightMap, forward: [bool; 2], mut highest: Vec<f32>) -> Self {
         let [width, height] = [map.width(), map.height()].map(|side| side as usize + 1);
         let last = i64::from(map.width());
@@ -38,7 +37,7 @@ impl<'a> Squares<'a> {
         squares
     }
 
-    /// The texel at a place.
+    /// Returns the texel at a place.
     #[inline(always)]
     pub fn texel(&self, places: [usize; 2]) -> f32 {
         let size = [self.map.width() as usize, self.map.height() as usize];
@@ -56,7 +55,7 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// A row of texels from a place on, which is not the first.
+    /// Reads a row of texels from a place on, which is not the first.
     #[inline(always)]
     pub fn texels_of_row(&self, row: usize, from: usize, texels: &mut [f32]) {
         let (width, height) = (self.map.width() as usize, i64::from(self.map.height()));
@@ -76,7 +75,7 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// Where the squares that begin at a place along an axis are held.
+    /// Returns the index of the squares that begin at a place along an axis.
     #[inline(always)]
     fn held(&self, axis: usize, place: usize) -> usize {
         let last = if axis == 0 { self.map.width() } else { self.map.height() } as usize;
@@ -93,8 +92,8 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// The greatest height of the square that begins at a place and ends so many texels ahead, which are at
-    /// least as many as the side is long and less than twice as many.
+    /// Returns the greatest height of the square that begins at a place and ends `ahead` texels
+    /// ahead. `ahead` is at least the side and less than twice the side.
     #[inline(always)]
     pub fn highest_up_to(&self, [column, row]: [usize; 2], ahead: usize) -> f32 {
         let width = self.map.width() as usize + 1;
@@ -109,7 +108,7 @@ impl<'a> Squares<'a> {
         )
     }
 
-    /// The greatest heights of larger squares, by so much, from a column of a row on.
+    /// Computes the greatest heights of squares larger by `by`, from a column of a row on.
     #[inline(always)]
     pub fn highest_of_row(&self, row: usize, by: usize, column: usize, larger: &mut [f32]) {
         let width = self.map.width() as usize + 1;
@@ -135,7 +134,7 @@ impl<'a> Squares<'a> {
     }
 }
 
-/// The highest of each four.
+/// Writes the highest of each four heights.
 #[inline(always)]
 fn highest_of(left: (&[f32], &[f32]), right: (&[f32], &[f32]), highest: &mut [f32]) {
     let four = left.0.iter().zip(left.1).zip(right.0).zip(right.1);
@@ -144,7 +143,7 @@ fn highest_of(left: (&[f32], &[f32]), right: (&[f32], &[f32]), highest: &mut [f3
     }
 }
 
-/// The greater one, in the form that compiles to one instruction.
+/// Returns the greater number, in the form that compiles to one instruction.
 #[inline(always)]
 pub fn greater(x: f32, y: f32) -> f32 {
     if x > y { x } else { y }
