@@ -4,11 +4,12 @@
 //! `scenes/`, on the CPU backend, which makes the same pictures on each machine. A block of `toml` that begins
 //! with `# NAME.toml` is written to that file. A picture on a page is made by the command whose output has
 //! its name, apart from the ending; the page shows it reduced, as a JPEG. The page of methods is made by
-//! the same program, so it is written here, too.
+//! the same program, so it is written here, too. All links between pages are followed.
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
+mod links;
 mod methods;
 mod page;
 mod picture;
@@ -17,16 +18,15 @@ mod run;
 use crate::output;
 use page::{Item, Page};
 
-/// Where the pages are and what they show.
-struct Pages {
-    /// Relative to the workspace.
-    file: PathBuf,
-    /// Width of its pictures in pixels; smaller ones keep their size.
-    width: u32,
-}
-
 /// Endings of the names of pictures.
 const PICTURES: [&str; 3] = ["jpg", "jpeg", "png"];
+
+/// A file of Markdown, relative to the workspace, and the width of its pictures in pixels. Smaller pictures
+/// keep their size.
+struct Source {
+    file: PathBuf,
+    width: u32,
+}
 
 /// Makes the pictures anew, or with `check` fails where one differs from the committed one. `relief` is the
 /// program to run; by default it is built in the profile of this program.
@@ -41,52 +41,77 @@ pub fn settle(root: &Path, relief: Option<&Path>, check: bool) -> Result<(), Str
         Some(path) => std::path::absolute(path).map_err(|error| format!("{}: {error}", path.display()))?,
         None => run::build()?,
     };
-    let mut errors = Vec::new();
-    let (mut commands, mut shown) = (Vec::new(), Vec::new());
-    for pages in pages(root)? {
-        let text = read_text(&root.join(&pages.file))?;
-        let page = page::parse(&pages.file, &text);
-        errors.extend(page.errors.iter().cloned());
-        errors.extend(unknown_rust(root, &page)?);
-        let scratch = run::Scratch::new(root)?;
+    let mut guide =
+        Guide { root, relief: &relief, check, times: Vec::new(), shown: Vec::new(), errors: Vec::new() };
+    for source in sources(root)? {
+        guide.settle_page(&source)?;
+    }
+    guide.errors.extend(strays(root, &guide.shown)?);
+    guide.errors.extend(links::broken(root)?);
+    guide.errors.extend(output::settle(root, &[methods::page(&relief)?], check).err());
+    guide.summary(begun.elapsed())
+}
+
+/// A run over all pages.
+struct Guide<'a> {
+    root: &'a Path,
+    relief: &'a Path,
+    check: bool,
+    /// Time and place of each command.
+    times: Vec<(Duration, String)>,
+    /// The pictures of the pages so far, relative to the workspace.
+    shown: Vec<PathBuf>,
+    /// What is wrong, with page and line.
+    errors: Vec<String>,
+}
+
+impl Guide<'_> {
+    /// Runs a page's commands and settles its pictures.
+    fn settle_page(&mut self, source: &Source) -> Result<(), String> {
+        let page = page::parse(&source.file, &read_text(&self.root.join(&source.file))?);
+        self.errors.extend(page.errors.iter().cloned());
+        self.errors.extend(unknown_rust(self.root, &page)?);
+        let scratch = run::Scratch::new(self.root)?;
         for item in &page.items {
             match item {
                 Item::File { name, text, .. } => scratch.write(name, text)?,
                 Item::Command { line, words } => {
                     let started = Instant::now();
-                    if let Err(message) = scratch.run(&relief, words) {
-                        errors.push(format!("{}:{line}: {message}", page.file.display()));
-                    }
-                    commands.push((started.elapsed(), format!("{}:{line}", page.file.display())));
+                    let ran = scratch.run(self.relief, words);
+                    self.times.push((started.elapsed(), page.place(*line)));
+                    self.errors.extend(ran.err().map(|message| format!("{}: {message}", page.place(*line))));
                 }
             }
         }
         for (line, path) in &page.pictures {
-            let file = pages.file.with_file_name("").join(path);
-            let settled = picture(&scratch, &root.join(&file), pages.width, check);
-            errors.extend(settled.err().map(|message| format!("{}:{line}: {message}", page.file.display())));
-            shown.push(file);
+            let file = source.file.with_file_name("").join(path);
+            let settled = picture(&scratch, &self.root.join(&file), source.width, self.check);
+            self.errors.extend(settled.err().map(|message| format!("{}: {message}", page.place(*line))));
+            self.shown.push(file);
         }
+        Ok(())
     }
-    errors.extend(strays(root, &shown)?);
-    errors.extend(output::settle(root, &[methods::page(&relief)?], check).err());
-    if !errors.is_empty() {
-        return Err(errors.join("\nxtask: "));
+
+    /// Fails with all errors, or says how many commands ran, how long it took and which were the slowest.
+    fn summary(mut self, elapsed: Duration) -> Result<(), String> {
+        if !self.errors.is_empty() {
+            return Err(self.errors.join("\nxtask: "));
+        }
+        let [commands, pictures] = [self.times.len(), self.shown.len()];
+        println!("{commands} commands, {pictures} pictures, {:.1} s; the slowest:", elapsed.as_secs_f64());
+        self.times.sort();
+        for (time, place) in self.times.iter().rev().take(3) {
+            println!("{:6.1} s  {place}", time.as_secs_f64());
+        }
+        Ok(())
     }
-    let seconds = begun.elapsed().as_secs_f64();
-    println!("{} commands, {} pictures, {seconds:.1} s; the slowest:", commands.len(), shown.len());
-    commands.sort();
-    for (time, place) in commands.iter().rev().take(3) {
-        println!("{:6.1} s  {place}", time.as_secs_f64());
-    }
-    Ok(())
 }
 
 /// README and all pages of the guide, in the order of their names.
-fn pages(root: &Path) -> Result<Vec<Pages>, String> {
-    let mut all = vec![Pages { file: "README.md".into(), width: 800 }];
+fn sources(root: &Path) -> Result<Vec<Source>, String> {
+    let mut all = vec![Source { file: "README.md".into(), width: 800 }];
     let names = names(&root.join("docs/guide"))?.into_iter().filter(|name| name.ends_with(".md"));
-    all.extend(names.map(|name| Pages { file: Path::new("docs/guide").join(name), width: 480 }));
+    all.extend(names.map(|name| Source { file: Path::new("docs/guide").join(name), width: 480 }));
     Ok(all)
 }
 
@@ -156,7 +181,7 @@ fn unknown_rust(root: &Path, page: &Page) -> Result<Vec<String>, String> {
         !examples.iter().any(|example| example.contains(text.trim()))
     });
     let message = "this Rust stands in no file of crates/relief/examples, so nothing compiles it";
-    Ok(unknown.map(|(line, _)| format!("{}:{line}: {message}", page.file.display())).collect())
+    Ok(unknown.map(|(line, _)| format!("{}: {message}", page.place(*line))).collect())
 }
 
 #[cfg(test)]

@@ -49,6 +49,11 @@ pub fn parse(file: &Path, text: &str) -> Page {
 }
 
 impl Page {
+    /// The page's name and a line, as editors read them.
+    pub fn place(&self, line: usize) -> String {
+        format!("{}:{line}", self.file.display())
+    }
+
     fn add_block(&mut self, number: usize, language: &str, block: &[(usize, &str)]) {
         let text = || block.iter().map(|(_, line)| format!("{line}\n")).collect::<String>();
         let name = block.first().and_then(|(_, line)| line.strip_prefix("# "));
@@ -88,7 +93,7 @@ impl Page {
     }
 
     fn error(&mut self, line: usize, message: &str) {
-        self.errors.push(format!("{}:{line}: {message}", self.file.display()));
+        self.errors.push(format!("{}: {message}", self.place(line)));
     }
 }
 

@@ -73,3 +73,12 @@ fn printed_tables_become_a_page() {
         "{page}"
     );
 }
+
+#[test]
+fn links_are_followed() {
+    let text = "[a](b.md#c) and [d](https://e.f)\n```text\n[g](h.md)\n```\n![i](j.jpg)\n";
+    assert_eq!(links::links(text), [(1, "b.md#c".to_owned()), (5, "j.jpg".to_owned())]);
+    assert_eq!(links::anchor("## A `surface` on a geometry, its own"), "a-surface-on-a-geometry-its-own");
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+    assert_eq!(links::broken(root), Ok(Vec::new()));
+}
