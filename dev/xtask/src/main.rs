@@ -1,5 +1,5 @@
 //! Developer commands: `cargo xtask link` writes the linked shaders, `cargo xtask data` the sample maps,
-//! `cargo xtask guide` the guide's pictures.
+//! `cargo xtask guide` the guide's pictures, and `cargo xtask words` counts words.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -10,6 +10,7 @@ mod data;
 mod guide;
 mod link;
 mod output;
+mod words;
 
 #[derive(Parser)]
 #[command(name = "xtask", about = "Developer commands of Relief")]
@@ -33,6 +34,12 @@ enum Command {
         #[arg(long)]
         relief: Option<PathBuf>,
     },
+    /// Count worn phrases in comments, and sentence lengths of pages.
+    Words {
+        /// Folders with Rust sources.
+        #[arg(required = true)]
+        folders: Vec<PathBuf>,
+    },
 }
 
 /// The root of the workspace.
@@ -49,6 +56,7 @@ fn main() -> ExitCode {
         Command::Link => link::files(&root).and_then(settle),
         Command::Data => data::files(&root).and_then(settle),
         Command::Guide { relief } => guide::settle(&root, relief.as_deref(), arguments.check),
+        Command::Words { folders } => words::print(&folders),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
