@@ -72,12 +72,13 @@ pub enum CameraError {
 }
 
 impl Camera {
-    /// A camera at `eye` that looks at `target`, both in metres, with a vertical field of view in degrees.
+    /// A camera at `eye` that looks at `target`, both in metres, with a vertical field of view in
+    /// degrees.
     ///
     /// # Errors
     ///
-    /// When a number is not finite, when eye and target coincide, or when the field of view is not in
-    /// `(0, 180)`.
+    /// When a number is not finite, when eye and target coincide, or when the field of view is not
+    /// in `(0, 180)`.
     pub fn new(eye: DVec3, target: DVec3, fov_degrees: f64) -> Result<Self, CameraError> {
         Self::with(eye, target, Projection::Perspective { fov_degrees })
     }
@@ -161,10 +162,11 @@ impl Camera {
         self.up
     }
 
-    /// The ray through the centre of pixel `(x, y)` of a picture of `width` x `height` pixels, row 0 on top.
+    /// The ray through the centre of pixel `(x, y)` of a picture of `width` x `height` pixels, row
+    /// 0 on top.
     ///
-    /// The direction's component along the view axis is 1, so that the parameter of a point on the ray is its
-    /// depth in metres along that axis.
+    /// The direction's component along the view axis is 1, so that the parameter of a point on the
+    /// ray is its depth in metres along that axis.
     pub fn ray(&self, x: u32, y: u32, width: u32, height: u32) -> Ray {
         let (width, height) = (f64::from(width), f64::from(height));
         let across = (2.0 * f64::from(x) + 1.0 - width) / height * self.half_height;
@@ -190,7 +192,8 @@ impl Camera {
         if !(aspect > 0.0 && aspect.is_finite() && is_near && far > near && (far - near).is_finite()) {
             return Err(CameraError::BadFrustum { aspect, near, far });
         }
-        // Columns of a projection that looks along +z: x right, y up; w is the depth along the axis, or 1.
+        // Columns of a projection that looks along +z: x right, y up; w is the depth along the
+        // axis, or 1.
         let (across, along) = (1.0 / (aspect * self.half_height), 1.0 / self.half_height);
         let depth = if self.is_orthographic() { 1.0 / (far - near) } else { far / (far - near) };
         let (by_depth, always) = if self.is_orthographic() { (0.0, 1.0) } else { (1.0, 0.0) };

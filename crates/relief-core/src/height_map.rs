@@ -379,8 +379,8 @@ impl HeightMap {
         self.level(self.levels() - 1).texels()[0]
     }
 
-    /// All mip levels from 1 on, with sizes and texels only. Their wrap, scale and bias may be
-    /// those of another clone; [`level`](Self::level) sets them.
+    /// All mip levels from 1 on, with sizes and texels only. Clones share them, so wrap, scale and
+    /// bias may differ from the map's; [`level`](Self::level) sets them.
     pub fn coarser(&self) -> &[HeightMap] {
         self.heights.coarser.get_or_init(|| {
             let mut levels: Vec<HeightMap> = Vec::new();

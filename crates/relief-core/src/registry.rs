@@ -49,10 +49,11 @@ pub enum MapMetric {
 pub enum MapLevels {
     /// Finest level of the kind's texture.
     One,
-    /// Levels of the kind's texture from this one on. Each is padded, to the right and below, to half
-    /// the size of the previous one, as in GPU textures: kinds round sizes up, textures round down.
+    /// Levels of the kind's texture from this one on. Each is padded, to the right and below, to
+    /// half the size of the previous one, as in GPU textures: kinds round sizes up, textures round
+    /// down.
     ChainFrom(u32),
-    /// All levels of the kind's texture, each a mean over areas. Their sizes are those of the
+    /// All levels of the kind's texture, each a mean over areas. They have the sizes of the
     /// height map's mip levels from this one on.
     MeansFrom(u32),
     /// Finest level of the kind's texture for each mip [level](crate::HeightMap::level) of the

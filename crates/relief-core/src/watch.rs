@@ -56,11 +56,11 @@ static NEVER: AtomicBool = AtomicBool::new(false);
 const NOBODY: &(dyn Fn(&str, f32) + Sync) = &|_, _| {};
 
 impl<'a> Watch<'a> {
-    /// Creates a watch that calls `tell` with the task's name and the part done, and cancels the work once
-    /// `cancel` is set.
+    /// Creates a watch that calls `tell` with the task's name and the part done, and cancels the
+    /// work once `cancel` is set.
     ///
-    /// `tell` is called from any thread, with parts from 0 to 1. The name is empty unless the work names its
-    /// [tasks](Self::task).
+    /// `tell` is called from any thread, with parts from 0 to 1. The name is empty unless the work
+    /// names its [tasks](Self::task).
     pub fn new(tell: &'a (dyn Fn(&str, f32) + Sync), cancel: &'a AtomicBool) -> Self {
         Self { tell, cancel, task: "", from: 0.0, to: 1.0 }
     }

@@ -21,8 +21,8 @@ impl HeightMap {
         rows.iter().any(|&row| columns.iter().any(|&column| holes.contains(column, row)))
     }
 
-    /// The four corners `[h00, h10, h01, h11]` of dual cell `(i, j)`: the texels `(i, j)`, `(i + 1, j)`,
-    /// `(i, j + 1)` and `(i + 1, j + 1)`.
+    /// The four corners `[h00, h10, h01, h11]` of dual cell `(i, j)`: the texels `(i, j)`,
+    /// `(i + 1, j)`, `(i, j + 1)` and `(i + 1, j + 1)`.
     #[inline(always)]
     pub fn cell(&self, i: i64, j: i64) -> [f32; 4] {
         let [i0, i1] = self.wrap.pair(i, self.width).map(|column| column as usize);

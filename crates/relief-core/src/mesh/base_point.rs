@@ -1,17 +1,19 @@
-//! A point of a base surface, and where displacement takes it.
+//! Points of a base surface and their displacement.
 
 use super::Vertex;
 use glam::{DVec2, DVec3};
 
-/// A point of a base surface, with what displaces it.
+/// A point of a base surface, with the data that displaces it.
 ///
-/// This is the displaced surface that everything else approximates or samples:
-/// [`DisplacedMesh`](crate::exact::DisplacedMesh) traces it, and displaced meshes have their vertices on it.
+/// It defines the displaced surface that everything else approximates or samples.
+/// [`DisplacedMesh`](crate::exact::DisplacedMesh) traces that surface, and displaced meshes have
+/// their vertices on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BasePoint {
     /// Position in metres.
     pub position: DVec3,
-    /// The direction of displacement: that of `d` metres goes `d` times its length far.
+    /// Direction of displacement. A displacement of `d` metres moves the point by `d` times its
+    /// length.
     pub normal: DVec3,
     /// Texture coordinates, not wrapped.
     pub uv: DVec2,
@@ -28,8 +30,8 @@ impl From<&Vertex> for BasePoint {
 }
 
 impl BasePoint {
-    /// The point of a triangle with those barycentric weights, which add up to 1. Nothing is normalised, so
-    /// that neighbours which share two corners share the side between them.
+    /// Point of a triangle with these barycentric weights, which must add up to 1. Nothing is
+    /// normalised, so that neighbours that share two corners share the side between them.
     pub fn weighted([a, b, c]: [Self; 3], [wa, wb, wc]: [f64; 3]) -> Self {
         Self {
             position: a.position * wa + b.position * wb + c.position * wc,
@@ -38,7 +40,7 @@ impl BasePoint {
         }
     }
 
-    /// Where a displacement of so many metres takes the point (Szirmay-Kalos and Umenhoffer 2008, section 2).
+    /// Position after a displacement in metres (Szirmay-Kalos and Umenhoffer 2008, section 2).
     pub fn displaced(&self, metres: f64) -> DVec3 {
         self.position + metres * self.normal
     }

@@ -1,4 +1,4 @@
-//! The list of built-in meshes.
+//! List of the built-in meshes.
 
 use super::{Mesh, MeshError, cube, cylinder, rectangle, sphere, square, torus};
 use crate::registry::UnknownName;
@@ -8,10 +8,10 @@ use std::str::FromStr;
 /// A mesh that needs no file. Each fits the unit cube around the origin, in metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Builtin {
-    /// A rectangle at `y = 0` in the proportions of its map, the longer side 1 m.
+    /// A rectangle at `y = 0` with the proportions of its map; the longer side is 1 m.
     #[default]
     Plane,
-    /// The unit square at `y = 0`, whatever the map.
+    /// The unit square at `y = 0`, for any map.
     Square,
     /// The unit cube.
     Cube,
@@ -24,11 +24,11 @@ pub enum Builtin {
 }
 
 impl Builtin {
-    /// Every built-in mesh, in the order in which help lists them.
+    /// All built-in meshes, in the order of the help.
     pub const ALL: [Builtin; 6] =
         [Builtin::Plane, Builtin::Square, Builtin::Cube, Builtin::Cylinder, Builtin::Sphere, Builtin::Torus];
 
-    /// The name used on the command line and in scenes.
+    /// Name on the command line and in scenes.
     pub const fn name(self) -> &'static str {
         match self {
             Builtin::Plane => "plane",
@@ -40,13 +40,15 @@ impl Builtin {
         }
     }
 
-    /// The mesh at its usual fineness: flat faces undivided, curved ones with edges of 1 to 3 cm, so that a
-    /// triangle stays within 0.4 mm of the true surface. The plane takes the proportions of what lies on it, its
-    /// lengths along `u` and `v` in any unit; the others have their own.
+    /// Builds the mesh at its usual resolution. Flat faces are undivided. Curved faces have edges
+    /// of 1 to 3 cm, so that a triangle stays within 0.4 mm of the true surface.
+    ///
+    /// The plane takes the proportions of its map, given as lengths along `u` and `v` in any unit.
+    /// The other meshes ignore them.
     ///
     /// # Errors
     ///
-    /// When the proportions are none: not finite, not positive, or too far apart for `f32`.
+    /// When the proportions are not finite, not positive, or too far apart for `f32`.
     pub fn build(self, proportions: [f64; 2]) -> Result<Mesh, MeshError> {
         match self {
             Builtin::Plane => {

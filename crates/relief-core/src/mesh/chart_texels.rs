@@ -1,67 +1,68 @@
-//! The texels of a map that a mesh's charts lie on, where each has its own.
+//! Texels of a map under the charts of a mesh with unique texture coordinates.
 
 use glam::DVec2;
 
 use super::Mesh;
 use crate::{HeightMap, HeightMapError, TexelMask};
 
-/// How far texture coordinates may lie outside of the map, in tiles: rounding.
+/// Distance in tiles by which texture coordinates may lie outside the map, because of rounding.
 const OUTSIDE: f64 = 1e-5;
 
-/// How many texels beside a chart heights go on as they do in its triangles; beyond, they stay.
+/// Number of texels beside a chart over which heights are extrapolated. Farther away they are
+/// constant.
 const CONTINUED: u32 = 2;
 
-/// No triangle.
+/// Placeholder for "no triangle".
 const NONE: u32 = u32::MAX;
 
-/// What a mesh covers of a map that it lies on but once.
+/// Texels of a map that a mesh with unique texture coordinates covers.
 #[derive(Clone, Debug)]
 pub struct ChartTexels {
     size: [u32; 2],
-    /// The triangle that a texel's centre lies on, row by row from the top.
+    /// Triangle under the centre of each texel, row by row from the top.
     triangles: Vec<u32>,
-    /// The texels that are read where the surface on the charts is interpolated.
+    /// Texels that are read for interpolation on the charts.
     read: TexelMask,
 }
 
-/// Why a mesh has no texels of its own.
+/// Why a mesh does not cover unique texels of a map.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ChartError {
-    /// The map is none.
+    /// The map's size is not accepted.
     #[error(transparent)]
     Map(#[from] HeightMapError),
-    /// A triangle lies partly or wholly beyond the map's edges.
+    /// A triangle lies partly or wholly outside the map.
     #[error(
-        "triangle {triangle} has texture coordinates outside of 0 to 1: the mesh must have its own part of the \
-         map everywhere, untiled"
+        "triangle {triangle} has texture coordinates outside 0 to 1: the mesh needs unique ones inside \
+         this range, without tiling"
     )]
     Outside {
-        /// The first such triangle.
+        /// Number of the first such triangle.
         triangle: u32,
     },
-    /// Two triangles lie on the same texel.
+    /// Two triangles overlap on a texel.
     #[error(
-        "triangles {} and {} both lie on texel ({}, {}): the mesh must have its own part of the map everywhere",
+        "triangles {} and {} both lie on texel ({}, {}): the mesh needs unique texture coordinates",
         triangles[0], triangles[1], texel[0], texel[1]
     )]
     Overlap {
-        /// The triangles, by their numbers.
+        /// Numbers of the triangles.
         triangles: [u32; 2],
-        /// Column and row of the first such texel of the second one.
+        /// Column and row of the first such texel of the second triangle.
         texel: [u32; 2],
     },
-    /// No triangle lies on a texel's centre.
+    /// No triangle covers a texel's centre.
     #[error("no triangle lies on any texel: the map is too small for the mesh")]
     NoTexel,
 }
 
 impl Mesh {
-    /// The texels of a map of that size that the mesh lies on. Takes 5 bytes a texel.
+    /// Finds the texels that the mesh covers in a map of this size. It takes 5 bytes per texel.
     ///
     /// # Errors
     ///
-    /// When the size is none of a height map, when texture coordinates lie outside of 0 to 1, when two
-    /// triangles lie on the same texel, or none on any.
+    /// When a height map cannot have this size, texture coordinates lie outside 0 to 1, two
+    /// triangles cover the same texel, or no triangle covers any.
     pub fn chart_texels(&self, size: [u32; 2]) -> Result<ChartTexels, ChartError> {
         let [width, height] = size;
         HeightMap::check_size(width, height)?;
@@ -73,7 +74,7 @@ impl Mesh {
             if uvs.iter().flat_map(DVec2::to_array).any(|part| !inside.contains(&part)) {
                 return Err(ChartError::Outside { triangle });
             }
-            // In texels, whose centres are whole numbers.
+            // Corners in texels; whole numbers are the centres.
             let corners = uvs.map(|uv| uv * DVec2::new(width.into(), height.into()) - 0.5);
             let edges = edges(corners);
             let low = corners.into_iter().reduce(DVec2::min).unwrap_or_default();
@@ -105,18 +106,18 @@ impl Mesh {
     }
 }
 
-/// An edge of a triangle in the texture.
+/// An edge of a triangle in texture space.
 struct Edge {
     from: DVec2,
     along: DVec2,
-    /// Turns the sign of what is computed to that of the inside.
+    /// Sign that makes the inner side positive.
     sign: f64,
-    /// Whether points on it are the triangle's.
+    /// Whether points on the edge belong to the triangle.
     is_own: bool,
 }
 
-/// The edges of a triangle, whichever way it runs. Neighbours compute the same for a common one: its ends are
-/// ordered, and a point on it belongs to one of both.
+/// Edges of a triangle of either orientation. Neighbours compute the same for a common edge: its
+/// ends are ordered, and a point on it belongs to exactly one of them.
 fn edges([a, b, c]: [DVec2; 3]) -> [Edge; 3] {
     let turn = if (b - a).perp_dot(c - a) < 0.0 { -1.0 } else { 1.0 };
     [[a, b], [b, c], [c, a]].map(|[from, to]| {
@@ -138,16 +139,16 @@ impl Edge {
         side > 0.0 || (side == 0.0 && self.is_own && self.along != DVec2::ZERO)
     }
 
-    /// Whether a point less than a texel away along both axes is on the inner side.
+    /// Whether any point less than a texel away along both axes is on the inner side.
     fn reaches(&self, centre: DVec2) -> bool {
         self.side(centre) + self.along.x.abs() + self.along.y.abs() >= 0.0
     }
 }
 
 impl ChartTexels {
-    /// The texels that are read where the surface between texel centres is interpolated on a chart, and those
-    /// up to so many texels beside them, diagonally too. All others have no influence on what is seen of the
-    /// mesh in its finest level.
+    /// Returns the texels that are read for interpolation between texel centres on a chart, and all
+    /// texels up to `gutter` away from them, diagonally too. No other texel influences the mesh's
+    /// picture in its finest level.
     pub fn with_gutter(&self, gutter: u32) -> TexelMask {
         let [width, height] = self.size;
         // The nearest read texel to the left or right in each row, then over rows.
@@ -189,14 +190,15 @@ impl ChartTexels {
         TexelMask::from_fn(width, height, |column, row| within[place(column, row)])
     }
 
-    /// For each texel, row by row from the top, by how many metres the smooth base of the mesh lies above its
-    /// triangles there (see [`Mesh::lifts`]). Beside charts the height goes on for two texels as it does in
-    /// the nearest triangle, and then stays.
+    /// Height in metres of the smooth base of the mesh above its triangles, for each texel, row by
+    /// row from the top (see [`Mesh::lifts`]). Beside charts the height is extrapolated from the
+    /// nearest triangle for two texels. Beyond that it is constant.
     ///
-    /// Over flat triangles, heights that are higher by it show what the heights themselves show over the
-    /// smooth base, but for what the map does not resolve: the lift bends between texels, and turns at edges.
+    /// Heights raised by this amount show the same over flat triangles as the original heights over
+    /// the smooth base. Only details below the map's resolution differ: the lift bends between
+    /// texels and has creases at edges.
     ///
-    /// `mesh` is the one that the texels are of: panics where it has fewer triangles.
+    /// `mesh` must be the mesh of these texels. Panics if it has fewer triangles.
     pub fn lifts_m(&self, mesh: &Mesh) -> Vec<f32> {
         let lifts = mesh.lifts();
         let [width, height] = self.size;
@@ -214,7 +216,7 @@ impl ChartTexels {
         };
         let mut nearest = self.triangles.clone();
         let mut values = vec![0.0f32; nearest.len()];
-        // From ring to ring around the charts.
+        // Goes from ring to ring around the charts.
         let mut ring: Vec<usize> = (0..nearest.len()).filter(|at| nearest[*at] != NONE).collect();
         for at in &ring {
             values[*at] = of_triangle(nearest[*at], *at);
@@ -285,7 +287,7 @@ mod tests {
         assert!(matches!(empty, Err(ChartError::Map(HeightMapError::Empty { .. }))));
     }
 
-    /// A triangle in the texture.
+    /// A triangle in texture space.
     fn chart(uvs: [[f32; 2]; 3]) -> Mesh {
         let vertex = |uv: [f32; 2]| Vertex {
             position: Vec3::new(uv[0], 0.0, uv[1]),
@@ -302,7 +304,7 @@ mod tests {
         let size = [40, 30];
         let mesh = chart([[0.22, 0.3], [0.61, 0.35], [0.4, 0.71]]);
         let texels = mesh.chart_texels(size).expect("a chart");
-        // What bilinear reads at many points of the chart touch.
+        // Texels that bilinear interpolation reads at many points of the chart.
         let mut touched = vec![false; 1200];
         for i in 0..=400 {
             for j in 0..=400 - i {
@@ -322,7 +324,7 @@ mod tests {
                     beside(row, 30).any(|j| beside(column, 40).any(|i| touched[(j * 40 + i) as usize]))
                 };
                 let is_in = mask.contains(column, row);
-                // Points of the chart that no sample has met may touch one texel more.
+                // Points of the chart that no sample has hit may touch one more texel.
                 assert!(is_in || !near(gutter), "({column}, {row}) {gutter}");
                 assert!(!is_in || near(gutter + 1), "({column}, {row}) {gutter}");
             }
@@ -343,7 +345,7 @@ mod tests {
         for (at, value) in values.iter().enumerate() {
             let corners = mesh.corners(texels.triangles[at]);
             let triangle = texels.triangles[at];
-            // Found again by searching for the weights.
+            // Recomputed by a search for the weights.
             let uv = Vec2::new((at % 128) as f32 + 0.5, (at / 128) as f32 + 0.5) / Vec2::new(128.0, 64.0);
             let [a, b, c] = corners.map(|corner| corner.uv);
             let area = (b - a).perp_dot(c - a);

@@ -14,8 +14,8 @@ pub(super) const FACES: [(DVec3, DVec3); 6] = [
     (DVec3::X, DVec3::NEG_Z),
 ];
 
-/// The unit cube around the origin, each face one full tile in `divisions` x `divisions` quads. The faces
-/// look along `+z`, `+x`, `-z`, `-x`, `+y` and `-y`, in this order.
+/// The unit cube around the origin. Each face is one full tile in `divisions` x `divisions` quads.
+/// The faces look along `+z`, `+x`, `-z`, `-x`, `+y` and `-y`, in this order.
 ///
 /// # Errors
 ///

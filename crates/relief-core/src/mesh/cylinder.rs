@@ -9,8 +9,9 @@ const RADIUS_M: f64 = 0.5;
 
 /// The upright cylinder of diameter 1 and height 1 around the origin.
 ///
-/// * The side carries one tile: `u` runs once around, to the right seen from outside with `u = ½` at `+z`,
-///   `v` from the top edge to the bottom edge. It consists of `around` x `along` quads.
+/// * The side carries one tile. `u` runs once around, to the right seen from outside, with `u = ½`
+///   at `+z`. `v` runs from the top edge to the bottom edge. The side consists of `around` x
+///   `along` quads.
 /// * Each cap shows the disc that it cuts out of one tile of the unit square, oriented as on the
 ///   [`cube`](super::cube()).
 ///

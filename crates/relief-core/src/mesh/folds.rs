@@ -1,34 +1,37 @@
-//! How far a mesh can be displaced before its triangles fold.
+//! Range of displacements in which a mesh's triangles do not fold.
 
 use super::Mesh;
 use glam::DVec3;
 
-/// The greatest difference between the numbers of two unit normals that rounding alone makes.
+/// Greatest difference between the components of two unit normals that rounding alone causes.
 const ROUNDING: f64 = 2.0 * f32::EPSILON as f64;
 
-/// The part of its undisplaced value to which the Jacobian falls where a shell shrinks to a point or a line
-/// but for the rounding of its corners.
+/// Part of its undisplaced value to which the Jacobian falls, by the rounding of corners, where a
+/// shell shrinks to a point or a line.
 const NOTHING: f64 = 1e-4;
 
 impl Mesh {
-    /// The offsets `[down, up]` in metres between which a triangle's shell is not folded: `down` is negative
-    /// and `up` positive, or both are 0; infinite where the shell never folds in that direction. The ends do
-    /// not belong to it.
+    /// Returns the offsets `[down, up]` in metres between which a triangle's shell is not folded.
+    /// `down` is negative and `up` positive, or both are 0. An end is infinite if the shell never
+    /// folds in that direction. The ends are not part of the range.
     ///
-    /// The shell over the corners `p_i` with the normals `n_i` is `X(w, h) = Σ w_i p_i + h Σ w_i n_i`, over
-    /// barycentric weights `w` and the offset `h`. Its Jacobian is `det(E₁, E₂, Σ w_i n_i)`, where
-    /// `E₁ = p_b - p_a + h (n_b - n_a)`, and `E₂` likewise from `a` to `c`. The shell is folded where the
-    /// Jacobian is not positive: there it turns round, and points of the displaced surface hide each other.
-    /// At one offset `E₁` and `E₂` are the same on the whole triangle, so that the Jacobian is linear in `w`
-    /// and least at a corner. At a corner it is a quadratic in `h`. So the range is closed form: it ends at
-    /// the nearest root on either side of the three corners' quadratics. A quadratic that turns at 1e-4 of
-    /// its undisplaced value or below counts as touching 0 there, as those of a sphere do in its centre.
+    /// The shell over the corners `p_i` with the normals `n_i` is
+    /// `X(w, h) = Σ w_i p_i + h Σ w_i n_i`, over barycentric weights `w` and the offset `h`. Its
+    /// Jacobian is `det(E₁, E₂, Σ w_i n_i)`, where `E₁ = p_b - p_a + h (n_b - n_a)`, and `E₂`
+    /// likewise from `a` to `c`. The shell is folded where the Jacobian is not positive: there it
+    /// is turned over, and points of the displaced surface hide each other.
     ///
-    /// A triangle without an area, or with a normal that points backward, is folded without any displacement:
-    /// its range is `[0, 0]`. Normals that differ by no more than rounding count as equal, so that flat
-    /// meshes never fold.
+    /// At one offset `E₁` and `E₂` are the same on the whole triangle. So the Jacobian is linear in
+    /// `w` and least at a corner, and at a corner it is a quadratic in `h`. This gives the range in
+    /// closed form: it ends at the nearest root on either side of the three corners' quadratics. A
+    /// quadratic whose minimum is 1e-4 of its undisplaced value or below counts as touching 0
+    /// there. On a sphere this occurs at the centre.
     ///
-    /// Panics when there is no such triangle.
+    /// A triangle without an area, or with a normal that points backward, is folded without any
+    /// displacement: its range is `[0, 0]`. Normals that differ by no more than rounding count as
+    /// equal, so that flat meshes never fold.
+    ///
+    /// Panics if there is no such triangle.
     ///
     /// ```
     /// use relief_core::mesh::{cylinder, square};
@@ -60,17 +63,17 @@ impl Mesh {
         range
     }
 
-    /// The offsets `[down, up]` in metres between which no triangle of the mesh is folded, as
-    /// [`Self::fold_range`] has them for one: the furthest that the mesh can be displaced inward and outward.
+    /// Returns the offsets `[down, up]` in metres between which no triangle of the mesh is folded:
+    /// the limits of displacement inward and outward. See [`Self::fold_range`].
     pub fn unfolded_range(&self) -> [f64; 2] {
         (0..self.triangles.len() as u32)
             .map(|triangle| self.fold_range(triangle))
             .fold([f64::NEG_INFINITY, f64::INFINITY], both)
     }
 
-    /// How many triangles fold while the mesh is displaced by anything from the first to the second of
-    /// `offsets_m`, in metres: those that are folded at one of these offsets or on the way there from 0. All
-    /// do where an offset is NaN.
+    /// Number of triangles that fold while the mesh is displaced between the two `offsets_m`, in
+    /// metres. A triangle counts if it is folded at one of them or at an offset between it and 0.
+    /// All triangles count if an offset is NaN.
     pub fn folded(&self, offsets_m: [f64; 2]) -> usize {
         let [low, high] = offsets_m;
         let is_unfolded =
@@ -79,18 +82,18 @@ impl Mesh {
     }
 }
 
-/// What two ranges have in common.
+/// Intersection of two ranges.
 fn both(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0].max(b[0]), a[1].min(b[1])]
 }
 
-/// The least positive root of `c0 + c1 x + c2 x²`, where `c0` is positive; infinite where there is none.
+/// Least positive root of `c0 + c1 x + c2 x²` with a positive `c0`. Infinite if there is none.
 fn first_root(c0: f64, c1: f64, c2: f64) -> f64 {
     let discriminant = c1 * c1 - 4.0 * c0 * c2;
     if discriminant < -NOTHING * c1 * c1 {
         return f64::INFINITY;
     }
-    // Neither root is a difference of nearly equal numbers this way.
+    // This way neither root is a difference of nearly equal numbers.
     let q = -0.5 * (c1 + discriminant.max(0.0).sqrt().copysign(c1));
     let positive = |root: f64| if root > 0.0 { root } else { f64::INFINITY };
     positive(q / c2).min(positive(c0 / q))
@@ -117,7 +120,7 @@ mod tests {
         Mesh::new([0, 1, 2].map(vertex).to_vec(), vec![[0, 1, 2]]).expect("a mesh")
     }
 
-    /// The least Jacobian at an offset over points of a triangle's shell, from differences of its points.
+    /// Least Jacobian at an offset over points of a triangle's shell, from finite differences.
     fn least_jacobian(mesh: &Mesh, offset: f64, divisions: i32) -> f64 {
         let corners = mesh.corners(0);
         let [p, n]: [[DVec3; 3]; 2] = [
@@ -142,8 +145,8 @@ mod tests {
         least
     }
 
-    /// Whether sampling finds the same range as the closed form: no fold at a hundred offsets before either
-    /// end, as far as 4 m, and one just behind it.
+    /// Whether sampling confirms the range of the closed form: no fold at a hundred offsets before
+    /// either end, up to 4 m, and a fold just behind it.
     fn agrees(mesh: &Mesh, [down, up]: [f64; 2]) -> bool {
         if [down, up] == [0.0; 2] {
             return least_jacobian(mesh, 0.0, 6) <= 0.0;
@@ -155,7 +158,8 @@ mod tests {
         })
     }
 
-    /// A triangle with sides of 0.2 to 2 m whose normals lean from its own by up to 70°, rarely by more.
+    /// A triangle with sides of 0.2 to 2 m. Its vertex normals differ from its own by up to 70°,
+    /// rarely more.
     fn random_shell() -> impl Strategy<Value = Mesh> {
         let corner = (0.2f32..1.0, -0.9f32..0.9);
         let lean = (0f32..1.3, 0f32..std::f32::consts::TAU);
@@ -185,7 +189,7 @@ mod tests {
             let range = mesh.fold_range(0);
             right += usize::from(agrees(&mesh, range));
             bounded += usize::from(range.iter().any(|end| end.is_finite()));
-            // Ends that are off by a hundredth, either way.
+            // Ends that are wrong by a hundredth, either way.
             let is_noticed = |factor: f64| !agrees(&mesh, range.map(|end| end * factor));
             noticed += usize::from(is_noticed(1.02) && is_noticed(0.98));
         }
@@ -195,7 +199,7 @@ mod tests {
 
     #[test]
     fn a_shell_folds_first_at_any_of_its_corners() {
-        // One normal leans far outward; whichever it is, the range is the same.
+        // One normal leans far outward. The range is the same for each of the three.
         let positions = [Vec3::ZERO, Vec3::Z, Vec3::X];
         let normals = [Vec3::Y, Vec3::new(0.6, 0.8, 0.0), Vec3::new(-0.6, 0.8, 0.0)];
         let turned = |by: usize| {
@@ -216,7 +220,8 @@ mod tests {
         assert!((down + 0.5).abs() < 5e-3 && up == f64::INFINITY, "{down} {up}");
         let folding = (0..sphere.triangles().len() as u32).filter(|&at| sphere.fold_range(at)[0] > -0.51);
         assert_eq!(folding.count(), sphere.triangles().len());
-        // The tube's radius inward; outward the inner equator closes at the radius of the hole.
+        // Inward it is the tube's radius. Outward the inner equator closes at the radius of the
+        // hole.
         let torus = torus(128, 64).expect("a mesh");
         let [down, up] = torus.unfolded_range();
         assert!((down + 0.15).abs() < 1e-3 && (up - 0.2).abs() < 1e-3, "{down} {up}");
@@ -233,7 +238,7 @@ mod tests {
         let [a, b] = [square(3), cube(2)].map(|mesh| mesh.expect("a mesh"));
         assert_eq!([a.unfolded_range(), b.unfolded_range()], [never; 2]);
         assert_eq!([a.folded([-1e9, 1e9]), b.folded(never)], [0, 24 * 2]);
-        // Turned, with the last bits of the normals off.
+        // A rotated mesh whose normals have rounded last bits.
         let mut turned = a;
         let turn = Quat::from_scaled_axis(Vec3::new(0.3, 1.1, -0.7));
         for (at, vertex) in turned.vertices.iter_mut().enumerate() {
@@ -259,7 +264,7 @@ mod tests {
             let mesh = triangle(positions, normals);
             assert_eq!((mesh.fold_range(0), mesh.folded([0.0; 2])), ([0.0; 2], 1));
         }
-        // Numbers of any size end in a range.
+        // Ranges are ordered for numbers of any size.
         for size in [1e-38, 1e-20, 1e18, 1e38] {
             let normals = [Vec3::Y, Vec3::new(0.0, 0.8, 0.6), Vec3::new(0.6, 0.8, 0.0)];
             let [down, up] = triangle(positions.map(|p| p * size), normals).fold_range(0);

@@ -1,7 +1,7 @@
-//! From a mesh as files hold it to one with normals and true tangent frames.
+//! Conversion of a mesh from a file to a mesh with normals and true tangent frames.
 //!
-//! Source of the frames: Szirmay-Kalos and Umenhoffer 2008, section 2, equations 4 to 7, for each triangle;
-//! those of the triangles at a corner are averaged by their angles there.
+//! Source of the frames: Szirmay-Kalos and Umenhoffer 2008, section 2, equations 4 to 7, for each
+//! triangle. Each corner gets the mean of its triangles' frames, weighted by their angles.
 
 use super::raw::{Framed, FramingError, MAX_METRES, RawCorner, RawMesh};
 use super::topology::{HalfEdge, Sets, half_edges};
@@ -10,54 +10,59 @@ use crate::TangentFrame;
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use std::collections::HashMap;
 
-/// How much narrower than long a triangle may be, by the ratio of twice its area to the square of its longest
-/// side, before rounding decides where its normal points or where its texture lies.
+/// Ratio of a triangle's doubled area to its longest side squared, below which rounding determines
+/// the direction of its normal or of its texture.
 const SLIVER: f64 = 1e-6;
 
 /// Rounding of an `f32`, relative.
 const ROUNDING: f64 = f32::EPSILON as f64;
 
-/// The part by which two sides of an edge may differ in texture space and still be one.
+/// Relative difference in texture space up to which two sides of an edge count as one.
 const SAME_EDGE: f64 = 1e-4;
 
-/// The part of their sum's greatest length below which normals or tangents cancel each other out.
+/// Length of a sum of normals or tangents, relative to the greatest possible one, below which they
+/// cancel out.
 const CANCELLED: f64 = 1e-3;
 
-/// A triangle's part in the averages at its corners.
+/// Contribution of a triangle to the averages at its corners.
 struct Face {
     frame: TangentFrame,
     weights: [f64; 3],
 }
 
 impl RawMesh {
-    /// The mesh with normals and tangent frames.
+    /// Returns the mesh with normals and tangent frames.
     ///
-    /// * Equal positions are one point. Triangles without an area, and such that lie on an earlier one with
-    ///   the same corners and front, are left out and counted.
-    /// * **Normals** are made unit vectors. A corner that has none gets the mean of the normals of all
-    ///   triangles at its point, weighted by their angles there, so that relief has no gaps along edges.
-    ///   Where these cancel each other out, as on sheets with two fronts, it is that of the triangle.
-    /// * **Tangents and bitangents** are the derivatives of the position by `u` and `v`, as long as one tile.
-    ///   They are means, weighted by angles, over the triangles that share the corner's normal and the
-    ///   texture: of their directions, turned into the plane at right angles to the normal, and of how many
-    ///   tiles they have to the metre. A texture goes on across an edge where both sides have the same
-    ///   orientation and the same way to go from end to end. So mirrored halves have frames of their own, of
-    ///   either handedness; where a tiled texture is cut, as at the back of a cylinder, the frames of both
-    ///   sides are one; and where the sides are turned to each other or stretched they are two.
+    /// * Equal positions become one point. Triangles without an area are removed and counted. So
+    ///   are triangles that repeat an earlier one, with the same corners and front.
+    /// * **Normals** are normalised. A corner without one gets the mean of the normals of all
+    ///   triangles at its point, weighted by their angles there, so that relief has no gaps along
+    ///   edges. If these cancel out, as on sheets with two fronts, the triangle's own normal is
+    ///   used.
+    /// * **Tangents and bitangents** are the derivatives of the position by `u` and `v`, as long as
+    ///   one tile. They are means, weighted by angles, over the triangles that share the corner's
+    ///   normal and the texture. The directions, turned into the plane at right angles to the
+    ///   normal, and the numbers of tiles per metre are averaged separately.
+    /// * A texture continues across an edge if both sides have the same orientation and the same
+    ///   vector from end to end. So mirrored halves have separate frames with opposite handedness.
+    ///   If a tiled texture is cut, as at the back of a cylinder, both sides share one frame. If
+    ///   the sides are rotated or stretched relative to each other, they have two.
     /// * Triangles whose texture coordinates have no area take the frames of their neighbours.
     ///
-    /// These frames carry lengths, which displacement needs, and are not the orthonormal ones of MikkTSpace,
-    /// in which many tangent-space normal maps are baked. On a texture without shear the two have the same
-    /// directions; the lengths of MikkTSpace's are those of no tile.
+    /// These frames carry lengths, which displacement needs. They differ from the orthonormal
+    /// frames of MikkTSpace, in which many tangent-space normal maps are baked. On a texture
+    /// without shear both have the same directions, but MikkTSpace's lengths do not match a tile.
     ///
-    /// Takes at most [`Self::BYTES_PER_TRIANGLE`] and [`Self::BYTES_PER_POSITION`]; the same mesh gives the
-    /// same bits.
+    /// Framing takes at most [`Self::BYTES_PER_TRIANGLE`] and [`Self::BYTES_PER_POSITION`]. Equal
+    /// meshes give equal bits.
     ///
     /// # Errors
     ///
-    /// When a corner names what does not exist or has numbers that are not finite or too large, when there is
-    /// no triangle with an area, when triangles have no texture coordinates, or such without an area beside no
-    /// neighbour that has one, and when a tile of the texture is shorter than 1e-19 m.
+    /// * A corner has an index that does not exist, or numbers that are not finite or too large.
+    /// * No triangle has an area.
+    /// * Triangles have no texture coordinates, or texture coordinates without an area and no
+    ///   neighbour to take a frame from.
+    /// * A tile of the texture is shorter than 1e-19 m.
     pub fn framed(mut self) -> Result<Framed, FramingError> {
         self.check()?;
         let (numbers, [degenerate, double]) = self.weld_and_drop();
@@ -78,8 +83,8 @@ impl RawMesh {
         Ok(Framed { mesh: Mesh::new(vertices, triangles)?, numbers, degenerate, double })
     }
 
-    /// For each point the sum of the unit normals of its triangles, weighted by angles, and that of the
-    /// weights; nothing where every corner has a normal.
+    /// For each point, the sum of its triangles' unit normals weighted by angles, and the sum of
+    /// the weights. Empty if every corner has a normal.
     fn normals_of_points(&self) -> Vec<(DVec3, f64)> {
         if self.triangles.iter().flatten().all(|corner| self.stored_normal(corner).is_some()) {
             return Vec::new();
@@ -96,12 +101,13 @@ impl RawMesh {
         sums
     }
 
-    /// The unit normal that a corner has of itself.
+    /// Normalised normal of a corner, if the file has one.
     fn stored_normal(&self, corner: &RawCorner) -> Option<DVec3> {
         self.normals.get(corner.normal as usize)?.as_dvec3().try_normalize()
     }
 
-    /// The angles of a triangle in radians; of a sliver next to nothing, since its normal is rounding's.
+    /// Angles of a triangle in radians. They are nearly 0 for a sliver, since rounding determines
+    /// its normal.
     fn weights(&self, corners: &[RawCorner; 3]) -> [f64; 3] {
         let points = corners.map(|corner| self.positions[corner.position as usize].as_dvec3());
         let sides = [0, 1, 2].map(|place| points[(place + 1) % 3] - points[place]);
@@ -119,7 +125,7 @@ impl RawMesh {
     }
 }
 
-/// A checked mesh while its frames are made.
+/// A checked mesh during the computation of its frames.
 struct Framing<'a> {
     raw: &'a RawMesh,
     normals: Vec<(DVec3, f64)>,
@@ -131,7 +137,7 @@ impl Framing<'_> {
         &self.raw.triangles[number as usize / 3][number as usize % 3]
     }
 
-    /// The unit normal at a corner.
+    /// Unit normal at a corner.
     fn normal(&self, number: u32) -> Vec3 {
         let corner = self.corner(number);
         let stored = self.raw.stored_normal(corner);
@@ -147,7 +153,7 @@ impl Framing<'_> {
         self.raw.uvs[self.corner(number).uv as usize] + Vec2::ZERO
     }
 
-    /// The frame of a triangle, unless its texture coordinates have no area that rounding leaves.
+    /// Frame of a triangle, unless its texture coordinates have no area beyond rounding.
     fn face(&self, triangle: usize) -> Option<Face> {
         let corners = &self.raw.triangles[triangle];
         let points = corners.map(|corner| self.raw.positions[corner.position as usize].as_dvec3());
@@ -164,9 +170,9 @@ impl Framing<'_> {
         (longest_tile <= MAX_METRES).then(|| Face { frame, weights: self.raw.weights(corners) })
     }
 
-    /// Whether a texture goes on from one side of an edge to the other: whether the triangles run along it
-    /// against each other, as neighbours of one surface do, in textures of one orientation that have the same
-    /// way from end to end.
+    /// Whether a texture continues from one side of an edge to the other. The triangles must run
+    /// along the edge in opposite directions, as neighbours of one surface do. Their textures must
+    /// have the same orientation and the same vector from end to end.
     fn goes_on(&self, [a, b]: [&HalfEdge; 2]) -> bool {
         let (Some(first), Some(second)) = (self.face(a.triangle()), self.face(b.triangle())) else {
             return false;
@@ -184,7 +190,7 @@ impl Framing<'_> {
         (way(ends) - way(others)).length() <= slack
     }
 
-    /// Sets of corners, those that share a frame together.
+    /// Sets of the corners that share a frame.
     fn fans(&self) -> Sets {
         let triangles = &self.raw.triangles;
         let halves = half_edges(triangles.iter().map(|corners| corners.map(|corner| corner.position)));
@@ -242,8 +248,8 @@ impl Framing<'_> {
         Ok((vertices, triangles))
     }
 
-    /// Gives corners of triangles without an area in the texture the frames of a vertex at the same point, or
-    /// of another corner of the triangle.
+    /// Gives corners of triangles without an area in the texture a frame: from a vertex at the same
+    /// point, or from another corner of the triangle.
     fn fill_from_neighbours(
         &self,
         vertices: &mut Vec<Vertex>,
@@ -289,9 +295,9 @@ fn orientation(face: &Face) -> bool {
     face.frame.handedness() > 0.0
 }
 
-/// The mean of tangents: their mean direction at right angles to a normal, with as many tiles to the metre as
-/// on the mean. (The mean of their lengths would be that of the longest, where a texture is next to nothing
-/// wide.)
+/// Mean of tangents: the mean direction at right angles to a normal, with the mean number of tiles
+/// per metre. (A mean of the lengths would be dominated by the longest, where a texture is almost
+/// infinitely narrow.)
 struct Mean {
     normal: DVec3,
     directions: DVec3,
@@ -322,7 +328,7 @@ impl Mean {
         self.weights += weight;
     }
 
-    /// The mean, or where directions cancel each other out the first of them.
+    /// The mean. If the directions cancel out, it has the first direction.
     fn vector(&self) -> Vec3 {
         let is_clear = self.directions.length() > CANCELLED * self.weights;
         let direction = if is_clear { self.directions.normalize() } else { self.first };
@@ -330,7 +336,8 @@ impl Mean {
     }
 }
 
-/// A vector turned to be at right angles to a normal, as long as before. What points along the normal stays.
+/// Turns a vector to be at right angles to a normal, with its length kept. A vector along the
+/// normal does not change.
 fn turned(vector: DVec3, normal: DVec3) -> DVec3 {
     let length = vector.length();
     let across = vector - normal * normal.dot(vector);

@@ -1,13 +1,14 @@
-//! Small least-squares systems that may leave some of their unknowns open.
+//! Small least-squares systems that may be underdetermined.
 
-/// The part of the largest eigenvalue below which an unknown counts as open. Directions a hundredth of a
-/// radian apart are told apart by 1e-4; nearer ones would make noise of rounding.
+/// Ratio to the largest eigenvalue below which an unknown counts as undetermined. With 1e-4,
+/// directions a hundredth of a radian apart are distinguished. Nearer ones would turn rounding into
+/// noise.
 const OPEN: f64 = 1e-4;
 
 /// A least-squares system of three unknowns.
 #[derive(Default)]
 pub(super) struct LeastNorm {
-    /// The normal matrix, symmetric.
+    /// Symmetric normal matrix.
     matrix: [[f64; 3]; 3],
     right: [f64; 3],
 }
@@ -23,8 +24,9 @@ impl LeastNorm {
         }
     }
 
-    /// Of all unknowns with the least squared error those of the least norm: what the equations determine,
-    /// and 0 along every eigenvector of the normal matrix whose eigenvalue is below [`OPEN`] of the largest.
+    /// Returns the unknowns of least norm among all that have the least squared error. They satisfy
+    /// the equations, and are 0 along every eigenvector of the normal matrix whose eigenvalue is
+    /// below [`OPEN`] of the largest.
     pub fn solve(&self) -> [f64; 3] {
         let (values, vectors) = eigen(self.matrix);
         let largest = values.into_iter().fold(0.0, f64::max);
@@ -42,10 +44,11 @@ impl LeastNorm {
     }
 }
 
-/// The eigenvalues of a symmetric matrix, and its eigenvectors as the columns of a rotation: Jacobi's method.
+/// Eigenvalues of a symmetric matrix, and its eigenvectors as the columns of a rotation, by
+/// Jacobi's method.
 fn eigen(mut matrix: [[f64; 3]; 3]) -> ([f64; 3], [[f64; 3]; 3]) {
     let mut vectors = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    // It converges quadratically: after four sweeps nothing is left beside the diagonal but rounding.
+    // It converges quadratically: after four sweeps only rounding remains beside the diagonal.
     for _ in 0..8 {
         for (p, q) in [(0, 1), (0, 2), (1, 2)] {
             let beside = matrix[p][q];
@@ -97,7 +100,7 @@ mod tests {
                 let column = [0, 1, 2].map(|i| vectors[i][k]);
                 let image = [0, 1, 2].map(|i| (0..3).map(|j| system.matrix[i][j] * column[j]).sum::<f64>());
                 prop_assert!(distance(image, column.map(|x| x * values[k])) < 1e-12 * largest.max(1.0));
-                // Along it the solution is the truth, or 0.
+                // Along it the solution is the true value or 0.
                 let along = |x: [f64; 3]| (0..3).map(|i| x[i] * column[i]).sum::<f64>();
                 let expected = if values[k] > OPEN * largest { along(truth) } else { 0.0 };
                 prop_assert!((along(system.solve()) - expected).abs() < 1e-8);
@@ -111,7 +114,7 @@ mod tests {
         let mut system = LeastNorm::default();
         system.add([1.0, 1.0, 0.0], 2.0);
         assert!(distance(system.solve(), [1.0, 1.0, 0.0]) < 1e-12);
-        // The same once more, a little off: the mean.
+        // The same equation again with a small error: the mean.
         system.add([1.0, 1.0, 0.0], 4.0);
         assert!(distance(system.solve(), [1.5, 1.5, 0.0]) < 1e-12);
     }

@@ -1,33 +1,36 @@
-//! How far the smooth surface that a mesh's normals promise lies above its triangles.
+//! Height of the smooth surface that a mesh's normals imply above its triangles.
 //!
-//! Gumhold and Hüttner 1999, section 5, name the creases of a coarse base mesh, which show through its
-//! displacement, and a smooth base surface as what helps against them.
+//! Gumhold and Hüttner 1999, section 5, describe the creases of a coarse base mesh, which show
+//! through its displacement. They name a smooth base surface as the remedy.
 
 use super::{Mesh, Vertex};
 use glam::DVec3;
 
 impl Mesh {
-    /// For each triangle `abc` the three numbers `[bc, ca, ab]` in metres that make its flat base smooth: at
-    /// the barycentric weights `w` the smooth base lies the height
+    /// For each triangle `abc`, returns the three numbers `[bc, ca, ab]` in metres that make its
+    /// flat base smooth. At the barycentric weights `w` the smooth base has the height
     ///
     /// `bc · w_b w_c + ca · w_c w_a + ab · w_a w_b`
     ///
-    /// above the triangle along the interpolated normal `Σ w_i n_i`, where `bc = ½ (p_b - p_c)·(n_b - n_c)`,
-    /// and so on. They are positive where the surface is convex, and 0 where it is flat.
+    /// above the triangle along the interpolated normal `Σ w_i n_i`, where
+    /// `bc = ½ (p_b - p_c)·(n_b - n_c)`, and so on. The numbers are positive where the surface is
+    /// convex, and 0 where it is flat.
     ///
-    /// It follows from the curvature along an edge: to the second order a curve with the normals `n_b` and
-    /// `n_c` at its ends, an edge of length `l` apart, has the curvature `(p_b - p_c)·(n_b - n_c) / l²`
-    /// against its normal, and rises `½ l²` times that times `w_b w_c` above its chord. The polynomial is the
-    /// only one of degree 2 that is 0 at the corners and does so along all three edges. On a sphere of
-    /// radius `r` the interpolated point is `(r² - Σ l_ij² w_i w_j)^½` from the centre, so that what is left
-    /// there is of the fourth order in `l / r`.
+    /// This follows from the curvature along an edge. Take a curve between the ends of an edge of
+    /// length `l`, with the normals `n_b` and `n_c` there. To the second order it has the curvature
+    /// `(p_b - p_c)·(n_b - n_c) / l²` against its normal, and rises `½ l²` times that times
+    /// `w_b w_c` above its chord. The polynomial is the only one of degree 2 that is 0 at the
+    /// corners and does so along all three edges. On a sphere of radius `r` the interpolated point
+    /// is `(r² - Σ l_ij² w_i w_j)^½` from the centre, so that the remaining error there is of the
+    /// fourth order in `l / r`.
     ///
-    /// An edge has the same number, bit by bit, in all triangles that have the same positions and normals at
-    /// its ends, whatever their order: a smooth base has no cracks there. Along hard edges either side has
-    /// its own, as it has its own normals. A shell over the smooth base, displaced by `h`, is the one over
-    /// the triangle displaced by `h` and the height, and folds where [`Self::fold_range`] says for that sum.
+    /// An edge has the same number, bit by bit, in all triangles with the same positions and
+    /// normals at its ends, in any order. So a smooth base has no cracks there. Along hard edges
+    /// each side has its own number, because it has its own normals. A shell over the smooth base,
+    /// displaced by `h`, is the shell over the triangle displaced by `h` plus the height. It folds
+    /// where [`Self::fold_range`] says for that sum.
     ///
-    /// All numbers are finite; what `f32` does not hold is its greatest number.
+    /// All numbers are finite; values beyond the range of `f32` become its greatest number.
     ///
     /// ```
     /// use relief_core::mesh::{sphere, square};
@@ -45,7 +48,7 @@ impl Mesh {
     }
 }
 
-/// The number of an edge. Both differences only turn round where the ends are exchanged.
+/// Number of an edge. If the ends are exchanged, both differences only change their sign.
 fn lift(from: &Vertex, to: &Vertex) -> f32 {
     let [along, turn]: [DVec3; 2] =
         [to.position.as_dvec3() - from.position.as_dvec3(), to.normal.as_dvec3() - from.normal.as_dvec3()];
@@ -59,10 +62,11 @@ mod tests {
     use glam::Vec3;
     use std::collections::HashMap;
 
-    /// How far a point lies from a true surface, in metres.
+    /// Distance between a point and a true surface, in metres.
     type Distance = fn(DVec3) -> f64;
 
-    /// How far points of a mesh lie from the true surface: the root of the mean square in metres.
+    /// Distance between points of a mesh and the true surface: the root of the mean square in
+    /// metres.
     fn distance_m(mesh: &Mesh, lifts: &[[f32; 3]], to_surface: Distance) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
         for (triangle, lift) in lifts.iter().enumerate() {
@@ -87,7 +91,7 @@ mod tests {
         (p.x.hypot(p.z) - 0.35).hypot(p.y) - 0.15
     }
 
-    /// The distance of the flat base and how many times nearer the lifted one is.
+    /// Distance of the flat base, and the factor by which the lifted one is nearer.
     fn gain(mesh: &Mesh, factor: f32, to_surface: Distance) -> [f64; 2] {
         let lifts = mesh.lifts();
         let flat = distance_m(mesh, &vec![[0.0; 3]; lifts.len()], to_surface);
@@ -108,7 +112,7 @@ mod tests {
             let [flat, gained] = gain(&mesh, 1.0, to_surface);
             println!("{name}: {flat:.2e} m, {gained:.1} times nearer");
             assert!(gained > least, "{name}: {gained}");
-            // Another sign or factor is noticed.
+            // A wrong sign or factor is noticed.
             for wrong in [-1.0, 0.5, 2.0] {
                 assert!(gain(&mesh, wrong, to_surface)[1] < gained.min(3.0), "{name}: {wrong}");
             }

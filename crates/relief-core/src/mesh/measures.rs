@@ -1,61 +1,63 @@
-//! What a mesh is like: sizes, charts, edges, tiles, the angles between its normals, and where it folds.
+//! Measurements of a mesh: sizes, charts, edges, tiles, the angles between its normals, and folds.
 
 use super::topology::{HalfEdge, Sets, half_edges, weld};
 use super::{Mesh, Vertex};
 use glam::{DVec3, Vec2, Vec3};
 
-/// The least angle in degrees between normals that differ.
+/// Least angle in degrees between normals that count as different.
 pub(super) const HARD_DEG: f64 = 0.1;
 
-/// The least, the mean and the greatest of something.
+/// Least, mean and greatest value of a quantity.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spread {
-    /// The least.
+    /// Least value.
     pub least: f64,
-    /// The mean.
+    /// Mean.
     pub mean: f64,
-    /// The greatest.
+    /// Greatest value.
     pub greatest: f64,
 }
 
-/// What [`Mesh::measures`] finds. Edges are counted between points, whatever vertices lie on them.
+/// Measurements of a mesh by [`Mesh::measures`]. Edges are counted between points, not vertices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshMeasures {
-    /// The least and the greatest coordinates, in metres.
+    /// Least and greatest coordinates, in metres.
     pub bounds_m: [Vec3; 2],
-    /// Vertices.
+    /// Number of vertices.
     pub vertices: usize,
-    /// Different positions of vertices.
+    /// Number of different positions of vertices.
     pub points: usize,
-    /// Triangles.
+    /// Number of triangles.
     pub triangles: usize,
-    /// Parts that are connected in the texture: triangles that share edges with their texture coordinates.
+    /// Number of charts: parts that are connected in the texture. Connected triangles share an edge
+    /// with the same texture coordinates.
     pub charts: usize,
-    /// Triangles on which the texture is mirrored.
+    /// Number of triangles on which the texture is mirrored.
     pub mirrored: usize,
-    /// Edges.
+    /// Number of edges.
     pub edges: usize,
-    /// Edges of one triangle.
+    /// Number of edges of one triangle only.
     pub open_edges: usize,
-    /// Edges of more than two triangles.
+    /// Number of edges of more than two triangles.
     pub branching_edges: usize,
-    /// Edges on whose two sides texture coordinates differ.
+    /// Number of edges whose sides have different texture coordinates.
     pub seams: usize,
-    /// Edges on whose two sides normals differ.
+    /// Number of edges whose sides have different normals.
     pub hard_edges: usize,
-    /// Metres of a tile along `u` and along `v`, over the vertices.
+    /// Length of a tile along `u` and along `v` in metres, over the vertices.
     pub tile_m: [Spread; 2],
-    /// The greatest angle in degrees between normals of a triangle, over the triangles.
+    /// Greatest angle in degrees between normals of a triangle, over the triangles.
     pub normal_angle_deg: Spread,
-    /// The offsets in metres, inward and outward, between which no triangle is folded
-    /// ([`Mesh::unfolded_range`]): infinite where none ever folds, both 0 where one is folded already.
+    /// Offsets in metres, inward and outward, between which no triangle is folded
+    /// ([`Mesh::unfolded_range`]). They are infinite if none ever folds, and both 0 if one is
+    /// folded already.
     pub unfolded_m: [f64; 2],
-    /// Triangles that are folded without any displacement.
+    /// Number of triangles that are folded without any displacement.
     pub folded: usize,
 }
 
 impl Mesh {
-    /// Measures the mesh. Takes about 60 bytes a triangle and 50 a vertex.
+    /// Measures the mesh. It takes about 60 bytes per triangle and 50 per vertex.
     pub fn measures(&self) -> MeshMeasures {
         let point_of = weld(self.vertices.iter().map(|vertex| vertex.position));
         let points = point_of.iter().enumerate().filter(|(at, point)| *at == **point as usize).count();
@@ -122,8 +124,8 @@ impl Mesh {
     }
 }
 
-/// Whether `u` and `v` run clockwise on a triangle that is seen from the front: with `v` downward they do
-/// unless they are mirrored.
+/// Whether the texture is mirrored on a triangle. The corners, counter-clockwise from the front,
+/// then run clockwise in the texture, whose `v` points downward.
 fn is_mirrored(corners: &[&Vertex; 3]) -> bool {
     let [a, b, c] = corners.map(|corner| corner.uv);
     let [across, down]: [Vec2; 2] = [b - a, c - a];

@@ -1,8 +1,8 @@
 //! Base meshes: triangles with texture coordinates and true tangent frames.
 //!
-//! A [`Mesh`] is a built-in shape, or comes from a [`RawMesh`], which is what files hold. Lengths are metres,
-//! and `y` is up: the built-in shapes stand on the plane of `x` and `z`, and show the middle of their texture
-//! to whoever looks along `-z`.
+//! A [`Mesh`] is a built-in shape, or is made from a [`RawMesh`], the content of a file. Lengths
+//! are metres, and `y` is up. The built-in shapes stand on the plane of `x` and `z`. Seen along
+//! `-z` they show the middle of their texture.
 
 mod base_point;
 mod block;
@@ -44,7 +44,7 @@ pub use rectangle::{rectangle, square};
 pub use sphere::sphere;
 pub use torus::torus;
 
-/// The most divisions of a side of a built-in mesh; at that number a plane has a million quads.
+/// Most divisions of a side of a built-in mesh. A plane with that number has a million quads.
 pub const MAX_DIVISIONS: u32 = 1024;
 
 /// One corner of a mesh.
@@ -54,46 +54,48 @@ pub struct Vertex {
     pub position: Vec3,
     /// Unit outward normal.
     pub normal: Vec3,
-    /// Derivative of the position by `u`: points along growing `u`, as long as one tile in metres. Not
-    /// normalised and not made orthogonal to the bitangent.
+    /// Derivative of the position by `u`: it points along growing `u` and is as long as one tile in
+    /// metres. It is neither normalised nor orthogonal to the bitangent.
     pub tangent: Vec3,
-    /// Derivative of the position by `v`: points along growing `v`, as long as one tile in metres.
+    /// Derivative of the position by `v`: it points along growing `v` and is as long as one tile in
+    /// metres.
     pub bitangent: Vec3,
-    /// Texture coordinates, `(0, 0)` the top-left corner of the map, `v` downward; not wrapped.
+    /// Texture coordinates: `(0, 0)` is the top-left corner of the map, `v` points downward. Not
+    /// wrapped.
     pub uv: Vec2,
 }
 
 /// Triangles over shared vertices.
 ///
-/// Corners run counter-clockwise seen from the front. Every index is below the number of vertices and every
-/// number of every vertex is finite.
+/// Corners run counter-clockwise seen from the front. Every index is below the number of vertices,
+/// and all numbers of the vertices are finite.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
     vertices: Vec<Vertex>,
     triangles: Vec<[u32; 3]>,
 }
 
-/// Why something is no mesh.
+/// Why data does not make a mesh, or why a mesh cannot be changed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MeshError {
-    /// A triangle names a vertex that does not exist.
+    /// A triangle refers to a vertex that does not exist.
     #[error("triangle {triangle} has the corner {index}, but there are {vertices} vertices")]
     NoSuchVertex {
         /// Number of the first such triangle.
         triangle: usize,
-        /// The index that it names.
+        /// Index of the missing vertex.
         index: u32,
-        /// How many vertices there are.
+        /// Number of vertices.
         vertices: usize,
     },
     /// A number of a vertex is NaN or infinite.
     #[error("vertex {0} has a number that is not finite")]
     NotFinite(usize),
-    /// There are more triangles than a 32-bit number counts.
+    /// The number of triangles does not fit into 32 bits.
     #[error("a mesh of {0} triangles is too large")]
     TooLarge(usize),
-    /// A tile of the texture at a vertex is shorter than 1e-19 m, so that no `f32` holds the square of its
-    /// length.
+    /// A tile of the texture at a vertex is shorter than 1e-19 m, so that `f32` cannot represent
+    /// the square of its length.
     #[error("vertex {0} has a tile of the texture shorter than 1e-19 m: give the mesh in metres")]
     ShortTile(usize),
     /// A tile factor is not finite and positive, or tiles become too short or long for `f32`.
@@ -101,34 +103,34 @@ pub enum MeshError {
         "the tile factors are {0} and {1}: they must be positive, with tiles from 1e-19 m to 1e19 m long"
     )]
     BadTile(f32, f32),
-    /// A placement's numbers are not finite, its size is not positive, or the mesh is no longer finite where
-    /// it is placed, or its tiles become too short or long for `f32`.
+    /// A placement has numbers that are not finite or a size that is not positive; or the placed
+    /// mesh is not finite, or its tiles are too short or long for `f32`.
     #[error(
-        "a mesh cannot be placed so: its numbers must be finite and its size positive, with tiles from 1e-19 m \
-         to 1e19 m long"
+        "the mesh cannot have this placement: its numbers must be finite and its size positive, \
+         with tiles from 1e-19 m to 1e19 m long"
     )]
     BadPlacement,
     /// The sides of a rectangle are not finite and positive, or too small or large for `f32`.
     #[error("a rectangle of {0} m by {1} m: both sides must be finite and positive")]
     BadSides(f64, f64),
     /// A number of divisions is outside its range.
-    #[error("{given} divisions {direction}: from {least} to {MAX_DIVISIONS} are possible")]
+    #[error("{given} divisions {direction}: use {least} to {MAX_DIVISIONS}")]
     BadDivisions {
-        /// What is divided.
+        /// Description of the divided side.
         direction: &'static str,
-        /// The number given.
+        /// Number given.
         given: u32,
-        /// The least possible number.
+        /// Least possible number.
         least: u32,
     },
 }
 
 impl Mesh {
-    /// A mesh of those vertices and triangles.
+    /// Creates a mesh from vertices and triangles.
     ///
     /// # Errors
     ///
-    /// When an index is not below the number of vertices or a number is not finite.
+    /// When an index is not below the number of vertices, or a number is not finite.
     pub fn new(vertices: Vec<Vertex>, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
         if u32::try_from(triangles.len()).is_err() {
             return Err(MeshError::TooLarge(triangles.len()));
@@ -144,31 +146,31 @@ impl Mesh {
         Ok(Self { vertices, triangles })
     }
 
-    /// The vertices.
+    /// All vertices.
     #[inline]
     pub fn vertices(&self) -> &[Vertex] {
         &self.vertices
     }
 
-    /// The corners of every triangle, as places in [`Self::vertices`].
+    /// Corners of every triangle, as indices into [`Self::vertices`].
     #[inline]
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
     }
 
-    /// For every vertex the number of the first one at the same place.
+    /// For every vertex, the index of the first one at the same position.
     pub fn welded(&self) -> Vec<u32> {
         topology::weld(self.vertices.iter().map(|vertex| vertex.position))
     }
 
-    /// The corners of one triangle. Panics when there is no such triangle.
+    /// Corners of one triangle. Panics if there is no such triangle.
     #[inline]
     pub fn corners(&self, triangle: u32) -> [&Vertex; 3] {
         self.triangles[triangle as usize].map(|index| &self.vertices[index as usize])
     }
 
-    /// A point of a triangle: every number of its corners, weighted with the barycentric `weights` (which add
-    /// up to 1). Nothing is normalised. Panics when there is no such triangle.
+    /// Interpolates all numbers of a triangle's corners with the barycentric `weights`, which must
+    /// add up to 1. Nothing is normalised. Panics if there is no such triangle.
     pub fn interpolated(&self, triangle: u32, weights: [f32; 3]) -> Vertex {
         let [a, b, c] = self.corners(triangle);
         let [wa, wb, wc] = weights;
@@ -181,7 +183,8 @@ impl Mesh {
         }
     }
 
-    /// Metres for each tile along `u` and `v`, on the mean over the mesh's area; 0 for a mesh without any.
+    /// Length of a tile along `u` and `v` in metres, averaged over the mesh's area. 0 for a mesh
+    /// without area.
     pub fn tile_m(&self) -> [f64; 2] {
         let (mut lengths, mut areas) = ([0.0; 2], 0.0);
         for triangle in 0..self.triangles.len() as u32 {
@@ -197,12 +200,13 @@ impl Mesh {
         lengths.map(|length| if areas > 0.0 { length / areas } else { 0.0 })
     }
 
-    /// The same mesh with `tile` times as many tiles along `u` and `v`: texture coordinates are multiplied,
-    /// tangents and bitangents divided.
+    /// Returns the mesh with `tile` times as many tiles along `u` and `v`. Texture coordinates are
+    /// multiplied, tangents and bitangents divided.
     ///
     /// # Errors
     ///
-    /// When a factor is not finite and positive, or so large or small that a coordinate is no longer finite.
+    /// When a factor is not finite and positive, or so large or small that a coordinate is no
+    /// longer finite.
     pub fn tiled(mut self, tile: Vec2) -> Result<Self, MeshError> {
         if !(tile.is_finite() && tile.cmpgt(Vec2::ZERO).all()) {
             return Err(MeshError::BadTile(tile.x, tile.y));
@@ -224,8 +228,8 @@ impl Mesh {
 }
 
 impl Vertex {
-    /// Whether an `f32` holds the squares of the lengths of tangent and bitangent. Where it does not, a length
-    /// is reckoned as 0 or infinite, and no displacement along the frame is right.
+    /// Whether `f32` can represent the squared lengths of tangent and bitangent. Otherwise a length
+    /// is computed as 0 or infinite, and displacement along the frame is wrong.
     fn has_lengths(&self) -> bool {
         [self.tangent, self.bitangent].iter().all(|along| along.length_squared().is_normal())
     }

@@ -1,4 +1,4 @@
-//! Grids over a parametrised surface: what every built-in mesh is made of.
+//! Grids over parametrised surfaces, from which the built-in meshes are built.
 
 use super::{Mesh, Vertex};
 use glam::{DVec2, DVec3};
@@ -27,7 +27,8 @@ pub(super) struct Builder {
 impl Builder {
     /// Adds a vertex and returns its index.
     pub fn vertex(&mut self, point: SurfacePoint) -> u32 {
-        // The largest built-in mesh, a plane or torus of MAX_DIVISIONS², is far below 2^32 vertices.
+        // The largest built-in mesh, a plane or torus of MAX_DIVISIONS², is far below 2^32
+        // vertices.
         let index = self.vertices.len() as u32;
         self.vertices.push(Vertex {
             position: point.position.as_vec3(),
@@ -44,8 +45,8 @@ impl Builder {
         self.triangles.push(corners);
     }
 
-    /// Adds a grid of `columns` x `rows` quads whose vertex `(i, j)`, `i` along growing `u` and `j` along
-    /// growing `v`, is `point(i, j)`.
+    /// Adds a grid of `columns` x `rows` quads. Vertex `(i, j)`, with `i` along growing `u` and `j`
+    /// along growing `v`, is `point(i, j)`.
     pub fn grid(&mut self, columns: u32, rows: u32, point: impl Fn(u32, u32) -> SurfacePoint) {
         let first = self.vertices.len() as u32;
         for j in 0..=rows {
@@ -63,25 +64,26 @@ impl Builder {
         }
     }
 
-    /// The mesh.
+    /// Returns the finished mesh.
     pub fn finish(self) -> Mesh {
         Mesh { vertices: self.vertices, triangles: self.triangles }
     }
 }
 
-/// Sine and cosine of division `i` of `n` around a circle, starting at `-π`, so that the middle of a texture,
-/// `u = ½`, is at angle 0. Divisions 0 and `n` give the same bits: a closed surface meets itself exactly.
+/// Sine and cosine of division `i` of `n` around a circle. It starts at `-π`, so that the middle of
+/// a texture, `u = ½`, is at angle 0. Divisions 0 and `n` give the same bits, so that a closed
+/// surface has no crack.
 pub(super) fn turn(i: u32, n: u32) -> (f64, f64) {
     (TAU * f64::from(i % n) / f64::from(n) - PI).sin_cos()
 }
 
-/// How far division `i` of `n` of a unit length lies from the middle; divisions `i` and `n - i` are exact
-/// opposites, so that faces meet exactly whichever way they count.
+/// Signed distance of division `i` of `n` of a unit length from the middle. Divisions `i` and
+/// `n - i` are exact opposites, so that faces meet exactly in either direction.
 pub(super) fn from_middle(i: u32, n: u32) -> f64 {
     (2.0 * f64::from(i) - f64::from(n)) / (2.0 * f64::from(n))
 }
 
-/// The part of the way from the first division to the last at which division `i` of `n` lies.
+/// Position of division `i` of `n`, from 0 at the first to 1 at the last.
 pub(super) fn part(i: u32, n: u32) -> f64 {
     f64::from(i) / f64::from(n)
 }

@@ -1,28 +1,28 @@
-//! Where a mesh lies in the world.
+//! Position, rotation and size of a mesh in the world.
 
 use super::{Mesh, MeshError, Vertex};
 use glam::{DMat3, DVec3, EulerRot};
 
-/// Where a mesh lies in the world, how it is turned and how large it is.
+/// Position, rotation and size of a mesh in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
-    /// Where its origin lies, in metres.
+    /// Position of its origin, in metres.
     pub position_m: DVec3,
-    /// Degrees by which it is turned about the world's `x`, then about `y`, then about `z`.
+    /// Rotation in degrees about the world's `x`, then about `y`, then about `z`.
     pub rotation_degrees: DVec3,
-    /// How many times as large it is.
+    /// Scale factor.
     pub size: f64,
 }
 
 impl Default for Placement {
-    /// As it is.
+    /// Returns the placement that changes nothing.
     fn default() -> Self {
         Self { position_m: DVec3::ZERO, rotation_degrees: DVec3::ZERO, size: 1.0 }
     }
 }
 
 impl Placement {
-    /// How it turns.
+    /// Returns the rotation as a matrix.
     ///
     /// # Errors
     ///
@@ -38,12 +38,13 @@ impl Placement {
 }
 
 impl Mesh {
-    /// The mesh in its place. Tiles grow with its size: tangents and bitangents are as long as one tile.
+    /// Returns the mesh at this placement. Tiles scale with it: tangents and bitangents stay as
+    /// long as one tile.
     ///
     /// # Errors
     ///
-    /// When a number is not finite, the size is not positive, the mesh is no longer finite there, or its tiles
-    /// become too short or long for `f32`.
+    /// When a number is not finite, the size is not positive, the placed mesh is not finite, or its
+    /// tiles are too short or long for `f32`.
     pub fn placed(self, placement: &Placement) -> Result<Self, MeshError> {
         let Placement { position_m, size, .. } = *placement;
         if *placement == Placement::default() {
@@ -83,8 +84,8 @@ mod tests {
 
     #[test]
     fn turns_come_in_the_order_x_y_z() {
-        // The plane's normal is +y: about x it goes to +z, and from there about y to +x; about z that goes to
-        // +y.
+        // The plane's normal is +y. About x it turns to +z, and from there about y to +x. About z
+        // that turns to +y.
         for (rotation, normal) in [
             ([0.0, 0.0, 0.0], Vec3::Y),
             ([90.0, 0.0, 0.0], Vec3::Z),

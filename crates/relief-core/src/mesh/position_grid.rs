@@ -1,30 +1,32 @@
-//! Lattices that positions are rounded to, to be stored in few bits.
+//! Lattices to which positions are rounded, so that they can be stored in few bits.
 
 use std::ops::RangeInclusive;
 
 use glam::{DVec3, Vec3};
 
-/// Significant bits of a step: so few that its multiples are exact.
+/// Significant bits of a step. They are few enough for its multiples to be exact.
 const STEP_BITS: i32 = 6;
 
-/// The finest step, as a part of the largest coordinate: with the bits of the step all points are floats.
+/// Finest step, relative to the largest coordinate. With the bits of the step all points are exact
+/// floats.
 const FINEST: f64 = 1.0 / (1 << 18) as f64;
 
-/// The finest step where there is nothing but the origin.
+/// Finest step if all positions are at the origin.
 const LEAST: f64 = f32::MIN_POSITIVE as f64;
 
-/// A lattice that positions are rounded to, and the part of it that so many bits count along each axis.
+/// A lattice to which positions are rounded, and the range of it that `bits` bits per axis can
+/// address.
 ///
-/// Its points are the multiples of one step, the same along all axes, so that angles stay what they are. They
-/// are 32-bit floats, every one: what is stored as a [`code`](Self::code) is read again to the last bit by
-/// `code * step + origin`, in floats of 32 bits or more. Lattices of the same step have the same points,
-/// wherever their part begins, so that meshes which meet still do when both are rounded.
+/// Its points are the multiples of one step, the same along all axes, so that angles do not change.
+/// All of them are exact 32-bit floats. A stored [`code`](Self::code) is decoded to the last bit by
+/// `code * step + origin`, in floats of 32 bits or more. Lattices with the same step have the same
+/// points, wherever their range begins. So meshes that meet still do after both are rounded.
 ///
-/// Equal positions stay equal. Different ones may become so: triangles that are smaller than a step lose
-/// their area.
+/// Equal positions stay equal. Different positions may become equal: triangles smaller than a step
+/// lose their area.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PositionGrid {
-    /// The first point along each axis, in steps.
+    /// First point along each axis, in steps.
     first: [i32; 3],
     step_m: f64,
     bits: u32,
@@ -33,21 +35,22 @@ pub struct PositionGrid {
 /// Why there is no lattice.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum GridError {
-    /// The bits are out of range.
-    #[error("positions cannot be stored in {0} bits: from 8 to 16 are possible")]
+    /// The number of bits is out of range.
+    #[error("positions cannot be stored in {0} bits: use 8 to 16")]
     Bits(u32),
-    /// A box has a corner that is no number.
+    /// A corner of a box is not finite.
     #[error("positions that are not finite cannot be rounded to a lattice")]
     NotFinite,
 }
 
 impl PositionGrid {
-    /// The bits of a coordinate that are possible.
+    /// Possible bits per coordinate.
     pub const BITS: RangeInclusive<u32> = 8..=16;
 
-    /// Lattices of one step for meshes within these boxes, given by their least and greatest corners in
-    /// metres: the longest side of all boxes takes all of the codes but for a thirtieth. Far away from the
-    /// origin a step is at least 2⁻¹⁸ of the largest coordinate.
+    /// Creates lattices with one common step for meshes within these boxes, which are given by
+    /// their least and greatest corners in metres. The longest side of all boxes uses all codes
+    /// except a thirtieth. Far away from the origin a step is at least 2⁻¹⁸ of the largest
+    /// coordinate.
     ///
     /// ```
     /// use glam::Vec3;
@@ -76,34 +79,34 @@ impl PositionGrid {
             longest = longest.max((greatest - least).max_element());
             largest = largest.max(least.abs().max(greatest.abs()).max_element());
         }
-        // Both ends lie between points.
+        // Both ends lie between points of the lattice.
         let finest = longest / f64::from((1_u32 << bits) - 2);
         let step_m = rounded_up(finest.max(largest * FINEST).max(LEAST));
         let first = |least: DVec3| (least / step_m).floor().as_ivec3().to_array();
         Ok(boxes.map(|[least, _]| Self { first: first(least), step_m, bits }).collect())
     }
 
-    /// Metres between neighbours along an axis.
+    /// Distance between neighbouring points along an axis, in metres.
     pub fn step_m(&self) -> f64 {
         self.step_m
     }
 
-    /// The point with the code 0, in metres.
+    /// Point with the code 0, in metres.
     pub fn origin_m(&self) -> DVec3 {
         self.first.map(|steps| f64::from(steps) * self.step_m).into()
     }
 
-    /// Bits of a coordinate.
+    /// Bits per coordinate.
     pub fn bits(&self) -> u32 {
         self.bits
     }
 
-    /// The nearest point of the lattice, of two the one farther from the origin.
+    /// Nearest point of the lattice. Ties go to the point farther from the origin.
     pub fn snapped(&self, position: Vec3) -> Vec3 {
         ((position.as_dvec3() / self.step_m).round() * self.step_m).as_vec3() + Vec3::ZERO
     }
 
-    /// The code of the nearest point of the lattice; none where it lies beyond the codes.
+    /// Code of the nearest point of the lattice. `None` if it is out of range.
     pub fn code(&self, position: Vec3) -> Option<[u16; 3]> {
         let steps = (position.as_dvec3() / self.step_m).round().to_array();
         let mut codes = [0; 3];
@@ -118,7 +121,7 @@ impl PositionGrid {
     }
 }
 
-/// The next number with so few significant bits.
+/// Next larger number with at most [`STEP_BITS`] significant bits.
 fn rounded_up(step: f64) -> f64 {
     let unit = step.log2().floor() as i32 - (STEP_BITS - 1);
     let unit = 2.0_f64.powi(unit);

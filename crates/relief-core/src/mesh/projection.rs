@@ -1,4 +1,4 @@
-//! Texture coordinates for meshes that have none.
+//! Generated texture coordinates for meshes without them.
 
 use super::cube::FACES;
 use super::raw::{FramingError, RawCorner, RawMesh};
@@ -8,29 +8,31 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
 use std::fmt;
 use std::str::FromStr;
 
-/// How near to an axis, as a part of the distance along it, all directions around it are one.
+/// Distance to an axis, relative to the distance along it, below which directions around it are
+/// meaningless.
 const ON_AXIS: f64 = 1e-6;
 
-/// How texture coordinates are made for a mesh. Each lies around the middle of its bounding box, and lays a
-/// texture on the built-in shape of its name as that one has it.
+/// Method of generating texture coordinates. Each is centred on the mesh's bounding box, and lays a
+/// texture as on the built-in shape with its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum UvProjection {
-    /// From the six sides of a box: each triangle from the side that it looks at most. A tile is as long as
-    /// the longest side of the bounding box.
+    /// From the six sides of a box. Each triangle is projected from the side that it faces most. A
+    /// tile is as long as the longest side of the bounding box.
     Box,
-    /// Around the `y` axis: `u` once around, `½` at `+z`, `v` from the top to the bottom. Triangles that look
-    /// up or down by more than 45° are projected from above and below, a tile as long as the wider side.
+    /// Around the `y` axis: `u` runs once around, with `½` at `+z`; `v` runs from the top to the
+    /// bottom. Triangles that face up or down by more than 45° are projected from above or below,
+    /// with a tile as long as the wider side.
     Cylinder,
-    /// As a map of the world: `u` once around the `y` axis, `½` at `+z`, `v` from the north pole `+y` to the
-    /// south pole.
+    /// Like a map of the world: `u` runs once around the `y` axis, with `½` at `+z`; `v` runs from
+    /// the north pole `+y` to the south pole.
     Sphere,
 }
 
 impl UvProjection {
-    /// Every projection, in the order in which help lists them.
+    /// All projections, in the order of the help.
     pub const ALL: [UvProjection; 3] = [UvProjection::Box, UvProjection::Cylinder, UvProjection::Sphere];
 
-    /// The name used on the command line and in scenes.
+    /// Name on the command line and in scenes.
     pub const fn name(self) -> &'static str {
         match self {
             UvProjection::Box => "box",
@@ -57,20 +59,19 @@ impl FromStr for UvProjection {
     }
 }
 
-/// The middle and the lengths of the sides of what a mesh fills.
+/// Middle and side lengths of a mesh's bounding box.
 struct Bounds {
     middle: DVec3,
     sides: DVec3,
 }
 
 impl RawMesh {
-    /// The same with texture coordinates that are made by a projection, in place of its own. Where a
-    /// projection is cut, as at the back of a sphere, coordinates go on beyond 0 and 1, so that maps have to
-    /// repeat along `u`.
+    /// Replaces the texture coordinates with generated ones. At the cut of a projection, as at the
+    /// back of a sphere, coordinates go beyond 0 and 1, so that maps must repeat along `u`.
     ///
     /// # Errors
     ///
-    /// As [`framed`](Self::framed), but for those of texture coordinates.
+    /// As [`framed`](Self::framed), except for errors of texture coordinates.
     pub fn projected(mut self, projection: UvProjection) -> Result<Self, FramingError> {
         self.uvs.clear();
         self.triangles.iter_mut().flatten().for_each(|corner| corner.uv = RawCorner::NONE);
@@ -107,8 +108,8 @@ impl RawMesh {
     }
 }
 
-/// The directions of `u` and `v` on the side of a box that a normal points at; of equally near ones the
-/// first.
+/// Directions of `u` and `v` on the side of a box that a normal points at. Ties go to the first
+/// side.
 fn side_of(normal: DVec3) -> (DVec3, DVec3) {
     let mut best = (f64::NEG_INFINITY, FACES[0]);
     for (du, dv) in FACES {
@@ -143,8 +144,8 @@ fn on_sphere(from_middle: [DVec3; 3]) -> [DVec2; 3] {
     })
 }
 
-/// Turns around the `y` axis from `-z` over `+z`, those of the three corners without a jump between them. A
-/// corner on the axis has those of the others.
+/// Turns around the `y` axis from `-z` over `+z`, for three corners without a jump between them. A
+/// corner on the axis gets the mean of the others.
 fn turns(from_middle: [DVec3; 3]) -> [f64; 3] {
     let turn = |at: DVec3| at.x.atan2(at.z) / TAU + 0.5;
     let is_on_axis = |at: DVec3| at.x.hypot(at.z) <= ON_AXIS * at.length();

@@ -1,7 +1,7 @@
-//! Quadrics that a curved base surface is approximated with around every vertex.
+//! Quadrics that approximate a curved base surface around every vertex.
 //!
-//! Sources: Oliveira and Policarpo 2005, sections 3 and 3.4, equations 1, 2 and 8; Szirmay-Kalos and
-//! Umenhoffer 2008, section 5.1. Other than theirs, the fit reads the neighbours' normals too.
+//! Sources: Oliveira and Policarpo 2005, sections 3 and 3.4, equations 1, 2 and 8; Szirmay-Kalos
+//! and Umenhoffer 2008, section 5.1. In addition to theirs, this fit uses the neighbours' normals.
 
 use super::least_norm::LeastNorm;
 use super::measures::HARD_DEG;
@@ -11,50 +11,56 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
-/// How far from the normal a neighbour must lie for its direction to count, as the sine of the angle.
+/// Least sine of the angle between the normal and the direction to a neighbour, for the neighbour
+/// to count.
 const STRAIGHT_ABOVE: f64 = 1e-3;
 
-/// The square of the sine of the angle between tangent and bitangent below which the two are one direction.
+/// Squared sine of the angle between tangent and bitangent below which they count as parallel.
 const ONE_DIRECTION: f64 = 1e-12;
 
-/// How many coefficients a quadric has.
+/// Number of coefficients of a quadric.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum QuadricCoefficients {
-    /// `A du² + C dv²` (Oliveira and Policarpo 2005, eq. 1), fitted in the directions of the tangent and the
-    /// bitangent. A saddle whose straight lines are those directions, `du dv`, is lost.
+    /// `A du² + C dv²` (Oliveira and Policarpo 2005, eq. 1), fitted in the directions of the
+    /// tangent and the bitangent. A saddle whose straight lines have these directions, `du dv`, is
+    /// lost.
     Two,
-    /// `A du² + B du dv + C dv²`: every curvature.
+    /// `A du² + B du dv + C dv²`: all curvatures.
     #[default]
     Three,
 }
 
 impl Mesh {
-    /// For each vertex the coefficients `[A, B, C]` of the quadric `q(du, dv) = A du² + B du dv + C dv²` that
-    /// the base surface follows around it: `du` and `dv` are texture coordinates relative to the vertex's
-    /// own, in tiles along its tangent and bitangent, and `q` is the height along its normal in metres,
-    /// positive outward. So the coefficients are metres a tile squared, and negative where the surface is
-    /// convex. Divided by the scale of the heights they are the paper's `α` and `β` (eq. 8), whose sign is
-    /// the other way round.
+    /// For each vertex, returns the coefficients `[A, B, C]` of the quadric
+    /// `q(du, dv) = A du² + B du dv + C dv²` that approximates the base surface around it. `du` and
+    /// `dv` are texture coordinates relative to the vertex's own, in tiles along its tangent and
+    /// bitangent. `q` is the height along its normal in metres, positive outward.
     ///
-    /// The fit is one of least squares over the *star*: the other corners of all triangles that have this
-    /// position with this normal (to 0.1°), whatever vertices and texture coordinates they name there. So
-    /// seams do not show, and faces beyond a hard edge do not count. Each neighbour gives three equations,
-    /// all of the same weight:
+    /// So the coefficients are metres per squared tile, and negative where the surface is convex.
+    /// Divided by the scale of the heights they are the paper's `α` and `β` (eq. 8) with the
+    /// opposite sign.
     ///
-    /// * its height above the tangent plane, in the direction in which it is seen on that plane but as far
-    ///   away as it really is, so that circles and spheres are met exactly, however coarse the mesh;
-    /// * two slopes, from its normal, which are what coarse and lopsided stars lack otherwise.
+    /// The fit is by least squares over the *star*: the other corners of all triangles with this
+    /// position and this normal (to 0.1°), whatever their vertices and texture coordinates. So
+    /// seams have no effect, and faces beyond a hard edge do not count. Each neighbour gives three
+    /// equations of equal weight:
     ///
-    /// Texture coordinates are not read: the tangent and the bitangent, as far as they lie in the tangent
-    /// plane, say how long a tile is. Where the star leaves curvatures open, as that of a single triangle
-    /// may, these are 0: of all quadrics with the least error it is the one with the least curvatures, found
-    /// by the normal matrix's eigenvectors, of which those with less than 1e-4 of the largest eigenvalue
-    /// count as open. All coefficients are 0 at a vertex without triangles or without a normal; two
-    /// coefficients are also where tangent and bitangent are one direction. All are finite; what `f32` does
-    /// not hold is its greatest number.
+    /// * its height above the tangent plane, in its direction on that plane but at its true
+    ///   distance, so that circles and spheres are fitted exactly, however coarse the mesh;
+    /// * two slopes, from its normal, which coarse and lopsided stars need.
     ///
-    /// Takes about 50 bytes a triangle and 80 a vertex. The same mesh gives the same bits, whatever the
-    /// number of threads.
+    /// Texture coordinates are not read. The projections of tangent and bitangent to the tangent
+    /// plane give the length of a tile. If the star leaves curvatures undetermined, as a single
+    /// triangle may, these are 0: the quadric with the least curvatures is chosen among all with
+    /// the least error. It is found by the normal matrix's eigenvectors. Eigenvalues below 1e-4 of
+    /// the largest count as undetermined.
+    ///
+    /// All coefficients are 0 at a vertex without triangles or without a normal. With
+    /// [`QuadricCoefficients::Two`] they are also 0 where tangent and bitangent are parallel. All
+    /// are finite; values beyond the range of `f32` become its greatest number.
+    ///
+    /// The fit takes about 50 bytes per triangle and 80 per vertex. Equal meshes give equal bits,
+    /// whatever the number of threads.
     ///
     /// ```
     /// use relief_core::mesh::{QuadricCoefficients, sphere};
@@ -88,7 +94,7 @@ impl Mesh {
         self.vertices.par_iter().zip(&star_of).map(quadric).collect()
     }
 
-    /// For every vertex the first one with its position and its normal.
+    /// For every vertex, the first one with its position and its normal.
     fn stars(&self) -> Vec<u32> {
         const NONE: u32 = u32::MAX;
         let point_of = weld(self.vertices.iter().map(|vertex| vertex.position));
@@ -96,7 +102,7 @@ impl Mesh {
             self.vertices.iter().map(|vertex| vertex.normal.as_dvec3().normalize_or_zero()).collect();
         let least_cos = HARD_DEG.to_radians().cos();
         let alike = |a: DVec3, b: DVec3| a == b || a.dot(b) >= least_cos;
-        // The stars of a point are a list that starts with the point's first vertex.
+        // The stars of a point form a list that starts with the point's first vertex.
         let mut next = vec![NONE; self.vertices.len()];
         let mut star_of = Vec::with_capacity(self.vertices.len());
         for (vertex, &point) in point_of.iter().enumerate() {
@@ -113,15 +119,16 @@ impl Mesh {
     }
 }
 
-/// The directions in a tangent plane in which a quadric is fitted: unit vectors, not always at right angles.
+/// Directions in a tangent plane in which a quadric is fitted: unit vectors, not always at right
+/// angles.
 struct Axes {
     axes: [DVec3; 2],
-    /// Their cosine.
+    /// Cosine of the angle between the axes.
     cos: f64,
 }
 
 impl Axes {
-    /// Of a vertex's tangent and bitangent. None where these are one direction.
+    /// Axes along a vertex's tangent and bitangent. `None` if these are parallel.
     fn of_texture(vertex: &Vertex, normal: DVec3) -> Option<Self> {
         let [t, b] = [vertex.tangent, vertex.bitangent].map(|vector| {
             let vector = vector.as_dvec3();
@@ -131,19 +138,19 @@ impl Axes {
         (t.cross(b).length_squared() > ONE_DIRECTION).then_some(Self { axes: [t, b], cos })
     }
 
-    /// At right angles, and those of the normal alone.
+    /// Axes at right angles, which depend on the normal alone.
     fn of_normal(normal: DVec3) -> Self {
         Self { axes: normal.any_orthonormal_pair().into(), cos: 0.0 }
     }
 
-    /// How far a vector goes along each of the axes.
+    /// Coordinates of a vector along the axes.
     fn coordinates(&self, vector: DVec3) -> DVec2 {
         let [x, y] = self.axes.map(|axis| axis.dot(vector));
         DVec2::new(x - self.cos * y, y - self.cos * x) / (1.0 - self.cos * self.cos)
     }
 }
 
-/// The coefficients at a vertex, from its star's first vertex and the neighbours of that.
+/// Coefficients at a vertex, from its star's first vertex and that vertex's neighbours.
 fn quadric<'a>(
     vertex: &Vertex,
     star: &Vertex,
@@ -159,8 +166,8 @@ fn quadric<'a>(
     let Some(axes) = axes else {
         return [0.0; 3];
     };
-    // The unknowns are x², √2 xy and y²: the sum of their squares is the same in all axes at right angles, so
-    // that the least one is, too.
+    // The unknowns are x², √2 xy and y². The sum of their squares is the same in all axes at right
+    // angles, and so is the solution of least norm.
     let mut system = LeastNorm::default();
     let mut add =
         |[xx, xy, yy]: [f64; 3], value| system.add([xx, if is_mixed { xy } else { 0.0 }, yy], value);

@@ -1,4 +1,4 @@
-//! Meshes as files hold them: without frames, and not to be trusted.
+//! Unchecked meshes, as files contain them, without frames.
 
 use super::topology::weld;
 use super::{Mesh, MeshError};
@@ -8,13 +8,13 @@ use std::collections::HashSet;
 /// The largest coordinate of a position in metres, and the longest tile.
 pub(super) const MAX_METRES: f64 = 1e9;
 
-/// The largest texture coordinate. Beyond it `f32` does not tell the texels of a tile apart.
+/// Largest texture coordinate. Beyond it `f32` does not distinguish the texels of a tile.
 const MAX_UV: f32 = 1e6;
 
-/// A mesh as files hold it: positions, and normals and texture coordinates where it has them, each counted by
-/// itself.
+/// A mesh as files contain it: positions, and optional normals and texture coordinates, each with
+/// its own indices.
 ///
-/// [`framed`](Self::framed) makes a [`Mesh`] of it, whatever it holds, or says why it cannot.
+/// [`framed`](Self::framed) converts any content to a [`Mesh`], or returns an error.
 ///
 /// ```
 /// use relief_core::mesh::{RawCorner, RawMesh};
@@ -37,113 +37,116 @@ const MAX_UV: f32 = 1e6;
 pub struct RawMesh {
     /// Positions in metres, `y` up.
     pub positions: Vec<Vec3>,
-    /// Outward normals of any length. Those that are 0 count as missing.
+    /// Outward normals of any length. Zero vectors count as missing.
     pub normals: Vec<Vec3>,
-    /// Texture coordinates, `(0, 0)` the top-left corner of the map, `v` downward; not wrapped.
+    /// Texture coordinates: `(0, 0)` is the top-left corner of the map, `v` points downward. Not
+    /// wrapped.
     pub uvs: Vec<Vec2>,
-    /// The corners of every triangle, counter-clockwise seen from the front.
+    /// Corners of every triangle, counter-clockwise seen from the front.
     pub triangles: Vec<[RawCorner; 3]>,
 }
 
-/// A corner of a triangle, by its places in the lists of a [`RawMesh`].
+/// A corner of a triangle, as indices into the lists of a [`RawMesh`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct RawCorner {
-    /// Place in [`RawMesh::positions`].
+    /// Index into [`RawMesh::positions`].
     pub position: u32,
-    /// Place in [`RawMesh::normals`], or [`RawCorner::NONE`].
+    /// Index into [`RawMesh::normals`], or [`RawCorner::NONE`].
     pub normal: u32,
-    /// Place in [`RawMesh::uvs`], or [`RawCorner::NONE`].
+    /// Index into [`RawMesh::uvs`], or [`RawCorner::NONE`].
     pub uv: u32,
 }
 
 impl RawCorner {
-    /// Stands for a normal or for texture coordinates that a corner does not have.
+    /// Index of a missing normal or missing texture coordinates.
     pub const NONE: u32 = u32::MAX;
 
-    /// A corner of that place in the positions and texture coordinates, without a normal.
+    /// A corner with one index for position and texture coordinates, without a normal.
     pub const fn all(place: u32) -> Self {
         Self { position: place, normal: Self::NONE, uv: place }
     }
 }
 
-/// A mesh, and what was left out of what it was made from.
+/// A mesh with frames, and counts of the triangles that were removed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Framed {
     /// The mesh.
     pub mesh: Mesh,
-    /// The number that each of its triangles had before some were left out.
+    /// For each triangle its number before the removal.
     pub numbers: Vec<u32>,
-    /// Triangles without an area, which nobody can see.
+    /// Number of removed triangles without an area, which are invisible.
     pub degenerate: usize,
-    /// Triangles that lie on an earlier one with the same three corners and the same front.
+    /// Number of removed triangles that repeat an earlier one, with the same three corners and the
+    /// same front.
     pub double: usize,
 }
 
-/// Why a [`RawMesh`] makes no [`Mesh`].
+/// Why a [`RawMesh`] does not make a [`Mesh`].
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FramingError {
     /// No triangle has an area.
     #[error("there is no triangle with an area: a mesh needs faces")]
     NoTriangles,
-    /// A corner names something that does not exist.
-    #[error("triangle {triangle} names {what} {index}, but there are {count}")]
+    /// A corner has an index that does not exist.
+    #[error("triangle {triangle} refers to {what} {index}, but there are only {count}")]
     NoSuch {
-        /// The triangle's number.
+        /// Number of the triangle.
         triangle: usize,
-        /// Position, normal or texture coordinates.
+        /// Name of the list: position, normal or texture coordinates.
         what: &'static str,
-        /// The place that it names, counted from 0.
+        /// Missing index, counted from 0.
         index: u32,
-        /// How many there are.
+        /// Length of the list.
         count: usize,
     },
     /// A number is NaN, infinite or too large.
     #[error("a corner of triangle {triangle} has {what}: correct the mesh")]
     BadNumber {
-        /// The triangle's number.
+        /// Number of the triangle.
         triangle: usize,
-        /// What is wrong with which numbers.
+        /// Description of the bad number.
         what: &'static str,
     },
     /// Triangles have no texture coordinates.
-    #[error(
-        "{missing} of {triangles} triangles have no texture coordinates, without which no map lies on them"
-    )]
+    #[error("{missing} of {triangles} triangles have no texture coordinates, which a map needs")]
     NoTextureCoordinates {
-        /// Triangles without.
+        /// Number of triangles without texture coordinates.
         missing: usize,
-        /// Triangles in all.
+        /// Number of all triangles.
         triangles: usize,
     },
-    /// Texture coordinates of triangles lie on a line or a point, so that no direction belongs to `u` and
-    /// `v`.
-    #[error("the texture coordinates of {count} triangles have no area, first those of triangle {first}")]
+    /// Texture coordinates of triangles lie on a line or a point, so that `u` and `v` have no
+    /// directions.
+    #[error("the texture coordinates of {count} triangles have no area, beginning with triangle {first}")]
     NoTextureArea {
-        /// The first such triangle.
+        /// Number of the first such triangle.
         first: usize,
-        /// How many there are.
+        /// Number of such triangles.
         count: usize,
     },
-    /// There are more triangles than 32-bit numbers count corners of.
+    /// The number of corners does not fit into 32 bits.
     #[error("a mesh of {0} triangles is too large")]
     TooLarge(usize),
-    /// What was made is no mesh.
+    /// The result is not a mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
 }
 
 impl RawMesh {
-    /// The most memory that [`framed`](Self::framed) takes for a triangle, in bytes, with what it makes.
+    /// Most memory that [`framed`](Self::framed) takes per triangle, in bytes, including its
+    /// result.
     pub const BYTES_PER_TRIANGLE: u64 = 480;
 
-    /// The most memory that [`framed`](Self::framed) takes for a position, in bytes.
+    /// Most memory that [`framed`](Self::framed) takes per position, in bytes.
     pub const BYTES_PER_POSITION: u64 = 100;
 
-    /// The positions of the corners of every triangle, in metres, whatever else the mesh has.
+    /// Positions of the corners of every triangle, in metres. Normals and texture coordinates are
+    /// not needed.
     ///
     /// # Errors
     ///
-    /// When there is no triangle, a corner names something that does not exist, or a number cannot be used.
+    /// When there is no triangle, a corner has an index that does not exist, or a number cannot be
+    /// used.
     pub fn triangle_positions(&self) -> Result<impl Iterator<Item = [Vec3; 3]> + '_, FramingError> {
         self.check()?;
         if self.triangles.is_empty() {
@@ -153,14 +156,14 @@ impl RawMesh {
         Ok(self.triangles.iter().map(move |corners| corners.map(place)))
     }
 
-    /// The normal of a triangle that a cross product of its sides points along, or 0.
+    /// Cross product of a triangle's sides: its normal with twice its area as length, or 0.
     pub(super) fn cross(&self, corners: &[RawCorner; 3]) -> DVec3 {
         let [a, b, c] = corners.map(|corner| self.positions[corner.position as usize].as_dvec3());
         (b - a).cross(c - a)
     }
 
-    /// Refuses places that do not exist and numbers that nobody can reckon with. Texture coordinates that are
-    /// missing are no mistake yet.
+    /// Checks that all indices exist and all numbers are usable. Missing texture coordinates are
+    /// not an error here.
     pub(super) fn check(&self) -> Result<(), FramingError> {
         let count = self.triangles.len();
         let counts = [count, self.positions.len(), self.normals.len(), self.uvs.len()];
@@ -182,27 +185,27 @@ impl RawMesh {
         let point = self.positions.get(position as usize);
         let point = point.ok_or_else(|| no_such("position", position, self.positions.len()))?;
         if !(point.abs().max_element() <= MAX_METRES as f32 && point.is_finite()) {
-            return bad("a position that is no number, or beyond 1e9 m");
+            return bad("a position that is not a number, or is beyond 1e9 m");
         }
         if normal != RawCorner::NONE {
             let vector = self.normals.get(normal as usize);
             let vector = vector.ok_or_else(|| no_such("normal", normal, self.normals.len()))?;
             if !vector.is_finite() {
-                return bad("a normal that is no number");
+                return bad("a normal that is not a number");
             }
         }
         if uv != RawCorner::NONE {
             let at = self.uvs.get(uv as usize);
             let at = at.ok_or_else(|| no_such("texture coordinates", uv, self.uvs.len()))?;
             if !(at.is_finite() && at.abs().max_element() <= MAX_UV) {
-                return bad("texture coordinates that are no numbers, or beyond 1e6");
+                return bad("texture coordinates that are not numbers, or are beyond 1e6");
             }
         }
         Ok(())
     }
 
-    /// Makes equal positions one, and leaves out triangles without an area and doubles, which are counted.
-    /// Gives the numbers that those which stay had before.
+    /// Merges equal positions, and removes triangles without an area and repeated triangles.
+    /// Returns the original numbers of the remaining ones, and the counts of both kinds.
     pub(super) fn weld_and_drop(&mut self) -> (Vec<u32>, [usize; 2]) {
         let point_of = weld(self.positions.iter().copied());
         for corner in self.triangles.iter_mut().flatten() {

@@ -1,4 +1,4 @@
-//! The plane: the mesh on which every method's assumptions hold exactly.
+//! The plane: the mesh on which the assumptions of all methods hold exactly.
 
 use super::patch::{Builder, SurfacePoint, from_middle, part};
 use super::{Mesh, MeshError, check_divisions};
@@ -13,13 +13,14 @@ pub fn square(divisions: u32) -> Result<Mesh, MeshError> {
     rectangle([1.0, 1.0], divisions)
 }
 
-/// A level rectangle around the origin with normal `+y`, so many metres long along `u`, which is `+x`, and along
-/// `v`, which is `+z`; one tile over the whole, in `divisions` x `divisions` quads.
+/// A level rectangle around the origin with normal `+y`. `sides_m` are its lengths in metres along
+/// `u`, which is `+x`, and along `v`, which is `+z`. One tile covers the whole, in `divisions` x
+/// `divisions` quads.
 ///
 /// # Errors
 ///
-/// When `divisions` is not in `1..=`[`MAX_DIVISIONS`](super::MAX_DIVISIONS), or a side is not a finite positive
-/// number of metres in `f32`.
+/// When `divisions` is not in `1..=`[`MAX_DIVISIONS`](super::MAX_DIVISIONS), or a side is not a
+/// finite positive number of metres in `f32`.
 pub fn rectangle(sides_m: [f64; 2], divisions: u32) -> Result<Mesh, MeshError> {
     check_divisions("of a side", divisions, 1)?;
     if !sides_m.iter().all(|&side| (side as f32).is_normal() && side > 0.0) {

@@ -7,13 +7,13 @@ use std::f64::consts::{PI, TAU};
 
 const RADIUS_M: f64 = 0.5;
 
-/// The sphere of diameter 1 around the origin with one tile laid on it as a map of the world: `u` runs once
-/// around, to the right seen from outside with `u = ½` at `+z`, `v` from the north pole `+y` to the south
-/// pole. It consists of `around` columns and `down` rows.
+/// The sphere of diameter 1 around the origin with one tile laid on it like a map of the world. `u`
+/// runs once around, to the right seen from outside, with `u = ½` at `+z`. `v` runs from the north
+/// pole `+y` to the south pole. It consists of `around` columns and `down` rows.
 ///
-/// At a pole all directions of growing `u` meet and the true tangent is 0. Each column has its own pole
-/// vertex, in the middle of the column, whose tangent is that of the middle of its row, so that the frame can
-/// be inverted everywhere.
+/// At a pole all directions of growing `u` meet and the true tangent is 0. Each column has its own
+/// pole vertex, in the middle of the column. Its tangent is taken from the middle of its row, so
+/// that the frame can be inverted everywhere.
 ///
 /// # Errors
 ///
@@ -38,7 +38,7 @@ pub fn sphere(around: u32, down: u32) -> Result<Mesh, MeshError> {
     Ok(builder.finish())
 }
 
-/// The point at a longitude and a polar angle, each given by sine and cosine.
+/// Point at a longitude and a polar angle, each given by sine and cosine.
 fn point((sin_lon, cos_lon): (f64, f64), (sin_polar, cos_polar): (f64, f64), uv: DVec2) -> SurfacePoint {
     let normal = DVec3::new(sin_polar * sin_lon, cos_polar, sin_polar * cos_lon);
     SurfacePoint {
@@ -50,7 +50,7 @@ fn point((sin_lon, cos_lon): (f64, f64), (sin_polar, cos_polar): (f64, f64), uv:
     }
 }
 
-/// The pole vertex of column `i`; `up` is 1 at the north pole and -1 at the south pole.
+/// Pole vertex of column `i`; `up` is 1 at the north pole and -1 at the south pole.
 fn pole(i: u32, around: u32, down: u32, up: f64) -> SurfacePoint {
     let middle = turn(2 * i + 1, 2 * around);
     let uv = DVec2::new(part(2 * i + 1, 2 * around), 0.5 - 0.5 * up);

@@ -3,7 +3,7 @@ use crate::TangentFrame;
 use proptest::prelude::*;
 use std::collections::HashMap;
 
-/// The built-in of that kind with about `n` divisions.
+/// The built-in mesh of this kind with about `n` divisions.
 fn build(kind: Builtin, n: u32) -> Mesh {
     match kind {
         Builtin::Plane | Builtin::Square => square(n),
@@ -15,12 +15,12 @@ fn build(kind: Builtin, n: u32) -> Mesh {
     .expect("divisions in range")
 }
 
-/// A position as a key: equal exactly when the positions are, with -0 and 0 alike.
+/// Key of a position: equal exactly if the positions are, with -0 and 0 alike.
 fn key(position: Vec3) -> [u32; 3] {
     (position + Vec3::ZERO).to_array().map(f32::to_bits)
 }
 
-/// The true frame of a triangle, from its positions and texture coordinates alone.
+/// True frame of a triangle, from its positions and texture coordinates alone.
 fn own_frame(mesh: &Mesh, triangle: u32) -> TangentFrame {
     let corners = mesh.corners(triangle);
     let positions = corners.map(|corner| corner.position.as_dvec3());
@@ -28,8 +28,9 @@ fn own_frame(mesh: &Mesh, triangle: u32) -> TangentFrame {
     TangentFrame::of_triangle(positions, uvs).expect("no degenerate triangle")
 }
 
-/// The largest difference between a triangle's own frame and the mean of its corners' frames, relative to the
-/// longest tangent and bitangent of the mesh. Tangents at a pole are left out: they are chosen, not derived.
+/// Largest difference between a triangle's own frame and the mean of its corners' frames, relative
+/// to the longest tangent and bitangent of the mesh. Tangents at a pole are left out: they are
+/// chosen, not derived.
 fn frame_error(mesh: &Mesh) -> f64 {
     let mut worst = 0.0f64;
     let longest =
@@ -58,7 +59,7 @@ fn is_watertight(mesh: &Mesh) -> bool {
     for triangle in 0..mesh.triangles().len() as u32 {
         let [a, b, c] = mesh.corners(triangle).map(|corner| key(corner.position));
         for (from, to) in [(a, b), (b, c), (c, a)] {
-            // Each edge is run through once each way by its two triangles.
+            // Its two triangles run through each edge once in each direction.
             *edges.entry((from, to)).or_default() += 1;
         }
     }
@@ -108,7 +109,7 @@ fn every_built_in_fills_the_unit_cube() {
 
 #[test]
 fn textures_stand_upright_in_front() {
-    // Seen from +z with y up, u grows to the right and v downward on everything that stands.
+    // Seen from +z with y up, u grows to the right and v downward on every upright mesh.
     for kind in [Builtin::Cube, Builtin::Cylinder, Builtin::Sphere, Builtin::Torus] {
         let mesh = build(kind, 16);
         let forwardness = |vertex: &Vertex| vertex.normal.z + vertex.position.z;
@@ -137,7 +138,7 @@ fn impossible_meshes_are_refused() {
         Vec2::new(1.0, -2.0),
         Vec2::new(f32::NAN, 1.0),
         Vec2::splat(1e-45),
-        // Tangents whose squares are no normal `f32`.
+        // Tangents whose squares are not normal numbers in `f32`.
         Vec2::splat(1e-25),
         Vec2::splat(1e25),
         Vec2::new(1.0, 1e20),

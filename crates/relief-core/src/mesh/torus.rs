@@ -7,13 +7,13 @@ use std::f64::consts::TAU;
 
 /// Radius of the tube's centre line.
 const RING_M: f64 = 0.35;
-/// Radius of the tube; with [`RING_M`] it makes ½, so that the torus fits the unit cube.
+/// Radius of the tube. With [`RING_M`] it adds up to ½, so that the torus fits the unit cube.
 const TUBE_M: f64 = 0.15;
 
-/// The torus around the `y` axis with outer diameter 1 and a tube of diameter 0.3, one tile over the whole:
-/// `u` runs once along the ring, to the right seen from outside with `u = ½` at `+z`; `v` once around the
-/// tube, from the inner equator over the top, `v = ½` at the outer equator, and back below. It consists of
-/// `around` x `tube` quads.
+/// The torus around the `y` axis with outer diameter 1 and a tube of diameter 0.3. One tile covers
+/// the whole. `u` runs once along the ring, to the right seen from outside, with `u = ½` at `+z`.
+/// `v` runs once around the tube: from the inner equator over the top to the outer equator at
+/// `v = ½`, and back below. It consists of `around` x `tube` quads.
 ///
 /// # Errors
 ///
@@ -24,7 +24,7 @@ pub fn torus(around: u32, tube: u32) -> Result<Mesh, MeshError> {
     let mut builder = Builder::default();
     builder.grid(around, tube, |i, j| {
         let (sin_ring, cos_ring) = turn(i, around);
-        // The tube is run through downward at the outer equator, against the angle.
+        // The tube runs downward at the outer equator, against the angle.
         let (sin_tube, cos_tube) = turn(tube - j, tube);
         let outward = DVec3::new(sin_ring, 0.0, cos_ring);
         let distance = RING_M + TUBE_M * cos_tube;

@@ -1,12 +1,13 @@
-//! Images side by side in one.
+//! Atlas: several images packed into one.
 
 use super::ObjectError;
 use crate::HeightMap;
 
-/// Texels around each image that belong to none, so that what is read at its edge is not its neighbour.
+/// Width in texels of the border around each image, so that filtering at an edge does not read a
+/// neighbour.
 const BORDER: u32 = 1;
 
-/// Where images lie in one: in rows, with a texel around each of them.
+/// Layout of images in an atlas: in rows, with a border of one texel around each.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AtlasLayout {
     size: [u32; 2],
@@ -15,16 +16,16 @@ pub struct AtlasLayout {
 }
 
 impl AtlasLayout {
-    /// Lays images of these columns and rows side by side, in their order, about as wide as high.
+    /// Packs images with these columns and rows in their order, about as wide as high.
     ///
     /// # Errors
     ///
-    /// When they are more texels than a height map may have.
+    /// When they have more texels together than a height map may have.
     pub fn new(sizes: Vec<[u32; 2]>) -> Result<Self, ObjectError> {
         let padded = |side: u32| u64::from(side) + 2 * u64::from(BORDER);
         let texels: u64 = sizes.iter().map(|size| padded(size[0]).saturating_mul(padded(size[1]))).sum();
         let widest = sizes.iter().map(|size| padded(size[0])).max().unwrap_or(1);
-        // A row holds whole images: as wide as the square of as many texels, and a little more.
+        // A row holds whole images. It is about as wide as a square with the same number of texels.
         let width = widest.max((texels as f64).sqrt().ceil() as u64);
         let (mut places, mut used) = (Vec::with_capacity(sizes.len()), 0);
         let (mut x, mut y, mut tallest) = (0, 0, 0);
@@ -44,7 +45,7 @@ impl AtlasLayout {
         Ok(Self { size, places, sizes })
     }
 
-    /// Columns and rows of the whole.
+    /// Columns and rows of the atlas.
     pub fn size(&self) -> [u32; 2] {
         self.size
     }
@@ -54,8 +55,8 @@ impl AtlasLayout {
         &self.places
     }
 
-    /// The images' texels, row by row, in one; what belongs to none is `outside`. There are as many images as
-    /// the layout was made for, each of its size.
+    /// Packs the images' texels into the atlas, row by row. Texels outside all images become
+    /// `outside`. `images` must have the number and sizes of the layout.
     pub fn pack<'a, T: Copy + 'a>(&self, images: impl IntoIterator<Item = &'a [T]>, outside: T) -> Vec<T> {
         let [width, height] = self.size.map(|side| side as usize);
         let mut texels = vec![outside; width * height];
@@ -69,8 +70,9 @@ impl AtlasLayout {
         texels
     }
 
-    /// The same of images whose texels are asked for by image, column and row, with their edges going on in
-    /// the texel around each: what is read between texels at an edge is the image's own.
+    /// Packs images whose texels are computed from image, column and row. The edge texels are
+    /// repeated in the border around each image, so that filtering at an edge reads only the image
+    /// itself.
     pub fn pack_with_edges<T: Copy>(&self, texel: impl Fn(usize, [u32; 2]) -> T, outside: T) -> Vec<T> {
         let [width, height] = self.size.map(|side| side as usize);
         let mut texels = vec![outside; width * height];

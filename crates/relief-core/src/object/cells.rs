@@ -1,4 +1,4 @@
-//! Names of what cells are where heights jump.
+//! Names of the treatments of cells with height jumps.
 
 use std::fmt;
 use std::str::FromStr;
@@ -7,11 +7,11 @@ use super::JumpCells;
 use crate::registry::UnknownName;
 
 impl JumpCells {
-    /// All of them.
+    /// All treatments.
     pub const ALL: [JumpCells; 4] =
         [JumpCells::Bilinear, JumpCells::Step, JumpCells::Highest, JumpCells::Nearest];
 
-    /// The name in files and on the command line.
+    /// Name in files and on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             JumpCells::Bilinear => "bilinear",

@@ -1,4 +1,4 @@
-//! What three frames of a grid make together.
+//! Combination of the three frames of a grid that are nearest to a ray.
 
 use glam::{DVec2, DVec3};
 
@@ -6,14 +6,14 @@ use super::patch::Solid;
 use super::{EMPTY_HEIGHT, FrameGrid, ImageObject, ObjectHit};
 use crate::raycast::Ray;
 
-/// The least cosine between a frame's direction and the ray's for the frame to count: others are seen edge
-/// on.
+/// Least cosine between a frame's direction and the ray's for the frame to count. Other frames are
+/// seen edge-on.
 pub const LEAST_FACING: f64 = 0.05;
 
-/// The part of three frames, by their weights, that must show something.
+/// Weighted share of the three frames that must show something.
 pub const LEAST_COVER: f64 = 0.5;
 
-/// An object whose images make a grid, of which the three around the direction of a ray are asked.
+/// An object whose images form a grid. A ray uses the three images around its direction.
 #[derive(Clone, Copy, Debug)]
 pub struct ObjectFrames<'a> {
     object: &'a ImageObject,
@@ -21,32 +21,34 @@ pub struct ObjectFrames<'a> {
 }
 
 impl ImageObject {
-    /// The grid that its images make, if they make one.
+    /// Grid of the images, if they form one.
     pub fn grid(&self) -> Option<FrameGrid> {
         FrameGrid::of(&self.views)
     }
 
-    /// The same by three frames a ray; none where its images make no grid.
+    /// Returns the object for tracing by three frames per ray. `None` if its images form no grid.
     pub fn frames(&self) -> Option<ObjectFrames<'_>> {
         Some(ObjectFrames { object: self, grid: self.grid()? })
     }
 }
 
 impl ObjectFrames<'_> {
-    /// Where a ray first meets what the three frames see: as [`ImageObject::first_hit`] of these alone. Where
-    /// they see nothing all images do not either, but what others alone say is empty is solid.
+    /// Returns the first hit of a ray with the solid of its three frames, as
+    /// [`ImageObject::first_hit`] for these alone. Where they show nothing, all images together
+    /// show nothing either. Space that only other images show as empty is solid here.
     pub fn first_hit(&self, ray: &Ray) -> Option<ObjectHit> {
         let numbers = self.grid.frames(-ray.direction.normalize()).map(|(number, _)| number);
         self.object.enter(ray, Solid::Depth, numbers.into_iter())
     }
 
-    /// Where a ray meets the impostor that game engines draw, in units of its direction, from 0 on.
+    /// Returns the hit of a ray with the octahedral impostor as drawn by game engines, as a
+    /// parameter in units of its direction, from 0 on.
     ///
-    /// In each frame the ray meets the plane through the ball's middle. From there it is moved so many steps
-    /// to the plane of the height that the frame shows where it is (parallax mapping). What the three frames
-    /// show there is blended by their weights: whether there is something, and how far along the ray. An
-    /// approximation without any bound (Brucks 2018): frames do not agree on what is seen, and their outlines
-    /// are mixed.
+    /// In each frame the ray meets the plane through the ball's middle. From there it moves `steps`
+    /// times to the plane at the height that the frame shows at its position (parallax mapping).
+    /// Coverage and distance along the ray are blended by the weights of the three frames. The
+    /// result is an approximation without any bound (Brucks 2018): frames show different surfaces,
+    /// and their outlines are mixed.
     pub fn blended(&self, ray: &Ray, steps: u32) -> Option<f64> {
         let length = ray.direction.length();
         let toward = -ray.direction / length;
@@ -78,7 +80,8 @@ impl ObjectFrames<'_> {
         (cover >= LEAST_COVER && along >= 0.0).then(|| along / cover)
     }
 
-    /// The part of a frame's four texels around a place that show something, and the height that these have.
+    /// Share of the four texels around a position that show something, and the mean height of
+    /// these.
     fn look(&self, size: [u32; 2], place: [u32; 2], uv: DVec2) -> (f64, f64) {
         let size = DVec2::from(size.map(f64::from));
         let at = (uv * size - 0.5).clamp(DVec2::splat(-1.0), size);

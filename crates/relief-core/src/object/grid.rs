@@ -1,25 +1,25 @@
-//! Frames that look from all around in the order of an octahedral mapping.
+//! Grids of frames that look from all around, ordered by an octahedral mapping.
 
 use glam::{DMat3, DVec3};
 
 use super::View;
 
-/// How a square of frames is folded over the directions that they look from.
+/// Mapping from a square of frames to their directions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum GridMapping {
-    /// From all around: places from -1 to 1 are `x` and `z` of `(x, 1 - |x| - |z|, z)`, and what lies below
-    /// is folded over the diagonals of the lower half (Engelhardt and Dachsbacher 2008).
+    /// All directions: positions from -1 to 1 are `x` and `z` of `(x, 1 - |x| - |z|, z)`, and the
+    /// lower half is folded over the diagonals (Engelhardt and Dachsbacher 2008).
     Octahedral,
-    /// From above and from the horizon: with places `a` and `b` from 0 to 1, `x = a - b` and `z = a + b - 1`,
-    /// and as above.
+    /// Directions from above and from the horizon: with positions `a` and `b` from 0 to 1,
+    /// `x = a - b` and `z = a + b - 1`, and `y` as in [`Octahedral`](Self::Octahedral).
     HemiOctahedral,
 }
 
 impl GridMapping {
-    /// Both.
+    /// Both mappings.
     pub const ALL: [GridMapping; 2] = [GridMapping::Octahedral, GridMapping::HemiOctahedral];
 
-    /// The unit direction of a place on the unit square.
+    /// Unit direction for a position on the unit square.
     pub fn direction(self, [a, b]: [f64; 2]) -> DVec3 {
         let [x, z] = match self {
             GridMapping::Octahedral => [2.0 * a - 1.0, 2.0 * b - 1.0],
@@ -29,12 +29,12 @@ impl GridMapping {
         let below = (-y).max(0.0);
         let fold = |at: f64| if at >= 0.0 { at - below } else { at + below };
         let from = DVec3::new(fold(x), y, fold(z)).normalize();
-        // Rounding leaves what is meant to be level or upright a little beside it.
+        // Rounding leaves level or upright directions slightly tilted.
         DVec3::from(from.to_array().map(|part| if part.abs() < 1e-15 { 0.0 } else { part }))
     }
 
-    /// The place of a direction of any length on the unit square. Where only the upper half is mapped,
-    /// directions from below have the place of the horizon above them.
+    /// Position on the unit square for a direction of any length. If only the upper half is mapped,
+    /// directions from below have the position of the horizon above them.
     pub fn place(self, direction: DVec3) -> [f64; 2] {
         let is_hemi = self == GridMapping::HemiOctahedral;
         let y = if is_hemi { direction.y.max(0.0) } else { direction.y };
@@ -49,22 +49,22 @@ impl GridMapping {
     }
 }
 
-/// A square of frames, row by row, that look from the directions of a mapping, however that is turned.
+/// A square of frames, row by row, that look from the directions of a mapping, in any rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameGrid {
-    /// Frames of a side, at least 2.
+    /// Frames per side, at least 2.
     pub side: u32,
-    /// From where they look.
+    /// Mapping to the frames' directions.
     pub mapping: GridMapping,
-    /// Where the axes of the mapping lie in the world: unit vectors.
+    /// Axes of the mapping in the world: unit vectors.
     pub axes: [DVec3; 3],
 }
 
-/// How far apart, as vectors, a frame's direction and that of the grid may be.
+/// Greatest length of the difference between a frame's direction and the grid's.
 const SAME_DIRECTION: f64 = 1e-5;
 
 impl FrameGrid {
-    /// The grid that views make, all by parallel rays; none where they make none.
+    /// Returns the grid that views with parallel rays form. `None` if they form none.
     pub fn of(views: &[View]) -> Option<Self> {
         let side = views.len().isqrt();
         if side < 2 || side * side != views.len() || views.iter().any(|view| view.eye().is_some()) {
@@ -75,7 +75,7 @@ impl FrameGrid {
             let last = (side - 1) as f64;
             let directions = places.map(|place| mapping.direction(place.map(|at| at as f64 / last)));
             let directions: Vec<DVec3> = directions.collect();
-            // The first view says how all are turned.
+            // The first view defines the rotation of all.
             let unturned = View::orthographic(DVec3::ZERO, 1.0, directions[0], None, [1, 1]).ok()?;
             let [turned, plain] = [&views[0], &unturned].map(|view| {
                 let [right, down, toward] = view.axes();
@@ -91,9 +91,10 @@ impl FrameGrid {
         })
     }
 
-    /// The three frames around a direction toward a viewer, by their numbers, and the weight of each: the
-    /// corners of the triangle that the direction lies in where each square of four frames is cut along its
-    /// diagonal from the first to the last, and its barycentric coordinates there.
+    /// Returns the three frames around a direction toward a viewer, as numbers and weights. Each
+    /// square of four frames is cut along its diagonal from the first to the last. The frames are
+    /// the corners of the triangle that contains the direction, and the weights are its barycentric
+    /// coordinates there.
     pub fn frames(&self, toward: DVec3) -> [(usize, f64); 3] {
         let own = DVec3::from(self.axes.map(|axis| axis.dot(toward)));
         let last = f64::from(self.side - 1);
@@ -148,13 +149,13 @@ mod tests {
                 assert_eq!((grid.side, grid.mapping), (side, mapping));
                 let middle = (side * side / 2) as usize;
                 for (number, view) in views.iter().enumerate() {
-                    // Frames at the border may be there twice.
+                    // Frames at the border may appear twice.
                     let all = grid.frames(view.axes()[2]);
                     let most = all.iter().max_by(|a, b| a.1.total_cmp(&b.1)).expect("three");
                     let same = (views[most.0].axes()[2] - view.axes()[2]).length();
                     assert!(most.1 > 0.999 && same < 1e-6, "{side} {number}: {all:?}");
                 }
-                // All four frames of the smallest look from below.
+                // All four frames of the smallest grid look from below.
                 let is_one = side == 2 && mapping == GridMapping::Octahedral;
                 views.swap(0, middle);
                 assert_eq!(FrameGrid::of(&views).is_none(), !is_one, "{side}");
@@ -171,7 +172,7 @@ mod tests {
         let mut rng = Rng::new(8);
         let mut before: Option<(DVec3, DVec3)> = None;
         for step in 0..20_000 {
-            // Small steps: what frames tell together goes on without jumps.
+            // The blend of the frames has no jumps over small steps.
             let toward = match before {
                 Some((toward, _)) if step % 100 != 0 => (toward + rng.direction() * 1e-5).normalize(),
                 _ => {

@@ -1,60 +1,64 @@
-//! The visual hull: what the images' silhouettes alone say of an object.
+//! The visual hull: the shape that the images' silhouettes alone define.
 
 use super::patch::Solid;
 use super::{EMPTY_HEIGHT, ImageObject, ObjectHit};
 use crate::raycast::Ray;
 
-/// How far a direction may be from another, or from its opposite, and count as along it.
+/// Greatest distance between a direction and another, or its opposite, for the two to count as
+/// parallel.
 const ALONG: f64 = 1e-12;
 
-/// Why an object's silhouettes are not those of a cube whose opposite sides see the same.
+/// Why an object's silhouettes do not have the symmetry of a cube, whose opposite sides show
+/// mirrored silhouettes.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SilhouetteError {
-    /// A cube has another number of images.
+    /// The object does not have six images.
     #[error("a cube has 6 images, this object {0}")]
     NotSix(usize),
-    /// An image is made from an eye, and what is seen from the other side is another silhouette.
+    /// An image is perspective. Then the opposite side has another silhouette.
     #[error("image {0} is perspective: opposite silhouettes are the same only by parallel rays")]
     Perspective(usize),
-    /// There are no two images from opposite sides along each of three axes that are at right angles.
+    /// There are no two images from opposite sides along each of three orthogonal axes.
     #[error("image {0} has no opposite of its own, or is at no right angle to the others")]
     NoOpposite(usize),
     /// Two opposite silhouettes are not mirror images of each other.
     #[error("the silhouettes of images {} and {} are not mirror images of each other", pair[0], pair[1])]
     NotMirrored {
-        /// The two images.
+        /// Numbers of the two images.
         pair: [usize; 2],
     },
 }
 
 impl ImageObject {
-    /// The first point of the visual hull on a ray, from its parameter 0 on, in `f64` (Kautz and Seidel 2001,
-    /// section 5).
+    /// Returns the first point of the visual hull on a ray, from its parameter 0 on, in `f64`
+    /// (Kautz and Seidel 2001, section 5).
     ///
-    /// The hull is what is in all silhouettes. A silhouette is where a mask is at least 1/2 that is 1 at the
-    /// centres of texels above [`EMPTY_HEIGHT`], 0 at those of the others and beside the image, and bilinear
-    /// between: what cells are in which heights jump does not matter. As silhouettes know no distance, each
-    /// reaches from that height to the plane of height 1 of its image.
+    /// The hull is the intersection of all silhouettes. A silhouette is the region where a mask is
+    /// at least 1/2. The mask is 1 at the centres of texels above [`EMPTY_HEIGHT`], 0 at the
+    /// centres of all other texels and beside the image, and bilinear between. The treatment of
+    /// cells with height jumps has no influence. As silhouettes have no depth, each extends from
+    /// that height to the plane of height 1 of its image.
     ///
-    /// Of two [opposite silhouettes](Self::opposite_silhouette) that are mirror images only the first is
-    /// looked at. For the rest as [`first_hit`](Self::first_hit).
+    /// Of two [opposite silhouettes](Self::opposite_silhouette) that are mirror images only the
+    /// first is tested. In all other respects it is like [`first_hit`](Self::first_hit).
     pub fn hull_first_hit(&self, ray: &Ray) -> Option<ObjectHit> {
         self.enter(ray, Solid::Silhouette, self.silhouettes.iter().copied())
     }
 
-    /// The images, in ascending order, whose silhouettes are all that the visual hull needs: without those
-    /// that are mirror images of an [opposite one](Self::opposite_silhouette) of a lower number.
+    /// Images, in ascending order, whose silhouettes define the visual hull. Mirror images of an
+    /// [opposite silhouette](Self::opposite_silhouette) with a lower number are left out.
     pub fn silhouettes(&self) -> &[usize] {
         &self.silhouettes
     }
 
-    /// The three images whose silhouettes make the visual hull of a cube of six: the shortcut of Kautz and
-    /// Seidel 2001, section 5.
+    /// Returns the three images whose silhouettes define the visual hull of a cube of six: the
+    /// shortcut of Kautz and Seidel 2001, section 5.
     ///
     /// # Errors
     ///
-    /// When the object has not six images by parallel rays, two each from opposite sides along three axes at
-    /// right angles, or when two opposite silhouettes are not mirror images of each other.
+    /// When the object does not have six images with parallel rays, two each from opposite sides
+    /// along three axes at right angles, or when two opposite silhouettes are not mirror images of
+    /// each other.
     pub fn cube_silhouettes(&self) -> Result<[usize; 3], SilhouetteError> {
         let views = &self.views;
         if views.len() != 6 {
@@ -89,15 +93,15 @@ impl ImageObject {
         found.try_into().map_err(|_| SilhouetteError::NoOpposite(0))
     }
 
-    /// The image of a lower number that sees the same ball by parallel rays from the other side, and whose
-    /// silhouette is the mirror image of this one's.
+    /// Image with a lower number that shows the same ball with parallel rays from the other side,
+    /// if its silhouette is the mirror image of this one's.
     pub fn opposite_silhouette(&self, number: usize) -> Option<usize> {
         (0..number.min(self.views.len()))
             .find(|other| self.sees_from_behind(*other, number) && self.is_mirrored(*other, number))
     }
 
-    /// Whether two images see the same ball by parallel rays from opposite sides, as many texels each, with
-    /// the same direction downward or opposite ones.
+    /// Whether two images show the same ball with parallel rays from opposite sides, in the same
+    /// size, with equal or opposite directions downward.
     fn sees_from_behind(&self, one: usize, other: usize) -> bool {
         let (Some(one), Some(other)) = (self.views.get(one), self.views.get(other)) else { return false };
         let ([_, down, toward], [_, other_down, other_toward]) = (one.axes(), other.axes());
@@ -109,7 +113,7 @@ impl ImageObject {
             && (down.dot(other_down).abs() - 1.0).abs() < ALONG
     }
 
-    /// Whether the silhouette of an image is that of one from the other side, mirrored.
+    /// Whether the silhouettes of two images from opposite sides are mirror images of each other.
     fn is_mirrored(&self, one: usize, other: usize) -> bool {
         let down = |number: usize| self.views[number].axes()[1];
         let upright = down(one).dot(down(other)) > 0.0;

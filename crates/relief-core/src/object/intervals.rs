@@ -1,33 +1,36 @@
-//! The second opinion: the same answer as that of the images in turn, by other means.
+//! A second exact tracer for objects, which finds the same solids as [`ImageObject::first_hit`] by
+//! other means.
 //!
-//! Nothing here steps from cell to cell. Of each image all lines between cells that the ray crosses are
-//! gathered and sorted; what is between two of them is in one cell, where the height above the map, times the
-//! square of the distance along the image's axis, is a quadratic in the ray's own parameter. It is halved
-//! until the Bernstein coefficients of each part have one sign (Lane and Riesenfeld 1981, "Bounds on a
-//! polynomial"). The images' lists are intersected.
+//! It does not step from cell to cell. For each image it collects and sorts the ray's crossings
+//! with all lines between cells. Between two crossings the ray is in one cell. There the height
+//! above the map, times the square of the distance along the image's axis, is a quadratic in the
+//! ray's own parameter. It is halved until the Bernstein coefficients of each part have one sign
+//! (Lane and Riesenfeld 1981, "Bounds on a polynomial"). The lists of all images are then
+//! intersected.
 
 use super::patch::{Patch, Solid};
 use super::{EMPTY_HEIGHT, ImageObject, JumpCells};
 use crate::raycast::Ray;
 
 impl ImageObject {
-    /// All of a ray's parameters from 0 on at which it is in the object: intervals in ascending order, in
-    /// units of its direction.
+    /// Returns all parameters of a ray, from 0 on, at which it is in the object: intervals in
+    /// ascending order, in units of its direction.
     ///
-    /// Answers for the same solids and the same rays as [`first_hit`](Self::first_hit), with which it shares
-    /// neither traversal nor root finder: so intervals end [`AGREEMENT`](super::AGREEMENT) later than the
-    /// solids. Costs what the lines between all cells on the ray cost to sort, in each image.
+    /// Solids and valid rays are defined as for
+    /// [`first_hit`](Self::first_hit). It shares neither
+    /// traversal nor root finder, so intervals end [`AGREEMENT`](super::AGREEMENT) later than the
+    /// solids. The cost per image is sorting the lines between all cells on the ray.
     pub fn intervals(&self, ray: &Ray) -> Vec<[f64; 2]> {
         self.common_intervals(ray, Solid::Depth)
     }
 
-    /// All of a ray's parameters from 0 on at which it is in the [visual hull](Self::hull_first_hit), as
-    /// [`intervals`](Self::intervals).
+    /// Returns all parameters of a ray, from 0 on, at which it is in the [visual
+    /// hull](Self::hull_first_hit), in the form of [`intervals`](Self::intervals).
     pub fn hull_intervals(&self, ray: &Ray) -> Vec<[f64; 2]> {
         self.common_intervals(ray, Solid::Silhouette)
     }
 
-    /// What the lists of all images have in common.
+    /// Intersection of the lists of all images.
     fn common_intervals(&self, ray: &Ray, solid: Solid) -> Vec<[f64; 2]> {
         let mut common = vec![[0.0, f64::INFINITY]];
         for number in 0..self.views.len() {
@@ -40,7 +43,7 @@ impl ImageObject {
         common
     }
 
-    /// Where a ray is in the solid of one image.
+    /// Intervals in which a ray is in the solid of one image.
     fn image_intervals(&self, number: usize, ray: &Ray, solid: Solid) -> Vec<[f64; 2]> {
         let mut list: Vec<[f64; 2]> = Vec::new();
         let Some(slack) = self.slack(number, ray) else { return list };
@@ -61,8 +64,8 @@ impl ImageObject {
         list
     }
 
-    /// Tells `keep` the parts of `[a, b]`, which lies in one cell and one quarter of it, in which the ray is
-    /// in the solid.
+    /// Calls `keep` with the parts of `[a, b]` in which the ray is in the solid. `[a, b]` must lie
+    /// in one cell, and in one quarter of it.
     fn pieces(
         &self,
         seen: &Projected,
@@ -88,7 +91,8 @@ impl ImageObject {
             Solid::Depth => seen.height,
             Solid::Silhouette => seen.depth.map(|part| 0.5 * part),
         };
-        // Times the depth: places in the cell, and how far these are from its other side.
+        // All values are times the depth: positions in the cell, and their distances from its other
+        // side.
         let gap = |t: f64| {
             let depth = at(seen.depth, t);
             let [u, v] = [0, 1].map(|axis| at(seen.place[axis], t) - cell[axis] * depth);
@@ -108,8 +112,8 @@ fn at([value, change]: Linear, t: f64) -> f64 {
     value + change * t
 }
 
-/// A ray in an image: where it is, counted in texels from the centre of the first, and its height, each times
-/// the depth.
+/// A ray in an image: its position, in texels from the centre of the first one, and its height,
+/// each times the depth.
 struct Projected {
     size: [f64; 2],
     place: [Linear; 2],
@@ -129,10 +133,11 @@ impl Projected {
         Self { size, place: [texels(size[0], u), texels(size[1], v)], height, depth }
     }
 
-    /// The parameters from 0 on at which the ray is in the image's space; none where it is not for long.
+    /// Parameters from 0 on at which the ray is in the image's space. `None` if it is never there.
     fn range(&self) -> Option<[f64; 2]> {
         let (mut begin, mut end) = (0.0_f64, f64::INFINITY);
-        // As in a perspective image nothing behind the eye is at heights from 0 to 1, these bound the depth.
+        // In a perspective image nothing behind the eye has heights from 0 to 1, so these bound the
+        // depth.
         let sides = [
             self.beyond(self.height, EMPTY_HEIGHT),
             self.beyond(self.height, 1.0).map(|part| -part),
@@ -154,13 +159,13 @@ impl Projected {
         (begin < end && end.is_finite()).then_some([begin, end])
     }
 
-    /// How far a number is beyond a value, times the depth.
+    /// Distance of a number beyond a value, times the depth.
     fn beyond(&self, number: Linear, value: f64) -> Linear {
         [0, 1].map(|part| number[part] - value * self.depth[part])
     }
 
-    /// Where the ray crosses lines between cells, or between quarters of them, in a range whose ends count,
-    /// too.
+    /// Crossings of the ray with lines between cells, or between their quarters, in a range. The
+    /// ends of the range are included.
     fn cuts(&self, begin: f64, end: f64, quarters: bool) -> Vec<f64> {
         let mut cuts = vec![begin, end];
         for axis in 0..2 {
@@ -183,16 +188,16 @@ impl Projected {
     }
 }
 
-/// Tells `keep` the parts of `[a, b]` in which a quadratic with those Bernstein coefficients is at most 0, in
-/// ascending order; parts may touch.
+/// Calls `keep` with the parts of `[a, b]` in which a quadratic with these Bernstein coefficients
+/// is at most 0, in ascending order. Parts may touch.
 fn below([start, control, end]: [f64; 3], a: f64, b: f64, keep: &mut impl FnMut([f64; 2])) {
     let middle = a + 0.5 * (b - a);
     match [start, control, end].map(|coefficient| coefficient <= 0.0) {
         [true, true, true] => keep([a, b]),
         [false, false, false] => {}
         _ if a < middle && middle < b => {
-            // Not by values of the quadratic elsewhere: their roundings would make roots where there are
-            // none.
+            // Values of the quadratic elsewhere are not used: their rounding would create roots
+            // where there are none.
             let (left, right) = (0.5 * (start + control), 0.5 * (control + end));
             let value = 0.5 * (left + right);
             below([start, left, value], a, middle, keep);
@@ -203,7 +208,7 @@ fn below([start, control, end]: [f64; 3], a: f64, b: f64, keep: &mut impl FnMut(
     }
 }
 
-/// What two lists of intervals, both in ascending order, have in common.
+/// Intersection of two lists of intervals in ascending order.
 fn intersection(one: &[[f64; 2]], other: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let (mut i, mut j, mut common) = (0, 0, Vec::new());
     while i < one.len() && j < other.len() {

@@ -1,12 +1,12 @@
-//! Objects that are known from images with depth: the exact answer.
+//! Objects defined by images with depth, and exact hits with them.
 //!
-//! Kautz and Seidel 2001, section 4: each image says of what it looks at that everything behind what it sees,
-//! down to its base plane, may be solid. An object is what all of its images say so of.
+//! Kautz and Seidel 2001, section 4: in each image everything behind the visible surface, down to
+//! the image's base plane, may be solid. The object is the intersection of these solids.
 //!
-//! Rays are followed in `f64` by two tracers that share neither traversal nor root finder:
-//! [`ImageObject::first_hit`] asks the images in turn where a ray is next in their solids, and
-//! [`ImageObject::intervals`] intersects lists of all parameters at which it is in them. Both have a sibling
-//! that knows silhouettes only, for the visual hull of section 5.
+//! Two tracers in `f64` share neither traversal nor root finder. [`ImageObject::first_hit`] asks
+//! the images in turn where a ray is next in their solids. [`ImageObject::intervals`] intersects
+//! the lists of all parameters at which the ray is in them. Both have a variant that uses
+//! silhouettes only, for the visual hull of section 5.
 
 mod atlas;
 mod cells;
@@ -31,74 +31,76 @@ use glam::DVec3;
 use crate::mesh::{MeshError, Placement};
 use crate::{HeightMap, HeightMapError, MaxPyramid, Wrap};
 
-/// The most images of an object.
+/// Most images of an object.
 pub const MAX_VIEWS: usize = 1024;
 
-/// Heights up to this are empty: images are looked at above it. Larger, and thin things at the base plane are
-/// lost; smaller, and in `f32` rays along the base plane see solids where there are none.
+/// Height up to which space is empty. A larger value would lose thin things at the base plane. With
+/// a smaller one, rays along the base plane would hit non-existent solids in `f32`.
 pub const EMPTY_HEIGHT: f64 = 1e-5;
 
-/// Where cells jump unless told otherwise, in texels: steeper surfaces than 76 degrees are seen better by
-/// another image.
+/// Default jump of cells, in texels. Surfaces steeper than 76 degrees are seen better in another
+/// image.
 pub const DEFAULT_JUMP_TEXELS: f64 = 4.0;
 
-/// What an image is between the centres of four texels that differ by more than the object's jump.
+/// Treatment of a cell between the centres of four texels whose heights differ by more than the
+/// object's jump.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum JumpCells {
-    /// As everywhere: bilinear.
+    /// Bilinear, as everywhere.
     Bilinear,
-    /// At each place as high as the nearest of the four; halfway between them, as that further right or down.
+    /// At each position, the height of the nearest of the four texels. Ties go to the texel further
+    /// right or down.
     Step,
-    /// Everywhere as high as the highest of them.
+    /// Everywhere the height of the highest texel.
     #[default]
     Highest,
-    /// As `Step`, and so are cells that do not jump.
+    /// All cells are treated as with `Step`, even without a jump.
     Nearest,
 }
 
-/// An object that is known from images with depth.
+/// An object defined by images with depth.
 ///
-/// An image's solid is what it sees at a height above [`EMPTY_HEIGHT`] and at most its map's: texels of 0 see
-/// nothing, and beside the image there are only such texels. Between the centres of four texels the map is
-/// bilinear, but for [`JumpCells`] where they differ by more than the jump. So it reaches beside the image by
-/// half a texel, and what cells are that meet there may differ: between them are walls. The object is the
-/// intersection of the solids.
+/// The solid of an image is the space above [`EMPTY_HEIGHT`] and at or below the height of its map.
+/// Texels of 0 show nothing, and beside the image there are only such texels. Between the centres
+/// of four texels the map is bilinear, except for [`JumpCells`] where they differ by more than the
+/// jump. So the solid extends beside the image by half a texel, and neighbouring cells may differ
+/// in height: there are walls between them. The object is the intersection of the solids.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImageObject {
     views: Vec<View>,
     layout: AtlasLayout,
     heights: HeightMap,
-    /// The highest of many cells at once.
+    /// Maxima over many cells.
     pyramid: MaxPyramid,
-    /// The highest texel of each image.
+    /// Highest texel of each image.
     tops: Vec<f64>,
-    /// The images whose silhouettes the visual hull needs.
+    /// Images whose silhouettes define the visual hull.
     silhouettes: Vec<usize>,
     cells: JumpCells,
     jump: f64,
 }
 
-/// The most texels that are asked whether there is a solid.
+/// Most texels that are tested for a solid.
 const MOST_ASKED: usize = 4096;
 
-/// Why there is no such object.
+/// Why images do not define an object.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ObjectError {
     /// There are no images, or too many.
     #[error("an object has 1 to {MAX_VIEWS} images, this one {0}")]
     BadCount(usize),
-    /// There are not as many maps as views.
+    /// The numbers of maps and views differ.
     #[error("{views} views and {maps} maps: each view needs one")]
     OtherCount {
-        /// How many views there are.
+        /// Number of views.
         views: usize,
-        /// How many maps.
+        /// Number of maps.
         maps: usize,
     },
-    /// A map is of another size than its view.
+    /// A map has another size than its view.
     #[error("the map of image {number} is {}x{}, its view {}x{}", map[0], map[1], view[0], view[1])]
     OtherSize {
-        /// The image, counted from 0.
+        /// Number of the image, counted from 0.
         number: usize,
         /// Columns and rows of the map.
         map: [u32; 2],
@@ -108,18 +110,18 @@ pub enum ObjectError {
     /// The jump is negative or NaN.
     #[error("cells jump where they differ by {0} texels: it must be 0 or more")]
     BadJump(f64),
-    /// The maps are no height map.
+    /// The maps do not make a height map.
     #[error(transparent)]
     Heights(#[from] HeightMapError),
 }
 
 impl ImageObject {
-    /// An object of views and their maps, a map a view, in which cells jump where their corners differ by
-    /// more than this many texels, as wide as those of the coarsest image.
+    /// Creates an object from views and one map per view. Cells jump where their corners differ by
+    /// more than `jump_texels` texels of the coarsest image.
     ///
     /// # Errors
     ///
-    /// When there are no views or more than [`MAX_VIEWS`], when maps do not fit their views, or when the jump
+    /// When there are no views or more than [`MAX_VIEWS`], maps do not fit their views, or the jump
     /// is negative or NaN.
     pub fn new(
         views: Vec<View>,
@@ -156,7 +158,7 @@ impl ImageObject {
         Ok(object.with_jump(jump_texels))
     }
 
-    /// The same object with cells of another kind, which jump where they differ by more than so many texels.
+    /// Sets the treatment of cells that jump, and the jump in texels of the coarsest image.
     ///
     /// # Errors
     ///
@@ -173,12 +175,12 @@ impl ImageObject {
         Self { jump: self.jump_of(texels), ..self }
     }
 
-    /// The difference of heights that is so many texels wide in the coarsest image.
+    /// Difference of heights that is as large as `texels` texels of the coarsest image are wide.
     pub fn jump_of(&self, texels: f64) -> f64 {
         texels * self.views.iter().map(View::texel_height).fold(0.0, f64::max)
     }
 
-    /// The object in another place. Its images are shared.
+    /// Returns the object at another placement. Its images are shared.
     ///
     /// # Errors
     ///
@@ -188,33 +190,33 @@ impl ImageObject {
         Ok(Self { views, ..self.clone() })
     }
 
-    /// How its images were made.
+    /// Views of the images.
     pub fn views(&self) -> &[View] {
         &self.views
     }
 
-    /// Where the images lie in [`heights`](Self::heights).
+    /// Layout of the images in [`heights`](Self::heights).
     pub fn layout(&self) -> &AtlasLayout {
         &self.layout
     }
 
-    /// The images' maps in one, zeros around each.
+    /// Atlas of the images' maps, with zeros around each.
     pub fn heights(&self) -> &HeightMap {
         &self.heights
     }
 
-    /// What cells are in which heights jump.
+    /// Treatment of cells with height jumps.
     pub fn cells(&self) -> JumpCells {
         self.cells
     }
 
-    /// The difference of heights beyond which a cell jumps.
+    /// Difference of heights beyond which a cell jumps.
     pub fn jump(&self) -> f64 {
         self.jump
     }
 
-    /// A box that the object lies in, along the axes: its least and its greatest coordinates. None where an
-    /// image sees nothing.
+    /// Axis-aligned box around the object: least and greatest coordinates. `None` if an image shows
+    /// nothing.
     pub fn bounds(&self) -> Option<[DVec3; 2]> {
         let all = [DVec3::NEG_INFINITY, DVec3::INFINITY];
         (0..self.views.len()).try_fold(all, |[low, high], number| {
@@ -227,10 +229,11 @@ impl ImageObject {
         })
     }
 
-    /// Whether anything is left that all images say may be solid: whether the ray of a texel that sees
-    /// something meets it. Of many texels some are asked, evenly over all images.
+    /// Whether any solid remains in the intersection of all images: whether the ray of a texel that
+    /// shows something hits it. If there are many texels, an even selection over all images is
+    /// tested.
     ///
-    /// Of a single sheet nothing is left, since images along it see nothing.
+    /// A single sheet has no solid, since images along it show nothing.
     pub fn has_solid(&self) -> bool {
         let texels = self.views.iter().zip(self.layout.places()).flat_map(|(view, place)| {
             let [columns, rows] = view.size();
@@ -250,8 +253,9 @@ impl ImageObject {
         })
     }
 
-    /// The corners of the part of an image's space that may be solid: up to its highest texel, but of an
-    /// image from an eye, whose silhouette is wider the farther away it is and knows no height, all of it.
+    /// Corners of the part of an image's space that may be solid: up to its highest texel. For a
+    /// perspective image it is the whole space, since a silhouette has no height and widens with
+    /// the distance from the eye.
     fn corners_of(&self, number: usize) -> Option<[DVec3; 8]> {
         let (view, place) = (&self.views[number], self.layout.places()[number]);
         let [columns, rows] = view.size();
@@ -270,7 +274,7 @@ impl ImageObject {
             return None;
         }
         let top = if view.eye().is_some() { 1.0 } else { f64::from(top) };
-        // Cells reach from a texel's centre to those of the texels beside it.
+        // Cells extend from a texel's centre to the centres of the neighbouring texels.
         let [left, up] = low.map(|at| f64::from(at) - 0.5);
         let [right, down] = high.map(|at| f64::from(at) + 1.5);
         Some(std::array::from_fn(|corner| {

@@ -1,45 +1,45 @@
-//! The images' maps: what they are between the centres of four texels.
+//! Patches of the images' maps between the centres of four texels.
 
 use glam::DVec3;
 
 use super::{EMPTY_HEIGHT, ImageObject, JumpCells};
 use crate::raycast::Ray;
 
-/// How far, as a part of the way to them, solids count as reaching on along a ray: two images may see the
-/// same thin sheet from both sides, and what they say of it differs by roundings. Thousands of those of
+/// Relative length by which solids are extended along a ray. Two images may show the same thin
+/// sheet from both sides, with heights that differ by rounding. It is thousands of roundings of
 /// `f64`, and far less than a texel.
 pub const AGREEMENT: f64 = 1e-12;
 
-/// How many radii of the ball that an image shows a ray may begin away from it. There `f64` still resolves a
-/// thousandth of the texels of the largest images.
+/// Greatest distance of a ray's origin from an image's ball, in radii. At that distance `f64` still
+/// resolves a thousandth of a texel of the largest images.
 pub const MAX_DISTANCE: f64 = 1e7;
 
-/// How many metres the direction of a ray may be long, and how many parts of one it must have: squares and
-/// products of such numbers are finite and not 0.
+/// Least and greatest length of a ray's direction. Squares and products of such numbers are finite
+/// and not 0.
 const LENGTHS: [f64; 2] = [1e-90, 1e90];
 
-/// What of the images counts.
+/// Part of the images that defines the solid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Solid {
-    /// Heights.
+    /// Heights of the texels.
     Depth,
-    /// Only whether there is something.
+    /// Only whether a texel shows something.
     Silhouette,
 }
 
-/// A map between the centres of the texels `[00, 10, 01, 11]`: over a dual cell.
+/// Map over a dual cell, between the centres of the texels `[00, 10, 01, 11]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Patch {
-    /// Bilinear.
+    /// Bilinear surface.
     Bilinear([f64; 4]),
-    /// Each quarter as high as its texel.
+    /// Each quarter has the height of its texel.
     Quarters([f64; 4]),
-    /// Level.
+    /// Level surface.
     Flat(f64),
 }
 
 impl Patch {
-    /// The height at a place in the cell, which goes from 0 to 1 on both axes.
+    /// Height at a position in the cell, from 0 to 1 on both axes.
     fn at(&self, [u, v]: [f64; 2]) -> f64 {
         match *self {
             Self::Bilinear([h00, h10, h01, h11]) => {
@@ -52,8 +52,8 @@ impl Patch {
 }
 
 impl ImageObject {
-    /// The map of an image over dual cell `(i, j)`, which lies between the texels `(i, j)` and `(i + 1, j +
-    /// 1)` and is one of `-1..columns`, `-1..rows`.
+    /// Map of an image over dual cell `(i, j)`, which lies between the texels `(i, j)` and
+    /// `(i + 1, j + 1)`. The cell must be in `-1..columns`, `-1..rows`.
     #[inline]
     pub(super) fn patch(&self, number: usize, cell: [i64; 2], solid: Solid) -> Patch {
         let place = self.layout.places()[number];
@@ -77,9 +77,9 @@ impl ImageObject {
         }
     }
 
-    /// The map of an image, counted from 0, at texture coordinates; 0 beside the cells that reach into the
-    /// image. A place between two cells, or two quarters of one, is of that with the greater coordinates.
-    /// None where there is no such image.
+    /// Height of an image's map at texture coordinates, or 0 beside the cells that reach into the
+    /// image. Images are counted from 0. At a border between two cells, or two quarters, the one
+    /// with the greater coordinates is used. `None` if there is no such image.
     pub fn height_at(&self, number: usize, u: f64, v: f64) -> Option<f64> {
         let size = self.views.get(number)?.size().map(f64::from);
         let place = [u * size[0] - 0.5, v * size[1] - 0.5];
@@ -99,8 +99,8 @@ impl ImageObject {
         })
     }
 
-    /// How far, in the ray's parameter, an image's solid counts as reaching on; none for a ray that is not
-    /// followed: see [`first_hit`](Self::first_hit).
+    /// Extension of an image's solid in the ray's parameter. `None` for an invalid ray: see
+    /// [`first_hit`](Self::first_hit).
     pub(super) fn slack(&self, number: usize, ray: &Ray) -> Option<f64> {
         let (centre, radius) = self.views[number].ball();
         let length = ray.direction.length();

@@ -1,7 +1,8 @@
-//! The truth: the images are asked in turn where the ray is next in their solids, until none moves it.
+//! The exact tracer for objects. The images are asked in turn where the ray is next in their
+//! solids, until none moves it.
 //!
-//! Each image is walked cell by cell (2-D DDA, Amanatides and Woo 1987, with crossings computed from the
-//! cell's number) and cells are solved in closed form. Cells that the ray passes above are skipped by the
+//! Each image is walked cell by cell (2-D DDA, Amanatides and Woo 1987, with crossings computed
+//! from the cell's number). Cells are solved in closed form. Cells below the ray are skipped by the
 //! object's pyramid of maxima, several at once.
 
 use glam::DVec3;
@@ -10,37 +11,39 @@ use super::patch::{Patch, Solid};
 use super::{EMPTY_HEIGHT, ImageObject, ViewRay};
 use crate::raycast::Ray;
 
-/// Where a ray meets an object.
+/// A hit of a ray with an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObjectHit {
-    /// The parameter, in units of the ray's direction.
+    /// Parameter, in units of the ray's direction.
     pub t: f64,
-    /// The image whose solid the ray enters there, counted from 0: one of them where it enters several, 0
-    /// where it begins inside of all.
+    /// Image whose solid the ray enters at the hit, counted from 0. If it enters several, one of
+    /// them; 0 if it begins inside all.
     pub view: usize,
-    /// Texture coordinates and height in that image. The height is the ray's: below the map on the walls
-    /// between cells of different heights, and where the ray begins inside.
+    /// Texture coordinates and height of the hit in that image. The height is the ray's. It is
+    /// below the map on walls between cells of different heights, and if the ray begins inside.
     pub at: DVec3,
-    /// Cells and nodes of the pyramid that were read.
+    /// Number of cells and pyramid nodes that were read.
     pub reads: u32,
 }
 
 impl ImageObject {
-    /// The first point of the object on a ray, from its parameter 0 on, in `f64`: 0 where it begins inside.
+    /// Returns the first point of the object on a ray, from its parameter 0 on, in `f64`. The
+    /// parameter is 0 if the ray begins inside.
     ///
-    /// An image's solid counts as reaching on along the ray by [`AGREEMENT`](super::AGREEMENT) of the
-    /// lengths that rounding goes by: those from the world's origin to the ray's and the image's, and the
-    /// image's radius. So thin sheets that images see from both sides are hit.
+    /// An image's solid is extended along the ray by [`AGREEMENT`](super::AGREEMENT) times the
+    /// lengths that determine rounding: the distances from the world's origin to the ray's and the
+    /// image's, and the image's radius. So thin sheets that images show from both sides are hit.
     ///
-    /// A ray misses that is not finite, has a direction that is shorter than 1e-90 m or longer than 1e90 m,
-    /// or begins more than [`MAX_DISTANCE`](super::MAX_DISTANCE) radii away from what an image shows.
+    /// A ray misses if it is not finite, if its direction is shorter than 1e-90 m or longer than
+    /// 1e90 m, or if it begins more than [`MAX_DISTANCE`](super::MAX_DISTANCE) radii away from an
+    /// image's ball.
     ///
-    /// Costs at most a step for each cell on the ray in each image: no image is walked twice.
+    /// The cost is at most a step for each cell on the ray in each image: no image is walked twice.
     pub fn first_hit(&self, ray: &Ray) -> Option<ObjectHit> {
         self.enter(ray, Solid::Depth, 0..self.views.len())
     }
 
-    /// Where a ray is first in the solids of some images, of which there is at least one.
+    /// First point of a ray in the solids of all the given images. There must be at least one.
     pub(super) fn enter(
         &self,
         ray: &Ray,
@@ -58,15 +61,16 @@ impl ImageObject {
             end = end.min(to + walk.slack);
             walks.push(walk);
         }
-        // An image that moves the ray does so to where a piece of its solid begins, and comes to each once:
-        // this ends.
+        // An image moves the ray only to the beginning of a piece of its solid, and reaches each
+        // piece once. So this ends.
         let (mut agreed, mut turn) = (0, 0);
         while agreed < walks.len() {
             if t > end {
                 return None;
             }
             let entry = walks[turn].entry(t)?;
-            // Less is rounding where the ray goes from cell to cell: others need not be asked again.
+            // Smaller moves are rounding where the ray goes from cell to cell. The other images
+            // need not be asked again.
             if entry > t + walks[turn].slack {
                 (entered, agreed) = (turn, 0);
             }
@@ -80,30 +84,32 @@ impl ImageObject {
     }
 }
 
-/// A walk through the cells of one image, forward only.
+/// A forward walk through the cells of one image.
 struct Walk<'a> {
     object: &'a ImageObject,
     number: usize,
     solid: Solid,
     seen: ViewRay,
-    /// The place in cells at `s = 0`, and its change.
+    /// Position in cells at `s = 0`, and its change.
     start: [f64; 2],
     speed: [f64; 2],
-    /// What is compared with the map: the height and its change.
+    /// Height that is compared with the map, and its change.
     lift: [f64; 2],
-    /// Where the ray is in the image's space.
+    /// Range in which the ray is in the image's space.
     range: [f64; 2],
     size: [i64; 2],
     place: [i64; 2],
-    /// The cell that the walk is in, and where the ray is in it.
+    /// Current cell, and the range in which the ray is in it.
     cell: [i64; 2],
     from: f64,
     to: f64,
-    /// Where it was last sent to without walking there; once, as rounding may name the cell before.
+    /// Last parameter to which the walk jumped. It jumps there once, as rounding may give the
+    /// previous cell.
     sought: f64,
-    /// The level of the pyramid that is asked next.
+    /// Level of the pyramid that is read next.
     level: usize,
-    /// Where the ray is in the cell's solid, in its own parameter, and which of these was not yet passed.
+    /// Pieces of the ray in the cell's solid, in its own parameter, and the number of the first
+    /// piece that is not yet passed.
     pieces: [[f64; 2]; 3],
     count: usize,
     next: usize,
@@ -112,7 +118,7 @@ struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
-    /// A walk; none where the ray does not come into the image's space.
+    /// Begins a walk. `None` if the ray does not enter the image's space.
     fn new(object: &'a ImageObject, number: usize, ray: &Ray, solid: Solid) -> Option<Self> {
         let slack = object.slack(number, ray)?;
         let view = &object.views[number];
@@ -165,13 +171,13 @@ impl<'a> Walk<'a> {
         Some(walk)
     }
 
-    /// The column (axis 0) or row (axis 1) of cells at `s`, as far as it is one of some and of the image's.
+    /// Column (axis 0) or row (axis 1) of cells at `s`, clamped to a range and to the image.
     fn cell_at(&self, axis: usize, s: f64, [first, last]: [i64; 2]) -> i64 {
         let cell = (self.start[axis] + self.speed[axis] * s).floor() as i64;
         cell.max(first).min(last).clamp(-1, self.size[axis] - 1)
     }
 
-    /// The first parameter from `t` on at which the ray is in the solid; none where there is none.
+    /// First parameter from `t` on at which the ray is in the solid, if any.
     fn entry(&mut self, t: f64) -> Option<f64> {
         loop {
             while self.next < self.count {
@@ -187,13 +193,15 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Goes on to the next cell in which the ray may be in the solid at `t` or later; false at the end.
+    /// Goes to the next cell in which the ray may be in the solid at `t` or later. Returns false at
+    /// the end.
     fn advance(&mut self, t: f64) -> bool {
         let wanted = self.seen.of_ray(t - self.slack).min(self.range[1]);
         if wanted > self.to && wanted > self.sought {
             self.sought = wanted;
             self.cell = [0, 1].map(|axis| self.cell_at(axis, wanted, [-1, i64::MAX]));
-            // From where the ray enters the cell, so that its roots are the same whenever it is come to.
+            // The range begins where the ray enters the cell, so that its roots do not depend on
+            // `t`.
             let enters = [0, 1].map(|axis| self.crossing(axis, [self.cell[axis] + 1, self.cell[axis]]));
             self.from = enters.into_iter().filter(|s| *s < wanted).fold(self.range[0], f64::max);
         }
@@ -228,8 +236,8 @@ impl<'a> Walk<'a> {
         false
     }
 
-    /// Where the ray leaves what lies between two lines, the first of which is that of the lesser number;
-    /// where it enters that, if they are given the other way round.
+    /// Parameter at which the ray leaves the space between two lines, the one with the lower number
+    /// first. With the lines exchanged, it is the parameter of entry.
     fn crossing(&self, axis: usize, lines: [i64; 2]) -> f64 {
         let speed = self.speed[axis];
         if speed == 0.0 {
@@ -242,7 +250,7 @@ impl<'a> Walk<'a> {
         self.lift[0] + self.lift[1] * s
     }
 
-    /// Whether what is at least so high is above the map in all cells of a node.
+    /// Whether a height of at least `lowest` is above the map in all cells of a node.
     fn is_above(&mut self, node: [i64; 2], lowest: f64) -> bool {
         self.reads += 1;
         let [width, _] = self.object.pyramid.size(self.level).unwrap_or_default();
@@ -254,7 +262,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Finds the pieces of the ray that are in a cell's solid; false when there are none.
+    /// Finds the pieces of the ray in a cell's solid. Returns false if there are none.
     fn solve(&mut self, cell: [i64; 2], from: f64, to: f64) -> bool {
         (self.count, self.next) = (0, 0);
         let length = to - from;
@@ -294,7 +302,7 @@ impl<'a> Walk<'a> {
         self.count > 0
     }
 
-    /// Keeps the pieces of `[begin, end]`, counted from `from`, in which a quadratic is at most 0.
+    /// Stores the pieces of `[begin, end]`, counted from `from`, in which a quadratic is at most 0.
     fn keep(&mut self, from: f64, begin: f64, end: f64, c: [f64; 3]) {
         for [p, q] in not_above(c) {
             let piece = [p.max(begin), q.min(end)];
@@ -306,8 +314,8 @@ impl<'a> Walk<'a> {
     }
 }
 
-/// Takes from a range what is not between two values of `start + speed s`, the second excluded; none when
-/// nothing is left.
+/// Limits a range to the part in which `start + speed s` is in `[low, high)`. Returns `None` if
+/// nothing remains.
 fn clip(range: &mut [f64; 2], start: f64, speed: f64, [low, high]: [f64; 2]) -> Option<()> {
     if speed == 0.0 {
         return (low <= start && start < high).then_some(());
@@ -317,8 +325,8 @@ fn clip(range: &mut [f64; 2], start: f64, speed: f64, [low, high]: [f64; 2]) -> 
     (range[0] <= range[1]).then_some(())
 }
 
-/// Where `c[0] + c[1] τ + c[2] τ²` is at most 0: up to two intervals, in ascending order; those that are
-/// not there end before they begin.
+/// Intervals in which `c[0] + c[1] τ + c[2] τ²` is at most 0: up to two, in ascending order. A
+/// missing interval ends before it begins.
 fn not_above([c0, c1, c2]: [f64; 3]) -> [[f64; 2]; 2] {
     const ALL: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
     const NONE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
@@ -336,7 +344,7 @@ fn not_above([c0, c1, c2]: [f64; 3]) -> [[f64; 2]; 2] {
     if discriminant < 0.0 {
         return [if c2 < 0.0 { ALL } else { NONE }, NONE];
     }
-    // The form of each root whose terms do not cancel.
+    // For each root, the form whose terms do not cancel.
     let q = -0.5 * (c1 + discriminant.sqrt().copysign(c1));
     let (a, b) = (q / c2, if q == 0.0 { 0.0 } else { c0 / q });
     let [first, last] = [a.min(b), a.max(b)];

@@ -20,7 +20,7 @@ fn cube_of(maps: &[HeightMap]) -> Result<ImageObject, ObjectError> {
 
 #[test]
 fn bounds_hold_the_solid_and_little_more() {
-    // The middle half of each image is seen at three quarters of the way: a cube of 2 m.
+    // The middle half of each image is at three quarters of the height: a cube of 2 m.
     let map = HeightMap::from_fn(40, 40, Wrap::Clamp, |x, y| {
         let inside = |at: u32| (10..30).contains(&at);
         if inside(x) && inside(y) { 0.75 } else { 0.0 }
@@ -42,7 +42,7 @@ fn what_an_image_does_not_see_is_not_there() {
     assert!(some.bounds().is_some());
     assert!(some.has_solid());
     assert_eq!(cube_of(&[full.clone(), empty]).expect("an object").bounds(), None);
-    // A sheet in the middle is seen by images from its front and its back, and by none along it.
+    // A sheet in the middle is shown by images from its front and its back, and by none along it.
     let sheet = HeightMap::new(4, 4, vec![0.5; 16], Wrap::Clamp).expect("a map");
     let empty = HeightMap::new(4, 4, vec![0.0; 16], Wrap::Clamp).expect("a map");
     let card = cube_of(&[empty.clone(), empty.clone(), empty.clone(), empty.clone(), sheet.clone(), sheet]);
@@ -72,8 +72,8 @@ fn maps_that_do_not_fit_are_refused() {
 }
 
 fn block() -> ImageObject {
-    // The middle half of each image is seen at three quarters of the way: a cube of 2 m, whose sides are
-    // walls of cells.
+    // The middle half of each image is at three quarters of the height: a cube of 2 m, whose sides
+    // are walls of cells.
     let map = HeightMap::from_fn(40, 40, Wrap::Clamp, |x, y| {
         let inside = |at: u32| (10..30).contains(&at);
         if inside(x) && inside(y) { 0.75 } else { 0.0 }
@@ -93,7 +93,7 @@ fn a_block_is_hit_on_its_faces() {
         assert!((hit.t - 2.0).abs() < 1e-12, "{hit:?}");
         assert!((object.views()[hit.view].point(hit.at) - ray.at(hit.t)).length() < 1e-12);
         assert!(hit.reads > 0 && (hit.view == number || hit.at.z < 0.75), "{hit:?}");
-        // 2 m, by 2 m a unit.
+        // 2 m, at 2 m per unit.
         let [[from, to]] = object.intervals(&ray)[..] else { panic!("it is one piece") };
         assert!((from - 2.0).abs() < 1e-11 && (to - 3.0).abs() < 1e-11, "{from} to {to}");
         assert_eq!(object.first_hit(&Ray { direction: axis, ..ray }), None);
@@ -107,7 +107,7 @@ fn a_block_is_hit_on_its_faces() {
 
 #[test]
 fn sheets_that_two_images_see_from_both_sides_are_hit() {
-    // Their heights add up to 1, exactly, and yet where a ray meets them differs by roundings.
+    // The heights add up to exactly 1. Yet the two hits of a ray differ by rounding.
     for height in [0.5_f32, 0.6, 0.7, 0.9] {
         let map = |height| HeightMap::new(8, 8, vec![height; 64], Wrap::Clamp).expect("a map");
         let sheet = cube_of(&[map(height), map(1.0 - height)]).expect("an object");
@@ -153,13 +153,13 @@ fn rays_that_are_none_miss() {
 fn hulls_are_cut_halfway_between_texels() {
     let object = block();
     let ray = Ray { origin: DVec3::new(5.0, 0.31, -0.22), direction: DVec3::NEG_X };
-    // The silhouettes' sides are halfway between the last texels that see something and the first that do
-    // not.
+    // The silhouettes' sides are halfway between the last texels that show something and the first
+    // that do not.
     let hit = object.hull_first_hit(&ray).expect("it is on the way");
     assert!((hit.t - 4.0).abs() < 1e-12, "{hit:?}");
     let [[from, to]] = object.hull_intervals(&ray)[..] else { panic!("it is one piece") };
     assert!((from - 4.0).abs() < 1e-11 && (to - 6.0).abs() < 1e-11, "{from} to {to}");
-    // One silhouette alone is bounded by its image's space.
+    // A single silhouette is bounded by its image's space.
     let map = HeightMap::new(8, 8, vec![1e-3; 64], Wrap::Clamp).expect("a map");
     let one = cube_of(&[map]).expect("an object");
     let [[from, to]] = one.hull_intervals(&ray)[..] else { panic!("it is one piece") };

@@ -1,23 +1,24 @@
-//! A view of an object: how an image of it was made.
+//! Views of an object: how an image of it is projected.
 
 use glam::{DVec3, DVec4};
 
 use crate::mesh::{MeshError, Placement};
 use crate::raycast::Ray;
 
-/// How close to vertical, as the cosine to `±y`, a direction may be before `+y` no longer says where up is.
+/// Largest cosine between a direction and `±y` at which `+y` still defines "up".
 const VERTICAL: f64 = 1.0 - 1e-9;
 
-/// How an image of an object was made, and what its heights mean.
+/// Projection of an image of an object, and meaning of its heights.
 ///
-/// The image looks at the ball of some radius around a centre. Texture coordinates `(u, v)` go from its upper
-/// left corner to its lower right one; texels are square, and the width shows the ball's diameter. Heights
-/// are what a relief's are: 1 on the plane that touches the ball on the side of the viewer, 0 on the one
-/// behind it. In a *perspective* image they go by the inverse of the distance along its axis, so that rays
-/// are straight in `(u, v, height)` in both kinds.
+/// The image shows a ball with a centre and a radius. Texture coordinates `(u, v)` go from its
+/// upper left corner to its lower right one. Texels are square, and the image is as wide as the
+/// ball's diameter. Height 1 is the plane that touches the ball on the viewer's side, height 0 the
+/// plane behind it. In a *perspective* image heights are linear in the inverse of the distance
+/// along its axis. So rays are straight in `(u, v, height)` in both kinds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View {
-    /// Texture coordinates and height of a point `(x, y, z, 1)`, each times the last row's product.
+    /// Matrix from a point `(x, y, z, 1)` to texture coordinates and height, each times the product
+    /// with the last row.
     rows: [DVec4; 4],
     size: [u32; 2],
     right: DVec3,
@@ -26,7 +27,7 @@ pub struct View {
     eye: Option<DVec3>,
     centre: DVec3,
     radius: f64,
-    /// Metres that a texel is wide at the centre.
+    /// Width of a texel at the centre, in metres.
     texel_m: f64,
 }
 
@@ -36,38 +37,38 @@ pub enum ViewError {
     /// A number is NaN or infinite.
     #[error("{what} must be finite")]
     NotFinite {
-        /// Which.
+        /// Name of the number.
         what: &'static str,
     },
     /// The radius is not positive.
     #[error("the radius is {0}: it must be more than 0")]
     BadRadius(f64),
-    /// There is no direction to look from.
+    /// The direction of view is missing.
     #[error("{what} has no length: it says where the image looks from")]
     NoDirection {
-        /// Which.
+        /// Name of the vector.
         what: &'static str,
     },
-    /// What is up in the image is along the direction that it looks in.
+    /// The direction that is up in the image is parallel to the direction of view.
     #[error("'up' {up} lies along the direction {from} that the image looks from")]
     BadUp {
-        /// What is up.
+        /// Direction that is up in the image.
         up: DVec3,
-        /// From where the image looks.
+        /// Direction from which the image looks.
         from: DVec3,
     },
-    /// The eye of a perspective image lies in the ball that it shows.
+    /// The eye of a perspective image lies in the ball that the image shows.
     #[error("the eye is {distance} m from the centre, inside of the ball of radius {radius} that it shows")]
     EyeInside {
-        /// Metres from the centre.
+        /// Distance of the eye from the centre, in metres.
         distance: f64,
-        /// The ball's radius in metres.
+        /// Radius of the ball, in metres.
         radius: f64,
     },
     /// The field of view is not between 0 and 180 degrees.
     #[error("the field of view is {0} degrees: it must be more than 0 and less than 180")]
     BadFov(f64),
-    /// An image has no texels.
+    /// The image has no texels.
     #[error("an image of {}x{} has no texels", size[0], size[1])]
     Empty {
         /// Columns and rows.
@@ -75,31 +76,32 @@ pub enum ViewError {
     },
 }
 
-/// A ray as a view has it: at the parameter `s` it is at texture coordinates and height `origin + change s`.
+/// A ray in the coordinates of a view: at the parameter `s` its texture coordinates and height are
+/// `origin + change s`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ViewRay {
     /// Texture coordinates and height at `s = 0`.
     pub origin: DVec3,
-    /// Their change with `s`.
+    /// Change of these per unit of `s`.
     pub change: DVec3,
-    /// Where the ray's own parameter is this at `s = 0`.
+    /// Parameter of the original ray at `s = 0`.
     pub start: f64,
-    /// The distances along the view's axis at `s = 0`, and their change with the ray's parameter; 1 and 0 in
-    /// orthographic images.
+    /// Distance along the view's axis at `s = 0`, and its change with the original ray's parameter;
+    /// 1 and 0 in orthographic images.
     axis: [f64; 2],
-    /// The ray's parameters between which it is before the eye.
+    /// Range of the original ray's parameters in which it is in front of the eye.
     pub range: [f64; 2],
 }
 
 impl ViewRay {
-    /// The parameter `s` of a parameter of the ray.
+    /// Converts a parameter of the original ray to `s`.
     #[inline]
     pub fn of_ray(&self, t: f64) -> f64 {
         let t = t - self.start;
         t / (self.axis[0] + self.axis[1] * t)
     }
 
-    /// The ray's parameter at `s`.
+    /// Converts `s` to the parameter of the original ray.
     #[inline]
     pub fn on_ray(&self, s: f64) -> f64 {
         self.start + s * self.axis[0] / (1.0 - s * self.axis[1])
@@ -113,13 +115,14 @@ impl ViewRay {
 }
 
 impl View {
-    /// A view by parallel rays. `from` is the direction from the centre toward the viewer, of any length;
-    /// `up` points up in the image: by default `+y`, or `-z` where that is the direction of the view.
+    /// Creates a view with parallel rays. `from` is the direction from the centre toward the
+    /// viewer, of any length. `up` points up in the image. Its default is `+y`, or `-z` if that is
+    /// the direction of the view.
     ///
     /// # Errors
     ///
-    /// When a number is not finite, the radius is not positive, `from` has no length, `up` lies along it, or
-    /// the image has no texels.
+    /// When a number is not finite, the radius is not positive, `from` has no length, `up` is
+    /// parallel to it, or the image has no texels.
     pub fn orthographic(
         centre: DVec3,
         radius: f64,
@@ -137,12 +140,12 @@ impl View {
         Ok(Self { rows, size, right, down, toward, eye: None, centre, radius, texel_m })
     }
 
-    /// A view from an eye toward the centre, as many degrees wide.
+    /// Creates a view from an eye toward the centre. `fov_degrees` is the horizontal field of view.
     ///
     /// # Errors
     ///
-    /// As [`orthographic`](Self::orthographic), and when the eye is not outside of the ball or the field of
-    /// view is not in `(0, 180)`.
+    /// As [`orthographic`](Self::orthographic), and when the eye is not outside the ball or the
+    /// field of view is not in `(0, 180)`.
     pub fn perspective(
         centre: DVec3,
         radius: f64,
@@ -181,33 +184,33 @@ impl View {
         self.size
     }
 
-    /// The rows of the map from a point `(x, y, z, 1)` to `u`, `v` and the height, each times the product
-    /// with the last row, which is 1 in orthographic images.
+    /// Rows of the matrix from a point `(x, y, z, 1)` to `u`, `v` and the height, each times the
+    /// product with the last row. That product is 1 in orthographic images.
     pub fn rows(&self) -> [DVec4; 4] {
         self.rows
     }
 
-    /// The unit directions to the right and downward in the image, and toward the viewer.
+    /// Unit directions to the right and downward in the image, and toward the viewer.
     pub fn axes(&self) -> [DVec3; 3] {
         [self.right, self.down, self.toward]
     }
 
-    /// The eye of a perspective image.
+    /// Eye of a perspective image.
     pub fn eye(&self) -> Option<DVec3> {
         self.eye
     }
 
-    /// The centre of the ball that the image shows, and its radius in metres.
+    /// Centre of the ball that the image shows, and its radius in metres.
     pub fn ball(&self) -> (DVec3, f64) {
         (self.centre, self.radius)
     }
 
-    /// Metres that a texel is wide at the centre.
+    /// Width of a texel at the centre, in metres.
     pub fn texel_m(&self) -> f64 {
         self.texel_m
     }
 
-    /// By how much heights differ at the centre over as many metres as a texel is wide there.
+    /// Difference of heights at the centre over a distance of one texel's width.
     pub fn texel_height(&self) -> f64 {
         let at = |point: DVec3| {
             let [_, _, height, depth] = self.rows.map(|row| row.dot(point.extend(1.0)));
@@ -217,18 +220,18 @@ impl View {
             - at(self.centre - self.toward * (0.5 * self.texel_m))
     }
 
-    /// The unit direction from a point toward the viewer.
+    /// Unit direction from a point toward the viewer.
     pub fn toward(&self, point: DVec3) -> DVec3 {
         self.eye.map_or(self.toward, |eye| (eye - point).normalize_or(self.toward))
     }
 
-    /// Texture coordinates and height of a point; none where it is not before the eye.
+    /// Texture coordinates and height of a point. `None` if it is not in front of the eye.
     pub fn see(&self, point: DVec3) -> Option<DVec3> {
         let [u, v, height, depth] = self.rows.map(|row| row.dot(point.extend(1.0)));
         (depth > 0.0).then(|| DVec3::new(u, v, height) / depth)
     }
 
-    /// The point at texture coordinates and a height.
+    /// Point at texture coordinates and a height.
     pub fn point(&self, at: DVec3) -> DVec3 {
         let ray = self.ray(at.x, at.y);
         let [_, _, height, depth] = self.rows;
@@ -237,8 +240,8 @@ impl View {
         ray.at((at.z * w0 - h0) / (h1 - at.z * w1))
     }
 
-    /// The ray of the image through texture coordinates. It begins on the plane of height 1, or in the eye;
-    /// its direction has length 1 along the axis.
+    /// Ray of the image through texture coordinates. It begins on the plane of height 1, or in the
+    /// eye. Its direction has length 1 along the axis.
     pub fn ray(&self, u: f64, v: f64) -> Ray {
         let aspect = f64::from(self.size[1]) / f64::from(self.size[0]);
         let width = self.texel_m * f64::from(self.size[0]);
@@ -252,7 +255,7 @@ impl View {
         }
     }
 
-    /// The view of the object in another place.
+    /// Returns the view of the object at another placement.
     ///
     /// # Errors
     ///
@@ -278,8 +281,8 @@ impl View {
         })
     }
 
-    /// A ray as the image has it, from its parameter `from` on; none where no part of it beyond is before the
-    /// eye.
+    /// Converts a ray to the image's coordinates, from its parameter `from` on. `None` if no later
+    /// part of it is in front of the eye.
     pub fn ray_in_view(&self, ray: &Ray, from: f64) -> Option<ViewRay> {
         let at = self.rows.map(|row| row.dot(ray.origin.extend(1.0)));
         let by = self.rows.map(|row| row.dot(ray.direction.extend(0.0)));
@@ -294,7 +297,7 @@ impl View {
                 range: [from, f64::INFINITY],
             });
         }
-        // A hundredth of the way to the near plane is before everything that the image shows.
+        // A hundredth of the way to the near plane is in front of everything that the image shows.
         let least = 0.01 * ((self.centre - self.eye.unwrap_or(self.centre)).length() - self.radius);
         let (mut low, mut high) = (from, f64::INFINITY);
         let passes = (least - at[3]) / by[3];
@@ -332,8 +335,8 @@ fn check(centre: DVec3, radius: f64, size: [u32; 2]) -> Result<(), ViewError> {
     Ok(())
 }
 
-/// To the right and downward in an image that looks from that direction, and the direction itself, all of
-/// length 1.
+/// Unit vectors to the right and downward in an image that looks from this direction, and the unit
+/// direction itself.
 fn axes(from: DVec3, what: &'static str, up: Option<DVec3>) -> Result<[DVec3; 3], ViewError> {
     if !from.is_finite() {
         return Err(ViewError::NotFinite { what });
@@ -378,7 +381,7 @@ mod tests {
                 let at = DVec3::new(u, v, height);
                 let point = view.point(at);
                 assert!((view.see(point).expect("before the eye") - at).length() < 1e-10, "{view:?}");
-                // Down in the image, seen from its side.
+                // The direction downward in the image, seen from its side.
                 let below = view.point(DVec3::new(u, v + 0.01, height));
                 assert!((below - point).dot(view.axes()[1]) > 0.0);
             }

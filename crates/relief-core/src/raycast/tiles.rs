@@ -10,7 +10,7 @@
 //!
 //! Some tiles cast their rays one by one instead: if the rays of the tile differ in the axis along
 //! which they are longest; if the view is so narrow that rays in `f32` are wrong by pixels; if
-//! there are so many triangles that a BVH is faster.
+//! there are more triangles than a tile can test faster than the BVH.
 
 use glam::{DVec3, Vec3};
 

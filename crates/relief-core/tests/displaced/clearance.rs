@@ -1,4 +1,4 @@
-//! The distance between a ray and a displaced mesh.
+//! Distance between a ray and a displaced mesh.
 
 use glam::DVec3;
 use relief_core::Wrap;
@@ -19,7 +19,7 @@ fn level_rays_above_a_level_plane_are_as_far_as_they_are_high() {
     for above in [1e-3, 0.1, 3.0] {
         let level = clearance([-4.0, height + above, 0.1], [1.0, 0.0, 0.01]);
         assert!((level - above).abs() <= 1e-6 * above + 2e-9);
-        // One that leaves is as far away as where it begins.
+        // A ray that leaves is as far away as its origin.
         let leaving = clearance([0.1, height + above, 0.1], [0.1, 1.0, 0.3]);
         assert!((leaving - above).abs() <= 1e-6 * above + 2e-9);
     }

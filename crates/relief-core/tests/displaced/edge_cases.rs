@@ -1,4 +1,4 @@
-//! What is no ray, no triangle or no length.
+//! Invalid rays, triangles and lengths.
 
 use glam::{Vec2, Vec3};
 use relief_core::exact::{DisplacedMesh, DisplacedMeshError, DisplacedTrace, Sides};
@@ -64,7 +64,8 @@ fn degenerate_triangles_harm_nothing() {
         corner([0.0, 0.0, 0.0], up, [0.0, 0.0]),
         corner([0.0, 0.0, 1.0], up, [0.0, 1.0]),
         corner([1.0, 0.0, 1.0], up, [1.0, 1.0]),
-        // In the place of others, on their side, with the same texture coordinates, without a normal.
+        // The same positions as others, on their side, with the same texture coordinates, without a
+        // normal.
         corner([0.0, 0.0, 0.0], up, [3.0, -2.0]),
         corner([0.0, 0.0, 0.5], up, [0.0, 0.5]),
         corner([1.0, 0.0, 0.0], up, [0.0, 0.0]),
@@ -92,7 +93,7 @@ fn degenerate_triangles_harm_nothing() {
     let mut rng = Rng::new(5);
     let mut hits = 0;
     for _ in 0..3_000 {
-        // Half of them aimed at corners, sides and lines of the cells.
+        // Half of the rays are aimed at corners, sides and lines of the cells.
         let round = |number: f64| (16.0 * number).round() / 16.0;
         let target =
             [rng.unit(), 0.0, rng.unit()].map(if rng.unit() < 0.5 { round } else { |number| number });
@@ -149,7 +150,7 @@ fn the_first_hit_is_the_first_of_all_triangles() {
                 let each = (0..scene.sheet.triangles()).filter_map(of_one);
                 let least = each.map(|hit| hit.t).min_by(f64::total_cmp);
                 let trace = judge.trace(origin, direction, sides);
-                // What meets on a side is found in either triangle, to rounding.
+                // A hit on a side is found in either triangle, to rounding.
                 let agrees = match (trace.hit, least) {
                     (Some(hit), Some(least)) => (hit.t - least).abs() <= 1e-9 * least,
                     (hit, least) => hit.is_none() && least.is_none(),
@@ -163,7 +164,8 @@ fn the_first_hit_is_the_first_of_all_triangles() {
 
 #[test]
 fn sheets_that_are_a_line_take_no_longer() {
-    // All corners at one place, or two of them: the sheet is a part of a normal, or a curtain seen edge on.
+    // All corners, or two of them, coincide: the sheet is a part of a normal, or a curtain seen
+    // edge-on.
     let corner = |x: f32, uv: [f32; 2]| Vertex {
         position: Vec3::new(x, 0.0, 0.0),
         normal: Vec3::Y,

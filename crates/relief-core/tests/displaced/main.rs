@@ -1,4 +1,4 @@
-//! The exact judge of displaced meshes against a tessellation whose error is bounded.
+//! The exact tracer of displaced meshes against a tessellation whose error is bounded.
 
 mod clearance;
 mod edge_cases;

@@ -1,4 +1,4 @@
-//! Known mistakes of a judge, each of which the comparison must notice.
+//! Deliberate mistakes of an exact tracer. The comparison must notice each of them.
 
 use glam::{DMat3, DVec3};
 use relief_core::Wrap;
@@ -16,7 +16,7 @@ fn scene(name: &str) -> Scene {
     scenes::all().into_iter().find(|scene| scene.name.starts_with(name)).expect("a scene of that name")
 }
 
-/// How many answers of a judge are found to be wrong.
+/// Number of answers that are found to be wrong.
 fn faults(scene: &Scene, judge: Judge) -> usize {
     compare(scene, &tessellate(&scene.sheet, DIVISIONS), RAYS, judge).faults.len()
 }
@@ -41,7 +41,7 @@ fn overlooking(
     None
 }
 
-/// The crossing of another sheet near a hit, by Newton's method; the hit itself where that leads elsewhere.
+/// The crossing of another sheet near a hit, by Newton's method, or the hit itself if that fails.
 fn moved_to(sheet: &Sheet, ray: &Ray, hit: &DisplacedHit) -> DisplacedHit {
     let weights = |at: DVec3| [1.0 - at.x - at.y, at.x, at.y];
     let gap = |at: DVec3| sheet.point(hit.triangle, weights(at)) - (ray.origin + at.z * ray.direction);

@@ -1,4 +1,4 @@
-//! On a plane the judge is one of the tracers of height fields.
+//! On a plane the tracer of displaced meshes equals a tracer of height fields.
 
 use glam::Vec2;
 use relief_core::exact::{DisplacedMesh, FastTracer, PyramidTracer, Sides};
@@ -10,7 +10,7 @@ use relief_testing::displaced::scenes::{Heights, map};
 
 const RAYS: usize = 4_000;
 
-/// The path of a ray above the unit square, up to where it leaves the square, in the ray's parameter.
+/// Path of a ray above the unit square, up to its exit from the square, in the ray's parameter.
 fn path(origin: [f64; 3], direction: [f64; 3], [scale_m, bias_m]: [f64; 2]) -> Path {
     let exit = |axis: usize| {
         let edge = 0.5f64.copysign(direction[axis]);
@@ -43,7 +43,7 @@ fn on_a_plane_the_tracers_of_height_fields_agree() {
                 let path = path(origin, direction, [scale_m, bias_m]);
                 let hit = judge.first_hit(origin, direction, Sides::Front);
                 for truth in [fast.trace(&path), pyramid.trace(&path)] {
-                    // What is nearly tangent, or meets the outline, may go either way.
+                    // Rays that are nearly tangent, or that meet the outline, may hit or miss.
                     let delicate =
                         truth.hit.found && (truth.slope.abs() < 1e-3 || path.exit - truth.hit.t < 1e-9);
                     let found = hit.map(|hit| hit.t);

@@ -1,4 +1,4 @@
-//! What a ray costs.
+//! Cost of a ray.
 
 use std::time::Instant;
 
@@ -8,7 +8,7 @@ use relief_core::{HeightMap, Wrap};
 
 use relief_core::rng::Rng;
 
-/// Round stones of several sizes in no order.
+/// Round stones of several sizes in random order.
 fn cobbles(side: u32) -> HeightMap {
     let mut rng = Rng::new(1);
     let stones: Vec<[f32; 3]> =

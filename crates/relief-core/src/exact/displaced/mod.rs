@@ -125,7 +125,8 @@ pub struct DisplacedHit {
     /// Number of the base triangle. For a hit on a side or a corner it is one of the adjacent
     /// triangles.
     pub triangle: u32,
-    /// Barycentric weights of the triangle's corners; they are in `[0, 1]` and add up to 1, both to rounding.
+    /// Barycentric weights of the triangle's corners; they are in `[0, 1]` and add up to 1, both to
+    /// rounding.
     pub weights: [f64; 3],
     /// Texture coordinates, not wrapped.
     pub uv: [f64; 2],

@@ -1,4 +1,4 @@
-//! A ray in `f32`, and the test of which nodes it touches.
+//! A ray in `f32`, and the test for the nodes that it touches.
 
 use glam::Vec4;
 

@@ -2,7 +2,8 @@ use super::*;
 use crate::mesh::{Builtin, MeshError, cube, cylinder, sphere, square, torus};
 use glam::{Quat, Vec2, Vec3};
 
-/// The second fundamental form of a surface at a vertex: curvature times length squared, positive outward.
+/// Second fundamental form of a surface at a vertex: curvature times length squared, positive
+/// outward.
 type Form = fn(&Vertex, DVec3, DVec3) -> f64;
 
 fn of_sphere(_: &Vertex, a: DVec3, b: DVec3) -> f64 {
@@ -23,14 +24,15 @@ fn of_torus(vertex: &Vertex, a: DVec3, b: DVec3) -> f64 {
     -cos / distance * ring.dot(a) * ring.dot(b) - tube.dot(a) * tube.dot(b) / 0.15
 }
 
-/// The exact coefficients at a vertex.
+/// Exact coefficients at a vertex.
 fn exact(vertex: &Vertex, form: Form) -> [f64; 3] {
     let [t, b] = [vertex.tangent, vertex.bitangent].map(|v| v.as_dvec3());
     [0.5 * form(vertex, t, t), form(vertex, t, b), 0.5 * form(vertex, b, b)]
 }
 
-/// The difference between coefficients in curvatures (1/m), as Frobenius' norm of the second fundamental
-/// form: the root of the mean square over a mesh, relative to that of the curvatures.
+/// Difference between coefficients in curvatures (1/m), as Frobenius' norm of the second
+/// fundamental form. It is the root of the mean square over a mesh, relative to the norm of the
+/// true curvatures.
 fn error(mesh: &Mesh, quadrics: &[[f32; 3]], form: Form) -> f64 {
     let [mut wrong, mut all] = [0.0; 2];
     for (vertex, quadric) in mesh.vertices().iter().zip(quadrics) {
@@ -44,8 +46,8 @@ fn error(mesh: &Mesh, quadrics: &[[f32; 3]], form: Form) -> f64 {
     (wrong / all).sqrt()
 }
 
-/// The graph of a height over a grid around the origin, `u` along `x` and `v` along `z`, a tile as long as it
-/// is given along each.
+/// Graph of a height over a grid around the origin, `u` along `x` and `v` along `z`, with the given
+/// tile along each.
 fn graph(n: i32, step: f64, [t, b]: [DVec3; 2], height: impl Fn(f64, f64) -> f64) -> Mesh {
     let at = |i: i32, j: i32| {
         let [x, z] = [i, j].map(|k| f64::from(k) * step);
@@ -105,7 +107,7 @@ fn quadrics_are_those_of_the_true_surface() {
         let three = error(&mesh, &quadrics, form);
         let two = error(&mesh, &mesh.quadrics(QuadricCoefficients::Two), form);
         println!("{name}: {three:.2e} with three coefficients, {two:.2e} with two");
-        // These textures run along the principal directions: two coefficients have it all.
+        // These textures run along the principal directions, so two coefficients suffice.
         assert!(three < most && two < most, "{name}: {three} {two}");
         // Another sign or factor is noticed.
         for factor in [-1.0, 0.5, 1.1] {
@@ -144,7 +146,7 @@ fn only_three_coefficients_keep_a_saddle() {
     let saddle = graph(2, 0.02, [DVec3::X, DVec3::Z], |x, z| x * z);
     assert!(is_near(middle(&saddle, QuadricCoefficients::Three), [0.0, 1.0, 0.0], 1e-3));
     assert!(is_near(middle(&saddle, QuadricCoefficients::Two), [0.0; 3], 0.2));
-    // The same saddle in axes along which it is seen by two.
+    // The same saddle in axes in which two coefficients represent it.
     let axes = [DVec3::new(1.0, 0.0, 1.0), DVec3::new(-1.0, 0.0, 1.0)];
     let turned = graph(2, 0.02, axes, |x, z| x * z);
     for coefficients in [QuadricCoefficients::Two, QuadricCoefficients::Three] {
@@ -158,7 +160,7 @@ fn sheared_stretched_and_mirrored_textures_have_the_same_surface() {
     let t = DVec3::new(3.0, 0.0, 0.5);
     for b in [DVec3::new(1.0, 0.0, 0.4), DVec3::new(0.2, 0.0, -2.0)] {
         let mesh = graph(2, 0.01, [t, b], height);
-        // Along u, along v and along both: the surface's own height.
+        // Heights along u, along v and along both.
         let expected = [
             height(t.x, t.z),
             height(t.x + b.x, t.z + b.z) - height(t.x, t.z) - height(b.x, b.z),
@@ -167,7 +169,7 @@ fn sheared_stretched_and_mirrored_textures_have_the_same_surface() {
         assert!(is_near(middle(&mesh, QuadricCoefficients::Three), expected, 3e-3));
         assert_eq!(middle(&mesh, QuadricCoefficients::Two)[1], 0.0);
     }
-    // Two coefficients are exact in sheared axes, too, where the surface has only two in these.
+    // Two coefficients are exact in sheared axes, too, if the surface has only two in them.
     let b = DVec3::new(1.0, 0.0, 0.4);
     let height = |x: f64, z: f64| {
         let v = (z * t.x - x * t.z) / (t.x * b.z - b.x * t.z);
@@ -211,7 +213,7 @@ fn both_sides_of_a_seam_have_the_same() {
 
 #[test]
 fn a_hard_edge_parts_stars() {
-    // Each side of the roof is flat, and stays so with normals of its own.
+    // Each side of the roof is flat, and remains so with separate normals.
     let roof = |normals: [Vec3; 2]| {
         let mut mesh = graph(1, 1.0, [DVec3::X, DVec3::Z], |x, _| -x.abs());
         let mut vertices = mesh.vertices.clone();
@@ -228,7 +230,7 @@ fn a_hard_edge_parts_stars() {
     };
     let [left, right] = [Vec3::new(-1.0, 1.0, 0.0), Vec3::new(1.0, 1.0, 0.0)].map(Vec3::normalize);
     assert!(roof([left, right]).iter().flatten().all(|x| x.abs() < 1e-6));
-    // With one normal it is a bend.
+    // With a common normal it is a bend.
     assert!(roof([Vec3::Y; 2]).iter().any(|[a, ..]| *a < -0.3));
 }
 
@@ -241,7 +243,7 @@ fn what_a_star_leaves_open_is_0() {
         bitangent: Vec3::Z,
         uv: Vec2::ZERO,
     };
-    // Three points on a cylinder of radius 1 along z, in a line around it: only the bend along x is known.
+    // Three points around a cylinder of radius 1 along z. They determine only the bend along x.
     let on = |angle: f64| {
         let (sin, cos) = angle.sin_cos();
         vertex(DVec3::new(sin, cos, 0.0), DVec3::new(sin, cos, 0.0))

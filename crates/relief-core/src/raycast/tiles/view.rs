@@ -42,9 +42,9 @@ pub struct View {
 pub enum Projected {
     /// No ray of the picture hits it.
     Culled,
-    /// It is inside a range of columns and rows.
+    /// The triangle is inside a range of columns and rows.
     Within([[f64; 2]; 2]),
-    /// It reaches beside or behind the eye.
+    /// The triangle reaches beside or behind the eye.
     Unbounded,
 }
 
@@ -188,11 +188,11 @@ pub struct Planes {
 /// Position of something relative to planes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// It is entirely beyond one of the planes.
+    /// Entirely beyond one of the planes.
     Outside,
-    /// It may be on both sides.
+    /// Possibly on both sides.
     Across,
-    /// It is clearly between the planes.
+    /// Clearly between the planes.
     Inside,
 }
 
