@@ -8,11 +8,11 @@
 //! * [`keys`] lists every key of a scene file with its type and meaning.
 //!
 //! ```
-//! use relief_core::{HeightMap, Wrap, mesh::Builtin};
+//! use relief_core::{HeightMap, Wrap, mesh::torus};
 //! use relief_scene::{Look, Scene, Surface, View};
 //!
 //! let heights = HeightMap::from_fn(64, 64, Wrap::Repeat, |i, j| ((i ^ j) & 8) as f32 / 8.0)?;
-//! let surface = Surface::new(Builtin::Torus.build([6.0, 2.0])?, heights.with_displacement(0.02, 0.0)?);
+//! let surface = Surface::new(torus(96, 48)?, heights.with_displacement(0.02, 0.0)?);
 //! let scene = Scene::builder(surface).look(Look::Sun).fitted_camera(View::Front, 40.0).build()?;
 //! assert_eq!((scene.size(), scene.lights().len()), ([800, 600], 1));
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -22,65 +22,55 @@
 //! `glam` is the crate whose vectors and matrices the interfaces use. The feature `lanes` adds SIMD for AVX2,
 //! AVX-512 and NEON.
 //!
+//! The examples below are the files in `examples/`; tests run them.
+//!
 //! # Load and inspect
 //!
-//! ```
-#![cfg_attr(feature = "io", doc = include_str!("../examples/inspect.rs"))]
-//! ```
+#![cfg_attr(all(feature = "io", not(doctest)), doc = concat!("```\n", include_str!("../examples/inspect.rs"), "```"))]
+//!
+//! # Render a scene to a PNG
+//!
+#![cfg_attr(all(feature = "render", not(doctest)), doc = concat!("```\n", include_str!("../examples/render.rs"), "```"))]
+//!
+//! # Bake the maps of a material
+//!
+#![cfg_attr(all(feature = "bake", feature = "io", not(doctest)), doc = concat!("```\n", include_str!("../examples/material.rs"), "```"))]
+//!
+//! # Compare methods
+//!
+#![cfg_attr(all(feature = "compare", not(doctest)), doc = concat!("```\n", include_str!("../examples/compare.rs"), "```"))]
 //!
 //! # Bake a map to a file
 //!
-//! ```
-#![cfg_attr(all(feature = "bake", feature = "io"), doc = include_str!("../examples/bake.rs"))]
-//! ```
+#![cfg_attr(all(feature = "bake", feature = "io", not(doctest)), doc = concat!("```\n", include_str!("../examples/bake.rs"), "```"))]
 //!
-//! # Rays, exactly and by a method
+//! # Trace rays, exactly and by a method
 //!
-//! ```
-#![cfg_attr(feature = "maps", doc = include_str!("../examples/rays.rs"))]
-//! ```
+#![cfg_attr(all(feature = "maps", not(doctest)), doc = concat!("```\n", include_str!("../examples/rays.rs"), "```"))]
 //!
 //! # Displace a mesh into a file
 //!
-//! ```
-#![cfg_attr(all(feature = "displace", feature = "io"), doc = include_str!("../examples/mesh.rs"))]
-//! ```
+#![cfg_attr(all(feature = "displace", feature = "io", not(doctest)), doc = concat!("```\n", include_str!("../examples/mesh.rs"), "```"))]
 //!
-//! # The difference between two meshes
+//! # Find the difference between two meshes
 //!
-//! ```
-#![cfg_attr(all(feature = "bake", feature = "io"), doc = include_str!("../examples/between.rs"))]
-//! ```
+#![cfg_attr(all(feature = "bake", feature = "io", not(doctest)), doc = concat!("```\n", include_str!("../examples/between.rs"), "```"))]
 //!
-//! # A mesh as images with depth
+//! # Capture a mesh as images with depth
 //!
-//! ```
-#![cfg_attr(feature = "capture", doc = include_str!("../examples/capture.rs"))]
-//! ```
+#![cfg_attr(all(feature = "capture", not(doctest)), doc = concat!("```\n", include_str!("../examples/capture.rs"), "```"))]
 //!
-//! # Render into memory
+//! # Render several surfaces and frames
 //!
-//! ```
-#![cfg_attr(feature = "render", doc = include_str!("../examples/render.rs"))]
-//! ```
+#![cfg_attr(all(feature = "render", not(doctest)), doc = concat!("```\n", include_str!("../examples/frames.rs"), "```"))]
 //!
-//! # Several surfaces, several frames
+//! # Draw with a device of the program's own
 //!
-//! ```
-#![cfg_attr(feature = "render", doc = include_str!("../examples/frames.rs"))]
-//! ```
+#![cfg_attr(all(feature = "gpu", not(doctest)), doc = concat!("```\n", include_str!("../examples/device.rs"), "```"))]
 //!
-//! # A device of one's own
+//! # Export a shader for another program
 //!
-//! ```
-#![cfg_attr(feature = "gpu", doc = include_str!("../examples/device.rs"))]
-//! ```
-//!
-//! # A shader for another program
-//!
-//! ```
-#![cfg_attr(feature = "export", doc = include_str!("../examples/export.rs"))]
-//! ```
+#![cfg_attr(all(feature = "export", not(doctest)), doc = concat!("```\n", include_str!("../examples/export.rs"), "```"))]
 //!
 //! # On the web
 //!
@@ -126,3 +116,34 @@ pub use relief_render as render;
 pub use relief_scene as scene;
 /// Methods, and their shaders as WGSL and as Rust.
 pub use relief_shaders as shaders;
+
+/// Runs the examples, which documentation shows and cargo builds before the tests of this crate.
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+    use std::process::Command;
+
+    #[test]
+    fn every_example_runs() {
+        let exe = std::env::current_exe().expect("a test is a file");
+        let built = exe.parent().and_then(|deps| deps.parent()).expect("a target folder").join("examples");
+        let sources = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("examples");
+        let mut names: Vec<_> = std::fs::read_dir(&sources)
+            .expect("the examples")
+            .map(|file| file.expect("an example").path().file_stem().expect("a name").to_owned())
+            .collect();
+        names.sort();
+        assert!(names.len() >= 12, "{names:?}");
+        for name in names {
+            let folder = tempfile::tempdir().expect("a temporary folder");
+            let run = Command::new(built.join(&name).with_extension(std::env::consts::EXE_EXTENSION))
+                .current_dir(folder.path())
+                .env("TMPDIR", folder.path())
+                .env("TEMP", folder.path())
+                .output()
+                .unwrap_or_else(|error| panic!("{name:?}: {error}; `cargo test -p relief` builds it"));
+            let said = String::from_utf8_lossy(&run.stderr);
+            assert!(run.status.success() && !run.stdout.is_empty(), "{name:?}: {said}");
+        }
+    }
+}
