@@ -9,6 +9,20 @@
 //! Stated bounds hold for the *bilinear* surface between texel centres, and for the values as
 //! stored. Quantised values keep their bounds, too: heights are quantised first, the map is baked
 //! from the decoded heights, and values are rounded to the safe side.
+//!
+//! ```
+//! use relief_bake::{Collected, bake, kind};
+//! use relief_core::{HeightMap, Metric, Watch, Wrap};
+//!
+//! let heights = HeightMap::from_fn(64, 64, Wrap::Repeat, |i, j| ((i ^ j) & 8) as f32 / 8.0)?;
+//! let metric = Metric { tile_m: [1.0, 1.0], scale_m: 0.05 };
+//! let occlusion = kind("occlusion")?;
+//! let mut baked = Collected::default();
+//! bake(occlusion, &heights, metric, &occlusion.defaults(), &Watch::none(), &mut baked)?;
+//! let visibility = &baked.textures[0].levels[0][0];
+//! assert!(visibility.len() == 64 * 64 && visibility.iter().all(|part| (0.0..=1.0).contains(part)));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod azimuths;
 mod bake;

@@ -7,6 +7,20 @@
 //! This crate contains no file access, no GPU code and no shader compiler. The project's
 //! conventions are documented at their types: texture axes and reconstruction at [`HeightMap`],
 //! handedness at [`TangentFrame`], the ray parameter at [`Path`].
+//!
+//! ```
+//! use relief_core::exact::FastTracer;
+//! use relief_core::{HeightMap, Path, Wrap};
+//!
+//! let wave = |i: u32, j: u32| 0.5 + 0.4 * (i as f32 * 0.1).sin() * (j as f32 * 0.1).cos();
+//! let heights = HeightMap::from_fn(128, 128, Wrap::Repeat, wave)?;
+//! // From texture coordinates (0.2, 0.1) at height 1 down to (0.7, 0.4) at height 0.
+//! let path = Path::between([0.2, 0.1, 1.0], [0.7, 0.4, 0.0]);
+//! let hit = FastTracer::new(&heights).trace(&path).hit;
+//! let [u, v, height] = path.at(hit.t);
+//! assert!((heights.height_at(u, v) - height).abs() < 1e-6);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod area_mean;
 mod baked_map;

@@ -37,6 +37,16 @@
 //!
 //! Bytes in memory are decoded where they are. Only the decoder of JPEG copies them whole, as it does a
 //! file's.
+//!
+//! ```
+//! use relief_io::{HeightOptions, Source, read_height};
+//!
+//! let file = b"P5 3 2 255\n\x00\x10\x20\x30\x40\xff";
+//! let heights = read_height(Source::bytes("heights.pgm", file), &HeightOptions::default())?;
+//! assert_eq!((heights.width(), heights.height()), (3, 2));
+//! assert_eq!(heights.texels()[5], 1.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod convention;
 mod elevation;

@@ -2,6 +2,20 @@
 //!
 //! The object itself is [`ImageObject`](relief_core::object::ImageObject). [`read_object`] makes one of a
 //! folder with an `object.toml` and an atlas of depths; [`Capturer`] makes images with depth of a mesh.
+//!
+//! ```
+//! use relief_core::{Watch, mesh::torus, raycast::Ray};
+//! use relief_object::{CaptureSettings, Capturer, Cover};
+//!
+//! let settings = CaptureSettings { size: 64, ..CaptureSettings::default() };
+//! let torus = torus(64, 32)?;
+//! let captured = Capturer::new(&torus, None, settings)?.capture(Cover::Centre, &Watch::none())?;
+//! // From above onto the tube.
+//! let ray = Ray { origin: [0.35, 2.0, 0.0].into(), direction: [0.0, -1.0, 0.0].into() };
+//! let hit = captured.object().first_hit(&ray).ok_or("the torus is there")?;
+//! assert!((hit.t - 1.85).abs() < 1e-2);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod arrangement;
 mod capture;

@@ -3,6 +3,20 @@
 //! [`render()`] makes a picture of a [`Scene`](relief_scene::Scene); a [`Renderer`] makes several and keeps
 //! what they share. Both backends run the same shaders and give the same picture. [`picture`] turns it into
 //! bytes and channels.
+//!
+//! ```
+//! use relief_core::{HeightMap, Watch, Wrap, mesh::square};
+//! use relief_maps::Maps;
+//! use relief_render::{picture, render};
+//! use relief_scene::{Look, Scene, Surface};
+//!
+//! let heights = HeightMap::from_fn(64, 64, Wrap::Repeat, |i, j| ((i ^ j) & 8) as f32 / 8.0)?;
+//! let surface = Surface::new(square(1)?, heights.with_displacement(0.05, 0.0)?);
+//! let scene = Scene::builder(surface).look(Look::Studio).size(64, 48).build()?;
+//! let rendered = render(&scene, &mut Maps::in_memory(), &Watch::none())?;
+//! assert_eq!(picture::srgb8(&rendered.rendering, &scene).len(), 64 * 48 * 3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod cpu;
 mod error;

@@ -98,8 +98,8 @@ pub fn linear(rendering: &Rendering, scene: &Scene) -> Vec<[f32; 3]> {
 /// # Examples
 ///
 /// ```
-/// use relief_render::mesh::square;
-/// use relief_render::scene::{Look, Scene, Surface};
+/// use relief_core::mesh::square;
+/// use relief_scene::{Look, Scene, Surface};
 /// use relief_render::{picture, render};
 ///
 /// let heights = relief_core::HeightMap::new(1, 1, vec![1.0], relief_core::Wrap::Repeat)?;

@@ -33,9 +33,9 @@ const BESIDE: f64 = 2.0;
 /// rises out of its base, they are behind it.
 ///
 /// ```
-/// use relief_render::mesh::square;
+/// use relief_core::mesh::square;
 /// use relief_render::picture::Display;
-/// use relief_render::scene::{Scene, Surface};
+/// use relief_scene::{Scene, Surface};
 /// use relief_render::{Wire, render};
 ///
 /// let heights = relief_core::HeightMap::new(1, 1, vec![1.0], relief_core::Wrap::Repeat)?;

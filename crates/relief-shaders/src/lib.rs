@@ -7,6 +7,15 @@
 //! * [`METHODS`] names pairs of search and refinement; [`procedure`] has formulas that fill height maps.
 //! * [`wgsl`] assembles shaders as text for any engine; [`bindings`] says what they bind.
 //! * `cpu` (with the feature of that name) is the same shaders as Rust.
+//!
+//! ```
+//! use relief_shaders::Selection;
+//! use relief_shaders::wgsl::{Root, Sampling, assemble};
+//!
+//! let text = assemble(&Selection::method("cone")?, Root::Functions, Sampling::Exact);
+//! assert!(text.contains("fn search_cone"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod ambient;
 pub mod bindings;
