@@ -1,5 +1,5 @@
-//! Which flag, or key of a scene file, mends what a library refuses. The libraries say what is wrong; they
-//! know no flags.
+//! Advice on errors of the libraries: the flag, or the key of a scene file, that helps. The
+//! libraries say what is wrong; they know no flags.
 
 use std::io::ErrorKind;
 
@@ -7,46 +7,46 @@ use relief_io::{ForeignFormat, ReadNote, ReadProblem, omissions};
 use relief_render::{Reason, RenderError};
 use relief_scene::SceneError;
 
-/// An error's text, with what to do about it.
+/// Returns an error's text with advice.
 pub fn with(error: &impl ToString, advice: Option<&str>) -> String {
     let text = error.to_string();
     advice.map_or(text.clone(), |advice| format!("{text}: {advice}"))
 }
 
-/// An error's text, with the flag that mends it.
+/// Returns an error's text with the flag that helps.
 pub fn with_flag(error: &impl ToString, mend: Option<Mend>) -> String {
     with(error, mend.map(|mend| mend.flag))
 }
 
-/// An error's text, with the key of a scene file that mends it.
+/// Returns an error's text with the scene key that helps.
 pub fn with_key(error: &impl ToString, mend: Option<Mend>) -> String {
     with(error, mend.map(|mend| mend.key))
 }
 
-/// What mends an error.
+/// Advice on an error.
 #[derive(Clone, Copy)]
 pub struct Mend {
-    /// The flag, for commands that have flags for what a scene file says.
+    /// Text with a flag, for commands that have flags for the keys of a scene file.
     flag: &'static str,
-    /// The key of the scene file, for commands that take a scene file alone.
+    /// Text with a key of the scene file, for commands that take a scene file alone.
     key: &'static str,
 }
 
 impl Mend {
-    /// A flag that all commands have.
+    /// Creates advice with a flag that all commands have.
     const fn everywhere(flag: &'static str) -> Self {
         Self { flag, key: flag }
     }
 }
 
-/// What lets a height map be read.
+/// Returns what lets a height map be read.
 pub fn of_read(problem: &ReadProblem) -> Option<Mend> {
     Some(match problem {
         ReadProblem::Unrecognised => Mend {
-            flag: "headerless 16-bit samples are read with --raw 1024x1024,le (or be)",
-            key: "headerless 16-bit samples are read with the key raw = \"1024x1024,le\" (or be)",
+            flag: "for headerless 16-bit samples, use --raw 1024x1024,le (or be)",
+            key: "for headerless 16-bit samples, use the key raw = \"1024x1024,le\" (or be)",
         },
-        // Raw samples are unsigned: what marks no height is -32768.
+        // Raw samples are unsigned, so the value that marks no height is 32768, not -32768.
         ReadProblem::Foreign(ForeignFormat::Srtm { side: 3601 }) => Mend {
             flag: "where no height is below 0, --raw 3601x3601,be --nodata 32768 reads it without its place",
             key: "where no height is below 0, the keys raw = \"3601x3601,be\" and nodata = 32768 read it without its \
@@ -57,30 +57,29 @@ pub fn of_read(problem: &ReadProblem) -> Option<Mend> {
             key: "where no height is below 0, the keys raw = \"1201x1201,be\" and nodata = 32768 read it without its \
                   place",
         },
-        ReadProblem::NeedsRawLayout => Mend {
-            flag: "--raw 1024x1024,le (or be) gives them",
-            key: "the key raw = \"1024x1024,le\" (or be) gives them",
-        },
-        ReadProblem::RawSize { .. } => Mend { flag: "--raw gives them", key: "the key 'raw' gives them" },
-        ReadProblem::ChooseChannel { .. } | ReadProblem::NotGrey { .. } => {
-            Mend { flag: "--channel NAME does", key: "the key 'channel' does" }
+        ReadProblem::NeedsRawLayout => {
+            Mend { flag: "use --raw 1024x1024,le (or be)", key: "use the key raw = \"1024x1024,le\" (or be)" }
         }
-        ReadProblem::Holes { .. } => Mend { flag: "--fill does", key: "the key fill = true does" },
+        ReadProblem::RawSize { .. } => Mend { flag: "use --raw", key: "use the key 'raw'" },
+        ReadProblem::ChooseChannel { .. } | ReadProblem::NotGrey { .. } => {
+            Mend { flag: "use --channel NAME", key: "use the key 'channel'" }
+        }
+        ReadProblem::Holes { .. } => Mend { flag: "use --fill", key: "use the key fill = true" },
         _ => return of_picture(problem),
     })
 }
 
-/// What lets a picture or a normal map be read. How their files are read cannot be chosen.
+/// Returns what lets a picture or a normal map be read. Their reading has no options.
 pub fn of_picture(problem: &ReadProblem) -> Option<Mend> {
     match problem {
-        ReadProblem::TooMuchMemory { .. } => Some(Mend::everywhere("--max-memory raises it")),
+        ReadProblem::TooMuchMemory { .. } => Some(Mend::everywhere("use --max-memory")),
         ReadProblem::Mask { problem, .. } => of_picture(problem),
         _ => None,
     }
 }
 
-/// What reads a file in another way than a note says: what is written behind the note, with a flag or with
-/// the key of a scene file.
+/// Returns what is written behind a note: the flag, and the key of a scene file, that reads the
+/// file in another way.
 pub fn of_note(note: &ReadNote) -> Option<[String; 2]> {
     let row = note.remark.row;
     let with = |number: &dyn Fn(&str) -> [String; 2]| note.remark.mend.as_deref().map(number);
@@ -102,20 +101,20 @@ pub fn of_note(note: &ReadNote) -> Option<[String; 2]> {
     }
 }
 
-/// What lets a mesh be read.
+/// Returns what lets a mesh be read.
 pub fn of_mesh(problem: &ReadProblem) -> Option<Mend> {
     match problem {
-        ReadProblem::MeshMemory { .. } => Some(Mend::everywhere("--max-memory raises it")),
+        ReadProblem::MeshMemory { .. } => Some(Mend::everywhere("use --max-memory")),
         problem if problem.is_of_texture_coordinates() => Some(Mend {
-            flag: "--project box, cylinder or sphere makes texture coordinates",
-            key: "the key project = \"box\", \"cylinder\" or \"sphere\" makes texture coordinates",
+            flag: "use --project box, cylinder or sphere",
+            key: "use the key project = \"box\", \"cylinder\" or \"sphere\"",
         }),
         ReadProblem::Part { problem, .. } => of_mesh(problem),
         _ => None,
     }
 }
 
-/// What mends a scene.
+/// Returns what lets a scene be loaded.
 pub fn of_scene(error: &SceneError) -> Option<Mend> {
     match error {
         SceneError::NoHeightMap(_) => Some(Mend {
@@ -125,7 +124,7 @@ pub fn of_scene(error: &SceneError) -> Option<Mend> {
         SceneError::TooMuchMemory { .. }
         | SceneError::TooManySurfaces { .. }
         | SceneError::TooMuchToTrace { .. }
-        | SceneError::TooMuchForLights { .. } => Some(Mend::everywhere("--max-memory raises it")),
+        | SceneError::TooMuchForLights { .. } => Some(Mend::everywhere("use --max-memory")),
         SceneError::Read(error) => of_read(&error.problem),
         SceneError::Picture(error) => of_picture(&error.problem),
         SceneError::Mesh(error) => of_mesh(&error.problem),
@@ -133,15 +132,15 @@ pub fn of_scene(error: &SceneError) -> Option<Mend> {
             if matches!(source.kind(), ErrorKind::InvalidData | ErrorKind::FileTooLarge) =>
         {
             Some(Mend {
-                flag: "a height map is given with --height",
-                key: "write a scene file that names the height map by the key 'height'",
+                flag: "to render a height map, use --height",
+                key: "write a scene file that names the height map with the key 'height'",
             })
         }
         _ => None,
     }
 }
 
-/// What lets a scene be rendered.
+/// Returns what lets a scene be rendered.
 pub fn of_render(error: &RenderError) -> Option<&'static str> {
     match error {
         RenderError::FastOnCpu { no_gpu: true } => Some("no GPU was found: use --sampling exact"),
@@ -151,10 +150,10 @@ pub fn of_render(error: &RenderError) -> Option<&'static str> {
     }
 }
 
-/// What would have led to another backend.
+/// Returns what would lead to another backend.
 pub fn of_reason(reason: &Reason) -> Option<&'static str> {
     match reason {
-        Reason::SoftwareOnly(_) => Some("--backend gpu takes it"),
+        Reason::SoftwareOnly(_) => Some("use --backend gpu"),
         _ => None,
     }
 }

@@ -1,25 +1,25 @@
-//! Long names and lines in what is said: nobody reads a line of a megabyte.
+//! Shortening of long names and lines in messages: nobody reads a line of a megabyte.
 
 use std::borrow::Cow;
 
-/// The most characters of a word, such as a name.
+/// Limit of a word, such as a name.
 const WORD: Limit = Limit { most: 400, start: 260, end: 100 };
 
-/// The most characters of a line.
+/// Limit of a line.
 const LINE: Limit = Limit { most: 4000, start: 3000, end: 600 };
 
-/// How much of something is said.
+/// Limit of a part of a message, in characters.
 struct Limit {
-    /// The most characters that are said as they are.
+    /// Greatest length that is printed in full.
     most: usize,
-    /// Of a longer text the first `start` and the last `end` characters are said.
+    /// Number of characters kept at the start and, in `end`, at the end of a longer text.
     start: usize,
     end: usize,
 }
 
 impl Limit {
     fn cut<'a>(&self, text: &'a str) -> Cow<'a, str> {
-        // A character has a byte at least.
+        // A character has at least one byte.
         if text.len() <= self.most || text.chars().count() <= self.most {
             return text.into();
         }
@@ -29,17 +29,17 @@ impl Limit {
     }
 }
 
-/// A text whose long words and lines are cut in the middle.
+/// Returns a text whose long words and lines are cut in the middle.
 pub fn cut(text: &str) -> String {
     let line = |line: &str| {
         let words: String = line.split_inclusive(char::is_whitespace).map(|word| WORD.cut(word)).collect();
-        // What is shown below a line that is cut is nothing more than spaces and marks.
+        // Below a line that is cut there are only spaces and marks.
         LINE.cut(words.trim_end()).into_owned()
     };
     text.split('\n').map(line).collect::<Vec<_>>().join("\n")
 }
 
-/// Whether anything of a text would be cut.
+/// Whether [`cut`] would change a text.
 pub fn is_long(text: &str) -> bool {
     text.lines()
         .any(|line| LINE.cut(line) != line || line.split_whitespace().any(|word| WORD.cut(word) != word))

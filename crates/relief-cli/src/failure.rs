@@ -1,4 +1,4 @@
-//! How a command fails: what is said and the exit code.
+//! Failures of a command: the message and the exit code.
 
 use std::io;
 use std::process::ExitCode;
@@ -8,44 +8,45 @@ use relief_io::ReadError;
 use crate::cut::cut;
 use crate::{advice, streams};
 
-/// Why a command did not do its work.
+/// Reason that a command did not do its work.
 #[derive(Debug)]
 pub enum Failure {
     /// The command line is wrong: exit code 2.
     Usage(String),
     /// The work failed: exit code 1.
     Work(String),
-    /// Whoever read the output has gone, as in `relief methods | head`: nothing to say, exit code 0.
+    /// The reader of the output has gone, as in `relief methods | head`: no message, exit code 0.
     ReaderGone,
 }
 
 impl Failure {
-    /// A command line that cannot be carried out.
+    /// Creates the failure of a command line that cannot be carried out.
     pub fn usage(message: impl ToString) -> Self {
         Failure::Usage(message.to_string())
     }
 
-    /// Work that failed.
+    /// Creates the failure of work.
     pub fn work(message: impl ToString) -> Self {
         Failure::Work(message.to_string())
     }
 
-    /// A height map that cannot be read.
+    /// Creates the failure of a height map that cannot be read.
     pub fn of_map(error: ReadError) -> Self {
         Failure::Work(advice::with_flag(&error, advice::of_read(&error.problem)))
     }
 
-    /// A picture or a normal map that cannot be read.
+    /// Creates the failure of a picture or a normal map that cannot be read.
     pub fn of_picture(error: ReadError) -> Self {
         Failure::Work(advice::with_flag(&error, advice::of_picture(&error.problem)))
     }
 
-    /// A mesh that cannot be read.
+    /// Creates the failure of a mesh that cannot be read.
     pub fn of_mesh(error: ReadError) -> Self {
         Failure::Work(advice::with_flag(&error, advice::of_mesh(&error.problem)))
     }
 
-    /// A command line that clap refused: what is wrong, without the advice on how the command is used.
+    /// Creates the failure of a command line that clap refused: what is wrong, without clap's
+    /// advice on usage.
     pub fn unparsed(error: &clap::Error) -> Self {
         let text = error.render().to_string();
         let text = text.strip_prefix("error: ").unwrap_or(&text);
@@ -54,7 +55,7 @@ impl Failure {
         Failure::usage(&text[..end.unwrap_or(text.len())])
     }
 
-    /// Says it once, on the standard error, and gives the exit code.
+    /// Prints the message on standard error and returns the exit code.
     pub fn report(self, json: bool) -> ExitCode {
         let (message, code) = match &self {
             Failure::Usage(message) => (message, 2),
@@ -72,11 +73,11 @@ impl Failure {
 }
 
 impl From<io::Error> for Failure {
-    /// Of writing to the standard output.
+    /// Turns an error of writing to standard output into a failure.
     fn from(error: io::Error) -> Self {
         match error.kind() {
             io::ErrorKind::BrokenPipe => Failure::ReaderGone,
-            _ => Failure::Work(format!("the standard output cannot be written: {error}")),
+            _ => Failure::Work(format!("standard output cannot be written: {error}")),
         }
     }
 }

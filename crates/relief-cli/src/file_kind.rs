@@ -1,4 +1,4 @@
-//! What a file is that is to be shown: a scene, an object, a height map or a mesh.
+//! Kind of a file that is to be shown: a scene, a depth object, a height map or a mesh.
 
 use std::fs::File;
 use std::io::Read;
@@ -8,31 +8,32 @@ use relief_io::{Format, MeshFormat};
 
 use crate::failure::Failure;
 
-/// What a file holds.
+/// Kind of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
     /// A scene file.
     Scene,
-    /// The description of an object of images.
+    /// Description of a depth object.
     Object,
-    /// A picture, whose values are heights.
+    /// Picture whose values are heights.
     HeightMap,
     /// A mesh.
     Mesh,
 }
 
-/// How much of a file is looked at: a scene's first tables.
-const LOOKED_AT: u64 = 1 << 16;
+/// Bytes at the start of a file that decide its kind: a scene's first tables.
+const START_BYTES: u64 = 1 << 16;
 
-/// Endings of height maps' names, for names that stand for several files.
+/// Endings of height maps, for names that stand for several files.
 const ENDINGS_OF_MAPS: [&str; 13] =
     ["png", "jpg", "jpeg", "exr", "tif", "tiff", "hdr", "pgm", "ppm", "pnm", "raw", "r16", "bin"];
 
-/// The name that objects of images have.
+/// Name of a depth object's description.
 const OBJECT: &str = "object.toml";
 
 impl FileKind {
-    /// What a file holds, by its content; of a mesh, and of a file that is not there, by its name.
+    /// Returns the kind of a file by its content. The kind of a mesh, or of a missing file, follows
+    /// from its name.
     ///
     /// # Errors
     ///
@@ -45,7 +46,7 @@ impl FileKind {
             return Ok(Self::by_name(path));
         }
         let mut start = Vec::new();
-        let read = File::open(path).and_then(|file| file.take(LOOKED_AT).read_to_end(&mut start));
+        let read = File::open(path).and_then(|file| file.take(START_BYTES).read_to_end(&mut start));
         read.map_err(|error| Failure::Work(format!("{}: cannot be read: {error}", path.display())))?;
         if Format::by_signature(&start).is_some() {
             return Ok(FileKind::HeightMap);
@@ -67,7 +68,7 @@ impl FileKind {
         }
     }
 
-    /// The flag that names such a file.
+    /// Returns the flag that names such a file.
     pub const fn flag(self) -> &'static str {
         match self {
             FileKind::Scene => "scene",

@@ -1,15 +1,15 @@
-//! Ranges of frames.
+//! Ranges of frame numbers.
 
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
-/// The most frames of a run.
+/// Most frames of a run.
 const MOST_FRAMES: u64 = 1_000_000;
 
-/// How a range is written.
-const FORM: &str = "write it as A..B, both among them, as in 0..47";
+/// Form of a range.
+const FORM: &str = "write it as A..B, inclusive, as in 0..47";
 
-/// The frames from one number to another, both among them.
+/// Frame numbers from a first to a last one, inclusive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Frames {
     first: u32,
@@ -39,7 +39,7 @@ impl FromStr for Frames {
         }
         match frames.count() {
             count if count > MOST_FRAMES => {
-                Err(format!("{count} frames are too many: at most {MOST_FRAMES} go at once"))
+                Err(format!("{count} frames are too many: give at most {MOST_FRAMES}"))
             }
             _ => Ok(frames),
         }
@@ -47,17 +47,17 @@ impl FromStr for Frames {
 }
 
 impl Frames {
-    /// The first of them.
+    /// Returns the first number.
     pub fn first(self) -> u32 {
         self.first
     }
 
-    /// All of them.
+    /// Returns all numbers.
     pub fn numbers(self) -> RangeInclusive<u32> {
         self.first..=self.last
     }
 
-    /// How many there are.
+    /// Returns the number of frames.
     pub fn count(self) -> u64 {
         u64::from(self.last).saturating_sub(u64::from(self.first)) + 1
     }

@@ -1,4 +1,4 @@
-//! Ctrl-C, and being asked to end: the work in hand is dropped in order.
+//! Ctrl-C and other requests to end: the work in hand is dropped in order.
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -7,13 +7,13 @@ use relief_core::Cancelled;
 
 use crate::failure::Failure;
 
-/// Set while there is something to clean up.
+/// Set once the program is asked to end.
 static CANCEL: AtomicBool = AtomicBool::new(false);
 
-/// Whether the handler is in place; a program has one.
+/// Result of installing the handler; a program has one.
 static CAUGHT: OnceLock<Result<(), String>> = OnceLock::new();
 
-/// From here on Ctrl-C ends the work in order.
+/// Installs a handler, so that Ctrl-C ends the work in order. Returns the flag that it sets.
 pub fn catch() -> Result<&'static AtomicBool, Failure> {
     let caught = CAUGHT.get_or_init(|| {
         ctrlc::set_handler(|| CANCEL.store(true, Ordering::Relaxed)).map_err(|error| error.to_string())
@@ -22,7 +22,7 @@ pub fn catch() -> Result<&'static AtomicBool, Failure> {
     Ok(&CANCEL)
 }
 
-/// What is said of work that was ended.
+/// Returns the failure of work that was cancelled.
 pub fn cancelled() -> Failure {
     Failure::Work("cancelled: no file was written".to_owned())
 }

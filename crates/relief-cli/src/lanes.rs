@@ -1,13 +1,13 @@
-//! How many values the CPU works on at once, as the environment says.
+//! SIMD width of the CPU backend, from the environment.
 
 use relief_core::Lanes;
 
 use crate::failure::Failure;
 
-/// The variable: 1, 4, 8 or 16.
+/// Environment variable with the SIMD width: 1, 4, 8 or 16.
 const VARIABLE: &str = "RELIEF_LANES";
 
-/// What `RELIEF_LANES` says, or the most that the machine has.
+/// Returns the SIMD width that `RELIEF_LANES` sets, else the widest that the machine has.
 pub fn from_environment() -> Result<Lanes, Failure> {
     let Some(text) = std::env::var_os(VARIABLE).filter(|text| !text.is_empty()) else {
         return Ok(Lanes::default());

@@ -1,5 +1,5 @@
-//! The `relief` command as a library, so that tests and the documentation of its flags reach it. Programs take the
-//! crate `relief` instead: this one prints, asks and exits.
+//! Command `relief` as a library, so that tests and the documentation of its flags reach it. Programs should
+//! use the crate `relief` instead: this one prints, asks and exits.
 
 use std::process::ExitCode;
 
@@ -26,12 +26,13 @@ mod units;
 mod values;
 mod waiting;
 
-/// Displacement mapping: a height map and a mesh go in, pictures, maps and displaced meshes come out.
+/// Displacement mapping: turns height maps and meshes into pictures, baked maps, displaced meshes and shaders.
 #[derive(Parser)]
 #[command(name = "relief", version, propagate_version = true, max_term_width = 100)]
 #[command(after_help = "Start with: relief render --height data/bricks.png -o bricks.png\n\n\
-    Exit codes: 0 done, 1 the work failed and no file was written (but for whole frames of render --frames, \
-    and the page of compare where no method keeps --budget-ms or --max-error), 2 the command line is wrong.")]
+    Exit codes: 0 done; 1 the work failed and no file was written; 2 the command line is wrong. After code 1, \
+    `render --frames` keeps finished frames, and `compare` keeps its page if no method keeps --budget-ms or \
+    --max-error.")]
 struct Arguments {
     #[command(flatten)]
     common: Common,
@@ -39,16 +40,16 @@ struct Arguments {
     command: Command,
 }
 
-/// Flags of every command.
+/// Flags of all commands.
 #[derive(Args)]
 struct Common {
-    /// Say nothing but errors and what was asked for: no progress, no notes, nothing about files
+    /// Print only errors and what was asked for: no progress, notes or names of written files
     #[arg(short, long, global = true, conflicts_with = "verbose", display_order = 900)]
     quiet: bool,
-    /// Say what is done, too, and how long it takes
+    /// Also print each part of the work with its time
     #[arg(short, long, global = true, display_order = 901)]
     verbose: bool,
-    /// Threads that work [default: one a core]
+    /// Number of worker threads, 1 to 1024 [default: one per core]
     #[arg(
         long,
         value_name = "N",
@@ -61,7 +62,7 @@ struct Common {
 
 impl Common {
     fn apply(&self) -> Result<(), Failure> {
-        // A wrong one is refused before anything is done, whatever the command is.
+        // A wrong SIMD width is refused before any work, whatever the command is.
         lanes::from_environment()?;
         say::set(match (self.quiet, self.verbose) {
             (true, _) => Loudness::Quiet,
@@ -80,35 +81,36 @@ enum Command {
     Render(Box<commands::render::Arguments>),
     /// Write a scene file of render's flags, with every key
     Scene(Box<commands::scene::Arguments>),
-    /// Say what is in a height map (size, depth, range, used levels, histogram, whether it tiles), or in a
-    /// mesh (size, charts, seams, hard edges, lengths of tiles)
+    /// Report on a height map (size, depth, range, used levels, histogram, whether it tiles) or a mesh (size,
+    /// charts, seams, hard edges, tile sizes)
     Inspect(commands::inspect::Arguments),
     /// Bake a height map into the maps that methods read: cones, normals, horizons and more
     Bake(Box<commands::bake::Arguments>),
-    /// Make a height map from a normal map, photographs under known lights, or a simple and a detailed mesh
+    /// Make a height map from a normal map, photographs under known lights, a simple and a detailed mesh, a
+    /// depth object, or a formula
     Height(commands::height::Arguments),
-    /// Displace a mesh by a height map, without cracks, to triangles in a glTF, PLY, OBJ or STL file
+    /// Displace a mesh by a height map, without cracks, and write a GLB, PLY, OBJ or STL file
     Mesh(Box<commands::mesh::Arguments>),
-    /// Capture a mesh in images with depth, which together are an image-based object
+    /// Capture a mesh as a depth object: images with depth from several views
     Capture(Box<commands::capture::Arguments>),
-    /// Write a scene's relief as shells, which any viewer of glTF shows by an alpha test
+    /// Write a scene's relief as shells (offset copies of its mesh), which any glTF viewer shows by an alpha test
     Slices(Box<commands::slices::Arguments>),
-    /// Compare methods: how wrong their hits are, what they cost and how they look, as a page and as figures
+    /// Compare methods by the error of their hits, their cost and their pictures, as a page and as figures
     Compare(Box<commands::compare::Arguments>),
     /// Time frames of methods, part by part
     Bench(Box<commands::bench::Arguments>),
-    /// Export a method as a shader for other programs: WGSL, GLSL, HLSL, MSL or SPIR-V, and what it binds
+    /// Export a method as a shader for other programs (WGSL, GLSL, HLSL, MSL or SPIR-V), and its bindings
     Shader(Box<commands::shader::Arguments>),
-    /// List every method, search and refinement with its parameters and guarantees
+    /// List every method, search and refinement with its settings and guarantees
     Methods(commands::methods::Arguments),
-    /// Print what shells complete, or write it into files
+    /// Print a shell's completions, or write the completions of all shells into files
     Completions(commands::completions::Arguments),
     /// Print a manual page, or write all of them into files
     Man(commands::man::Arguments),
 }
 
-/// Runs the command that the program's arguments name, and says how it ended: 0 done, 1 the work failed, 2 the
-/// command line is wrong. Wrong arguments and `--help` end the program here.
+/// Runs the command that the program's arguments name and returns the exit code: 0 done, 1 the work failed, 2
+/// the command line is wrong. Wrong arguments and `--help` end the program here.
 pub fn run() -> ExitCode {
     let parsed = command().try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches));
     let mut arguments = match parsed {
@@ -129,7 +131,7 @@ pub fn run() -> ExitCode {
     }
 }
 
-/// The command line, as help and completions show it.
+/// Returns the command line, as help and completions show it.
 pub fn command() -> clap::Command {
     most_used::first(Arguments::command())
 }
@@ -144,7 +146,7 @@ impl Arguments {
 }
 
 impl Command {
-    /// The files that may be standard streams.
+    /// Returns the files that may be standard streams.
     fn files(&mut self) -> Files<'_> {
         match self {
             Command::Render(arguments) => arguments.files(),
@@ -163,7 +165,7 @@ impl Command {
         }
     }
 
-    /// Whether the answer is for machines.
+    /// Whether the answer is JSON.
     fn json(&self) -> bool {
         match self {
             Command::Render(arguments) => arguments.json,

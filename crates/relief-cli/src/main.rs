@@ -1,9 +1,9 @@
-//! The `relief` command: everything but its first step is in the library.
+//! Program `relief`. Everything but its first step is in the library.
 
 use std::process::ExitCode;
 
-/// Keeps graphics drivers from complaining on standard error that there is no desktop, among `--json`'s
-/// errors, too: a layer of Mesa's drivers looks for the desktop's GPU when it lists adapters.
+/// Keeps graphics drivers from complaining about a missing desktop on standard error, which would also mix
+/// with the errors of `--json`. A layer of Mesa looks for the desktop's GPU when it lists adapters.
 #[cfg(target_os = "linux")]
 fn quieten_drivers() {
     let desktop = ["XDG_RUNTIME_DIR", "WAYLAND_DISPLAY", "DISPLAY"];

@@ -1,8 +1,8 @@
-//! The flags that help shows first.
+//! Order of flags in help: the most used ones come first.
 
 use clap::Command;
 
-/// Of the commands with many flags those that are used most, by the names of their arguments.
+/// Most used flags of the commands with many flags, by the names of their arguments.
 const MOST_USED: [(&str, &[&str]); 6] = [
     ("render", &["output", "height", "mesh", "color", "method", "scale", "size", "view", "light", "shadow"]),
     (
@@ -24,10 +24,10 @@ const MOST_USED: [(&str, &[&str]); 6] = [
     ),
 ];
 
-/// Where the flags stand that have no heading of their own and are not used most.
+/// Heading of the other flags that have no heading of their own.
 const OTHERS: &str = "More options";
 
-/// The same command line, whose help begins with the flags that are used most.
+/// Returns `command` with help that begins with the most used flags.
 pub fn first(mut command: Command) -> Command {
     for (name, most_used) in MOST_USED {
         command = command.mut_subcommand(name, |command| {

@@ -1,4 +1,4 @@
-//! A bar on a terminal, nothing in a pipe.
+//! Progress bars: shown on a terminal, not in a pipe.
 
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -7,13 +7,13 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::say::{self, Loudness};
 
-/// Steps of a bar: finer than any terminal is wide.
+/// Steps of a bar: more than any terminal is wide.
 const STEPS: u64 = 1000;
 
-/// How often what is shown moves on.
+/// Interval between updates.
 const TICK: Duration = Duration::from_millis(200);
 
-/// What is shown of one piece of work, until it is dropped.
+/// Progress bar of one piece of work, shown until it is dropped.
 pub struct Progress {
     bar: ProgressBar,
     what: String,
@@ -21,12 +21,13 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// A bar that says what is done; hidden with `quiet`, and where the standard error is no terminal.
+    /// Creates a bar for the work `what`. It is hidden with `quiet`, or if standard error is no
+    /// terminal.
     pub fn bar(what: &str, quiet: bool) -> Self {
         Self::styled(what, quiet, Some(STEPS), "{msg} {wide_bar} {percent:>3} % {eta} left")
     }
 
-    /// The same for work of which nobody knows how much is done.
+    /// Creates a spinner, for work whose progress is unknown.
     pub fn spinner(what: &str, quiet: bool) -> Self {
         Self::styled(what, quiet, None, "{msg} {spinner} {elapsed}")
     }
@@ -42,7 +43,7 @@ impl Progress {
         Self { bar, what: what.to_owned(), started: Instant::now() }
     }
 
-    /// Shows the finished part, from 0 to 1; it never goes back.
+    /// Shows the finished part, from 0 to 1; the bar never goes back.
     pub fn show(&self, part: f32) {
         let step = (part.clamp(0.0, 1.0) * STEPS as f32) as u64;
         if step > self.bar.position() {
@@ -50,29 +51,30 @@ impl Progress {
         }
     }
 
-    /// Lets something else be said, for which the bar makes room.
+    /// Runs `say`, for whose output the bar makes room.
     pub fn aside<T>(&self, say: impl FnOnce() -> T) -> T {
         self.bar.suspend(say)
     }
 }
 
-/// The bars of a renderer's tasks, one after the other.
+/// Progress bars of a renderer's tasks, one after the other.
 pub struct TaskProgress {
     quiet: bool,
     shown: Mutex<Option<Progress>>,
 }
 
 impl TaskProgress {
-    /// No bar until there is a task; none at all with `quiet`, and where the standard error is no terminal.
+    /// Creates it without a bar, until there is a task. With `quiet`, or if standard error is no
+    /// terminal, no bar is shown.
     pub fn new(quiet: bool) -> Self {
         Self { quiet, shown: Mutex::new(None) }
     }
 
-    /// Shows what is done of a task, in place of the task before.
+    /// Shows the finished part of a task, in place of the task before.
     pub fn show(&self, task: &str, part: f32) {
         let mut shown = self.shown.lock().unwrap_or_else(PoisonError::into_inner);
         if shown.as_ref().is_none_or(|before| before.what != task) {
-            // The bar of the task before goes first.
+            // Dropping the bar of the task before removes it.
             *shown = None;
             *shown = Some(Progress::bar(task, self.quiet));
         }

@@ -1,42 +1,42 @@
-//! What is said besides results and errors, on the standard error.
+//! Messages on standard error besides results and errors.
 
 use std::sync::OnceLock;
 
 use crate::cut::cut;
 use crate::streams;
 
-/// How much is said.
+/// Amount of messages.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Loudness {
-    /// Results and errors alone.
+    /// Only results and errors.
     Quiet,
-    /// Progress, and notes on what was not asked for.
+    /// Also progress, and notes on what was not asked for.
     #[default]
     Usual,
-    /// Also what is done, and how long it takes.
+    /// Also each part of the work, and its time.
     Verbose,
 }
 
 static LOUDNESS: OnceLock<Loudness> = OnceLock::new();
 
-/// Decides it, once and for all.
+/// Sets the amount of messages; only the first call counts.
 pub fn set(loudness: Loudness) {
     LOUDNESS.get_or_init(|| loudness);
 }
 
-/// How much is said.
+/// Returns the amount of messages.
 pub fn loudness() -> Loudness {
     LOUDNESS.get().copied().unwrap_or_default()
 }
 
-/// Says what a user may not expect, unless he wants to hear nothing.
+/// Prints a note on what a user may not expect, unless messages are off.
 pub fn note(text: impl std::fmt::Display) {
     if loudness() != Loudness::Quiet {
         eprintln!("note: {}", cut(&streams::named(&text.to_string())));
     }
 }
 
-/// Says what was done, where it is wanted.
+/// Prints what was done, if verbose.
 pub fn detail(text: impl std::fmt::Display) {
     if loudness() == Loudness::Verbose {
         eprintln!("{text}");

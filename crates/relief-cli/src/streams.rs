@@ -1,8 +1,8 @@
-//! The standard input and output where an argument names them: `-`.
+//! Standard input and output as files: an argument names them by `-`.
 //!
 //! Readers go back and forth in a file, and nobody wants half a picture in a pipe. So the input is copied to
-//! a temporary file first, and the output is written to one and copied when all is done. Whatever else is
-//! said goes to the standard error then.
+//! a temporary file first. The output is written to a temporary file and copied when all is done. All other
+//! messages then go to standard error.
 
 use std::fs::File;
 use std::io::{self, IsTerminal, Read, Write};
@@ -16,51 +16,51 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::say::{self, Loudness};
 
-/// How an argument names a standard stream.
+/// Name of a standard stream in arguments.
 const STREAM: &str = "-";
 
-/// The standard input as it is called in what is said.
+/// Name of standard input in messages.
 pub const INPUT: &str = "standard input";
 
-/// Where the streams' temporary files are.
-struct Places {
+/// Temporary files of the streams.
+struct StreamFiles {
     input: Option<PathBuf>,
     output: Option<PathBuf>,
 }
 
-static PLACES: OnceLock<Places> = OnceLock::new();
+static FILES: OnceLock<StreamFiles> = OnceLock::new();
 
-/// The files that a command reads and writes.
+/// Files that a command reads and writes.
 #[derive(Default)]
 pub struct Files<'a> {
     pub read: Vec<&'a mut PathBuf>,
     pub written: Vec<Written<'a>>,
-    /// A flag that was given and makes several files of one.
+    /// Flag on the command line that writes several files instead of one.
     pub split: Option<&'static str>,
 }
 
-/// A file that a command writes.
+/// File that a command writes.
 pub struct Written<'a> {
-    /// The argument that names it.
+    /// Argument that names it.
     pub flag: &'static str,
     pub path: &'a mut PathBuf,
-    /// The format that is asked for, by the ending of its files' names.
+    /// Format that --format names, as a file ending.
     pub format: Option<&'a str>,
 }
 
-/// The temporary files behind the standard streams. Dropped, they are gone.
+/// Temporary files behind the standard streams. Dropping it removes them.
 pub struct Streams {
     folder: Option<TempDir>,
 }
 
 impl Streams {
-    /// Replaces the streams' names by those of temporary files, and copies the standard input to its own.
+    /// Replaces the names of streams by names of temporary files, and copies standard input to its file.
     pub fn open(files: Files) -> Result<Self, Failure> {
         let mut streams = Self { folder: None };
-        // What is wrong with the output is found before anybody waits for the input.
+        // Errors of the output come before anybody waits for the input.
         let output = streams.output(files.written, files.split)?;
         let input = streams.input(files.read)?;
-        PLACES.get_or_init(|| Places { input, output });
+        FILES.get_or_init(|| StreamFiles { input, output });
         Ok(streams)
     }
 
@@ -68,11 +68,11 @@ impl Streams {
         let mut named = files.into_iter().filter(|path| path.as_os_str() == STREAM);
         let Some(first) = named.next() else { return Ok(None) };
         if named.next().is_some() {
-            return Err(Failure::usage("the standard input can be read once: give one of the files a name"));
+            return Err(Failure::usage("standard input can be read only once: name a file for the other -"));
         }
         let mut input = io::stdin().lock();
         if input.is_terminal() {
-            return Err(Failure::usage("-: the standard input is a terminal: give a file, or pipe one in"));
+            return Err(Failure::usage("-: standard input is a terminal: give a file, or pipe one in"));
         }
         let path = self.folder()?.join("stdin");
         let cancel = interrupt::catch()?;
@@ -99,24 +99,24 @@ impl Streams {
             files.into_iter().partition(|file| file.path.as_os_str() == STREAM);
         if let Some(Written { flag, .. }) = named.iter().find(|file| file.format.is_some()) {
             return Err(Failure::Usage(format!(
-                "--format is for {flag} -: a file's name says its format by its ending"
+                "--format is for {flag} - only: a file's ending chooses its format: leave --format out"
             )));
         }
         let Some(Written { flag, path, format }) = streams.pop() else { return Ok(None) };
         if !streams.is_empty() {
-            return Err(Failure::usage("one file alone can go to the standard output: name the others"));
+            return Err(Failure::usage("only one file can go to standard output: name the others"));
         }
         if let Some(split) = split {
             return Err(Failure::Usage(format!(
-                "{split} makes several files, and {flag} - is one: give them a name"
+                "{split} writes several files, and {flag} - is one: give them a name"
             )));
         }
         let Some(format) = format else {
-            return Err(Failure::Usage(format!("{flag} -: say with --format in which format")));
+            return Err(Failure::Usage(format!("{flag} -: the format is not known: give --format")));
         };
         if io::stdout().is_terminal() {
             return Err(Failure::Usage(format!(
-                "{flag} -: the standard output is a terminal: redirect it, or give a file"
+                "{flag} -: standard output is a terminal: redirect it, or give a file"
             )));
         }
         // From here on an interrupted program has a folder to remove.
@@ -125,9 +125,9 @@ impl Streams {
         Ok(Some(path.clone()))
     }
 
-    /// Copies what was written to the standard output.
+    /// Copies the written file to standard output.
     pub fn finish(self) -> Result<(), Failure> {
-        let Some(path) = PLACES.get().and_then(|places| places.output.as_ref()) else { return Ok(()) };
+        let Some(path) = FILES.get().and_then(|files| files.output.as_ref()) else { return Ok(()) };
         let mut file = File::open(path).map_err(Failure::work)?;
         let mut out = io::stdout().lock();
         io::copy(&mut file, &mut out)?;
@@ -138,23 +138,23 @@ impl Streams {
         if self.folder.is_none() {
             let folder = tempfile::Builder::new().prefix("relief-").tempdir();
             self.folder = Some(folder.map_err(|error| {
-                Failure::Work(format!("a folder for temporary files cannot be made: {error}"))
+                Failure::Work(format!("no folder can be made for temporary files: {error}"))
             })?);
         }
         Ok(self.folder.as_ref().map_or(Path::new(""), TempDir::path))
     }
 }
 
-/// Whether a path is that of the standard input's copy.
+/// Whether a path names the copy of standard input.
 pub fn is_input(path: &Path) -> bool {
-    PLACES.get().is_some_and(|places| places.input.as_deref() == Some(path))
+    FILES.get().is_some_and(|files| files.input.as_deref() == Some(path))
 }
 
-/// A text with the streams' names in place of their temporary files'.
+/// Returns a text with the names of streams in place of their temporary files' names.
 pub fn named(text: &str) -> String {
     let mut text = text.to_owned();
-    if let Some(places) = PLACES.get() {
-        for (path, name) in [(&places.input, INPUT), (&places.output, "standard output")] {
+    if let Some(files) = FILES.get() {
+        for (path, name) in [(&files.input, INPUT), (&files.output, "standard output")] {
             if let Some(path) = path {
                 text = text.replace(&path.display().to_string(), name);
             }
@@ -163,12 +163,12 @@ pub fn named(text: &str) -> String {
     text
 }
 
-/// Says the answer to a command: on the standard output, or where a file goes there, on the standard error.
+/// Prints the answer to a command: on standard output, or on standard error if a file goes to standard output.
 pub fn answer(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Failure>) -> Result<(), Failure> {
     say_answer(write, true)
 }
 
-/// Says what a command wrote into files. With `--quiet` nothing is said, unless `json` was asked for: the files
+/// Prints which files a command wrote. With `--quiet` it prints nothing, unless `json` was asked for: the files
 /// are the result.
 pub fn tell_written(
     json: bool,
@@ -179,16 +179,16 @@ pub fn tell_written(
 
 fn say_answer(
     write: impl FnOnce(&mut Vec<u8>) -> Result<(), Failure>,
-    is_heard: bool,
+    is_printed: bool,
 ) -> Result<(), Failure> {
     let mut text = Vec::new();
     write(&mut text)?;
-    if !is_heard {
+    if !is_printed {
         return Ok(());
     }
     let text = named(&String::from_utf8_lossy(&text));
-    match PLACES.get() {
-        Some(Places { output: Some(_), .. }) => Ok(io::stderr().lock().write_all(text.as_bytes())?),
+    match FILES.get() {
+        Some(StreamFiles { output: Some(_), .. }) => Ok(io::stderr().lock().write_all(text.as_bytes())?),
         _ => Ok(io::stdout().lock().write_all(text.as_bytes())?),
     }
 }

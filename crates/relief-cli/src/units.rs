@@ -1,21 +1,21 @@
-//! Lengths with their units.
+//! Reading and formatting of lengths with units.
 
 use crate::values::six_digits;
 
-/// A length, and whether its unit was written.
+/// Length in metres, and whether its unit was written.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Length {
     pub metres: f64,
     pub has_unit: bool,
 }
 
-/// A length, with whether its unit was written.
+/// Reads a length, and whether its unit was written.
 pub fn length_as_written(text: &str) -> Result<Length, String> {
     let has_unit = text.trim().parse::<f64>().is_err();
     length(text).map(|metres| Length { metres, has_unit })
 }
 
-/// A length in the unit that fits it, and how many of that unit a metre is: millimetres below 1 m, kilometres
+/// Returns the unit that fits a length, and its number per metre: millimetres below 1 m, kilometres
 /// from 10 km on.
 pub fn fitting(metres: f64) -> (&'static str, f64) {
     match metres.abs() {
@@ -25,18 +25,18 @@ pub fn fitting(metres: f64) -> (&'static str, f64) {
     }
 }
 
-/// A length as people read it, of at most six digits that count.
+/// Formats a length in a fitting unit, with at most six significant digits.
 pub fn in_words(metres: f64) -> String {
     let (unit, factor) = fitting(metres);
     format!("{} {unit}", six_digits(metres * factor))
 }
 
-/// Metres: a number of them, or one with its unit, as in `5cm` or `3ft`.
+/// Reads a length in metres: a number, or one with its unit, as in `5cm` or `3ft`.
 pub fn length(text: &str) -> Result<f64, String> {
     relief_io::metres(text).map_err(|error| error.to_string())
 }
 
-/// Millimetres: a number of them, or a length with its unit, as in `10cm`.
+/// Reads a length in millimetres: a number, or one with its unit, as in `10cm`.
 pub fn millimetres(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
@@ -47,12 +47,12 @@ pub fn millimetres(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A length, or `inf` for one that is longer than all others.
+/// Reads a length in metres, or `inf`.
 pub fn length_or_infinity(text: &str) -> Result<f64, String> {
     if text.trim().eq_ignore_ascii_case("inf") { Ok(f64::INFINITY) } else { length(text) }
 }
 
-/// One length for both axes, or two between a comma.
+/// Reads one length for both axes, or two with a comma between them.
 pub fn one_or_two_lengths(text: &str) -> Result<[f64; 2], String> {
     match text.split_once(',') {
         None => length(text).map(|both| [both, both]),
@@ -60,7 +60,7 @@ pub fn one_or_two_lengths(text: &str) -> Result<[f64; 2], String> {
     }
 }
 
-/// Two lengths `U,V`.
+/// Reads two lengths `U,V`.
 pub fn two_lengths(text: &str) -> Result<[f64; 2], String> {
     let wrong = || "write it as U,V, in metres or with units, as in 30cm,20cm".to_owned();
     let (first, second) = text.split_once(',').ok_or_else(wrong)?;

@@ -1,4 +1,4 @@
-//! Values of flags: points, sizes, ranges and settings.
+//! Readers for values of flags: points, sizes, ranges and settings.
 
 use std::fmt::Display;
 use std::str::FromStr;
@@ -8,7 +8,7 @@ use relief_io::HeightRange;
 use relief_scene::{LightSpec, MaterialSpec};
 use relief_shaders::{Selection, SelectionError};
 
-/// `N` finite numbers between commas.
+/// Reads `N` finite numbers with commas between them.
 fn numbers<const N: usize, T: FromStr>(text: &str, form: &str) -> Result<[T; N], String>
 where
     T::Err: Display,
@@ -30,22 +30,22 @@ fn finite<const N: usize>(numbers: [f64; N]) -> Result<[f64; N], String> {
     }
 }
 
-/// A point or direction `X,Y,Z`.
+/// Reads a point or direction `X,Y,Z`.
 pub fn point(text: &str) -> Result<[f64; 3], String> {
     numbers(text, "X,Y,Z").and_then(finite)
 }
 
-/// Two numbers `U,V`.
+/// Reads two numbers `U,V`.
 pub fn pair(text: &str) -> Result<[f64; 2], String> {
     numbers(text, "U,V").and_then(finite)
 }
 
-/// A range `A,B`, or `auto`.
+/// Reads a range `A,B`, or `auto`.
 pub fn range(text: &str) -> Result<HeightRange, String> {
     text.parse()
 }
 
-/// A value that marks texels without one.
+/// Reads a value that marks holes.
 pub fn nodata(text: &str) -> Result<f64, String> {
     let number: f64 = text.trim().parse().map_err(|_| "write it as a number, as in -9999".to_owned())?;
     if number.is_finite() {
@@ -54,7 +54,7 @@ pub fn nodata(text: &str) -> Result<f64, String> {
     Err("texels that are NaN or infinite never have a value: leave it out".to_owned())
 }
 
-/// A number above 0.
+/// Reads a number above 0.
 pub fn positive(text: &str) -> Result<f64, String> {
     let number = text.trim().parse().map_err(|_| "write it as a number, as in 2 or 0.5".to_owned())?;
     if number > 0.0 && f64::is_finite(number) {
@@ -64,14 +64,14 @@ pub fn positive(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A size in pixels `WxH`.
+/// Reads a size in pixels `WxH`.
 pub fn size(text: &str) -> Result<[u32; 2], String> {
     let wrong = || "write it as WxH, as in 800x600".to_owned();
     let (width, height) = text.split_once(['x', 'X']).ok_or_else(wrong)?;
     Ok([width.parse().map_err(|_| wrong())?, height.parse().map_err(|_| wrong())?])
 }
 
-/// A setting `search.steps=64`, or `slices.test=band` where values have names.
+/// Reads a setting `search.steps=64`, or `slices.test=band` where values have names.
 pub fn setting(text: &str) -> Result<(String, f64), String> {
     let wrong = || "write it as STAGE.NAME=VALUE, as in search.steps=64".to_owned();
     let (key, value) = text.split_once('=').ok_or_else(wrong)?;
@@ -84,7 +84,7 @@ pub fn setting(text: &str) -> Result<(String, f64), String> {
     Ok((key.to_owned(), value))
 }
 
-/// Part of a material, `diffuse=R,G,B`, `specular=R,G,B` or `shininess=N`.
+/// Reads a part of a material: `diffuse=R,G,B`, `specular=R,G,B` or `shininess=N`.
 pub fn material(text: &str) -> Result<MaterialSpec, String> {
     let form = "diffuse=R,G,B, specular=R,G,B or shininess=N";
     let (part, value) = text.split_once('=').ok_or_else(|| format!("write it as {form}"))?;
@@ -103,7 +103,7 @@ pub fn material(text: &str) -> Result<MaterialSpec, String> {
     }
 }
 
-/// A point light `X,Y,Z`, white of intensity 1, or `X,Y,Z,R,G,B`.
+/// Reads a point light: `X,Y,Z`, white with intensity 1, or `X,Y,Z,R,G,B`.
 pub fn point_light(text: &str) -> Result<LightSpec, String> {
     let form = "X,Y,Z or X,Y,Z,R,G,B";
     if let Ok(position) = numbers(text, form).and_then(finite) {
@@ -114,7 +114,7 @@ pub fn point_light(text: &str) -> Result<LightSpec, String> {
     Ok(LightSpec { position: Some([x, y, z]), color, ..LightSpec::default() })
 }
 
-/// A number for people, of at most six digits that count.
+/// Rounds a number to six significant digits.
 pub fn six_digits(number: f64) -> f64 {
     format!("{number:.5e}").parse().unwrap_or(number)
 }

@@ -6,13 +6,14 @@ use std::time::Duration;
 
 use crate::say;
 
-/// After which time a user is told.
+/// Time after which a note is printed.
 const NOTE_AFTER: Duration = Duration::from_secs(1);
 
-/// How long to wait: a process that was stopped must not stop everyone.
+/// Longest time to wait: a stopped process must not stop everyone.
 const PATIENCE: Duration = Duration::from_secs(600);
 
-/// Whether to go on waiting, asked with the time that has passed; says once what for, unless `quiet`.
+/// Returns a function that takes the time waited so far and decides whether to go on waiting. It prints a note
+/// once, unless `quiet`.
 pub fn waiting<'a>(
     folder: &'a Path,
     quiet: bool,
@@ -23,7 +24,7 @@ pub fn waiting<'a>(
         if !is_said && waited >= NOTE_AFTER {
             let folder = folder.display();
             say::note(format_args!(
-                "another process writes the same files into {folder}: waiting until it has ended"
+                "another process writes the same files into {folder}: waiting until it ends"
             ));
             is_said = true;
         }

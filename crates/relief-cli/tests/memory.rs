@@ -1,4 +1,4 @@
-//! The command's peak of resident memory. Reading peaks at 8 bytes a texel and 32 MiB above the idle process,
+//! Peak of the command's resident memory. Reading peaks at 8 bytes a texel and 32 MiB above the idle process,
 //! a refused header at 32 MiB; rendering and integrating keep to what they count against `--max-memory`, and
 //! pictures of any size take a band of rows.
 //!
@@ -32,16 +32,16 @@ const TEXELS: u64 = SIDE as u64 * SIDE as u64;
 /// Memory that anything may take that does not grow with the maps.
 const FIXED: u64 = 32 * MIB;
 
-/// What reading, rendering with the exact tracer, and rendering without it may take a texel, with levels of
+/// Limits in bytes per texel: reading, rendering with the exact tracer, and rendering without it, with levels of
 /// detail.
 const READ_BYTES: u64 = 8;
 const EXACT_BYTES: u64 = 11 + 16;
 const METHOD_BYTES: u64 = 8 + 16;
 
-/// What a normal map may take a texel to become heights: it counts as much against `--max-memory`.
+/// Limit in bytes per texel for integrating a normal map: it counts as much against `--max-memory`.
 const INTEGRATION_BYTES: u64 = 32;
 
-/// What rendering may take of a picture, whatever its size: it counts as much against `--max-memory`.
+/// Limit in bytes for rendering a picture of any size: it counts as much against `--max-memory`.
 const PICTURE_BYTES: u64 = 64 * MIB;
 
 static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());

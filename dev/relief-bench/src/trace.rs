@@ -25,7 +25,7 @@ use relief_core::exact::FastTracer;
 
 use maps::{SUBJECTS, Subject};
 use measure::{Cursor, Setup};
-use tracers::{Contest, FAST, PARRY, Rays};
+use tracers::{FAST, PARRY, Rays, TracerSet};
 use view::{Ground, SIZE};
 
 use crate::samples::Samples;
@@ -130,7 +130,7 @@ impl Bench<'_> {
         let map = subject.map()?;
         println!("\n## {}: {}x{}\n", subject.name, map.width(), map.height());
         println!("{}", self.set_ups(&map));
-        let contest = Contest::new(&map)?;
+        let tracer_set = TracerSet::new(&map)?;
         let ground = Ground::of(&map);
         let mut rates = table(&[
             "rays",
@@ -145,15 +145,15 @@ impl Bench<'_> {
         let scattered = tracers::scattered_rays(&ground);
         let coherent = tracers::picture_rays(&ground)?;
         for (view, shadow) in [(coherent, "picture, shadow"), (scattered, "scattered, shadow")] {
-            let shadow = view.shadows(shadow, &ground, &contest);
+            let shadow = view.shadows(shadow, &ground, &tracer_set);
             for rays in [view, shadow] {
-                agreement::check_fast(&contest, &rays)?;
-                compare_answers(&contest, &rays, &mut answers);
-                self.race(subject, &contest, &rays, &mut rates);
+                agreement::check_fast(&tracer_set, &rays)?;
+                compare_answers(&tracer_set, &rays, &mut answers);
+                self.race(subject, &tracer_set, &rays, &mut rates);
             }
         }
         println!("\n{rates}\n\n{answers}");
-        self.pictures(subject, &contest)
+        self.pictures(subject, &tracer_set)
     }
 
     fn set_ups(&self, map: &HeightMap) -> Table {
@@ -171,9 +171,9 @@ impl Bench<'_> {
         table
     }
 
-    fn race(&mut self, subject: &Subject, contest: &Contest, rays: &Rays, table: &mut Table) {
+    fn race(&mut self, subject: &Subject, tracer_set: &TracerSet, rays: &Rays, table: &mut Table) {
         let turn = Duration::from_secs_f64(self.arguments.turn);
-        let tracers = contest.tracers();
+        let tracers = tracer_set.tracers();
         let cursors: Vec<Cursor> = tracers.iter().map(|_| Cursor::default()).collect();
         let mut rates = vec![vec![Samples::default(); tracers.len()]; self.pools.len()];
         for _ in 0..self.rounds {
@@ -202,9 +202,9 @@ impl Bench<'_> {
         }
     }
 
-    fn pictures(&mut self, subject: &Subject, contest: &Contest) -> Result<(), String> {
-        let stage = picture::Stage::new(contest.map, &contest.fast)?;
-        let scene = self.povray.is_some().then(|| povray::Scene::new(contest.map)).transpose()?;
+    fn pictures(&mut self, subject: &Subject, tracer_set: &TracerSet) -> Result<(), String> {
+        let stage = picture::Stage::new(tracer_set.map, &tracer_set.fast)?;
+        let scene = self.povray.is_some().then(|| povray::Scene::new(tracer_set.map)).transpose()?;
         let mut pace = vec![Pace::default(); self.pools.len()];
         let mut parse = Samples::default();
         let mut shadow_rays = [0; 2];
@@ -271,9 +271,9 @@ impl Bench<'_> {
     }
 }
 
-fn compare_answers(contest: &Contest, rays: &Rays, table: &mut Table) {
-    for (name, tracer) in contest.tracers() {
-        let agreement = agreement::compare(contest, rays, &tracer);
+fn compare_answers(tracer_set: &TracerSet, rays: &Rays, table: &mut Table) {
+    for (name, tracer) in tracer_set.tracers() {
+        let agreement = agreement::compare(tracer_set, rays, &tracer);
         let percent = |share: f64| format!("{:.2}", share * 100.0);
         let mut row = vec![
             rays.name.to_owned(),

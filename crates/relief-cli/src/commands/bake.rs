@@ -1,8 +1,8 @@
-//! `relief bake`: a height map to the maps that methods read.
+//! `relief bake`: bakes a height map into the maps that methods read.
 //!
-//! A bake goes into a hidden folder inside the output folder: texels as they come, then the finished files.
-//! Only when all files of all kinds are whole do they take their names, with a manifest that lists them. A
-//! bake that fails or is cancelled leaves everything as it was.
+//! A bake writes into a hidden folder inside the output folder: first raw texels, then finished
+//! files. When all files of all kinds are whole, they take their names, with a manifest that lists
+//! them. A bake that fails or is cancelled changes nothing.
 
 mod early;
 mod files;
@@ -41,58 +41,57 @@ use crate::progress::Progress;
 use crate::streams::{Files, tell_written};
 use crate::{say, units, values};
 
-/// Displacement in metres between heights 0 and 1 unless the file or the user says otherwise; that of
-/// `relief render`.
+/// Default displacement in metres between heights 0 and 1, the same as in `relief render`.
 const DEFAULT_SCALE_M: f64 = 0.05;
 
-/// The part of a bake's time that is given to baking; the rest goes to writing files.
+/// Share of the progress bar that is baking; the rest is writing files.
 const BAKING_PART: f32 = 0.9;
 
-/// What `relief bake` is given.
+/// Arguments of `relief bake`.
 #[derive(Args)]
 #[command(after_help = short_help(), after_long_help = after_help())]
 pub struct Arguments {
-    /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw; - for the standard
-    /// input, whose files are named stdin
+    /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw; - for standard
+    /// input (its files are named stdin)
     height: PathBuf,
-    /// Kinds of maps to bake, as in cone,normal; listed below
+    /// Kinds of baked maps, as in cone,normal; listed below
     #[arg(long, value_name = "KIND[,KIND...]", value_delimiter = ',', required = true)]
     kind: Vec<String>,
-    /// Folder for the files, which is made if it is missing; or of a single kind the file itself, as in
+    /// Folder for the files, created if missing; or, for a single kind, the file itself, as in
     /// normal.png
     #[arg(short, long, value_name = "DIR|FILE")]
     output: PathBuf,
-    /// File format [default: png for normal, occlusion and bent-normal, which other programs take for
-    /// pictures, exr for the rest and for --texels float]
+    /// File format [default: png for normal, occlusion and bent-normal, which other programs read
+    /// as pictures; exr for the rest and for --texels float]
     #[arg(long, value_enum)]
     format: Option<FileFormat>,
-    /// Setting of a kind, as in cone.bits=8; may be repeated
+    /// Setting of a kind, as in cone.bits=8; repeatable
     #[arg(long, value_name = "KIND.NAME=VALUE", value_parser = setting)]
     set: Vec<(String, f64)>,
-    /// Metres of displacement between heights 0 and 1, or with a unit, as in 5cm
-    /// [default: the range of a georeferenced elevation model, else 0.05]
+    /// Displacement in metres between heights 0 and 1, or with a unit, as in 5cm [default: the
+    /// range of a georeferenced elevation model, else 0.05]
     #[arg(long, value_name = "M", value_parser = units::length)]
     scale: Option<f64>,
-    /// Metres of a tile along u and v [default: from a georeferenced file's texel size, else of square
-    /// texels, the longer side 1]
+    /// Tile size along u and v in metres, or with units, as in 30cm,20cm [default: a georeferenced
+    /// file's, else square texels and 1 m for the longer side]
     #[arg(long, value_name = "U,V", value_parser = units::two_lengths)]
     tile_size: Option<[f64; 2]>,
-    /// How values are stored; they are rounded to the side that keeps a map's promise
+    /// How values are stored; they are rounded to the side that keeps a map's guarantee
     #[arg(long, value_enum, default_value = "auto", help_heading = "Storage")]
     texels: TexelChoice,
-    /// Compress KTX2 levels with Zstandard
+    /// Compress the levels of KTX2 files with Zstandard
     #[arg(long, help_heading = "Storage", hide_short_help = true)]
     zstd: bool,
-    /// Allow heights in block-compressed texels, which keep 8 levels a block: for copies only
+    /// Allow block compression of heights, which keeps 8 levels per block: for copies only
     #[arg(long, help_heading = "Storage", hide_short_help = true)]
     lossy_heights: bool,
-    /// Bake again what has been baked before, and replace files that relief has not baked
+    /// Bake again even if the files are up to date, and replace files of other programs
     #[arg(long)]
     force: bool,
-    /// Print one JSON object about the files
+    /// Print the result as one JSON object
     #[arg(long)]
     pub json: bool,
-    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB to read the map]
+    /// Memory limit, as in 512MiB; work that needs more is refused [default: 4GiB to read the map]
     #[arg(long, value_name = "SIZE", hide_short_help = true)]
     max_memory: Option<ByteSize>,
     #[command(flatten)]
@@ -105,7 +104,7 @@ fn short_help() -> String {
     format!(
         "Examples:\n  relief bake bricks.png --kind normal -o bricks_normal.png\n  \
          relief bake bricks.png --kind cone --set cone.bits=8 --format ktx2 -o maps\n\n\
-         Kinds: {}; `relief bake --help` says what they are and lists their settings.",
+         Kinds: {}; `relief bake --help` describes them and their settings.",
         names.join(", ")
     )
 }
@@ -119,16 +118,16 @@ fn after_help() -> String {
     let mut text = String::from(
         "Examples:\n  relief bake bricks.png --kind cone --set cone.bits=8 --format ktx2 -o maps\n  \
          relief bake dem.tif --fill --wrap clamp --kind normal,horizon -o maps\n\n\
-         Files are named HEIGHT.KIND.FORMAT, with the texture's name, channels or mip level between where \
-         a kind has several, or slices where an EXR file cannot hold all. Each holds its metadata: kind, \
-         settings, hash of the source, wrap, tile and scale in metres, channels with ranges and rounding, \
-         names of all files of the bake. HEIGHT.relief-manifest lists the files of all bakes of a map \
-         with their hashes: what is there as listed is not baked again, and files that a new bake of a \
-         kind no longer has are removed unless they were changed. Files of other programs are not \
-         replaced without --force.\n\n\
-         All files get their names at the end; Ctrl-C leaves everything as it was (exit code 1). While it \
-         bakes, a hidden folder in DIR takes 4 bytes a value; what a killed run leaves is finished or \
-         removed by the next.\n\n\
+         Files are named HEIGHT.KIND.FORMAT. Where a kind has several, the texture's name, channels, mip \
+         level or slices come before FORMAT. Each file holds its metadata: kind, settings, hash of the \
+         source, wrap, tile and scale in metres, channels with ranges and rounding, and the names of all \
+         files of the bake.\n\n\
+         HEIGHT.relief-manifest lists the files of all bakes of a map with their hashes. Files that are up \
+         to date are not baked again. Files that a new bake of a kind no longer writes are removed, unless \
+         they were changed. Files of other programs are replaced only with --force.\n\n\
+         All files take their names at the end; Ctrl-C changes nothing (exit code 1). While it bakes, a \
+         hidden folder in DIR takes 4 bytes a value. The next run finishes or removes what a killed run \
+         left.\n\n\
          Kinds:\n",
     );
     for kind in KINDS {
@@ -155,7 +154,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// The parameter that adds mip levels.
 const MIPS: &str = "mips";
 
-/// The kinds of that names, with their settings.
+/// Returns the kinds of the given names, with their settings.
 fn choose<'k>(
     arguments: &Arguments,
     kind_of: impl Fn(&str) -> Result<&'k Kind, UnknownName>,
@@ -172,13 +171,13 @@ fn choose<'k>(
             Failure::Usage(format!("--set {key}: write it as KIND.NAME=NUMBER, as in cone.bits=8"))
         })?;
         let names = kinds.iter().map(|(kind, _)| kind.name);
-        let unknown = UnknownName::new("kind among those to bake", name, names);
+        let unknown = UnknownName::new("kind to bake", name, names);
         let name = kind_of(name).map_or(name, |kind| kind.name);
         let chosen = kinds.iter_mut().find(|(kind, _)| kind.name == name);
         let (_, settings) = chosen.ok_or_else(|| Failure::usage(unknown))?;
         settings.set(param, *value).map_err(Failure::usage)?;
     }
-    // Where each level is a file of its own, they come only when they are asked for.
+    // If each level is a file of its own, levels are written only when asked for.
     for (kind, settings) in &mut kinds {
         let is_given = |(key, _): &(String, f64)| {
             key.split_once('.').is_some_and(|(name, param)| {
@@ -195,12 +194,12 @@ fn choose<'k>(
 }
 
 impl Arguments {
-    /// The file that may be the standard input.
+    /// Returns the file that may be standard input.
     pub fn files(&mut self) -> Files<'_> {
         Files { read: vec![&mut self.height], ..Files::default() }
     }
 
-    /// The format of a kind's files.
+    /// Returns the format of a kind's files.
     fn format_of(&self, kind: &Kind) -> FileFormat {
         let usual = match self.texels {
             TexelChoice::Float => FileFormat::Exr,
@@ -210,7 +209,7 @@ impl Arguments {
         self.file().map(|file| file.format).or(self.format).unwrap_or(usual)
     }
 
-    /// The file to write, where the output is none of a folder.
+    /// Returns the file to write, if the output is a file and not a folder.
     fn file(&self) -> Option<OutputFile> {
         let ending = self.output.extension()?.to_str()?.to_ascii_lowercase();
         let format = FileFormat::ALL.into_iter().find(|format| format.extension() == ending)?;
@@ -218,7 +217,7 @@ impl Arguments {
         (!self.output.is_dir()).then(|| OutputFile { name: name.to_owned(), stem: stem.to_owned(), format })
     }
 
-    /// The folder that files are written into.
+    /// Returns the folder that files are written into.
     fn folder(&self) -> &Path {
         match self.file() {
             None => &self.output,
@@ -229,18 +228,19 @@ impl Arguments {
         }
     }
 
-    /// Whether a single file can be written, if one is asked for.
+    /// Checks that a single file can be written, if one is asked for.
     fn check_file(&self, kinds: usize) -> Result<(), Failure> {
         let Some(file) = self.file() else { return Ok(()) };
         let name = self.output.display();
         if kinds != 1 {
             return Err(Failure::Usage(format!(
-                "--output {name}: is one file, and {kinds} kinds are asked for: give it the name of a folder"
+                "--output {name}: one file cannot hold {kinds} kinds: give the name of a folder"
             )));
         }
-        if self.format.is_some_and(|format| format != file.format) {
+        if let Some(format) = self.format.filter(|format| *format != file.format) {
+            let [ending, format] = [file.format, format].map(FileFormat::extension);
             return Err(Failure::Usage(format!(
-                "--output {name}: its name and --format say different formats"
+                "--output {name}: the ending says {ending}, --format says {format}: leave --format out"
             )));
         }
         if !self.folder().is_dir() {
@@ -258,20 +258,20 @@ struct OutputFile {
     format: FileFormat,
 }
 
-/// What is to be made of a map that has been read.
+/// Bake of a height map that has been read.
 struct Job<'a> {
     arguments: &'a Arguments,
     folder: &'a Path,
-    /// The name of the only file, where it is given.
+    /// Name of the only file, where it is given.
     file_name: Option<String>,
     tasks: Vec<Task<'a>>,
     size: [u32; 2],
     wrap: Wrap,
     metric: Metric,
     source_hash: String,
-    /// The beginning of the files' names.
+    /// Beginning of the files' names.
     stem: String,
-    /// What is said of reading the map.
+    /// Notes from reading the map.
     notes: BTreeSet<Note>,
 }
 
@@ -281,25 +281,25 @@ struct Task<'a> {
     settings: Settings,
     packing: Packing,
     identity: Identity,
-    /// The beginning of its files' names.
+    /// Beginning of its files' names.
     base: String,
-    /// Its name in the manifest.
+    /// Name in the manifest.
     part: String,
-    /// The names of its files, by the shapes of its textures.
+    /// Names of its files, by the shapes of its textures.
     names: Vec<String>,
 }
 
 impl<'a> Job<'a> {
-    /// Reads the map, and finds out whether the kinds can be made of it and written.
+    /// Reads the map, and checks that the kinds can be baked and written.
     fn new(arguments: &'a Arguments, kinds: Vec<(&'a Kind, Settings)>) -> Result<(Self, HeightMap), Failure> {
         arguments.check_file(kinds.len())?;
         let file = arguments.file();
         if file.is_none() && arguments.output.exists() && !arguments.output.is_dir() {
             let folder = arguments.output.display();
-            return Err(Failure::Work(format!("{folder}: is no folder: give another --output")));
+            return Err(Failure::Work(format!("{folder}: this is not a folder: give another --output")));
         }
         if arguments.zstd && kinds.iter().any(|(kind, _)| arguments.format_of(kind) != FileFormat::Ktx2) {
-            return Err(Failure::usage("--zstd is for --format ktx2"));
+            return Err(Failure::usage("--zstd needs --format ktx2: add it, or leave --zstd out"));
         }
         for (kind, settings) in &kinds {
             let format = arguments.format_of(kind);
@@ -334,7 +334,7 @@ impl<'a> Job<'a> {
         Ok((job, map))
     }
 
-    /// A kind that can be baked and written, as far as that can be known before.
+    /// Returns a kind that can be baked and written, as far as that is known in advance.
     fn task(
         &self,
         kind: &'a Kind,
@@ -354,7 +354,7 @@ impl<'a> Job<'a> {
         let plans = self.plans(&base, format, &shapes);
         if let (Some(_), count @ 2..) = (&self.file_name, plans.len()) {
             return Err(Failure::Usage(format!(
-                "--output {}: is one file, and '{}' makes {count} in this format: give it the name of a folder, or \
+                "--output {}: one file cannot hold the {count} files of '{}': give the name of a folder, or \
                  another ending ({})",
                 self.arguments.output.display(),
                 kind.name,
@@ -374,7 +374,7 @@ impl<'a> Job<'a> {
         {
             let (file, input) = (self.folder.join(name), &self.arguments.height);
             return Err(Failure::Usage(format!(
-                "{} would replace {}, which is read: give another --output",
+                "{} would replace the input {}: give another --output",
                 file.display(),
                 input.display()
             )));
@@ -385,7 +385,7 @@ impl<'a> Job<'a> {
         Ok(Task { kind, settings, packing, identity, base, part, names })
     }
 
-    /// The files of textures of such shapes.
+    /// Returns the files for textures of the given shapes.
     fn plans(&self, base: &str, format: FileFormat, shapes: &[Shape]) -> Vec<Plan> {
         let mut plans = files::plan(base, format, shapes);
         if let (Some(name), [plan]) = (&self.file_name, plans.as_mut_slice()) {
@@ -399,7 +399,7 @@ impl<'a> Job<'a> {
         let has_manifest = self.file_name.is_none();
         let mut outputs = match Outputs::open(output, &self.stem, has_manifest, *force, *json, cancel) {
             Ok(outputs) => outputs,
-            // A folder that nobody may write into may hold all files already.
+            // A folder that nobody may write into can already hold all files.
             Err(failure) => {
                 let earlier = Earlier::find(output, &self.stem).ok().filter(|_| has_manifest);
                 let all = earlier.map(|earlier| self.up_to_date(&earlier)).unwrap_or_default();
@@ -425,7 +425,7 @@ impl<'a> Job<'a> {
         self.tell(&all, &kept, out)
     }
 
-    /// The kinds whose files are there, unless all are to be baked again.
+    /// Returns the kinds whose files are up to date, or none with --force.
     fn up_to_date(&self, earlier: &Earlier) -> Vec<Baked> {
         let whole = |task: &Task| {
             let started = Instant::now();
@@ -435,7 +435,7 @@ impl<'a> Job<'a> {
         if self.arguments.force { Vec::new() } else { self.tasks.iter().filter_map(whole).collect() }
     }
 
-    /// Bakes a kind and writes its files, which have no names yet.
+    /// Bakes a kind and writes its files, which take their names later.
     fn bake(
         &self,
         task: &Task,
@@ -450,7 +450,7 @@ impl<'a> Job<'a> {
             |error: io::Error| Failure::Work(format!("{}: cannot write into it: {error}", output.display()));
         let bar = Progress::bar(kind.name, *json);
         let check = |texture: &Texture| packing.storage.check(packing.format, texture, *lossy_heights);
-        let mut spool = Spool::new(outputs.room(), &check).map_err(in_folder)?;
+        let mut spool = Spool::new(outputs.hidden_folder(), &check).map_err(in_folder)?;
         let tell = |_: &str, part: f32| bar.show(part);
         let whole = Watch::new(&tell, cancel);
         let watch = whole.piece(0.0, BAKING_PART);
@@ -486,11 +486,11 @@ fn bits(settings: &Settings) -> u32 {
     settings.iter().find(|(name, _)| *name == "bits").map_or(0, |(_, bits)| bits as u32)
 }
 
-/// The metric asked for, or that of a georeferenced file, or a tile whose longer side is 1 m with a shallow
-/// relief.
+/// Returns the metric asked for or the georeferenced file's, else a shallow relief on a tile whose
+/// longer side is 1 m.
 fn metric(arguments: &Arguments, map: &HeightMap) -> Result<Metric, Failure> {
     let tile = arguments.tile_size.or(map.stated_tile_m()).unwrap_or_else(|| map.proportions());
-    // Of a map whose unit is not known the tile is 1 m long, or as long as is given.
+    // If a map's unit is not known, its tile is 1 m long, or as long as given.
     let span = map.stated_lengths().map(|(stated, span)| match map.stated_tile_m() {
         None if arguments.tile_size.is_none() => span / stated[0].max(stated[1]),
         _ => span,

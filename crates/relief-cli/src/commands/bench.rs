@@ -1,4 +1,4 @@
-//! `relief bench`: how long the frames of methods take, part by part.
+//! `relief bench`: times frames of methods, part by part.
 
 use std::io::Write;
 
@@ -7,27 +7,27 @@ use comfy_table::Table;
 use comfy_table::presets::ASCII_MARKDOWN;
 use relief_compare::{Comparison, MachineRecord, PictureRecord, Records, Timing};
 
-use super::contest::{ContestArguments, as_json, compared, of_comparison};
+use super::method_set::{MethodSetArguments, as_json, compared, of_comparison};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::streams::{Files, answer};
 
-/// What `relief bench` is given. Flags override the scene file.
+/// Arguments of `relief bench`. Flags override the scene file.
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  relief bench                      # all methods on the sample cobbles\n  \
     relief bench scenes/cobbles.toml --methods bump,relief,cone --size 1280x720\n  \
     relief bench --height wall.png --backend cpu,gpu --sampling exact,fast --json\n  \
     relief bench --methods bump,cone --shadow none,ray,soft,horizon\n\n\
-    Frames have one sample a pixel. Methods take turns, so that what slows the machine for a while slows \
-    all of them; medians are given, and from 6 frames on what the true ones lie between at 95 in 100. \
-    Differences that may be 0 for all that is known are in parentheses. Compiling, \
-    uploading, baking and reading back are no part of a frame. What finding the surface takes is what a \
-    frame takes more than one of bump mapping; where a GPU's own clock times its passes, what the pass takes \
-    more that traces."
+    Frames have one sample per pixel. Methods take turns, so that a slow moment of the machine slows all of \
+    them. Times are medians, with their 95 % confidence interval from 6 frames on. Differences that may be 0 \
+    are in parentheses.\n\n\
+    Compiling, uploading, baking and reading back are not part of a frame. The time of displacement is \
+    how much longer a frame takes than with bump mapping. Where a GPU's own clock times its passes, it is how \
+    much longer the pass that traces takes."
 )]
 pub struct Arguments {
-    /// Frames of each that count
+    /// Frames per method that count, 1 to 100000
     #[arg(
         long,
         value_name = "N",
@@ -36,7 +36,7 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     frames: u32,
-    /// Frames of each before these that do not
+    /// Frames per method before them that do not count, 0 to 100000
     #[arg(
         long,
         value_name = "N",
@@ -45,22 +45,22 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     warm: u32,
-    /// Print all figures as one JSON object
+    /// Print the result as one JSON object: all figures
     #[arg(long)]
     pub json: bool,
 
     #[command(flatten)]
-    contest: ContestArguments,
+    method_set: MethodSetArguments,
 }
 
 impl Arguments {
-    /// The files that may be the standard input.
+    /// Returns the files that may be standard input.
     pub fn files(&mut self) -> Files<'_> {
-        Files { read: self.contest.scene.files(), ..Files::default() }
+        Files { read: self.method_set.scene.files(), ..Files::default() }
     }
 
     fn comparison(&self) -> Result<Comparison, Failure> {
-        let mut comparison = self.contest.contest()?.comparison(self.json)?;
+        let mut comparison = self.method_set.method_set()?.comparison(self.json)?;
         (comparison.rays, comparison.flicker_samples) = (0, None);
         comparison.timing = Some(Timing { frames: self.frames, warm: self.warm, pixels: 1 });
         comparison.check().map_err(of_comparison)?;
@@ -68,7 +68,7 @@ impl Arguments {
     }
 }
 
-/// Times and tells.
+/// Times the methods and prints the table.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let cancel = interrupt::catch()?;
     let comparison = arguments.comparison()?;
@@ -86,17 +86,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     })
 }
 
-/// What the table does not say by itself.
+/// Returns the notes on the table's signs.
 fn notes(records: &Records) -> Vec<&'static str> {
     let times = || records.pictures.iter().filter_map(|record| record.times.as_ref());
-    let few = "-: how sure a median is, fewer than 6 frames do not tell: --frames 6 or more do";
-    let noise = "(): below the noise, the true time may be 0: more --frames or a larger --size tell it";
+    let few = "-: fewer than 6 frames give no confidence interval: use --frames 6 or more";
+    let noise = "(): below the noise, the true time may be 0: use more --frames or a larger --size";
     let is_few = times().any(|times| !times.is_sure());
     let is_noise = times().any(|times| !times.below_noise.is_empty());
     [is_few.then_some(few), is_noise.then_some(noise)].into_iter().flatten().collect()
 }
 
-/// Milliseconds of frames and of their parts.
+/// Returns the table of milliseconds of frames and of their parts.
 fn table(records: &Records) -> Table {
     let mut table = Table::new();
     table.load_style(ASCII_MARKDOWN).set_header([
@@ -124,7 +124,7 @@ fn table(records: &Records) -> Table {
     for record in &records.pictures {
         let Some(times) = &record.times else { continue };
         let ms = |ms: f64| format!("{ms:.2}");
-        // What may be 0 for all that is known.
+        // Times that may be 0 are in parentheses.
         let part = |key: &str, ms: f64| match times.below_noise.iter().any(|noise| noise == key) {
             true => format!("({ms:.2})"),
             false => format!("{ms:.2}"),

@@ -1,4 +1,5 @@
-//! `relief compare`: methods beside the truth and beside each other, as a page, records and a table.
+//! `relief compare`: compares methods with exact hits and with each other, as a page, records and a
+//! table.
 
 mod report;
 
@@ -9,13 +10,13 @@ use relief_compare::{Compared, Comparison, Goal, Timing, Tried, choose, csv, pag
 use relief_core::MapFormat;
 use relief_scene::Look;
 
-use super::contest::{Contest, ContestArguments, as_json, compared, look_again, of_comparison};
+use super::method_set::{MethodSet, MethodSetArguments, as_json, compared, look_again, of_comparison};
 use super::staged::{Staged, format_of};
 use crate::failure::Failure;
 use crate::streams::{Files, answer};
 use crate::{interrupt, units, values};
 
-/// What `relief compare` is given. Flags override the scene file.
+/// Arguments of `relief compare`. Flags override the scene file.
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  relief compare                    # all methods on the sample cobbles\n  \
@@ -26,28 +27,28 @@ use crate::{interrupt, units, values};
     relief compare --methods cone,frustum --texels float,half,unorm8 --shadow none,ray,horizon\n  \
     relief compare --methods relief,cone,vertex --distances 1,2,4,8\n  \
     relief compare scenes/jacksboro.toml --geometry none,vertex --json\n\n\
-    --geometry and --shadow take several names, too. Rays at an angle are compared with the exact first \
-    hit; pictures with the exact picture, and their pixels' hits with its hits. The page sorts its figures \
-    and plots any of them against any other, without network.\n\n\
-    Where no method keeps --budget-ms or --max-error, the page is written, the nearest method is named, and \
-    the exit code is 1."
+    --geometry and --shadow also take several names. Rays at an angle are compared with the exact first hit, \
+    pictures with the exact picture, and their pixels' hits with its hits. The page sorts its figures and \
+    plots any of them against any other, without network.\n\n\
+    If no method keeps --budget-ms or --max-error, the page is written, the nearest method is named, and the \
+    exit code is 1."
 )]
 pub struct Arguments {
-    /// Page to write
+    /// HTML page to write
     #[arg(short, long, value_name = "PAGE.html", default_value = "comparison.html")]
     output: PathBuf,
-    /// Write all figures, too, as JSON
+    /// Also write all figures as JSON
     #[arg(long, value_name = "FILE.json")]
     records: Option<PathBuf>,
-    /// Write all figures, too, as comma-separated values
+    /// Also write all figures as comma-separated values
     #[arg(long, value_name = "FILE.csv")]
     csv: Option<PathBuf>,
-    /// Print all figures as one JSON object
+    /// Print the result as one JSON object: all figures
     #[arg(long)]
     pub json: bool,
 
-    /// Steps that methods are allowed, one row each: of their search where that has them, else the search's
-    /// limit, else the refinement's [default: each method's own]
+    /// Numbers of steps to try, one row each: the steps of the search, else the search's limit,
+    /// else the steps of the refinement [default: each method's own]
     #[arg(
         long,
         value_name = "N,..",
@@ -56,7 +57,7 @@ pub struct Arguments {
         help_heading = "What is tried"
     )]
     steps: Vec<u32>,
-    /// Degrees between rays and normal, where the mesh is flat
+    /// Angles between rays and normal in degrees, on flat meshes
     #[arg(
         long,
         value_name = "DEGREES,..",
@@ -66,8 +67,8 @@ pub struct Arguments {
         help_heading = "What is tried"
     )]
     angles: Vec<f64>,
-    /// Metres of displacement between heights 0 and 1 [default: 0.05,0.15; of a scene its own, and of
-    /// what is chosen the usual one]
+    /// Displacements in metres between heights 0 and 1 [default: 0.05,0.15; a scene's own; with
+    /// --budget-ms or --max-error the usual one]
     #[arg(
         long,
         value_name = "M,..",
@@ -78,7 +79,7 @@ pub struct Arguments {
         help_heading = "What is tried"
     )]
     scales: Vec<f64>,
-    /// Longer sides of the height map in texels, filtered down by halves [default: as it is]
+    /// Longer sides of the height map in texels; reached by halving it [default: as it is]
     #[arg(
         long,
         value_name = "N,..",
@@ -87,7 +88,7 @@ pub struct Arguments {
         help_heading = "What is tried"
     )]
     map_sizes: Vec<u32>,
-    /// Metres from the eye to the point that it looks at, along the view [default: as it is]
+    /// Distances in metres from the camera to the point that it looks at [default: as it is]
     #[arg(
         long,
         value_name = "M,..",
@@ -97,7 +98,7 @@ pub struct Arguments {
         help_heading = "What is tried"
     )]
     distances: Vec<f64>,
-    /// How the values of baked maps are stored: float (32 bits), half (16) or unorm8 [default: float]
+    /// Storage of baked maps: float (32 bits), half (16) or unorm8 [default: float]
     #[arg(
         long,
         value_name = "float,half,unorm8",
@@ -106,7 +107,7 @@ pub struct Arguments {
         help_heading = "What is tried"
     )]
     texels: Vec<MapFormat>,
-    /// Rays of a method at an angle [default: 20000]
+    /// Number of rays per method and angle, 1 to 100000000 [default: 20000]
     #[arg(
         long,
         value_name = "N",
@@ -115,8 +116,8 @@ pub struct Arguments {
         help_heading = "What is tried"
     )]
     rays: Option<u32>,
-    /// Name the method of the least error whose frames of --size take at most so many milliseconds on
-    /// --backend
+    /// Name the method with the least error whose frames of --size take at most this many
+    /// milliseconds on --backend
     #[arg(
         long,
         value_name = "MS",
@@ -126,7 +127,8 @@ pub struct Arguments {
         help_heading = "What is chosen"
     )]
     budget_ms: Option<f64>,
-    /// Name the fastest method of which 99 of 100 hits are at most so many texels off at the worst angle
+    /// Name the fastest method that is at most this many texels off in 99 of 100 hits at the worst
+    /// angle
     #[arg(
         long,
         value_name = "TEXELS",
@@ -135,32 +137,33 @@ pub struct Arguments {
         help_heading = "What is chosen"
     )]
     max_error: Option<f64>,
-    /// A tenth of the rays, smaller pictures, no flicker and no times: a minute in place of several
+    /// A tenth of the rays, smaller pictures, no flicker and no times: takes a minute instead of
+    /// several
     #[arg(long, help_heading = "What is tried")]
     quick: bool,
 
     #[command(flatten)]
-    contest: ContestArguments,
+    method_set: MethodSetArguments,
 }
 
-/// What pictures are like where nothing is said of them.
+/// Default size of pictures.
 const SIZE: [u32; 2] = [320, 240];
 const QUICK_SIZE: [u32; 2] = [160, 120];
 
-/// Displacements where nothing is said of them: normal and extreme.
+/// Default displacements: normal and extreme.
 const SCALES_M: [f64; 2] = [0.05, 0.15];
 
-/// Frames of each among which a method is chosen.
+/// Frames of each method when one is chosen.
 const CHOOSING_FRAMES: u32 = 7;
 
-/// Compares and writes.
+/// Compares the methods and writes the page.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let cancel = interrupt::catch()?;
-    let mut contest = arguments.contest.contest()?;
-    let files = arguments.outputs(&contest)?;
-    let comparison = arguments.comparison(&mut contest)?;
+    let mut method_set = arguments.method_set.method_set()?;
+    let files = arguments.outputs(&method_set)?;
+    let comparison = arguments.comparison(&mut method_set)?;
     let written: Vec<&Path> = files.iter().map(PathBuf::as_path).collect();
-    // Whether they can be written is known before minutes of work.
+    // Whether the files can be written is known before minutes of work.
     let mut staged = Staged::open(&written, arguments.json, cancel)?;
     let mut compared = compared("comparing", &comparison, arguments.json, cancel)?;
     if let Some(goal) = arguments.goal() {
@@ -169,21 +172,22 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     arguments.write(&compared, &mut staged)?;
     staged.finish()?;
     let tried = arguments.goal().map(|goal| choose(&compared.records, goal));
-    let chosen = tried.as_ref().map(|tried| (tried, arguments.contest.scene.words()));
+    let chosen = tried.as_ref().map(|tried| (tried, arguments.method_set.scene.words()));
     answer(|out| report::tell(arguments.json, &compared.records, chosen, &files, out))?;
     tried.map_or(Ok(()), |tried| arguments.check_kept(&tried))
 }
 
 impl Arguments {
-    /// The files that may be the standard input.
+    /// Returns the files that may be standard input.
     pub fn files(&mut self) -> Files<'_> {
-        Files { read: self.contest.scene.files(), ..Files::default() }
+        Files { read: self.method_set.scene.files(), ..Files::default() }
     }
 
-    /// The page and what is written beside it, each with an ending that says what it is.
-    fn outputs(&self, contest: &Contest) -> Result<Vec<PathBuf>, Failure> {
-        let read = contest.inputs();
-        let inputs: Vec<&Path> = read.iter().map(PathBuf::as_path).chain(self.contest.scene.file()).collect();
+    /// Returns the page and the files beside it, each with the ending of its format.
+    fn outputs(&self, method_set: &MethodSet) -> Result<Vec<PathBuf>, Failure> {
+        let read = method_set.inputs();
+        let inputs: Vec<&Path> =
+            read.iter().map(PathBuf::as_path).chain(self.method_set.scene.file()).collect();
         let named = [
             ("--output", Some(&self.output), "html"),
             ("--records", self.records.as_ref(), "json"),
@@ -198,15 +202,15 @@ impl Arguments {
         Ok(files)
     }
 
-    /// What is compared.
-    fn comparison(&self, contest: &mut Contest) -> Result<Comparison, Failure> {
-        let spec = &mut contest.spec;
+    /// Returns what is compared.
+    fn comparison(&self, method_set: &mut MethodSet) -> Result<Comparison, Failure> {
+        let spec = &mut method_set.spec;
         spec.size = spec.size.or(Some(if self.quick { QUICK_SIZE } else { SIZE }.into()));
         let has_scale = spec.each_surface().iter().any(|surface| surface.scale.is_some());
-        let is_scene = self.contest.scene.file().is_some();
-        let mut comparison = contest.comparison(self.json)?;
-        // The light and the background that somebody chose are shown as they are.
-        let spec = &contest.spec;
+        let is_scene = self.method_set.scene.file().is_some();
+        let mut comparison = method_set.comparison(self.json)?;
+        // A light and a background that somebody chose are shown as they are.
+        let spec = &method_set.spec;
         let is_lit = spec.light.is_some() || spec.lights.is_some() || spec.background.is_some();
         comparison.shown_look = (!is_lit).then_some(Look::Studio);
         comparison.steps.clone_from(&self.steps);
@@ -227,10 +231,10 @@ impl Arguments {
         if self.goal().is_some() {
             if comparison.scene.surfaces().len() > 1 {
                 return Err(Failure::usage(
-                    "--budget-ms and --max-error go by the error of hits, which a scene of one surface has",
+                    "--budget-ms and --max-error need the errors of hits, which only a scene with one surface has",
                 ));
             }
-            // What is chosen is for pictures of this size, and may be any number of steps.
+            // The choice is for pictures of this size, and may have any number of steps.
             comparison.timing = Some(Timing { frames: CHOOSING_FRAMES, warm: 1, pixels: 1 });
             comparison.flicker_samples = None;
             if self.steps.is_empty() {
@@ -241,32 +245,34 @@ impl Arguments {
         Ok(comparison)
     }
 
-    /// What a method is to be chosen for.
+    /// Returns the goal by which a method is chosen.
     fn goal(&self) -> Option<Goal> {
         self.budget_ms.map(Goal::WithinMs).or(self.max_error.map(Goal::WithinTexels))
     }
 
-    /// An error where no method keeps what is asked.
+    /// Returns an error if no method keeps the goal.
     fn check_kept(&self, tried: &Tried) -> Result<(), Failure> {
         if tried.keep > 0 {
             return Ok(());
         }
         let Some(nearest) = tried.candidates.first() else {
-            return Err(Failure::work("none of the methods has frames on this mesh that can be timed"));
+            return Err(Failure::work(
+                "none of the methods has frames on this mesh that can be timed: give others",
+            ));
         };
         let what = match self.budget_ms {
             Some(ms) => format!("no method keeps {ms} ms"),
             None => format!("no method keeps {} texels", self.max_error.unwrap_or_default()),
         };
         Err(Failure::Work(format!(
-            "{what}: the nearest is {}, with {:.2} ms and {:.3} texels",
+            "{what}: the nearest is {}, with {:.2} ms and {:.3} texels: give a larger limit",
             nearest.method.label(),
             nearest.frame_ms,
             nearest.p99_texels
         )))
     }
 
-    /// Writes the page and what is asked for beside it.
+    /// Writes the page and the files that are asked for beside it.
     fn write(&self, compared: &Compared, staged: &mut Staged) -> Result<(), Failure> {
         staged.write(&self.output, page(compared).map_err(Failure::work)?)?;
         if let Some(path) = &self.records {

@@ -1,4 +1,4 @@
-//! `relief completions`: what shells complete.
+//! `relief completions`: prints or writes shell completions.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -9,7 +9,7 @@ use relief_io::write_atomically;
 
 use crate::failure::Failure;
 
-/// What `relief completions` is given.
+/// Arguments of `relief completions`.
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  relief completions bash > ~/.local/share/bash-completion/completions/relief\n  \
@@ -20,12 +20,12 @@ pub struct Arguments {
     /// Shell whose completions are printed
     #[arg(value_name = "SHELL", required_unless_present = "output", conflicts_with = "output")]
     shell: Option<Shell>,
-    /// Folder to write the completions of all shells into, each under its usual name
+    /// Folder for the completions of all shells, each file under its usual name
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 }
 
-/// Prints them, or writes their files.
+/// Prints the completions, or writes their files.
 pub fn run(arguments: &Arguments, command: &Command) -> Result<(), Failure> {
     if let Some(shell) = arguments.shell {
         return Ok(io::stdout().lock().write_all(&completions(shell, command))?);

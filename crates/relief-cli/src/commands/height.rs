@@ -1,5 +1,5 @@
-//! `relief height`: height maps from normal maps, photographs, pairs of meshes, images of objects and
-//! formulas, and for a mesh.
+//! `relief height`: makes height maps from normal maps, photographs, pairs of meshes, depth objects
+//! and formulas, and for a mesh.
 
 mod described;
 mod for_mesh;
@@ -25,7 +25,7 @@ use crate::interrupt::cancelled;
 use crate::streams::Files;
 use crate::{units, values};
 
-/// What `relief height` is given.
+/// Arguments of `relief height`.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub struct Arguments {
@@ -35,41 +35,42 @@ pub struct Arguments {
 
 #[derive(Subcommand)]
 enum Origin {
-    /// Integrate a tangent-space normal map to a height map
+    /// Integrate a tangent-space normal map into a height map
     FromNormals(Box<from_normals::Arguments>),
     /// Make a height map from photographs of one view under at least three known lights
     FromPhotos(Box<from_photos::Arguments>),
-    /// Find the heights that displace a simple mesh onto a detailed one
+    /// Compute the heights that displace a simple mesh onto a detailed one
     FromMeshes(Box<from_meshes::Arguments>),
-    /// Take an image of a captured object for a height map
+    /// Convert one image of a depth object into a height map
     FromView(Box<from_view::Arguments>),
-    /// Fill a height map by a formula: waves, fractal ground or bumps, at any time of their movement
+    /// Generate a height map from a formula: waves, fractal ground or bumps, one or an animation
     Procedure(Box<procedure::Arguments>),
-    /// Make of a height map one for a mesh: over its smooth base, or without what it does not show
+    /// Adapt a height map to one mesh: add its smooth base, or leave out texels that it does not
+    /// show
     ForMesh(Box<for_mesh::Arguments>),
 }
 
 const AFTER_HELP: &str = "Examples:\n  relief height from-normals rock_normal.png -o rock.exr\n  \
     relief height from-normals wall_dx.png --green down --wrap clamp --texel-size 0.002 -o wall.png\n  \
-    relief height from-photos lights.toml -o coin.exr --normals coin_normal.png --albedo coin_color.png\n  \
+    relief height from-photos lights.toml -o coin.exr --normals normal.png --albedo albedo.png\n  \
     relief height from-meshes --low rock_low.glb --high rock_scan.ply --size 2048x2048 -o rock.exr\n  \
     relief height from-view spot/object.toml --view 5 -o front.exr\n  \
     relief height procedure waves --frames 0..47 -o waves_%04d.png\n\n\
     `relief height from-photos --help` shows a file of lights.";
 
-/// What a height map says of its texels, at the end of both helps.
-const WRITTEN: &str = "The height map has texels from 0 (lowest) to 1: PNG of 16 bit or EXR of 32-bit floats, by the \
-    output's name. The metres that belong to them are printed and stand in the file: `relief inspect` shows them, `relief bake` \
-    uses them. All files get their names at the end; Ctrl-C leaves everything as it was (exit code 1).";
+/// Description of the written files, at the end of several helps.
+const WRITTEN: &str = "The height map has texels from 0 (lowest) to 1: 16-bit PNG or 32-bit float EXR, by the output's \
+    ending. Its lengths in metres are printed and stored in the file: `relief inspect` shows them, `relief bake` uses \
+    them. All files take their names at the end; Ctrl-C changes nothing (exit code 1).";
 
-/// Flags of both ways.
+/// Flags of `from-normals` and `from-photos`.
 #[derive(Args)]
 struct Common {
-    /// How the map goes on beyond its edges: repeat, clamp or mirror
+    /// Continuation of the map beyond its edges: repeat, clamp or mirror [default: see below]
     #[arg(long, value_name = "WRAP", help_heading = "Integration")]
     wrap: Option<Wrap>,
-    /// Metres of a texel along u and v, one number or two, or with a unit, as in 0.5mm [default: square
-    /// texels, the map 1 m wide]
+    /// Texel size along u and v in metres, one number or two, or with a unit, as in 0.5mm [default:
+    /// square texels, the map 1 m wide]
     #[arg(
         long,
         value_name = "U[,V]",
@@ -78,11 +79,11 @@ struct Common {
         help_heading = "Integration"
     )]
     texel_size: Option<[f64; 2]>,
-    /// How strongly waves of about two texels are kept down, 0 to 1: central differences hardly see them, so
-    /// that noise grows there
+    /// Damping of waves of about two texels, 0 to 1. Central differences hardly see such waves, so
+    /// noise grows there [default: 0.1; 0 for normal maps of `relief bake`]
     #[arg(long, value_name = "PART", allow_hyphen_values = true, help_heading = "Integration")]
     damping: Option<f64>,
-    /// The steepest slope accepted, metres up for a metre along; steeper normals are taken for it
+    /// Steepest slope, in metres up per metre along; steeper normals are reduced to it
     #[arg(
         long,
         value_name = "SLOPE",
@@ -91,13 +92,13 @@ struct Common {
         help_heading = "Integration"
     )]
     steepest: f64,
-    /// Format of a height map that goes to the standard output, as in -o - --format exr
+    /// Format of a height map on standard output, as in -o - --format exr
     #[arg(long, value_enum, value_name = "png|exr", hide_short_help = true)]
     format: Option<Format>,
-    /// Print one JSON object
+    /// Print the result as one JSON object
     #[arg(long)]
     json: bool,
-    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    /// Memory limit, as in 512MiB; work that needs more is refused [default: 4GiB]
     #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
     max_memory: Option<ByteSize>,
 }
@@ -107,7 +108,7 @@ impl Common {
         self.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0)
     }
 
-    /// Numbers that can be judged before any file is read.
+    /// Checks the numbers before any file is read.
     fn check(&self) -> Result<(), Failure> {
         let bad = |flag: &str, value: f64, must: &str| {
             Err(Failure::Usage(format!("--{flag}: {value} cannot be used: it must be {must}")))
@@ -124,39 +125,39 @@ impl Common {
         Ok(())
     }
 
-    /// Whether so many texels of so many bytes are allowed.
+    /// Checks that `size` texels of `bytes_per_texel` each fit into the memory limit.
     fn check_memory(&self, size: [u32; 2], bytes_per_texel: u64) -> Result<(), Failure> {
         check_memory(size, bytes_per_texel, self.max_bytes())
     }
 }
 
-/// Whether so many texels of so many bytes are within the limit.
+/// Checks that `width` x `height` texels of `bytes_per_texel` each fit into `limit` bytes.
 fn check_memory([width, height]: [u32; 2], bytes_per_texel: u64, limit: u64) -> Result<(), Failure> {
     let needed = (u64::from(width) * u64::from(height)).saturating_mul(bytes_per_texel);
     if needed <= limit {
         return Ok(());
     }
     Err(Failure::Work(format!(
-        "{width}x{height} texels need {} MiB of memory to become heights, {} MiB are allowed: make the pictures \
-         smaller or raise --max-memory",
+        "{width}x{height} texels need {} MiB of memory to become heights, more than the {} MiB allowed: make \
+         the pictures smaller or raise --max-memory",
         needed.div_ceil(1 << 20),
         limit >> 20
     )))
 }
 
-/// An error in reading a mesh of which each place needs its own part of the map. No flag makes such texture
-/// coordinates.
+/// Turns an error of reading a mesh that needs unique texture coordinates into a failure. No flag
+/// makes such coordinates.
 fn of_unwrapped(error: ReadError) -> Failure {
     if error.problem.is_of_texture_coordinates() {
         return Failure::Work(format!(
-            "{error}: unwrap it in a program for meshes, so that each place has its own"
+            "{error}: unwrap the mesh in a modelling program, so that each place has its own"
         ));
     }
     Failure::of_mesh(error)
 }
 
 impl Arguments {
-    /// The files that may be standard streams.
+    /// Returns the files that may be standard streams.
     pub fn files(&mut self) -> Files<'_> {
         match &mut self.origin {
             Origin::FromNormals(arguments) => arguments.files(),
@@ -168,7 +169,7 @@ impl Arguments {
         }
     }
 
-    /// Whether the answer is for machines.
+    /// Whether the answer is JSON.
     pub fn json(&self) -> bool {
         match &self.origin {
             Origin::FromNormals(arguments) => arguments.common.json,
@@ -207,18 +208,19 @@ fn of_photos(error: PhotometricError) -> Failure {
     }
 }
 
-/// Heights with what they mean, on their way to a file.
+/// Heights and their metadata on the way to a file.
 struct Relief {
     content: Content,
     note: HeightNote,
     how: Integration,
-    /// What of the slopes fits no relief, as a part of them; none of a level map.
+    /// Share of the slopes that fits no relief, root mean square; none of a level map.
     misfit: Option<f64>,
 }
 
 impl Relief {
-    /// Of integrated heights, with metadata `more` beside those of every height map. `steepness` is the root
-    /// mean square of the slopes that they were made from. Texels that are not `known` stay without a height.
+    /// Creates the relief of integrated heights. `more` is metadata beside the entries of every
+    /// height map. `steepness` is the root mean square of the slopes that the heights were made
+    /// from. Texels that are not `known` get no height.
     fn new(
         mut heights: IntegratedHeights,
         known: Option<&[bool]>,
@@ -230,7 +232,7 @@ impl Relief {
         let misfit = (steepness > 0.0).then(|| heights.misfit / steepness);
         let [width, height] = heights.size;
         if let Some(known) = known {
-            // The range is that of the known heights.
+            // The range covers the known heights alone.
             let seen = heights.heights_m.iter().zip(known).filter(|(_, known)| **known);
             let [low, high] =
                 seen.fold([f32::MAX, f32::MIN], |[low, high], (&h, _)| [low.min(h), high.max(h)]);
@@ -263,7 +265,7 @@ impl Relief {
         Ok(Self { content, note, how, misfit })
     }
 
-    /// What is the same in the answers of both ways, for machines.
+    /// Returns the entries that both commands' JSON answers share.
     fn as_json(&self, output: &Output, seconds: f64) -> Value {
         let [width, height] = self.content.size;
         json!({
@@ -273,7 +275,7 @@ impl Relief {
         })
     }
 
-    /// The same for people.
+    /// Prints the lines that both commands' answers share.
     fn print(&self, out: &mut impl std::io::Write, output: &Output, seconds: f64) -> std::io::Result<()> {
         let HeightNote { tile_m: [tile_u, tile_v], scale_m, bias_m, .. } = self.note;
         let [width, height] = self.content.size;

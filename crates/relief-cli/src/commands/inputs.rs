@@ -1,4 +1,4 @@
-//! The files that a command reads. No output replaces one of them.
+//! Files that a command reads. No output replaces one of them.
 
 use std::path::{Path, PathBuf};
 
@@ -6,7 +6,7 @@ use relief_io::file_set::is_same_file;
 use relief_io::files_of_mesh;
 use relief_object::{Description, read_description};
 
-/// The files that a file names, if it is a mesh or an object of images: they belong to it.
+/// Returns the files that a mesh or a depth object names: they belong to it.
 fn named_by(path: &Path) -> Vec<PathBuf> {
     let is_text = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
     if !(is_text && path.is_file()) {
@@ -17,7 +17,7 @@ fn named_by(path: &Path) -> Vec<PathBuf> {
     [Some(depth), color, normal].into_iter().flatten().map(|name| folder.join(name)).collect()
 }
 
-/// The file that an output would replace: one of those that are read, or one that belongs to them.
+/// Returns the file that an output would replace: an input, or a file that belongs to one.
 pub fn replaced(output: &Path, inputs: &[&Path]) -> Option<PathBuf> {
     let is_replaced = |input: &Path| is_same_file(output, input);
     let of_inputs = || inputs.iter().flat_map(|input| named_by(input));

@@ -1,4 +1,4 @@
-//! `relief inspect`: what is in a height map, or in a mesh.
+//! `relief inspect`: reports the contents of a height map or a mesh.
 
 mod mesh;
 
@@ -24,25 +24,28 @@ use crate::progress::Progress;
 use crate::streams::{Files, answer};
 use crate::{say, values};
 
-/// What `relief inspect` is given.
+/// Arguments of `relief inspect`.
 #[derive(Args)]
+#[command(after_help = "Examples:\n  relief inspect dem.tif\n  \
+    relief inspect rock.png --normal rock_normal.png    # height or depth, +y or -y\n  \
+    relief inspect tree.obj --json")]
 pub struct Arguments {
-    /// Height map, or mesh (by its name: .gltf, .glb, .obj, .ply, .stl); - for the standard input
+    /// Height map, or mesh by its ending (.gltf, .glb, .obj, .ply, .stl); - for standard input
     file: PathBuf,
-    /// Its normal map: tells height from depth and +y from -y by how the two fit
+    /// Normal map of the height map. How the two fit tells height from depth and +y from -y
     #[arg(long, value_name = "FILE")]
     normal: Option<PathBuf>,
-    /// Of a mesh, make texture coordinates in place of its own: box, cylinder or sphere
+    /// For a mesh, replace its texture coordinates by a projection: box, cylinder or sphere
     #[arg(long, value_name = "NAME")]
     project: Option<UvProjection>,
-    /// Of a mesh, the axis of its file that points up: y or z [default: z in STL, y in others; a file that
-    /// `relief mesh` wrote says it itself]
+    /// For a mesh, the axis of its file that points up: y or z [default: z in STL, y in others;
+    /// files of `relief mesh` state it]
     #[arg(long, value_name = "y|z")]
     mesh_up: Option<Up>,
-    /// Print one JSON object
+    /// Print the result as one JSON object
     #[arg(long)]
     pub json: bool,
-    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    /// Memory limit, as in 512MiB; work that needs more is refused [default: 4GiB]
     #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
     max_memory: Option<ByteSize>,
     #[command(flatten)]
@@ -50,7 +53,7 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// The files that may be the standard input.
+    /// Returns the files that may be standard input.
     pub fn files(&mut self) -> Files<'_> {
         Files { read: [&mut self.file].into_iter().chain(&mut self.normal).collect(), ..Files::default() }
     }
@@ -69,12 +72,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     if arguments.reading.raw.is_none() && arguments.file.extension().is_some_and(|ending| ending == "toml") {
         let what = match FileKind::of(&arguments.file)? {
-            FileKind::Object => "an object of images",
+            FileKind::Object => "a depth object",
             _ => "a scene file",
         };
         let name = arguments.file.display();
         return Err(Failure::Work(format!(
-            "{name}: it is {what}, and no map or mesh: `relief render` shows it"
+            "{name}: this is {what}, not a height map or mesh: `relief render` renders it"
         )));
     }
     let options = HeightOptions {
@@ -108,7 +111,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     })
 }
 
-/// What the height map, read as it stands, and its normal map say of each other.
+/// Compares the height map, read as stored, with its normal map.
 fn detection(arguments: &Arguments, options: &HeightOptions, normal: &Path) -> Result<Detection, Failure> {
     let height = read_height(&arguments.file, options).map_err(Failure::of_map)?;
     let left = options.max_bytes.saturating_sub(4 * u64::from(height.width()) * u64::from(height.height()));
@@ -144,12 +147,12 @@ fn print(
         if let Some(turned) = turned_over(georeference) {
             writeln!(
                 out,
-                "  turned      {turned} are turned over, so that north is on top and east to the right"
+                "  turned      {turned} are turned over, so that north is at the top and east to the right"
             )?;
         }
     }
     if let Some(number) = info.orientation {
-        writeln!(out, "  turned      as the orientation {number} in the file says: it is stored otherwise")?;
+        writeln!(out, "  turned      by the orientation tag {number} of the file")?;
     }
     if let Some([u, v]) = info.texel_size_m {
         writeln!(out, "  texel       {u:.6} m x {v:.6} m")?;
@@ -196,7 +199,7 @@ fn print(
     Ok(())
 }
 
-/// The coordinate system, and why the size of a texel is not known.
+/// Describes the coordinate system, with the reason if the texel size is not known.
 fn ground_text(georeference: &Georeference) -> String {
     let mut text = format!("{} coordinates", georeference.system.name());
     if let Some(epsg) = georeference.epsg {
@@ -207,7 +210,7 @@ fn ground_text(georeference: &Georeference) -> String {
         let per_unit = metres.filter(|_| georeference.system == CoordinateSystem::Projected);
         text += &format!(" in {}", lengths::with_metres(unit, per_unit.map(|[x, _]| x)));
         text += &match (&georeference.unit_origin, lengths::by(&georeference.unit_origin)) {
-            (UnitOrigin::Shared, _) => ", that of the heights".to_owned(),
+            (UnitOrigin::Shared, _) => ", the unit of the heights".to_owned(),
             (_, by) if by.is_empty() => by,
             (_, by) => format!(" ({by})"),
         };
@@ -216,12 +219,12 @@ fn ground_text(georeference: &Georeference) -> String {
         text += &format!(", placed by {file}");
     }
     if let Err(reason) = &georeference.texel_size_m {
-        text += &format!("; the size of a texel is not known: {reason}");
+        text += &format!("; the texel size is not known: {reason}");
     }
     text
 }
 
-/// What its header says of the ground.
+/// Returns the ground data of the file's header.
 fn ground_of(info: &SourceInfo) -> Ground {
     let elevation = info.values.as_ref().filter(|_| info.note.is_none());
     let [width, height] = [info.width, info.height].map(f64::from);
@@ -234,13 +237,14 @@ fn ground_of(info: &SourceInfo) -> Ground {
     }
 }
 
-/// Why its values are no metres of ground. What Relief notes of a map is not doubted.
+/// Returns why values may not be metres of ground, if so. Metadata that Relief wrote are not
+/// doubted.
 fn doubt(info: &SourceInfo, elevation: &Elevation, range: Option<[f64; 2]>) -> Option<String> {
     let is_ground = info.note.is_none();
     lengths::doubt(elevation, range.filter(|_| is_ground), [info.width, info.height], info.texel_size_m)
 }
 
-/// What of the file is turned over.
+/// Names the axes of the file that are turned over.
 fn turned_over(georeference: &Georeference) -> Option<&'static str> {
     match georeference.turned_over {
         [false, false] => None,
@@ -250,7 +254,7 @@ fn turned_over(georeference: &Georeference) -> Option<&'static str> {
     }
 }
 
-/// How values become metres, and the metres of the least and the greatest.
+/// Describes how values become metres, with the least and the greatest in metres.
 fn elevation_text(elevation: &Elevation, range: Option<[f64; 2]>) -> String {
     let Elevation { scale, offset, .. } = elevation;
     let value = if (*scale, *offset) == (1.0, 0.0) {
@@ -259,7 +263,7 @@ fn elevation_text(elevation: &Elevation, range: Option<[f64; 2]>) -> String {
         format!("value * {scale} + {offset}")
     };
     let by = match (&elevation.origin, lengths::by(&elevation.origin)) {
-        (UnitOrigin::Shared, _) => ", that of the ground".to_owned(),
+        (UnitOrigin::Shared, _) => ", the unit of the ground".to_owned(),
         (UnitOrigin::Assumed, by) => format!(", {by}"),
         (_, by) if by.is_empty() => by,
         (_, by) => format!(" ({by})"),

@@ -1,4 +1,4 @@
-//! `relief man`: manual pages.
+//! `relief man`: prints or writes manual pages.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -10,15 +10,15 @@ use relief_io::write_atomically;
 
 use crate::failure::Failure;
 
-/// What `relief man` is given.
+/// Arguments of `relief man`.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  relief man render | man -l -\n  \
     relief man --output DIR    # for packagers: a page for each command")]
 pub struct Arguments {
-    /// Command whose page is printed, as in render or height-from-photos [default: relief itself]
+    /// Command whose page is printed, such as render or height-from-photos [default: relief itself]
     #[arg(value_name = "COMMAND", conflicts_with = "output")]
     page: Option<String>,
-    /// Folder to write all pages into, as relief.1, relief-render.1 and so on
+    /// Folder for all pages: relief.1, relief-render.1 and so on
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 }
@@ -50,7 +50,7 @@ pub fn run(arguments: &Arguments, command: &Command) -> Result<(), Failure> {
     Ok(io::stdout().lock().write_all(text)?)
 }
 
-/// The page of a command, and of those below it.
+/// Collects the page of a command, and the pages of its subcommands.
 fn collect(command: &Command, name: String, pages: &mut Vec<(String, Vec<u8>)>) -> Result<(), Failure> {
     let mut text = Vec::new();
     Man::new(command.clone().name(name.clone())).render(&mut text)?;

@@ -1,4 +1,4 @@
-//! How a height map is to be read: the flags that commands share.
+//! Flags for reading a height map, shared by several commands, and the notes on reading it.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -16,18 +16,19 @@ use serde_json::{Value, json};
 use super::lengths;
 use crate::{advice, values};
 
-/// How the height map's file is read.
+/// Flags for reading a height map's file.
 #[derive(Args)]
 #[command(next_help_heading = "Reading the height map")]
 pub struct FileArguments {
-    /// Channel that holds the height: r, g, b, a, y, or an EXR channel's name
-    /// [default: the only one, or the grey]
+    /// Channel that holds the height: r, g, b, a, y, or the name of an EXR channel [default: the
+    /// only one, or the grey]
     #[arg(long, value_name = "NAME", hide_short_help = true)]
     pub channel: Option<String>,
     /// Size and byte order of a headerless 16-bit file, as in 403x344,le
     #[arg(long, value_name = "WxH,le|be", hide_short_help = true)]
     pub raw: Option<RawLayout>,
-    /// Value of texels without one, as the file stores it, beside the value that the file declares
+    /// Value that marks holes (texels without a value), as stored in the file; adds to the value
+    /// that the file declares
     #[arg(
         long,
         value_name = "V",
@@ -36,29 +37,29 @@ pub struct FileArguments {
         hide_short_help = true,
     )]
     pub nodata: Option<f64>,
-    /// Unit of the heights, where the file does not say it or says it wrong: m, dm, cm, mm, km, ft, us-ft and
-    /// so on. A second unit is for the ground's coordinates, as in cm,ft
-    /// [default: as the file or those beside it say]
+    /// Unit of the heights, if the file states none or a wrong one: m, dm, cm, mm, km, ft, us-ft
+    /// and so on. A second unit is for the ground's coordinates, as in cm,ft [default: as the file
+    /// or the files beside it state]
     #[arg(long, value_name = "UNIT[,GROUND]", hide_short_help = true)]
     pub unit: Option<GivenUnits>,
-    /// Fill texels without a value (nodata, masked, NaN, infinite) from their surroundings
-    /// [default: they are an error; render and mesh fill those of elevation models and of --nodata]
+    /// Fill holes (nodata, masked, NaN, infinite) from their surroundings [default: they are an
+    /// error; render and mesh fill holes of elevation models and of --nodata]
     #[arg(long, hide_short_help = true)]
     pub fill: bool,
 }
 
-/// How a height map is made of what the file holds.
+/// Flags for turning a file's values into heights.
 #[derive(Args)]
 #[command(next_help_heading = "Reading the height map")]
 pub struct HeightArguments {
-    /// How the file is read.
+    /// Flags for reading the file.
     #[command(flatten)]
     pub file: FileArguments,
-    /// The file holds depth: white is deep
+    /// Read the file as depth: white is deep
     #[arg(long)]
     pub depth: bool,
-    /// Values of the file that become heights 0 and 1; auto takes the least and the greatest [default: of
-    /// integers 0 and their type's maximum, of floats and elevation models auto]
+    /// Values of the file that become heights 0 and 1; auto takes the least and the greatest
+    /// [default: integers: 0 and the type's maximum; floats and elevation models: auto]
     #[arg(
         long,
         value_name = "A,B|auto",
@@ -67,21 +68,21 @@ pub struct HeightArguments {
         hide_short_help = true,
     )]
     pub range: Option<HeightRange>,
-    /// How the maps go on beyond their edges: repeat, clamp or mirror
-    /// [default: of elevation models clamp, else repeat]
+    /// Continuation of the maps beyond their edges: repeat, clamp or mirror [default: clamp for
+    /// elevation models, else repeat]
     #[arg(long, value_name = "WRAP")]
     pub wrap: Option<Wrap>,
 }
 
 impl FileArguments {
-    /// What becomes of texels without a value, where they have to be asked for.
+    /// Returns what happens to holes, where filling must be asked for.
     pub fn fill(&self) -> Fill {
         if self.fill { Fill::Always } else { Fill::Never }
     }
 }
 
 impl HeightArguments {
-    /// The reader's options.
+    /// Returns the reader's options.
     pub fn options(&self, max_memory: Option<ByteSize>) -> HeightOptions {
         HeightOptions {
             channel: self.file.channel.clone(),
@@ -97,16 +98,16 @@ impl HeightArguments {
     }
 }
 
-/// What is said of reading a file.
+/// Note on reading a file.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Note {
     text: String,
-    /// The row of [`OMISSIONS`](relief_io::OMISSIONS).
+    /// Row of [`OMISSIONS`](relief_io::OMISSIONS).
     about: &'static str,
 }
 
 impl Note {
-    /// Whether it belongs to that row.
+    /// Whether it belongs to `row`.
     pub fn is_about(&self, row: &Omission) -> bool {
         self.about == row.name
     }
@@ -118,20 +119,20 @@ impl fmt::Display for Note {
     }
 }
 
-/// How a user chooses what is read in another way.
+/// Way in which a user changes how a file is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
-    /// By flags of the command.
+    /// Flags of the command.
     Flags,
-    /// By keys of the scene file alone.
+    /// Keys of the scene file alone.
     Keys,
 }
 
 impl By {
-    /// A reader's note, with what reads the file in another way.
+    /// Returns a reader's note, with the flag or key that reads the file in another way.
     pub fn note(self, note: &ReadNote) -> Note {
         let text = format!("{note}{}", self.advice(note));
-        // What is said of units names the flag itself.
+        // Notes on units name the flag themselves.
         let text = match self {
             By::Keys if *note.remark.row == omissions::UNITS => text.replace("--unit", "the key unit"),
             _ => text,
@@ -139,7 +140,7 @@ impl By {
         Note { text, about: note.remark.row.name }
     }
 
-    /// What is written behind a note.
+    /// Returns the advice behind a note.
     pub fn advice(self, note: &ReadNote) -> String {
         let [flag, key] = advice::of_note(note).unwrap_or_default();
         match self {
@@ -149,21 +150,21 @@ impl By {
     }
 }
 
-/// Notes for programs.
+/// Formats notes as JSON.
 pub fn as_json(notes: &BTreeSet<Note>) -> Value {
     notes.iter().map(|Note { text, about }| json!({ "about": about, "text": text })).collect()
 }
 
-/// What is said of a picture whose red, green and blue are not quite equal.
+/// Returns a remark on a picture whose red, green and blue are not quite equal.
 fn nearly_grey(map: &HeightMap) -> Option<Remark> {
     let count = map.nearly_grey_texels();
     (count > 0).then(|| {
-        let what = "nearly grey; the mean of red, green and blue is taken for the height";
+        let what = "nearly grey; the mean of red, green and blue is the height";
         Remark::new(&omissions::NEARLY_GREY, format!("{what} ({count} texels differ)"))
     })
 }
 
-/// What is said of a map that is named as depths are and read as heights.
+/// Returns a remark on a map that is named like a depth map and read as heights.
 fn inside_out(path: &Path) -> Option<Remark> {
     let guess = guess_by_name(path).filter(|guess| guess.convention == Convention::Depth)?;
     let percent = 100.0 * guess.confidence;
@@ -174,7 +175,7 @@ fn inside_out(path: &Path) -> Option<Remark> {
     Some(Remark::new(&omissions::NAMED_LIKE_DEPTH, text))
 }
 
-/// Of a height map's file how it was read where that was not asked for.
+/// Returns notes on a height map's file: how it was read where that was not asked for.
 pub fn of_file(path: &Path, file: &HeightFile, reading: &HeightArguments) -> BTreeSet<Note> {
     let ground = read_ground(path, &reading.options(None)).ok();
     let is_depth = reading.depth || ground.as_ref().is_some_and(is_depth);
@@ -188,14 +189,14 @@ pub fn of_file(path: &Path, file: &HeightFile, reading: &HeightArguments) -> BTr
     file.notes.iter().cloned().chain(more).map(|note| By::Flags.note(&note)).collect()
 }
 
-/// Of a picture that holds no heights what its header says that is not followed. A file that cannot be read
-/// is an error elsewhere.
+/// Returns notes on a picture without heights: header fields that are not followed. A file that
+/// cannot be read is an error elsewhere.
 pub fn of_picture(path: &Path) -> BTreeSet<Note> {
     read_notes(path).unwrap_or_default().iter().map(|note| By::Flags.note(note)).collect()
 }
 
-/// What is said of the units of a map. Where a value for none may be among its heights, these are not
-/// doubted.
+/// Returns remarks on the units of a map. They are not doubted where an undeclared value of holes
+/// may be among the heights.
 fn of_units(ground: Option<&Ground>, map: &HeightMap, noted: &[ReadNote]) -> Vec<Remark> {
     let has_no_value = noted.iter().any(|note| *note.remark.row == omissions::UNDECLARED_NODATA);
     let units = |ground| {
@@ -206,7 +207,8 @@ fn of_units(ground: Option<&Ground>, map: &HeightMap, noted: &[ReadNote]) -> Vec
     notes.into_iter().map(|note| Remark::new(&omissions::UNITS, note)).collect()
 }
 
-/// What the header of a surface's height map says of the ground; none where there is no such file.
+/// Returns what the header of a surface's height map says of the ground; none if there is no such
+/// file.
 pub fn ground_of(surface: &SurfaceSpec) -> Option<Ground> {
     let options = HeightOptions {
         channel: surface.channel.clone(),
@@ -217,12 +219,12 @@ pub fn ground_of(surface: &SurfaceSpec) -> Option<Ground> {
     read_ground(surface.height.as_ref()?, &options).ok()
 }
 
-/// Whether a file itself says that it holds depths.
+/// Whether a file itself states that it holds depths.
 pub fn is_depth(ground: &Ground) -> bool {
     ground.elevation.as_ref().is_some_and(|elevation| elevation.downward)
 }
 
-/// Of each height map how it was read where that was not asked for, once.
+/// Returns notes on each height map: how it was read where that was not asked for, each once.
 pub fn of_reading(spec: &SceneSpec, scene: &Scene, by: By) -> BTreeSet<Note> {
     let surfaces = spec.each_surface().into_iter().zip(scene.surfaces());
     let notes = surfaces.flat_map(|(described, surface)| {
@@ -234,7 +236,7 @@ pub fn of_reading(spec: &SceneSpec, scene: &Scene, by: By) -> BTreeSet<Note> {
         let missing = format!("{count} of its texels have no value");
         let filled = match (surface.has_holes(), described.fill.is_none(), count) {
             (true, _, 0) => {
-                let text = "every texel has a value: there are no holes to be seen";
+                let text = "every texel has a value: there are no holes";
                 Some(Remark::new(&omissions::NO_HOLES, text))
             }
             (true, _, _) => Some(Remark::new(&omissions::HOLES, format!("{missing}; they are holes"))),

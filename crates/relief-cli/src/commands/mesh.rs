@@ -1,13 +1,13 @@
-//! `relief mesh`: a height map and a mesh to displaced triangles in a file.
+//! `relief mesh`: displaces a mesh by a height map and writes the triangles to a file.
 
 mod accuracy;
 mod ground;
-mod made;
+mod level_filter;
 mod parts;
 mod refused;
 mod report;
-mod seen;
 mod settings;
+mod write;
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -25,11 +25,12 @@ use relief_scene::{MeshChoice, Scene, SceneSpec, Surface, SurfaceSpec, read_scen
 
 use self::accuracy::Tolerance;
 use self::ground::Metres;
+use self::level_filter::LevelFilter;
 use self::refused::COARSER;
-use self::seen::{LevelFilter, Seen};
+use self::write::Source;
 use super::lengths;
 use super::maps::{self, By, HeightArguments};
-use super::placed::PlacedArguments;
+use super::placement::PlacementArguments;
 use super::scene_arguments::of_scene;
 use super::staged::{Staged, format_of};
 use crate::failure::Failure;
@@ -38,24 +39,25 @@ use crate::streams::{Files, Written, tell_written};
 use crate::units::Length;
 use crate::{interrupt, say, units, values};
 
-/// Memory for what is held of blocks between making and writing them.
+/// Memory for blocks between making and writing them.
 const BYTES_TO_WRITE: u64 = 32 << 20;
 
-/// What `relief mesh` is given.
+/// Arguments of `relief mesh`.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub struct Arguments {
     /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw
     height: PathBuf,
-    /// Mesh to write: GLB, PLY and OBJ in metres with y up, STL in millimetres with z up; - for the standard
-    /// output
+    /// Mesh to write: GLB, PLY and OBJ in metres with y up, STL in millimetres with z up; - for
+    /// standard output
     #[arg(short, long, value_name = "FILE.glb|ply|obj|stl")]
     output: PathBuf,
-    /// Format of a mesh that goes to the standard output, as in -o - --format stl
+    /// Format of a mesh on standard output, as in -o - --format stl
     #[arg(long, value_enum, value_name = "glb|ply|obj|stl", hide_short_help = true)]
     format: Option<Format>,
-    /// As few triangles as keep the relief within this of them, everywhere: a length as in 2mm or 0.5m, of
-    /// the mesh that is written, or a part of the scale, as in 1% [default: 0.5%, on a plane]
+    /// Tolerance: use as few triangles as keep the relief within this distance of them everywhere.
+    /// A length of the written mesh, as in 2mm or 0.5m, or a part of the scale, as in 1% [default:
+    /// 0.5%, on a plane]
     #[arg(
         long,
         value_name = "LENGTH|PART%",
@@ -64,7 +66,7 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     error: Option<Tolerance>,
-    /// The least error that so many triangles allow
+    /// Most triangles to use; the mesh gets the least error that they allow
     #[arg(
         long,
         value_name = "N",
@@ -73,8 +75,8 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     triangles: Option<u64>,
-    /// A vertex every N texels: on a plane at the centres of every N-th one, elsewhere along the mesh's edges
-    /// [default: 1, where the mesh is no plane]
+    /// Spacing of vertices in texels: on a plane at the centres of every N-th one, elsewhere along
+    /// the mesh's edges [default: 1, where the mesh is no plane]
     #[arg(
         long,
         value_name = "N",
@@ -83,7 +85,7 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     texels: Option<u32>,
-    /// As fine as the camera of a scene file sees it, with the size of its picture: a vertex every --pixels
+    /// Scene file whose camera and picture size set the fineness: one vertex every --pixels
     #[arg(
         long,
         value_name = "SCENE.toml",
@@ -91,8 +93,8 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     view: Option<PathBuf>,
-    /// A vertex every N pixels of the --view, along the mesh's edges and inside, and as far apart along the
-    /// line of sight [default: 1]
+    /// Spacing of vertices in pixels of the --view, along the mesh's edges and inside, and as far
+    /// apart along the line of sight [default: 1]
     #[arg(
         long,
         value_name = "N",
@@ -102,9 +104,10 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     pixels: Option<f64>,
-    /// Times as many vertices along an edge of a --view: (1 - S f) (1 + G s + V v), by how much it faces the
-    /// eye (f, 0 at the silhouette to 1), the mean slope of the relief along it (s) and how much of its range
-    /// it has there (v); with the interior dice [default: 0,0,0]
+    /// Weights of the number of vertices along an edge of a --view: (1 - S f) (1 + G s + V v). f:
+    /// how much the edge faces the camera, from 0 at the silhouette to 1; s: mean slope of the
+    /// relief along it; v: share of the relief's range along it. Needs the interior dice [default:
+    /// 0,0,0]
     #[arg(
         long,
         value_name = "S,G,V",
@@ -115,27 +118,28 @@ pub struct Arguments {
         hide_short_help = true
     )]
     weights: Option<[f64; 3]>,
-    /// Heights where vertices of a --view are farther apart than texels, by coarser levels of the map:
-    /// average; max or min, nowhere below or above the relief; least-squares; variational, the nearest by
-    /// volume, which takes a while; or none, those of the map [default: least-squares]
+    /// Filter of the height map's coarser levels, used where vertices of a --view are farther apart
+    /// than texels: average; max or min, nowhere below or above the relief; least-squares;
+    /// variational, the nearest by volume, which is slow; or none, the map itself [default:
+    /// least-squares]
     #[arg(long, value_name = "NAME", requires = "view", help_heading = "Triangles", hide_short_help = true)]
     level_filter: Option<LevelFilter>,
-    /// Where --error and --triangles look: surface, everywhere on the relief between the texels, or texels,
-    /// at their centres alone, as other programs do [default: surface]
+    /// Where --error and --triangles measure: surface, everywhere on the relief between the texels;
+    /// or texels, at their centres alone, as other programs do [default: surface]
     #[arg(long, value_name = "surface|texels", help_heading = "Triangles", hide_short_help = true)]
     judge: Option<Judge>,
-    /// Which heights the vertices of --error and --triangles have: heights, such that fewer triangles are
-    /// enough, or none, those of the relief [default: heights]
+    /// Heights of the vertices of --error and --triangles: heights, fitted so that fewer triangles
+    /// suffice, or none, the relief's own [default: heights]
     #[arg(long, value_name = "heights|none", help_heading = "Triangles", hide_short_help = true)]
     fit: Option<Fit>,
-    /// On which side of the relief the triangles of --error and --triangles lie: both; above, so that nothing
-    /// that stands on them sinks into it; or below [default: both]
+    /// Side of the relief on which the triangles of --error and --triangles lie: both; above, so
+    /// that objects on them do not sink into the relief; or below [default: both]
     #[arg(long, value_name = "both|above|below", help_heading = "Triangles")]
     side: Option<Side>,
-    /// Close an open mesh with walls and an underside, at least so many millimetres of the file thick, or
-    /// with a unit, as in 1cm: under a plane a flat bottom, elsewhere the mesh itself, displaced by the same
-    /// everywhere. All triangles share their vertices. With --holes a plane has walls along its outline. A mesh
-    /// longer than 2 m needs --print-size
+    /// Close an open mesh with walls and an underside, at least this thick: millimetres of the
+    /// file, or a length as in 1cm. Under a plane the underside is flat, elsewhere it is the mesh,
+    /// displaced evenly. All triangles share their vertices. With --holes a plane gets walls along
+    /// its outline. A mesh longer than 2 m needs --print-size
     #[arg(
         long,
         value_name = "MM",
@@ -144,8 +148,8 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     solid: Option<f64>,
-    /// Cut a plane into columns and rows, a file each: FILE-0-0.glb, FILE-1-0.glb and so on. Where they meet
-    /// they have the same vertices
+    /// Cut a plane into columns and rows, one file each: FILE-0-0.glb, FILE-1-0.glb and so on.
+    /// Neighbours share the vertices on their common edge
     #[arg(
         long,
         value_name = "COLUMNSxROWS",
@@ -172,29 +176,30 @@ pub struct Arguments {
         help = interior_help(),
     )]
     interior: Option<&'static Interior>,
-    /// What is displaced: the flat triangles of the mesh; lift, the smooth surface that its normals promise;
-    /// or pn, cubic triangles at right angles to them [default: flat]
+    /// Base that is displaced: flat, the triangles of the mesh; lift, the smooth base of its
+    /// normals; or pn, cubic triangles at right angles to the normals [default: flat]
     #[arg(long, value_name = "flat|lift|pn", help_heading = "Triangles")]
     base: Option<BaseSurface>,
-    /// Along what: raw, the interpolated normals as they are; unit, these normalised; or angle, normals
-    /// interpolated by their angles [default: raw]
+    /// Directions of displacement: raw, the interpolated normals; unit, these normalised; or angle,
+    /// normals interpolated by their angles [default: raw]
     #[arg(long, value_name = "raw|unit|angle", help_heading = "Triangles", hide_short_help = true)]
     directions: Option<Directions>,
-    /// Normals of the vertices: exact, of the relief between the texels; derivative, the same as if the mesh
-    /// were level; rotation, the mesh's normals turned by two angles; or mesh, of the triangles [default:
-    /// exact]
+    /// Normals of the vertices: exact, of the relief between the texels; derivative, as if the mesh
+    /// were level; rotation, the mesh's normals turned by two angles; or mesh, of the triangles
+    /// [default: exact]
     #[arg(long, value_name = "exact|derivative|rotation|mesh", help_heading = "Triangles")]
     shading: Option<Shading>,
-    /// Hard edges and seams of the texture: weld gives a position one displacement, so that a closed mesh
-    /// stays closed; keep gives each side its own, and gapes [default: weld]
+    /// Displacement at hard edges and seams of the texture: weld gives a position one displacement,
+    /// so that a closed mesh stays closed; keep gives each side its own, which leaves gaps
+    /// [default: weld]
     #[arg(long, value_name = "weld|keep", help_heading = "Triangles")]
     seams: Option<Seams>,
-    /// Leave out the triangles over texels without a value, in place of filling them. With --error their
-    /// outlines are within a texel, else as fine as the triangles
+    /// Leave out the triangles over holes (texels without a value). With --error the outlines are
+    /// within a texel, else as fine as the triangles [default: holes are filled]
     #[arg(long, help_heading = "Triangles")]
     holes: bool,
-    /// Make the mesh as large as this along its longest side, in millimetres, or with a unit, as in 12cm
-    /// [default: as large as the base mesh is, a plane as large as the ground where the map says its metres]
+    /// Length of the mesh's longest side in millimetres, or with a unit, as in 12cm [default: as
+    /// large as the base mesh; a plane as large as the ground if the map's metres are known]
     #[arg(
         long,
         value_name = "MM",
@@ -203,9 +208,9 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     print_size: Option<f64>,
-    /// Store a GLB in integers (KHR_mesh_quantization), positions in so many bits a coordinate, from 8 to 16:
-    /// about a third smaller. Cracks do not open; the answer says how far vertices were moved, and how many
-    /// triangles lost their area
+    /// Store a GLB in integers (KHR_mesh_quantization), with this many bits per coordinate, 8 to
+    /// 16: about a third smaller. Cracks do not open. The answer says how far vertices moved and
+    /// how many triangles lost their area
     #[arg(
         long,
         value_name = "BITS",
@@ -214,13 +219,13 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     quantize: Option<u32>,
-    /// Store the triangles of a GLB as strips: 1 to 1.5 indices a triangle in place of three, files a fifth
-    /// smaller. Triangles without an area join them, which some programs count
+    /// Store the triangles of a GLB as strips: 1 to 1.5 indices per triangle instead of three,
+    /// files a fifth smaller. Triangles without area join the strips; some programs count them
     #[arg(long, help_heading = "Triangles")]
     strips: bool,
-    /// So many levels of detail in one GLB, 2 to 8, the first as asked for, each other one twice as coarse:
-    /// --texels and --pixels twice as large, --error too, --triangles a quarter. Programs that know MSFT_lod
-    /// show one or the other, others the first
+    /// Levels of detail in one GLB, 2 to 8. The first is as asked for, each next one twice as
+    /// coarse: --texels, --pixels and --error doubled, --triangles quartered. Programs that know
+    /// MSFT_lod choose a level, others show the first
     #[arg(
         long,
         value_name = "N",
@@ -229,58 +234,58 @@ pub struct Arguments {
         help_heading = "Triangles"
     )]
     lods: Option<u32>,
-    /// Move the node of a GLB to where its map lies, x east and z south, in metres. Programs that reckon in
-    /// 32 bits show it shaking: without it the file says in its extras where it lies
+    /// Move the node of a GLB to its map's place on the ground, x east and z south, in metres.
+    /// Programs that compute in 32 bits may show it shaking. Without this flag the file's extras
+    /// state the place
     #[arg(long, help_heading = "Triangles", hide_short_help = true)]
     place: bool,
-    /// Axis of the file that points up: y or z. A GLB always has y up [default: z in STL, y in others]
+    /// Up axis of the file: y or z; a GLB always has y up [default: z in STL, y in others]
     #[arg(long, value_name = "y|z", help_heading = "Triangles")]
     up: Option<Up>,
-    /// Turn the relief inside out: what is high is low
+    /// Turn the relief inside out: high becomes low
     #[arg(long, help_heading = "Triangles")]
     invert: bool,
     #[command(flatten)]
-    placed: PlacedArguments,
+    placement: PlacementArguments,
     #[command(flatten)]
     reading: HeightArguments,
-    /// Print one JSON object
+    /// Print the result as one JSON object
     #[arg(long)]
     pub json: bool,
-    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    /// Memory limit, as in 512MiB; work that needs more is refused [default: 4GiB]
     #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
     max_memory: Option<ByteSize>,
 }
 
 const AFTER_HELP: &str = "Examples:\n  \
-    relief mesh dem.tif -o dem.glb                                    # as fine as half a percent asks\n  \
-    relief mesh dem.tif --error 2m --tiles 4x4 -o dem.glb             # to 2 m of the ground, in 16 files\n  \
-    relief mesh dem.tif --exaggerate 2 -o dem.glb                     # twice as high\n  \
-    relief mesh dem.tif --print-size 150 --solid 3 -o dem.stl         # 15 cm long, to print\n  \
-    relief mesh island.tif --holes --solid 3 --print-size 150 -o island.stl  # cut out along its outline\n  \
-    relief mesh bark.png --mesh panel.obj --scale 1mm --solid 2 -o panel.stl  # a curved sheet, to print\n  \
-    relief mesh dem.tif --texels 1 -o dem.glb                         # every texel of it\n  \
-    relief mesh dem.tif --error 2m --quantize 12 -o dem.glb           # a third smaller, in integers\n  \
-    relief mesh dem.tif --error 2m --strips -o dem.glb                # a fifth smaller, as strips\n  \
-    relief mesh dem.tif --error 1m --lods 4 -o dem.glb                # and three coarser levels\n  \
-    relief mesh dem.tif --view flight.toml --pixels 2 -o dem.glb      # every second pixel of a picture\n  \
-    relief mesh bark.png --mesh tree.obj --scale 2cm -o tree.glb      # on a mesh with a texture\n  \
-    relief mesh bark.png --mesh tree.obj --scale 2cm --error 1% -o tree.glb   # with few triangles\n  \
+    relief mesh dem.tif -o dem.glb                                # to half a percent of the scale\n  \
+    relief mesh dem.tif --error 2m --tiles 4x4 -o dem.glb         # to 2 m of the ground, in 16 files\n  \
+    relief mesh dem.tif --exaggerate 2 -o dem.glb                 # twice as high\n  \
+    relief mesh dem.tif --print-size 150 --solid 3 -o dem.stl     # 15 cm long, to print\n  \
+    relief mesh island.tif --holes --solid 3 --print-size 150 -o island.stl  # the outline cut out\n  \
+    relief mesh bark.png --mesh panel.obj --scale 1mm --solid 2 -o panel.stl  # a curved sheet\n  \
+    relief mesh dem.tif --texels 1 -o dem.glb                     # one vertex per texel\n  \
+    relief mesh dem.tif --error 2m --quantize 12 -o dem.glb       # a third smaller, in integers\n  \
+    relief mesh dem.tif --error 2m --strips -o dem.glb            # a fifth smaller, as strips\n  \
+    relief mesh dem.tif --error 1m --lods 4 -o dem.glb            # and three coarser levels\n  \
+    relief mesh dem.tif --view flight.toml --pixels 2 -o dem.glb  # one vertex per two pixels\n  \
+    relief mesh bark.png --mesh tree.obj --scale 2cm -o tree.glb  # on a textured mesh\n  \
+    relief mesh bark.png --mesh tree.obj --scale 2cm --error 1% -o tree.glb  # with few triangles\n  \
     relief mesh wall.png --mesh sphere --tile 8,4 --base lift -o ball.ply\n\n\
-    The triangles are the relief that `relief render` shows, with the same --scale and --bias: carved into \
-    the mesh unless a bias lifts it, --bias 0 puts it on top. A plane whose map \
-    knows its metres (by its file or --tile-size) is as long as the ground in place of that: its lowest height \
-    is at y = 0, x is east and z south, --scale, --bias and --error are lengths of it, and --exaggerate N \
-    makes heights N times as high. Other planes are 1 m long. On planes, and with --error elsewhere, \
-    triangles are as large as that allows: no point \
-    of the relief is farther from them, measured from the same point of the mesh, and the answer says how \
-    far it is and where. --shading mesh smooths what texels much finer than the triangles do to normals. \
-    Without \
-    --seams keep the file has no cracks where the mesh has none: the answer counts open edges, those of a \
-    sheet's border among them, and the triangles that are folded over, by those of the mesh (from 0) that \
-    they are pieces of. Look at it with `relief render --mesh FILE`, `relief inspect FILE`, or any \
-    viewer of glTF.";
+    The triangles show the same relief as `relief render` with the same --scale and --bias. By default it is \
+    carved into the mesh; --bias 0 puts it on top.\n\n\
+    A plane whose map knows its metres (by its file or --tile-size) is as long as the ground. Its lowest height \
+    is then at y = 0, x is east and z south. --scale, --bias and --error are lengths of it, and --exaggerate N \
+    makes heights N times as high. Other planes are 1 m long.\n\n\
+    On planes, and with --error elsewhere, triangles are as large as the tolerance allows. No point of the \
+    relief is farther from them, measured from the same point of the mesh; the answer says how far it is and \
+    where. --shading mesh smooths the effect on normals of texels much finer than the triangles.\n\n\
+    Without --seams keep the file has no cracks where the mesh has none. The answer counts open edges (a \
+    sheet's border is open) and folded triangles, with the numbers of the mesh's triangles, from 0, that they \
+    belong to. Look at the file with `relief render --mesh FILE`, `relief inspect FILE`, or any viewer of \
+    glTF.";
 
-/// A format, by the ending of the output's name.
+/// File format, by the ending of the output's name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Format {
     Glb,
@@ -313,15 +318,15 @@ fn listed<'a>(what: &str, rows: impl Iterator<Item = (&'a str, &'a str)>) -> Str
 
 fn edges_help() -> String {
     let rows = EDGE_RULES.iter().map(|rule| (rule.name, rule.summary));
-    listed("Where the mesh's edges are divided", rows)
+    listed("Edge rule, which divides the mesh's edges", rows)
 }
 
 fn interior_help() -> String {
     let rows = INTERIORS.iter().map(|interior| (interior.name, interior.summary));
-    listed("What fills its triangles", rows)
+    listed("Interior, which fills the mesh's triangles", rows)
 }
 
-/// Reads, makes and writes.
+/// Reads the map and the mesh, displaces and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let started = Instant::now();
     let (_, format) = format_of("--output", &arguments.output, &FORMATS, &arguments.inputs())?;
@@ -338,7 +343,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Ok(materials) => materials,
         Err(why) => {
             let what = format!("the colours, masks and pictures of its materials are not written: {why}");
-            let file = match &arguments.placed.mesh {
+            let file = match &arguments.placement.mesh {
                 Some(MeshChoice::File(file)) => file.as_path(),
                 _ => Path::new("mesh"),
             };
@@ -349,7 +354,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(ground) = spec.each_surface().first().and_then(maps::ground_of)
         && let Some(doubt) = lengths::doubt_of(&ground, surface.height_map())
     {
-        // A value for none among heights is what is to be named, not their unit.
+        // An undeclared value of holes among the heights is to be named, not their unit.
         let no_value = notes.iter().find(|note| note.is_about(&UNDECLARED_NODATA));
         return Err(Failure::Work(match no_value {
             Some(note) => note.to_string(),
@@ -361,7 +366,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let view = arguments.view_of(&spec, &scene);
     if surface.object().is_some() {
-        return Err(Failure::usage("the surface is an object of images, which has no height map on a mesh"));
+        return Err(Failure::usage("the surface is a depth object, which has no height map on a mesh"));
     }
     drop(scene);
     let surface = metres.applied(arguments, surface)?;
@@ -380,8 +385,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
         None => Vec::new(),
     };
-    let seen = Seen { surface: &surface, view, coarser, metres: &metres, materials };
-    let written = made::write(arguments, &seen, format, &files, &mut staged, cancel)?;
+    let source = Source { surface: &surface, view, coarser, metres: &metres, materials };
+    let written = write::write(arguments, &source, format, &files, &mut staged, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
     let about = report::About {
@@ -396,7 +401,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 impl Arguments {
-    /// The files that may be standard streams.
+    /// Returns the files that may be standard streams.
     pub fn files(&mut self) -> Files<'_> {
         let of = |format: Format| FORMATS.iter().find(|(_, (known, _))| *known == format);
         let format = self.format.and_then(of).map(|(ending, _)| *ending);
@@ -408,53 +413,54 @@ impl Arguments {
         }
     }
 
-    /// The files that are read.
+    /// Returns the files that are read.
     fn inputs(&self) -> Vec<&Path> {
-        let mesh = match &self.placed.mesh {
+        let mesh = match &self.placement.mesh {
             Some(MeshChoice::File(file)) => Some(file.as_path()),
             _ => None,
         };
         [Some(self.height.as_path()), mesh, self.view.as_deref()].into_iter().flatten().collect()
     }
 
-    /// The materials of the base that are written.
+    /// Returns the materials of the base that are written.
     ///
     /// # Errors
     ///
-    /// With a reason where they cannot be.
+    /// With the reason if they cannot be written.
     fn materials(&self, surface: &Surface, format: MeshFormat) -> Result<Option<GlbMaterials>, String> {
         if surface.file_colors().is_none_or(|colors| colors.colored() == 0) {
             return Ok(None);
         }
         if format != MeshFormat::Gltf {
-            return Err(format!("{format} is written without, a .glb holds them"));
+            return Err(format!("{format} cannot hold them, a .glb can"));
         }
-        let (materials, of_base) =
-            surface.file_materials().ok_or("they are more than are drawn, or lie on few triangles each")?;
+        let (materials, of_base) = surface
+            .file_materials()
+            .ok_or("there are too many to draw, or they lie on few triangles each")?;
         if self.strips && !of_base.is_empty() {
-            return Err("--strips are of one material".to_owned());
+            return Err("--strips allow one material".to_owned());
         }
         if Mesher::is_plane(surface.mesh()) && !of_base.is_empty() {
-            return Err("the base is a plane, which is made as a whole".to_owned());
+            return Err("the base is a plane, which has one material".to_owned());
         }
         GlbMaterials::new(materials, of_base).map(Some).map_err(|problem| problem.to_string())
     }
 
-    /// The most memory.
+    /// Returns the memory limit in bytes.
     fn limit(&self) -> u64 {
         self.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0)
     }
 
-    /// The height map on its mesh, as scenes have it, seen by the camera of the view, or in the smallest of
-    /// pictures.
+    /// Returns the scene of the height map on its mesh: seen by the camera of --view, or in the
+    /// smallest of pictures.
     ///
-    /// A scene's plane is 1 m long: lengths of the mesh that is written become lengths of that.
+    /// A scene's plane is 1 m long, so lengths of the written mesh are converted.
     fn spec(&self, metres: &Metres) -> Result<SceneSpec, Failure> {
-        let surface = self.placed.surface(&self.reading);
+        let surface = self.placement.surface(&self.reading);
         let in_scene = |length_m: Option<f64>| length_m.map(|length_m| length_m / metres.factor);
         let (scale, bias) = (in_scene(surface.scale), in_scene(surface.bias));
         let surface = SurfaceSpec { scale, bias, ..surface };
-        // A file may say itself that it holds depths.
+        // A file may itself state that it holds depths.
         let of_file = || {
             let surface = SurfaceSpec { height: Some(self.height.clone()), ..surface.clone() };
             maps::ground_of(&surface).is_some_and(|ground| maps::is_depth(&ground))
@@ -462,11 +468,11 @@ impl Arguments {
         let depth = if self.invert { Some(!(self.reading.depth || of_file())) } else { surface.depth };
         let holes = self.holes.then_some(true);
         let surface = SurfaceSpec { height: Some(self.height.clone()), depth, holes, ..surface };
-        let seen = match &self.view {
+        let viewed = match &self.view {
             Some(file) => read_scene(file).map_err(Failure::work)?,
             None => SceneSpec { size: Some([1, 1].into()), ..SceneSpec::default() },
         };
-        let SceneSpec { view, eye, target, projection, fov, view_height, near, far, size, .. } = seen;
+        let SceneSpec { view, eye, target, projection, fov, view_height, near, far, size, .. } = viewed;
         Ok(SceneSpec {
             view,
             eye,
@@ -483,7 +489,7 @@ impl Arguments {
         })
     }
 
-    /// What may not be meant, of lengths.
+    /// Returns notes on lengths that may be meant otherwise.
     fn notes(&self, metres: &Metres, surface: &Surface) -> Vec<String> {
         let map = surface.height_map();
         let [low, high] = map.extremes();
@@ -494,35 +500,35 @@ impl Arguments {
             && error_m > relief_m
         {
             notes.push(format!(
-                "--error {}: the whole relief is {} high, so that it may be left out",
+                "--error {}: the whole relief is {} high, so it may be flattened",
                 units::in_words(error_m),
                 units::in_words(relief_m)
             ));
         }
-        if let Some(Length { metres: scale_m, has_unit: false }) = self.placed.scale
+        if let Some(Length { metres: scale_m, has_unit: false }) = self.placement.scale
             && metres.is_known()
         {
             let plane = units::in_words(metres.factor);
             notes.push(format!(
-                "--scale {scale_m}: taken for {scale_m} m of the mesh, which is {plane} long; a factor on \
-                 heights is --exaggerate N, and `relief render` shows the same with --scale {}, as its plane \
-                 is 1 m long (with its unit, as in --scale {scale_m}m, this is not said)",
+                "--scale {scale_m}: read as {scale_m} m of the mesh, which is {plane} long. To multiply \
+                 heights, give --exaggerate N. `relief render` shows the same with --scale {}, as its plane \
+                 is 1 m long. A unit, as in --scale {scale_m}m, silences this note",
                 values::six_digits(scale_m / metres.factor)
             ));
         }
         notes
     }
 
-    /// From where the mesh is looked at.
+    /// Returns the view of --view.
     fn view_of(&self, spec: &SceneSpec, scene: &Scene) -> Option<View> {
         self.view.as_ref()?;
         let view = View::new(*scene.camera(), scene.size());
-        // Parallel rays see what is near as large as anything.
+        // An orthographic camera shows near things no larger than others.
         let near_m = spec.near.filter(|_| !view.camera.is_orthographic()).unwrap_or(view.near_m);
         Some(View { pixels: self.pixels.unwrap_or(view.pixels), near_m, ..view })
     }
 
-    /// Whether the mesh can be made within the memory that is allowed.
+    /// Checks that the mesh can be made within the memory limit.
     fn check_memory(&self, surface: &Surface, levels: &[Mesher]) -> Result<(), Failure> {
         let limit = self.limit();
         let needed = bytes_of(surface) + levels.iter().map(Mesher::bytes).sum::<u64>() + BYTES_TO_WRITE;
@@ -531,14 +537,14 @@ impl Arguments {
         }
         let (mib, limit) = (needed.div_ceil(1 << 20), ByteSize(limit));
         Err(Failure::Work(format!(
-            "a mesh of {} triangles takes {mib} MiB to make, more than the {limit} allowed: --max-memory \
-             raises it, {COARSER}",
+            "a mesh of {} triangles takes {mib} MiB to make, more than the {limit} allowed: \
+             --max-memory raises the limit, {COARSER}",
             levels.iter().map(Mesher::triangles).sum::<u64>()
         )))
     }
 }
 
-/// The memory of a surface's map.
+/// Returns the memory of a surface's height map in bytes.
 fn bytes_of(surface: &Surface) -> u64 {
     let map = surface.height_map();
     size_of::<f32>() as u64 * u64::from(map.width()) * u64::from(map.height())

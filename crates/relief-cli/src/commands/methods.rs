@@ -1,4 +1,4 @@
-//! `relief methods`: the registry as tables.
+//! `relief methods`: prints the registry of methods as tables.
 
 use std::io::{self, Write};
 
@@ -11,13 +11,15 @@ use serde_json::{Value, json};
 
 use crate::failure::Failure;
 
-/// What `relief methods` is given.
+/// Arguments of `relief methods`.
 #[derive(Args)]
+#[command(after_help = "Examples:\n  relief methods\n  relief methods --pairs\n  \
+    relief methods --json > methods.json")]
 pub struct Arguments {
-    /// Print which refinement goes with which search, and what they promise together
+    /// Print which refinements go with which searches, and the guarantee of each pair
     #[arg(long)]
     pairs: bool,
-    /// Print one JSON object
+    /// Print the result as one JSON object
     #[arg(long)]
     pub json: bool,
 }
@@ -49,7 +51,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What a stage's variants are called, and the flags that choose one and set its parameters.
+/// Returns the name of a stage's variants, with the flags that choose one and set its parameters.
 fn heading(stage: &Stage) -> String {
     let Stage { key, plural, entries, .. } = stage;
     let mut flags = Vec::new();
@@ -91,13 +93,13 @@ fn methods_table() -> Table {
     table
 }
 
-/// A pair, and why it is refused if it is.
+/// Pair of a search and a refinement, and the reason if it is refused.
 struct Pair {
     selection: Selection,
     refused: Option<String>,
 }
 
-/// Every search with every refinement, in the order of the lists.
+/// Returns every search with every refinement, in the order of the lists.
 fn pairs() -> Result<Vec<Pair>, Failure> {
     let pair = |search: &Entry, refine: &Entry| {
         let selection = Selection::pair(search.name, refine.name).map_err(Failure::work)?;
@@ -121,9 +123,9 @@ fn pairs_text() -> Result<String, Failure> {
         table.add_row(search.into_iter().chain(cells));
     }
     let mut text = format!(
-        "What a search and a refinement promise together for view, bent and shadow rays, with their default \
-         settings: e exact, c conservative (never passes a hit, may stop before one), a approximate, i impossible; \
-         no where they are refused.\n\n{table}\n\nWhy they are refused:\n\n"
+        "Guarantees of a search and a refinement together for view, bent and shadow rays, with their default \
+         settings: e exact, c conservative (never passes a hit, can stop before one), a approximate, i impossible; \
+         no for refused pairs.\n\n{table}\n\nReasons for refused pairs:\n\n"
     );
     for reason in pairs.iter().filter_map(|pair| pair.refused.as_ref()) {
         text += &format!("- {reason}\n");
@@ -157,7 +159,7 @@ fn entries_table(entries: &[Entry]) -> Table {
     table
 }
 
-/// The survey's section; for what was published elsewhere, where.
+/// Returns the survey's section, or the paper of what was published elsewhere.
 fn section(source: &Publication) -> &'static str {
     if source.section.is_empty() { source.paper } else { source.section }
 }

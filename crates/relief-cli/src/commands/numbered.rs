@@ -1,26 +1,27 @@
-//! The files of a scene whose names have a place for a frame's number.
+//! Files of a scene whose names have a placeholder for the frame number.
 
 use std::path::{Path, PathBuf};
 
 use relief_scene::{MeshChoice, SceneSpec};
 
 use crate::failure::Failure;
-use crate::pattern::{Pattern, has_place};
+use crate::pattern::{Pattern, has_placeholder};
 use crate::streams::is_input;
 
-/// How names are numbered: those of a scene file from its own folder on, whose name is no pattern.
+/// Numbering of names. Names in a scene file count from its folder on, whose own name is no
+/// pattern.
 pub struct Numbering<'a> {
     folder: &'a Path,
 }
 
 impl<'a> Numbering<'a> {
-    /// Of names in that scene file, and of flags.
+    /// Creates the numbering of names in the scene file `scene` and of flags.
     pub fn of(scene: Option<&'a Path>) -> Self {
         Self { folder: scene.and_then(Path::parent).unwrap_or(Path::new("")) }
     }
 
-    /// The part of a name that may be a pattern, and the folder before it; none of what is
-    /// no text or no name.
+    /// Returns the folder before a name, and the part that may be a pattern; none if the name is
+    /// not Unicode or is standard input.
     fn parts<'b>(&self, path: &'b Path) -> Option<(&Path, &'b str)> {
         if is_input(path) {
             return None;
@@ -31,12 +32,12 @@ impl<'a> Numbering<'a> {
         }
     }
 
-    /// Whether a name has a place for a number.
+    /// Whether a name has a placeholder for a number.
     pub fn is_pattern(&self, path: &Path) -> bool {
-        self.parts(path).is_some_and(|(_, name)| has_place(name))
+        self.parts(path).is_some_and(|(_, name)| has_placeholder(name))
     }
 
-    /// The name in a frame.
+    /// Returns the name in a frame.
     pub fn path(&self, path: &Path, frame: u32) -> Result<PathBuf, Failure> {
         let Some((folder, name)) = self.parts(path) else { return Ok(path.to_owned()) };
         if !name.contains('%') {
@@ -47,7 +48,7 @@ impl<'a> Numbering<'a> {
         Ok(folder.join(pattern.with(frame)))
     }
 
-    /// The scene in a frame.
+    /// Returns the scene in a frame.
     pub fn spec(&self, spec: &SceneSpec, frame: u32) -> Result<SceneSpec, Failure> {
         let mut spec = spec.clone();
         let surfaces = spec.surfaces.iter_mut().chain([&mut spec.surface]);
@@ -57,12 +58,12 @@ impl<'a> Numbering<'a> {
         Ok(spec)
     }
 
-    /// Whether a file of the scene is another in each frame.
+    /// Whether a file of the scene differs from frame to frame.
     pub fn has_frames(&self, spec: &SceneSpec) -> bool {
         files(spec).iter().any(|file| self.is_pattern(file))
     }
 
-    /// Whether that is a mesh, whose file may name others.
+    /// Whether a mesh, whose file may name others, differs from frame to frame.
     pub fn has_frames_of_meshes(&self, spec: &SceneSpec) -> bool {
         spec.each_surface().iter().any(|surface| match &surface.mesh {
             Some(MeshChoice::File(path)) => self.is_pattern(path),
@@ -70,22 +71,24 @@ impl<'a> Numbering<'a> {
         })
     }
 
-    /// Refuses a scene with frames, and says what to do.
+    /// Refuses a scene with frames; `advice` says what to do.
     pub fn refuse(&self, spec: &SceneSpec, advice: &str) -> Result<(), Failure> {
         match files(spec).iter().find(|file| self.is_pattern(file)) {
             Some(file) => {
                 let file = file.display();
-                Err(Failure::Usage(format!("{file}: its name has a place for a frame's number: {advice}")))
+                Err(Failure::Usage(format!(
+                    "{file}: the name has a placeholder for a frame number: {advice}"
+                )))
             }
             None => Ok(()),
         }
     }
 }
 
-/// What to do where a command shows no frames.
-pub const ONE_FRAME: &str = "name the file of one frame, as `relief render --frames` alone shows several";
+/// Advice of commands that show no frames.
+pub const ONE_FRAME: &str = "name the file of one frame, since only `relief render --frames` renders several";
 
-/// The files that a scene names.
+/// Returns the files that a scene names.
 pub fn files(spec: &SceneSpec) -> Vec<PathBuf> {
     let surfaces = spec.each_surface();
     surfaces.iter().flat_map(|surface| surface.files()).chain(&spec.environment).cloned().collect()

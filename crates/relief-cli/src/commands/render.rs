@@ -1,5 +1,5 @@
-//! `relief render`: a scene to a picture. A baked map that the method reads is baked first and kept in a
-//! cache.
+//! `relief render`: renders a scene to a picture. Baked maps that the method reads are baked first
+//! and cached.
 
 mod baked_maps;
 mod frames;
@@ -27,43 +27,44 @@ use crate::progress::{Progress, TaskProgress};
 use crate::streams::{Files, Written, tell_written};
 use crate::{advice, interrupt, lanes, say};
 
-/// What `relief render` is given. Flags override the scene file.
+/// Arguments of `relief render`. Flags override the scene file.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  relief render --height data/bricks.png -o bricks.png\n  \
     relief render scenes/jacksboro.toml --size 1600x1200 --samples 16 -o jacksboro.png\n  \
     relief render --height dem.tif --view top --projection orthographic -o map.png\n  \
-    relief render --height map.exr --method occlusion --set search.steps=64 --aov map-aov.exr -o map.png\n  \
+    relief render --height map.exr --method occlusion --set search.steps=64 --aov aov.exr -o map.png\n  \
     relief render --height wave_%04d.png --frames 0..47 --eye 0.6,0.9,1.1 -o out_%04d.png\n\n\
     `relief methods` lists methods, searches and refinements with their settings; `relief render --help` lists \
     every flag.")]
 pub struct Arguments {
-    /// Picture to write: PNG and JPEG in sRGB, EXR as linear light; - for the standard output
+    /// Picture to write: PNG or JPEG in sRGB, EXR in linear light; - for standard output
     #[arg(short, long, value_name = "FILE.png|jpg|exr")]
     output: PathBuf,
-    /// Format of a picture that goes to the standard output, as in -o - --format png
+    /// Format of a picture on standard output, as in -o - --format png
     #[arg(long, value_enum, value_name = "png|jpg|exr", hide_short_help = true)]
     format: Option<StreamFormat>,
-    /// Bits of a sample in a PNG: 8 or 16 [default: 8]
+    /// Bits per channel of a PNG: 8 or 16 [default: 8]
     #[arg(long, value_name = "BITS")]
     bits: Option<Bits>,
-    /// Write numbers of every pixel's centre, too, as 32-bit float channels: hit (1 or 0), uv.x and uv.y,
-    /// height (0 to 1), P.x, P.y and P.z (position), N.x, N.y and N.z (normal), depth (along the view axis),
-    /// reads (of maps), steps (turns of the search's and the refinement's loops), bytes (that the reads
-    /// fetch), lit (the part of the first light that arrives) and level (of detail). Where the CPU renders
-    /// `exact`, reads and steps are nodes and cells of its tracer
+    /// Also write AOVs, the values of each pixel's centre, as 32-bit float channels: hit (1 or 0),
+    /// uv.x, uv.y, height (0 to 1), P.x, P.y, P.z (position), N.x, N.y, N.z (normal), depth (along
+    /// the view axis), reads (of maps), steps (of search and refinement), bytes (that the reads
+    /// fetch), lit (share of the first light that arrives), level (of detail), z (depth buffer, see
+    /// --clip) and surface (its number). Where the CPU renders `exact`, reads and steps count nodes
+    /// and cells of the exact tracer
     #[arg(long, value_name = "FILE.exr")]
     aov: Option<PathBuf>,
-    /// Render frames A to B, both among them, as in 0..47. Their numbers take the place of %d, or with zeros
-    /// before them of %04d, once in a name: of --output, of --aov, and of the files that scene and flags name
-    /// (height, object, color, normal, mesh, environment); %% is a percent sign then. All files are looked
-    /// for before the first frame is rendered. Each frame is the picture that its files make by themselves:
-    /// give --eye and --target where the camera is to stand still, and maps of floats a --range
+    /// Render one picture per frame number from A to B, inclusive, as in 0..47. The number replaces
+    /// %d, or %04d with leading zeros, once in each name: --output, --aov, and the files that scene
+    /// and flags name (height, object, color, normal, mesh, environment). %% is then a percent
+    /// sign. All files are checked before the first frame. Each picture is the same as if rendered
+    /// alone: fix the camera with --eye and --target, and the --range of float maps
     #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
     frames: Option<Frames>,
-    /// Draw the edges of the base meshes over the picture, faint where they are behind what is seen
+    /// Draw the base mesh's edges over the picture, hidden ones faintly
     #[arg(long, hide_short_help = true)]
     wire: bool,
-    /// Print one JSON object about the picture
+    /// Print the result as one JSON object
     #[arg(long)]
     pub json: bool,
 
@@ -75,7 +76,7 @@ pub struct Arguments {
     cache: CacheArguments,
 }
 
-/// Renders and writes.
+/// Renders the scene and writes its files.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let spec = arguments.machine.over(arguments.scene.spec()?);
     let numbering = Numbering::of(arguments.scene.file());
@@ -103,33 +104,33 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     })
 }
 
-/// Renders one scene after the other.
+/// Renderer of one scene after the other.
 struct PictureRenderer<'a> {
     arguments: &'a Arguments,
-    /// The baked maps.
-    kept: Maps,
-    /// Why these are not kept in a folder.
+    /// Baked maps.
+    baked: Maps,
+    /// Reason that the baked maps are not cached, if they are not.
     no_cache: Option<String>,
-    /// The renderer of the scene before, by what it was made for.
+    /// Renderer of the scene before, with the backend and sampling that it was made for.
     renderer: Option<(BackendChoice, Sampling, Renderer)>,
 }
 
 impl<'a> PictureRenderer<'a> {
     fn new(arguments: &'a Arguments) -> Self {
-        let (kept, no_cache) = arguments.cache.maps();
-        Self { arguments, kept, no_cache, renderer: None }
+        let (baked, no_cache) = arguments.cache.maps();
+        Self { arguments, baked, no_cache, renderer: None }
     }
 
-    /// Renders into files, which get their names when they are whole.
+    /// Renders into files, which take their names when they are whole.
     fn draw(
         &mut self,
         scene: &Scene,
         outputs: &Outputs,
         tell: &(dyn Fn(&str, f32) + Sync),
     ) -> Result<(Counts, Made), Failure> {
-        let Self { arguments, kept, renderer, .. } = self;
+        let Self { arguments, baked, renderer, .. } = self;
         let (backend, sampling) = (scene.backend(), scene.sampling());
-        // A GPU's renderer has its programs; what one on the CPU has kept is of other maps.
+        // A GPU's renderer keeps its programs; one on the CPU holds data of other maps.
         let before = renderer.take().filter(|(for_backend, for_sampling, renderer)| {
             (*for_backend, *for_sampling) == (backend, sampling) && renderer.backend() == "gpu"
         });
@@ -144,7 +145,7 @@ impl<'a> PictureRenderer<'a> {
         // Until here nothing exists that an interrupted program would leave behind.
         let cancel = interrupt::catch()?;
         let written = outputs.write(scene, cancel, arguments.json, &mut |numbers, sink| {
-            renderer.render_bands(scene, kept, numbers, &Watch::new(tell, cancel), sink)
+            renderer.render_bands(scene, baked, numbers, &Watch::new(tell, cancel), sink)
         });
         written.map_err(|error| match error {
             output::Error::Render(error) => arguments.of_render(error),
@@ -152,9 +153,9 @@ impl<'a> PictureRenderer<'a> {
         })
     }
 
-    /// What a user may not expect of a picture.
+    /// Returns notes on what a user may not expect of a picture.
     fn notes(&self, spec: &SceneSpec, scene: &Scene, made: &Made) -> Vec<String> {
-        // Where no map was baked nobody misses a place to keep it.
+        // Where no map was baked, nobody misses a cache.
         let no_cache = self.no_cache.clone().filter(|_| !made.maps.is_empty());
         let of_reading = maps::of_reading(spec, scene, By::Flags);
         let notes = of_reading.iter().map(ToString::to_string).chain(no_cache);
@@ -163,7 +164,7 @@ impl<'a> PictureRenderer<'a> {
 }
 
 impl Arguments {
-    /// The files that may be standard streams.
+    /// Returns the files that may be standard streams.
     pub fn files(&mut self) -> Files<'_> {
         let format = self.format.map(StreamFormat::ending);
         let picture = Written { flag: "--output", path: &mut self.output, format };
@@ -171,24 +172,24 @@ impl Arguments {
         Files { read: self.scene.files(), written: vec![picture], split }
     }
 
-    /// Refuses names with a place for a frame's number where no frames are asked for.
+    /// Refuses names with a placeholder for a frame number where no frames are asked for.
     fn refuse_frames(&self, spec: &SceneSpec, numbering: &Numbering) -> Result<(), Failure> {
-        let advice = "say which with --frames, as in --frames 0..47";
+        let advice = "give the range with --frames, as in --frames 0..47";
         numbering.refuse(spec, advice)?;
         let outputs = [("--output", Some(&self.output)), ("--aov", self.aov.as_ref())];
         let of_flags = Numbering::of(None);
         match outputs.into_iter().find(|(_, path)| path.is_some_and(|path| of_flags.is_pattern(path))) {
             Some((flag, Some(path))) => {
                 let path = path.display();
-                let what = "its name has a place for a frame's number";
+                let what = "the name has a placeholder for a frame number";
                 Err(Failure::Usage(format!("{flag} {path}: {what}: {advice}")))
             }
             _ => Ok(()),
         }
     }
 
-    /// A sampling that the backend does not have is the command line's fault when the command line named one
-    /// of them.
+    /// Turns a rendering's error into a failure. A sampling that the backend lacks is the command
+    /// line's fault if the command line named either.
     fn of_render(&self, error: RenderError) -> Failure {
         match error {
             RenderError::FastOnCpu { .. } if self.machine.is_named() => {

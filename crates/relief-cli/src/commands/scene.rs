@@ -1,4 +1,5 @@
-//! `relief scene`: a scene file of the flags of `relief render`, with every key; and a schema for editors.
+//! `relief scene`: writes a scene file of `relief render`'s flags, with every key, or a schema for
+//! editors.
 
 use std::io::Write;
 use std::path::{Path, PathBuf, absolute};
@@ -15,26 +16,27 @@ use super::staged::format_of;
 use crate::failure::Failure;
 use crate::streams::{Files, answer, tell_written};
 
-/// What `relief scene` is given.
+/// Arguments of `relief scene`.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  relief scene --height wall.png --method cone -o wall.toml\n  \
-    relief scene wall.toml --samples 16        # the same with another key, on the standard output\n  \
+    relief scene wall.toml --samples 16        # the same with one key changed, on standard output\n  \
     relief scene --schema > relief-scene.schema.json")]
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
     #[command(flatten)]
     machine: MachineArguments,
-    /// Scene file to write [default: the standard output]
+    /// Scene file to write [default: standard output]
     #[arg(short, long, value_name = "FILE.toml", conflicts_with = "schema")]
     output: Option<PathBuf>,
-    /// Print the JSON schema of scene files, for editors that complete and check them
+    /// Print the JSON schema of scene files, with which editors complete and check them
     #[arg(long)]
     schema: bool,
 }
 
 impl Arguments {
-    /// The file that may be the standard input: a scene file names its maps, which a stream is not.
+    /// Returns the file that may be standard input: a scene file names its maps, which a stream
+    /// does not.
     pub fn files(&mut self) -> Files<'_> {
         Files { read: self.scene.file_mut().into_iter().collect(), ..Files::default() }
     }
@@ -52,12 +54,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let read = files(&spec);
     let inputs: Vec<&Path> = read.iter().map(AsRef::as_ref).collect();
     format_of("--output", path, &[("toml", ())], &inputs)?;
-    // Paths in a scene file start at its folder, those of flags at the current one.
+    // Paths in a scene file start at its folder, paths of flags at the current folder.
     if path.parent().is_some_and(|folder| !folder.as_os_str().is_empty()) {
         make_absolute(&mut spec)?;
     }
     let text = spec.to_toml();
-    // What is written can be read again.
+    // What is written must be readable.
     parse_scene(&text, path).map_err(Failure::work)?;
     write_atomically(path, |file| file.write_all(text.as_bytes())).map_err(Failure::work)?;
     tell_written(false, |out| Ok(writeln!(out, "{}", path.display())?))
@@ -88,7 +90,7 @@ fn schema() -> Value {
     properties.insert(
         "surfaces".to_owned(),
         json!({
-            "type": "array", "description": "several surfaces; what they do not say is said above them",
+            "type": "array", "description": "several surfaces; keys that one leaves out are those above them",
             "items": { "type": "object", "properties": own, "additionalProperties": false },
         }),
     );

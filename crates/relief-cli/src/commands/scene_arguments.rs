@@ -1,4 +1,4 @@
-//! What a scene is made of on the command line: a scene file, and flags that override it.
+//! Command-line description of a scene: a scene file and the flags that override it.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -16,33 +16,34 @@ use relief_scene::{
 use relief_shaders::METHODS;
 
 use super::maps::HeightArguments;
-use super::placed::PlacedArguments;
+use super::placement::PlacementArguments;
 use super::stages::StageArguments;
 use crate::failure::Failure;
 use crate::file_kind::FileKind;
 use crate::streams::{INPUT, is_input};
 use crate::{advice, units, values};
 
-/// What computes a picture.
+/// Flags that choose the backend and the sampling.
 #[derive(Args)]
 #[command(next_help_heading = "Machine")]
 pub struct MachineArguments {
-    /// What computes the picture: auto takes a GPU if there is one, else the CPU; gpu also takes a software
-    /// adapter [default: auto]
+    /// Backend that computes the picture. auto: a GPU if there is one, else the CPU; gpu: also a
+    /// software adapter [default: auto]
     #[arg(long, value_name = "auto|cpu|gpu")]
     backend: Option<BackendChoice>,
-    /// exact has the same bits everywhere; fast uses the GPU's texture sampler [default: exact]
+    /// How maps are read. exact: the same bits on every machine; fast: through the GPU's texture
+    /// sampler [default: exact]
     #[arg(long, value_name = "exact|fast", hide_short_help = true)]
     sampling: Option<Sampling>,
 }
 
 impl MachineArguments {
-    /// Whether backend or sampling are named on the command line.
+    /// Whether the command line names a backend or a sampling.
     pub fn is_named(&self) -> bool {
         self.sampling.is_some() || self.backend.is_some()
     }
 
-    /// A description with what the flags say in place of what it said itself.
+    /// Returns `spec` with the flags' values in place of its own.
     pub fn over(&self, spec: SceneSpec) -> SceneSpec {
         spec.overridden_by(SceneSpec {
             backend: self.backend,
@@ -52,52 +53,54 @@ impl MachineArguments {
     }
 }
 
-/// A scene, by its file and by flags.
+/// Scene file and flags that describe a scene.
 #[derive(Args)]
 pub struct SceneArguments {
-    /// What is shown: a scene file (TOML), a height map, a mesh, or an object.toml. The keys of a scene are
-    /// named like the flags, which override it; paths in it are relative to it, or where it is - for the
-    /// standard input, to the current folder
+    /// What to render: a scene file (TOML), a height map, a mesh, or an object.toml. Keys of a
+    /// scene are named like the flags, and flags override them. Paths in a scene file start at its
+    /// folder; with - (standard input) they start at the current folder
     #[arg(value_name = "FILE")]
     scene: Option<PathBuf>,
-    /// Width and height of the picture in pixels; map: one pixel a texel, with --view top --projection
-    /// orthographic [default: 800x600; with that view and projection 800 pixels of the longer side]
+    /// Width and height of the picture in pixels. map: one pixel per texel, with --view top
+    /// --projection orthographic [default: 800x600; with that view and projection, 800 pixels on
+    /// the longer side]
     #[arg(long, value_name = "WxH|map", allow_hyphen_values = true)]
     size: Option<PictureSize>,
-    /// Samples of a pixel, 1 to 1024: more make edges and far texels smoother [default: 4]
+    /// Samples per pixel, 1 to 1024; more of them smooth edges and distant texels [default: 4]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     samples: Option<u32>,
-    /// Light, background, tone curve and camera where no other flag says them: studio (a key light from the
-    /// camera's upper left, a soft sky, a bright backdrop), sun (low and warm, before a blue sky), overcast
-    /// (sky alone), or plain (one light, dark background, as `relief compare` measures by). Takes the place
-    /// of a scene file's own light, background and tone curve [default: studio]
+    /// Preset of light, background, tone curve and camera; other flags override it. studio: a key
+    /// light from the camera's upper left, soft sky, bright backdrop; sun: low, warm sun before a
+    /// blue sky; overcast: sky light alone; plain: one light, dark background, used by `relief
+    /// compare`. Replaces a scene file's own light, background and tone curve [default: studio]
     #[arg(long, value_name = "NAME")]
     look: Option<Look>,
-    /// Stops by which the light is brightened, each doubling it [default: the look's]
+    /// Exposure in stops; each stop doubles the light [default: the look's]
     #[arg(long, value_name = "STOPS", allow_hyphen_values = true)]
     exposure: Option<f32>,
-    /// Tone curve: none cuts off what is too bright, agx makes it pale; an EXR has none
-    /// [default: the look's]
+    /// Tone curve. none: clips bright values; agx: desaturates them. EXR files have none [default:
+    /// the look's]
     #[arg(long, value_name = "none|agx")]
     tone: Option<Tone>,
-    /// What is seen where no surface is: linear red, green and blue, gradient (a bright backdrop), or
-    /// environment (the file of --environment, or a generated sky) [default: the look's]
+    /// Background: R,G,B in linear light, gradient (a bright backdrop), or environment (the file of
+    /// --environment, or a generated sky) [default: the look's]
     #[arg(long, value_name = "R,G,B|NAME", allow_hyphen_values = true, hide_short_help = true)]
     background: Option<Background>,
 
     /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
     height: Option<PathBuf>,
-    /// Object of images with depth, in place of height map and mesh: an object.toml of `relief capture`
+    /// Depth object to render instead of a height map on a mesh: an object.toml of `relief capture`
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh", conflicts_with = "height")]
     object: Option<PathBuf>,
-    /// Colour map, in sRGB [default: the material alone]
+    /// Colour map in sRGB [default: none, the material alone]
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
     color: Option<PathBuf>,
     /// Tangent-space normal map [default: normals from the height map]
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
     normal: Option<PathBuf>,
-    /// Where the normal map's green points: +y (up in the picture) or -y [default: +y]
+    /// Direction of the normal map's green channel: +y (up in the picture) or -y (down) [default:
+    /// +y]
     #[arg(
         long,
         value_name = "SIGN",
@@ -106,18 +109,19 @@ pub struct SceneArguments {
         hide_short_help = true
     )]
     green: Option<GreenSign>,
-    /// Show what is behind texels of the height map without a value, which are filled otherwise; shadows see
-    /// them filled still
+    /// Show holes (texels of the height map without a value) as openings. Shadows still treat them
+    /// as filled [default: holes are filled]
     #[arg(long, help_heading = "Maps and mesh", hide_short_help = true)]
     holes: bool,
-    /// Let normals from the height map end at creases, where its slope changes by some 27 to 45 degrees at
-    /// once, and not smear them
+    /// Break normals from the height map at creases, where the slope changes by about 27 to 45
+    /// degrees at once, instead of smearing them
     #[arg(long, help_heading = "Maps and mesh", hide_short_help = true)]
     creases: bool,
     #[command(flatten)]
-    placed: PlacedArguments,
-    /// Part of the material, as in diffuse=0.5,0.3,0.2 or specular=0,0,0 (linear, 0 to 1), or shininess=50 (1
-    /// to 1024); may be repeated [default: diffuse 0.4, 0.8 under a colour map; specular 0.1; shininess 32]
+    placement: PlacementArguments,
+    /// Material parameter, repeatable: diffuse=0.5,0.3,0.2 or specular=0,0,0 (linear, 0 to 1), or
+    /// shininess=50 (1 to 1024) [default: diffuse 0.4, 0.8 under a colour map; specular 0.1;
+    /// shininess 32]
     #[arg(
         long,
         value_name = "PART=VALUE",
@@ -126,8 +130,8 @@ pub struct SceneArguments {
         hide_short_help = true,
     )]
     material: Vec<MaterialSpec>,
-    /// Part of the light that is refracted, not scattered, 0 to 1: 1 is clear glass in its surroundings
-    /// [default: 0]
+    /// Share of light that is refracted instead of scattered, 0 to 1; 1 is clear glass, which shows
+    /// the environment map [default: 0]
     #[arg(
         long,
         value_name = "F",
@@ -136,7 +140,7 @@ pub struct SceneArguments {
         hide_short_help = true
     )]
     transmission: Option<f32>,
-    /// Index of refraction, 1 to 4, which says how much is reflected, too [default: 1.5]
+    /// Index of refraction, 1 to 4; also sets how much is reflected [default: 1.5]
     #[arg(
         long,
         value_name = "N",
@@ -145,7 +149,7 @@ pub struct SceneArguments {
         hide_short_help = true
     )]
     ior: Option<f32>,
-    /// Draw back faces, too, turned over
+    /// Also draw back faces, with their normals turned over
     #[arg(long, help_heading = "Maps and mesh", hide_short_help = true)]
     two_sided: bool,
     #[command(flatten)]
@@ -161,7 +165,7 @@ pub struct SceneArguments {
     method: Option<String>,
     #[command(flatten)]
     stages: StageArguments,
-    /// Setting of the search or the refinement, as in search.steps=64; may be repeated
+    /// Setting of a stage, as in search.steps=64; repeatable. `relief methods` lists all settings
     #[arg(
         long,
         value_name = "STAGE.NAME=VALUE",
@@ -171,7 +175,7 @@ pub struct SceneArguments {
     )]
     set: Vec<(String, f64)>,
 
-    /// From where the camera looks that sees all of the scene: corner, three-quarter, top, front or right
+    /// Camera preset that shows the whole scene: corner, three-quarter, top, front or right
     /// [default: the look's]
     #[arg(
         long,
@@ -180,7 +184,7 @@ pub struct SceneArguments {
         help_heading = "Camera and light",
     )]
     view: Option<View>,
-    /// Position of the eye in metres [default: fitted to scene and picture; with --target, 0.6,0.9,1.1]
+    /// Camera position in metres [default: fitted to scene and picture; with --target, 0.6,0.9,1.1]
     #[arg(
         long,
         value_name = "X,Y,Z",
@@ -189,7 +193,7 @@ pub struct SceneArguments {
         help_heading = "Camera and light",
     )]
     eye: Option<[f64; 3]>,
-    /// Point looked at [default: fitted; with --eye, 0,0,0]
+    /// Point that the camera looks at, in metres [default: fitted; with --eye, 0,0,0]
     #[arg(
         long,
         value_name = "X,Y,Z",
@@ -198,14 +202,14 @@ pub struct SceneArguments {
         help_heading = "Camera and light",
     )]
     target: Option<[f64; 3]>,
-    /// How space becomes a picture: perspective, or orthographic as on a map [default: perspective]
+    /// Projection: perspective or orthographic [default: perspective]
     #[arg(long, value_name = "NAME", help_heading = "Camera and light")]
     projection: Option<ProjectionChoice>,
-    /// Vertical field of view of a perspective in degrees [default: 40]
+    /// Vertical field of view of a perspective camera in degrees [default: 40]
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, help_heading = "Camera and light")]
     fov: Option<f64>,
-    /// Metres from the lower to the upper edge of an orthographic picture [default: fitted; with --eye or
-    /// --target it has to be given]
+    /// Height in metres that an orthographic picture covers [default: fitted; required with --eye
+    /// or --target]
     #[arg(
         long,
         value_name = "M",
@@ -215,11 +219,11 @@ pub struct SceneArguments {
         hide_short_help = true,
     )]
     view_height: Option<f64>,
-    /// Which end of the depth buffer is near that the AOV z is of: standard (0) or reversed (1) [default:
+    /// Depth convention of the AOV z: standard (0 is near) or reversed (1 is near) [default:
     /// standard]
     #[arg(long, value_name = "NAME", help_heading = "Camera and light", hide_short_help = true)]
     clip: Option<Clip>,
-    /// Metres from the eye to that buffer's near plane [default: before the scene]
+    /// Near plane of the AOV z, in metres from the camera [default: in front of the scene]
     #[arg(
         long,
         value_name = "M",
@@ -229,7 +233,7 @@ pub struct SceneArguments {
         hide_short_help = true,
     )]
     near: Option<f64>,
-    /// Metres to its far plane, or inf [default: behind the scene]
+    /// Far plane of the AOV z, in metres from the camera, or inf [default: behind the scene]
     #[arg(
         long,
         value_name = "M|inf",
@@ -239,8 +243,8 @@ pub struct SceneArguments {
         hide_short_help = true,
     )]
     far: Option<f64>,
-    /// Direction toward a directional light: a vector, or degrees clockwise from north (-z) and above the
-    /// horizon, as in az=315,alt=45; it has the look's colour [default: the look's light]
+    /// Direction toward a directional light: a vector, or degrees clockwise from north (-z) and
+    /// above the horizon, as in az=315,alt=45. Its colour is the look's [default: the look's light]
     #[arg(
         long,
         value_name = "X,Y,Z|az=A,alt=B",
@@ -248,8 +252,8 @@ pub struct SceneArguments {
         help_heading = "Camera and light"
     )]
     light: Option<LightDirection>,
-    /// Position of a point light, and its intensity in linear red, green and blue (1 lights a white surface
-    /// fully from 1 m); may be repeated, and beside --light
+    /// Point light: position in metres, and intensity in linear red, green and blue (1 lights a
+    /// white surface fully from 1 m). Repeatable, also beside --light [default intensity: 1,1,1]
     #[arg(
         long,
         value_name = "X,Y,Z[,R,G,B]",
@@ -259,7 +263,8 @@ pub struct SceneArguments {
         hide_short_help = true,
     )]
     point_light: Vec<LightSpec>,
-    /// Diameter of a directional light in degrees, 0 to 90, for soft shadows [default: 0.53, as the sun's]
+    /// Angular diameter of a directional light in degrees, 0 to 90, for soft shadows [default:
+    /// 0.53, the sun's]
     #[arg(
         long,
         value_name = "DEGREES",
@@ -268,7 +273,7 @@ pub struct SceneArguments {
         hide_short_help = true
     )]
     light_angle: Option<f64>,
-    /// Colour of the ambient light, linear red, green and blue [default: the look's]
+    /// Colour of the ambient light in linear red, green and blue [default: the look's]
     #[arg(
         long,
         value_name = "R,G,B",
@@ -278,12 +283,12 @@ pub struct SceneArguments {
         hide_short_help = true,
     )]
     ambient_color: Option<[f64; 3]>,
-    /// Surroundings that light the scene: an equirectangular picture, EXR, HDR or PNG, twice as wide as high,
-    /// its middle along -z [default: a generated sky, with --ambient environment]
+    /// Environment map that lights the scene: an equirectangular EXR, HDR or PNG picture, twice as
+    /// wide as high, with -z in the middle [default: a generated sky, with --ambient environment]
     #[arg(long, value_name = "FILE", help_heading = "Camera and light")]
     environment: Option<PathBuf>,
 
-    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    /// Memory limit, as in 512MiB; work that needs more is refused [default: 4GiB]
     #[arg(
         long,
         value_name = "SIZE",
@@ -300,11 +305,11 @@ fn method_help() -> String {
 }
 
 impl SceneArguments {
-    /// The description: the flags over the scene file.
+    /// Returns the scene's description: the flags over the scene file.
     pub fn spec(&self) -> Result<SceneSpec, Failure> {
         if self.ambient_color.is_some() && self.stages.and_color().1.is_some() {
             return Err(Failure::usage(
-                "--ambient and --ambient-color both give a colour: give --ambient a name, or leave one out",
+                "--ambient and --ambient-color both set a colour: give --ambient a name, or leave one out",
             ));
         }
         let Some(path) = &self.scene else { return Ok(self.flags()) };
@@ -316,12 +321,12 @@ impl SceneArguments {
             }
             FileKind::Object => self.object.is_some() || self.height.is_some(),
             FileKind::HeightMap => self.object.is_some() || self.height.is_some(),
-            FileKind::Mesh => self.object.is_some() || self.placed.mesh.is_some(),
+            FileKind::Mesh => self.object.is_some() || self.placement.mesh.is_some(),
         };
         if named {
             let flag = kind.flag();
             return Err(Failure::Usage(format!(
-                "{} is shown as by {flag}, and a flag names another: leave one of them out",
+                "{} is read as {flag}, and another flag names the surface, too: leave one of them out",
                 path.display()
             )));
         }
@@ -334,23 +339,23 @@ impl SceneArguments {
         Ok(spec)
     }
 
-    /// The files that may be the standard input.
+    /// Returns the files that may be standard input.
     pub fn files(&mut self) -> Vec<&mut PathBuf> {
         let Self { scene, height, color, normal, environment, .. } = self;
         [scene, height, color, normal, environment].into_iter().flatten().collect()
     }
 
-    /// The scene file, where the file that is shown is one.
+    /// Returns the scene file, if the file that is shown is one.
     pub fn file(&self) -> Option<&Path> {
         self.scene.as_deref().filter(|path| matches!(FileKind::of(path), Ok(FileKind::Scene)))
     }
 
-    /// As [`file`](Self::file), to be replaced.
+    /// Returns the file that is shown, to be replaced.
     pub fn file_mut(&mut self) -> Option<&mut PathBuf> {
         self.scene.as_mut()
     }
 
-    /// The scene as words of a command line: its file, or its height map.
+    /// Returns the scene as words of a command line: its file, or its height map.
     pub fn words(&self) -> String {
         match (&self.scene, &self.height, &self.object) {
             (Some(scene), ..) => scene.display().to_string(),
@@ -365,7 +370,7 @@ impl SceneArguments {
         self.method.is_some()
     }
 
-    /// The flags as a description that overrides the scene file's.
+    /// Returns the flags as a description that overrides the scene file.
     fn flags(&self) -> SceneSpec {
         let (stages, color_of_ambient) = self.stages.and_color();
         let given = |flag: bool| flag.then_some(true);
@@ -388,7 +393,7 @@ impl SceneArguments {
             transmission: self.transmission,
             ior: self.ior,
             two_sided: given(self.two_sided),
-            ..self.placed.surface(&self.reading)
+            ..self.placement.surface(&self.reading)
         };
         let light = self.light.map(|LightDirection(toward)| toward);
         let directional =
@@ -422,24 +427,26 @@ impl SceneArguments {
     }
 }
 
-/// The scene file that came by the standard input: its paths start at the current folder.
+/// Reads a scene file that came by standard input. Its paths start at the current folder.
 fn scene_of_input(copy: &Path) -> Result<SceneSpec, SceneError> {
     let text = std::fs::read(copy).and_then(|bytes| {
-        let no_text =
-            || std::io::Error::new(std::io::ErrorKind::InvalidData, "it holds no text, which scenes are");
+        let no_text = || {
+            std::io::Error::new(std::io::ErrorKind::InvalidData, "it holds no text, so it is no scene file")
+        };
         decode_text(bytes).ok_or_else(no_text)
     });
     let text = text.map_err(|source| SceneError::Io { path: INPUT.into(), source })?;
     parse_scene(&text, Path::new(INPUT))
 }
 
-/// A value that cannot be used came from the flags, since a scene file's values are checked when it is read.
+/// Turns a scene's error into a failure. A value that cannot be used came from the flags, since a
+/// scene file's values are checked when it is read.
 pub fn of_scene(error: SceneError) -> Failure {
     match error {
         SceneError::Value(ValueError { key, problem: ValueProblem::Needs(other), .. }) => {
             Failure::Usage(format!("--{key}: needs --{other} as well"))
         }
-        // A flag holds for every surface: which of them it fails by first says nothing.
+        // A flag holds for every surface, so the surface that the error names says nothing.
         SceneError::Value(ValueError { key, problem, .. }) => {
             Failure::Usage(format!("--{}: {problem}", blamed(key, &problem)))
         }
@@ -448,8 +455,8 @@ pub fn of_scene(error: SceneError) -> Failure {
     }
 }
 
-/// The flag to blame for a value that cannot be used: of stages that do not go together the one that was given,
-/// and not one whose variant follows from a default.
+/// Returns the flag to blame for a value that cannot be used. Of stages that do not go together
+/// this is the one that was given, not one whose variant follows from a default.
 fn blamed(key: &'static str, problem: &ValueProblem) -> &'static str {
     let is_given = |key: &&str| {
         let flag = format!("--{key}");
@@ -466,7 +473,8 @@ fn blamed(key: &'static str, problem: &ValueProblem) -> &'static str {
     others.into_iter().find(is_given).unwrap_or(key)
 }
 
-/// The same for commands that take a scene file alone, and no flags for what stands in it.
+/// Turns a scene's error into a failure, for commands that take a scene file and no flags for its
+/// keys.
 pub fn of_scene_file(error: SceneError) -> Failure {
     Failure::Work(advice::with_key(&error, advice::of_scene(&error)))
 }

@@ -1,4 +1,5 @@
-//! `relief shader`: a method as a shader for other programs, and what they bind, as JSON.
+//! `relief shader`: exports a method as shaders for other programs, with a JSON description of what
+//! they bind.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -20,7 +21,7 @@ use crate::failure::Failure;
 use crate::streams::tell_written;
 use crate::{interrupt, values};
 
-/// What `relief shader` is given.
+/// Arguments of `relief shader`.
 #[derive(Args)]
 #[command(after_help = short_help(), after_long_help = after_help())]
 pub struct Arguments {
@@ -33,56 +34,59 @@ pub struct Arguments {
         help = method_help(),
     )]
     method: Option<String>,
-    /// Search, together with --refine in place of a method
+    /// Search, together with --refine instead of --method
     #[arg(long, value_name = "NAME", requires = "refine", help_heading = "Method")]
     search: Option<String>,
-    /// Refinement, together with --search in place of a method
+    /// Refinement, together with --search instead of --method
     #[arg(long, value_name = "NAME", requires = "search", help_heading = "Method")]
     refine: Option<String>,
     #[arg(long, value_name = "NAME", help_heading = "Method", help = variants("Surface", SURFACE))]
     surface: Option<String>,
     #[arg(long, value_name = "NAME", help_heading = "Method", help = variants("Shadow", SHADOW))]
     shadow: Option<String>,
-    /// Search for the rays of shadows, as in --search [default: that of the view where it can, else cells]
+    /// Search for shadow rays, one of --search [default: the view's search where it can, else
+    /// cells]
     #[arg(long, value_name = "NAME", help_heading = "Method")]
     shadow_search: Option<String>,
     #[arg(long, value_name = "NAME", help_heading = "Method", help = variants("Levels of detail", DETAIL))]
     detail: Option<String>,
     #[arg(long, value_name = "NAME", help_heading = "Method", help = variants("Ambient light", AMBIENT))]
     ambient: Option<String>,
-    /// Value to begin with of a stage's setting, as in search.steps=64; it stays in the uniform buffer, and
-    /// NAME.json says where; may be repeated
+    /// Initial value of a stage's setting, as in search.steps=64; repeatable. It stays in the
+    /// uniform buffer, at the place that NAME.json states
     #[arg(long, value_name = "STAGE.NAME=VALUE", value_parser = values::setting, help_heading = "Method")]
     set: Vec<(String, f64)>,
-    /// Let fragments write the depth of what they show, by frame.clip, so that other geometry meets the
-    /// relief where it is; shaders of the surfaces prism and tetrahedra always do
+    /// Write the depth of the displaced surface from fragments, by frame.clip, so that other
+    /// geometry intersects the relief correctly; shaders of the surfaces prism and tetrahedra
+    /// always do
     #[arg(long)]
     depth: bool,
-    /// Languages to write: wgsl, glsl, hlsl, msl, spirv
+    /// Shading languages to write: wgsl, glsl, hlsl, msl, spirv
     #[arg(long, value_name = "NAME[,NAME...]", value_delimiter = ',', required = true)]
     target: Vec<String>,
-    /// Version of a target: core450 or es310 of glsl, 5.1 or 6.0 of hlsl, 2.0 of msl, 1.3 of spirv [default:
-    /// the first of each]
+    /// Versions of the targets: core450 or es310 of glsl, 5.1 or 6.0 of hlsl, 2.0 of msl, 1.3 of
+    /// spirv [default: the first of each]
     #[arg(long, value_name = "NAME[,NAME...]", value_delimiter = ',')]
     profile: Vec<String>,
-    /// How maps are read: exact, texel by texel with the same bits everywhere, or fast, through a sampler
+    /// How maps are read. exact: texel by texel, with the same bits on every machine; fast: through
+    /// a sampler
     #[arg(long, value_name = "exact|fast", default_value_t)]
     sampling: Sampling,
-    /// Bind everything in this group: the descriptor set of SPIR-V, the register space of HLSL; GLSL and MSL
-    /// have none [default: the maps in 0, the mesh in 1]
+    /// Group of all bindings: the descriptor set of SPIR-V, the register space of HLSL; GLSL and
+    /// MSL have none [default: maps in 0, the mesh in 1]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     group: Option<u32>,
-    /// Number of the first binding of the --group; the others follow in the order of NAME.json. MSL counts
-    /// buffers, textures and samplers each from here [default: 0]
+    /// Number of the first binding in --group; the others follow in the order of NAME.json. MSL
+    /// counts buffers, textures and samplers separately from here [default: 0]
     #[arg(long, value_name = "N", requires = "group", allow_hyphen_values = true)]
     first_binding: Option<u32>,
-    /// What the files are called before their endings [default: the method, or SEARCH-REFINE]
+    /// Name of the files, before their endings [default: the method, or SEARCH-REFINE]
     #[arg(long, value_name = "NAME")]
     name: Option<String>,
-    /// Folder for the files; it is made if it is missing, and files of these names are replaced
+    /// Folder for the files, created if missing; files of these names are replaced
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// Print one JSON object about the files
+    /// Print the result as one JSON object
     #[arg(long)]
     pub json: bool,
 }
@@ -92,7 +96,7 @@ const EXAMPLES: &str = "Examples:\n  relief shader --method cone --target wgsl -
     relief shader --search frustum --refine patch --surface prism --shadow horizon \\\n    \
     --target hlsl --profile 6.0 --group 2 -o shaders";
 
-/// The flags of a shader that shows triangles as they are.
+/// Returns the flags of a shader that shows triangles as they are.
 fn facets() -> String {
     let flag = |place: usize, is_meant: fn(&Entry) -> bool| {
         let Stage { key, .. } = &STAGES[place];
@@ -108,27 +112,26 @@ fn facets() -> String {
 }
 
 fn short_help() -> String {
-    format!("{EXAMPLES}\n\n`relief shader --help` says what is in the files.")
+    format!("{EXAMPLES}\n\n`relief shader --help` describes the files.")
 }
 
 /// Examples, what is written, and the profiles.
 fn after_help() -> String {
     let mut text = format!(
         "{EXAMPLES}\n\n\
-         Each target is one file with a vertex and a fragment function, NAME.wgsl, NAME.hlsl, NAME.metal or \
-         NAME.spv; of GLSL NAME.vert.glsl and NAME.frag.glsl, whose vertex shader is OpenGL's: \
-         Vulkan takes the SPIR-V. They draw a surface in a single pass: the \
-         triangles' corners come from storage buffers, every fragment's ray is traced through the \
-         relief, and what it meets is shaded, in linear colours. The functions below them can be \
-         called from shaders of one's own: shade_pixel is a whole pixel.\n\n\
-         The comment at the head of each file, and NAME.json for programs, say what is bound where and what \
-         fills it, which maps `relief bake` makes, the layout of the buffers, the target's own names, \
-         and the values to begin with. A shader serves every map, mesh and setting: only --method and the \
-         other stages, --sampling and --depth change its code.\n\n\
+         Each target gets one file with a vertex and a fragment function: NAME.wgsl, NAME.hlsl, NAME.metal or \
+         NAME.spv. GLSL gets NAME.vert.glsl and NAME.frag.glsl, whose vertex shader is OpenGL's; Vulkan takes the \
+         SPIR-V. The functions draw a surface in a single pass. The triangles' corners come from storage \
+         buffers, each fragment's ray is traced through the relief, and its hit is shaded in linear colours. \
+         Other shaders can call the functions below them: shade_pixel is a whole pixel.\n\n\
+         The comment at the head of each file, and NAME.json for programs, describe the bindings and their \
+         contents, the maps of `relief bake`, the layout of the buffers, the target's own names, and the initial \
+         values. A shader serves every map, mesh and setting: only --method and the other stages, --sampling \
+         and --depth change its code.\n\n\
          With --group N all bindings are in that group, numbered from --first-binding in the order of \
-         NAME.json; without it they are where relief's own shaders have them, and in GLSL storage buffers \
-         come first.\n\n\
-         All files get their names at the end, or none.\n\n\
+         NAME.json. Without it they are where relief's own shaders have them, and in GLSL storage buffers come \
+         first.\n\n\
+         All files take their names at the end, or none does.\n\n\
          Profiles:\n"
     );
     for target in Target::ALL {
@@ -143,7 +146,8 @@ fn after_help() -> String {
     let displaced: Vec<&str> = METHODS.iter().filter(shows_triangles).map(|method| method.name).collect();
     text + &format!(
         "\nMethods of displaced triangles ({}) have no shader of their own: `relief mesh` makes displaced \
-         meshes, and {} shades them. Of slices it shades polygons that a program makes: shells, for one.",
+         meshes, and {} shades them. For slices, the shader shades polygons that your program makes, such as \
+         shells.",
         displaced.join(", "),
         facets()
     )
@@ -157,13 +161,13 @@ fn method_help() -> String {
     format!("Method: {}", names.map(|method| method.name).collect::<Vec<_>>().join(", "))
 }
 
-/// The variants of a stage, of which the first is chosen where nobody does.
+/// Lists the variants of a stage; the first is the default.
 fn variants(title: &str, place: usize) -> String {
     let names: Vec<&str> = STAGES[place].entries.iter().map(|entry| entry.name).collect();
     format!("{title}: {} [default: {}]", names.join(", "), names[0])
 }
 
-/// Writes the files.
+/// Exports the shaders and writes them.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let selection = arguments.selection()?;
     let options = arguments.options()?;
@@ -195,7 +199,7 @@ fn write(exported: &Exported, paths: &[PathBuf], quiet: bool) -> Result<(), Fail
 }
 
 impl Arguments {
-    /// The stages that are asked for.
+    /// Returns the stages that are asked for.
     fn selection(&self) -> Result<Selection, Failure> {
         let mut selection = match (&self.method, &self.search, &self.refine) {
             (None, Some(search), Some(refine)) => {
@@ -209,7 +213,7 @@ impl Arguments {
                 Selection::method(name).map_err(|error| Failure::Usage(format!("--method: {error}")))?
             }
         };
-        // A search for shadows is chosen after the shadow, with which another one comes.
+        // A shadow search is chosen after the shadow, which brings another one.
         let stages = [
             (SURFACE, &self.surface),
             (DETAIL, &self.detail),
@@ -252,7 +256,7 @@ fn choose(selection: &mut Selection, stage: usize, name: &str) -> Result<(), Fai
     selection.choose(key, name).map_err(|error| Failure::Usage(format!("--{key}: {error}")))
 }
 
-/// The command line that bakes a map.
+/// Returns the command line that bakes a map.
 fn bake_line(need: &MapNeed) -> String {
     let kind = need.input.kind;
     let params = KINDS.iter().find(|known| known.name == kind).map_or(&[][..], |known| known.params);
@@ -273,7 +277,7 @@ fn bake_line(need: &MapNeed) -> String {
     }
 }
 
-/// What there can be no shader of, with the flag that mends it.
+/// Turns an error of the export into a failure, with the flag that helps.
 fn of_export(error: ExportError) -> Failure {
     match &error {
         ExportError::Selection(
@@ -285,7 +289,7 @@ fn of_export(error: ExportError) -> Failure {
             Failure::Usage(format!("--{key}: {error}"))
         }
         ExportError::Displaced { .. } => {
-            Failure::Usage(format!("--method: {error} (relief mesh makes meshes, {} shades them)", facets()))
+            Failure::Usage(format!("--method: {error}: `relief mesh` makes meshes, {} shades them", facets()))
         }
         ExportError::OnlyCpu { .. } => Failure::Usage(format!("--shadow: {error}")),
         ExportError::Name(_) => Failure::Usage(format!("--name: {error}")),

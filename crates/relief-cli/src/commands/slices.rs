@@ -1,4 +1,4 @@
-//! `relief slices`: a scene's relief as shells, which any viewer of glTF shows.
+//! `relief slices`: writes a scene's relief as shells, which any glTF viewer shows.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -19,17 +19,17 @@ use crate::progress::Progress;
 use crate::streams::{Files, tell_written};
 use crate::{interrupt, say, values};
 
-/// What `relief slices` is given.
+/// Arguments of `relief slices`.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub struct Arguments {
     /// Scene file with one surface: a height map on a mesh
     #[arg(value_name = "SCENE.toml")]
     scene: PathBuf,
-    /// Mesh to write
+    /// Mesh to write, with y up
     #[arg(short, long, value_name = "FILE.glb")]
     output: PathBuf,
-    /// Shells over the whole displacement
+    /// Number of shells (offset copies of the mesh) over the whole displacement, 1 to 4096
     #[arg(
         long,
         value_name = "N",
@@ -38,10 +38,10 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     count: u32,
-    /// Print one JSON object
+    /// Print the result as one JSON object
     #[arg(long)]
     pub json: bool,
-    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    /// Memory limit, as in 512MiB; work that needs more is refused [default: 4GiB]
     #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
     max_memory: Option<ByteSize>,
 }
@@ -49,20 +49,20 @@ pub struct Arguments {
 const AFTER_HELP: &str = "Examples:\n  \
     relief slices wall.toml -o wall.glb\n  \
     relief slices fur.toml --count 48 -o fur.glb\n\n\
-    The file has the scene's mesh once for each shell, ever farther out along its normals, with one picture: \
-    the surface's color, the heights in its opacity; and one of the relief's normals. The alphaCutoff of a \
-    shell's material is its height, so that every viewer draws what is high enough, and needs no shader: the \
-    oldest way to show displacement. From the side one sees between shells: more of them stand closer, and \
-    cost as much more. `relief render --method slices-surface --set slices.count=N` shows the same, and \
-    `relief mesh` makes displaced triangles.";
+    The file has the scene's mesh once for each shell, each farther out along its normals. All share one \
+    picture, the surface's color with the heights as its opacity, and a normal map of the relief. The \
+    alphaCutoff of a shell's material is the shell's height, so every viewer draws only what is high enough, \
+    without a shader.\n\n\
+    From the side one sees between the shells; more shells are closer together and cost more. `relief render \
+    --method slices-surface --set slices.count=N` shows the same, and `relief mesh` makes displaced triangles.";
 
-/// Bytes of a texel: of both pictures, and as PNG at most.
+/// Bytes per texel: both pictures, and the PNG at most.
 const BYTES_PER_TEXEL: u64 = 16;
 
-/// Bytes of a vertex and a triangle of the base while a shell is written.
+/// Bytes per vertex and per triangle of the base while a shell is written.
 const BYTES_PER_CORNER: u64 = 32;
 
-/// Reads and writes.
+/// Reads the scene and writes the shells.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let started = Instant::now();
     let spec = arguments.spec()?;
@@ -99,7 +99,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 impl Arguments {
-    /// The files that may be standard streams: none, as a scene names files beside itself.
+    /// Returns the files that may be standard streams: none, as a scene names files beside itself.
     pub fn files(&mut self) -> Files<'_> {
         Files::default()
     }
@@ -108,7 +108,7 @@ impl Arguments {
         self.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0)
     }
 
-    /// The scene's description, of one frame.
+    /// Returns the scene's description, which has one frame.
     fn spec(&self) -> Result<SceneSpec, Failure> {
         let spec = read_scene(&self.scene).map_err(of_scene_file)?;
         Numbering::of(Some(&self.scene)).refuse(&spec, ONE_FRAME)?;
@@ -119,7 +119,7 @@ impl Arguments {
         Ok(spec)
     }
 
-    /// The only surface of the scene, which is no object of images.
+    /// Returns the only surface of the scene, which must not be a depth object.
     fn surface(&self, spec: SceneSpec) -> Result<Surface, Failure> {
         let refused = |what: &str| Failure::Work(format!("{}: {what}", self.scene.display()));
         // Nothing is rendered.
@@ -136,7 +136,7 @@ impl Arguments {
         }
         match scene.surfaces() {
             [surface] if surface.object().is_some() => {
-                Err(refused("its surface is an object of images, which has no base for shells"))
+                Err(refused("its surface is a depth object, which has no base for shells: give a height map"))
             }
             [surface] => Ok(surface.clone()),
             _ => Err(refused("it has several surfaces, and shells lie over one: write a scene for each")),
@@ -152,7 +152,7 @@ impl Arguments {
         }
         let (needed, limit) = (needed.div_ceil(1 << 20), ByteSize(self.max_bytes()));
         Err(Failure::Work(format!(
-            "{}: shells take {needed} MiB of memory, more than the {limit} allowed: --max-memory raises it",
+            "{}: shells take {needed} MiB of memory, more than the {limit} allowed: raise --max-memory",
             self.scene.display()
         )))
     }

@@ -1,4 +1,4 @@
-//! Files that a command writes where it is told to: all of them whole, or none.
+//! Output files of a command: all of them are written whole, or none.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -11,8 +11,8 @@ use crate::failure::Failure;
 use crate::interrupt::cancelled;
 use crate::waiting::waiting;
 
-/// The format of the file that a flag names, by the ending of its name, if it can be written and is none of
-/// those that are read, or that belong to them.
+/// Returns the format of the file that a flag names, by its ending. The file must be writable and
+/// must not replace an input, or a file that belongs to one.
 pub fn format_of<F: Copy>(
     flag: &str,
     path: &Path,
@@ -44,7 +44,7 @@ pub fn format_of<F: Copy>(
     match replaced(path, inputs) {
         Some(input) => {
             let input = input.display();
-            Err(Failure::Usage(format!("{flag} {name}: would replace {input}, which is read")))
+            Err(Failure::Usage(format!("{flag} {name}: would replace the input {input}: give another name")))
         }
         None => Ok(format),
     }
@@ -54,12 +54,12 @@ fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Files that are whole, in a hidden folder beside their places. Dropped, they are gone.
+/// Files that are whole, in a hidden folder beside their places. Dropping it removes them.
 pub struct Staged(FileSet);
 
 impl Staged {
-    /// Finds out whether all of the outputs can be written, of which there is at least one. Waits for another
-    /// process that writes the first, and mends what a killed one left.
+    /// Checks that all of the outputs, at least one, can be written. Waits for another process that
+    /// writes the first, and repairs what a killed process left.
     pub fn open(outputs: &[&Path], quiet: bool, cancel: &AtomicBool) -> Result<Self, Failure> {
         let first = outputs.first().copied().unwrap_or(Path::new(""));
         let (folder, name) = (folder_of(first), first.file_name().unwrap_or_default());
@@ -72,12 +72,12 @@ impl Staged {
         Ok(Self(set))
     }
 
-    /// Where to write an output until it takes its name.
+    /// Returns where to write an output until it takes its name.
     pub fn aside(&mut self, output: &Path) -> Result<PathBuf, Failure> {
         self.0.put(output).map_err(Failure::work)
     }
 
-    /// Writes an output, until it takes its name.
+    /// Writes an output aside; it takes its name at the end.
     pub fn write(&mut self, output: &Path, bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
         let written = std::fs::write(self.aside(output)?, bytes);
         written.map_err(|error| Failure::Work(format!("{}: cannot be written: {error}", output.display())))

@@ -1,4 +1,4 @@
-//! A flag for each stage that has more than one variant, from the shaders' table of stages.
+//! Flags for the stages with more than one variant, from the shaders' table of stages.
 
 use std::collections::BTreeMap;
 
@@ -8,11 +8,11 @@ use relief_shaders::{AMBIENT, DETAIL, GEOMETRY, REFINE, SEARCH, SHADOW, SHADOW_S
 
 use crate::values;
 
-/// The variants that are asked for, by their stages' keys.
+/// Variants that are asked for, by their stages' keys.
 #[derive(Clone, Debug, Default)]
 pub struct StageArguments(BTreeMap<String, String>);
 
-/// The stages whose choice has a flag of its own, and their places.
+/// Returns the stages whose choice has a flag of its own, with their places.
 fn choosable() -> impl Iterator<Item = (usize, &'static Stage)> {
     STAGES.iter().enumerate().filter(|(_, stage)| stage.entries.len() > 1 && stage.has_key())
 }
@@ -28,22 +28,22 @@ fn help(place: usize, stage: &Stage) -> String {
     if place == SHADOW_SEARCH {
         let of = STAGES[SEARCH].key;
         return format!(
-            "Search for the rays of shadows, as in --{of} [default: that of the view where it can, else cells]"
+            "Search for shadow rays, one of --{of} [default: the view's search where it can, else cells]"
         );
     }
     match other {
-        Some(other) => format!("{title}, together with --{other} in place of a method"),
+        Some(other) => format!("{title}, together with --{other} instead of --method"),
         None => {
             let names: Vec<&str> = stage.entries.iter().map(|entry| entry.name).collect();
             let default = match place {
                 DETAIL => "footprint with several samples where the search can, else none",
                 AMBIENT => "the look's; environment with --environment or --transmission",
-                GEOMETRY => "that of the method, else none",
+                GEOMETRY => "the method's, else none",
                 SHADOW => "ray; map with displaced triangles, and with several surfaces unless --look plain",
                 _ => names[0],
             };
             let or_color = match place {
-                AMBIENT => ", or a colour, which is constant of that colour",
+                AMBIENT => ", or R,G,B for a constant colour",
                 _ => "",
             };
             format!("{title}: {}{or_color} [default: {default}]", names.join(", "))
@@ -51,7 +51,7 @@ fn help(place: usize, stage: &Stage) -> String {
     }
 }
 
-/// The name of an ambient light; what has a comma is a colour.
+/// Reads the name of an ambient light; a text with a comma is a colour.
 fn name_or_color(text: &str) -> Result<String, String> {
     if text.contains(',') {
         values::point(text)?;
@@ -60,7 +60,7 @@ fn name_or_color(text: &str) -> Result<String, String> {
 }
 
 impl StageArguments {
-    /// The variants, and the colour that is given in place of an ambient light's name.
+    /// Returns the variants, and the colour that is given in place of an ambient light's name.
     pub fn and_color(&self) -> (BTreeMap<String, String>, Option<[f64; 3]>) {
         let (mut stages, ambient) = (self.0.clone(), &STAGES[AMBIENT]);
         let color = stages.get(ambient.key).and_then(|text| values::point(text).ok());

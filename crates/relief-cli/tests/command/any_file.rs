@@ -1,5 +1,5 @@
-//! `relief render FILE`, whether the file is a scene, a height map, a mesh or an object; and words that users
-//! know from other programs.
+//! `relief render FILE` with a scene, a height map, a mesh or a depth object, and words that users know from
+//! other programs.
 
 use crate::common::command::{Folder, json_of};
 use crate::common::maps::Map;

@@ -1,5 +1,5 @@
-//! Whatever is wrong with what the command is given, it says so in one paragraph, ends with the right code,
-//! and leaves nothing behind.
+//! Wrong input of any kind: the command reports it in one paragraph, ends with the right code, and leaves
+//! nothing behind.
 
 use crate::common::command::Folder;
 use crate::common::files::{Sample, claiming, every_format, exr};

@@ -1,5 +1,4 @@
-//! What the numbers of `--aov` mean, against a camera, a bilinear surface and a ray march written down here a
-//! second time.
+//! Values of `--aov` against a camera, a bilinear surface and a ray march that are written here a second time.
 
 use crate::common::aov::{Aov, Pixel};
 use crate::common::command::Folder;
@@ -7,8 +6,8 @@ use crate::common::maps::{self, Map};
 use crate::common::reference::{Continuation, Relief, View};
 use glam::{DVec2, DVec3};
 
-/// How far positions may lie off, in metres: `f32` at coordinates about 1, times what a grazing ray makes of
-/// it.
+/// Tolerance of positions in metres: the error of `f32` at coordinates about 1, times its growth along a
+/// grazing ray.
 const TOLERANCE_M: f64 = 2e-5;
 
 const VIEW: View = View {
@@ -30,7 +29,7 @@ fn render(folder: &Folder, view: &View, relief: &Relief, more: &str) -> Aov {
     Aov::read(&folder.path("a.exr"))
 }
 
-/// What is wrong with a pixel that shows a point of the relief on the built-in square.
+/// Returns the fault of a pixel that shows a point of the relief on the built-in square, if it has one.
 fn fault(pixel: &Pixel, view: &View, relief: &Relief, ray: DVec3) -> Option<String> {
     let surface = relief.point(pixel.uv);
     let off_ray = (pixel.position - view.eye).cross(ray).length() / ray.length();

@@ -1,5 +1,5 @@
-//! The example commands of `docs/commands.md` and of every help run, on stand-in files and in small pictures,
-//! and their answers make sense. Those of README and the guide run by `cargo xtask guide --check`.
+//! Example commands of `docs/commands.md` and of every help: they run on stand-in files, in small pictures, and
+//! their answers make sense. Commands of the README and the guide run by `cargo xtask guide --check`.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -37,7 +37,7 @@ const COMMANDS: [&str; 20] = [
     "man",
 ];
 
-/// What keeps an example quick, by its command; a flag that it gives itself stays as it is.
+/// Flags that keep an example quick, by its command. A flag of the example itself stays as it is.
 const SMALL: [(&str, &[(&str, &str)]); 10] = [
     ("render", &[("--size", "64x48"), ("--samples", "1"), ("--backend", "cpu")]),
     ("bake", &[]),
@@ -51,7 +51,7 @@ const SMALL: [(&str, &[(&str, &str)]); 10] = [
     ("slices", &[]),
 ];
 
-/// Values that are too large for a test, and what stands in their place.
+/// Values that are too large for a test, and smaller ones in their place.
 const SMALLER: [(&str, &str); 10] = [
     ("1600x1200", "64x48"),
     ("1280x720", "32x18"),
@@ -186,7 +186,7 @@ fn stand_ins() -> Folder {
         text += &format!("[[photo]]\nfile = \"photo{number}.png\"\nlight = [{right}, {up}, {out}]\n");
     }
     folder.write("lights.toml", text);
-    // What the project ships.
+    // Files that the project ships.
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     for shipped in ["data", "scenes"] {
         fs::create_dir(folder.path(shipped)).expect("a folder");
@@ -221,7 +221,7 @@ fn shows_something(picture: &RgbImage) -> bool {
     unlike * 10 >= 3 * picture.pixels().len()
 }
 
-/// What must hold of an example's answer.
+/// Checks an example's answer.
 fn check(folder: &Folder, line: &str, ran: &Ran) {
     assert_eq!(ran.code, Some(0), "relief {line}: {}", ran.stderr);
     let words: Vec<&str> = line.split_whitespace().collect();
@@ -266,7 +266,7 @@ fn shared() -> &'static (Folder, Vec<String>) {
     })
 }
 
-/// Runs the examples whose line is one of these, all of them or those of some commands.
+/// Runs the examples for which `is_one` holds.
 fn run(is_one: impl Fn(&str) -> bool) {
     let (folder, lines) = shared();
     let chosen: Vec<&String> =

@@ -1,4 +1,4 @@
-//! What all commands share: the command line, streams, errors; and `inspect` and `shader`.
+//! Common parts of all commands (command line, streams, errors), and `inspect` and `shader`.
 
 #[path = "../common/mod.rs"]
 mod common;

@@ -1,4 +1,4 @@
-//! `relief shader`: files, what they say of themselves, and what is refused.
+//! `relief shader`: files, their descriptions, and refusals.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! The standard input and output as files: `-`.
+//! Standard input and output as files: `-`.
 
 use std::fs;
 use std::io::Write;

@@ -9,7 +9,7 @@ use serde_json::Value;
 /// A folder of its own for one test, removed at the end.
 pub struct Folder(tempfile::TempDir);
 
-/// What a command left.
+/// Result of a command.
 #[derive(Debug)]
 pub struct Ran {
     pub line: String,

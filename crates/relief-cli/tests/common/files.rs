@@ -27,7 +27,7 @@ impl Sample {
     }
 }
 
-/// The same hills in every format, valid.
+/// Returns the same valid hills in every format.
 pub fn every_format() -> Vec<Sample> {
     let [width, height] = SIZE;
     let map = Map::new(width, height, |x, y| (x * 2000 + y * 1000 + (x * y) % 7 * 300) as u16);
@@ -100,7 +100,7 @@ pub fn exr([width, height]: [u32; 2], channels: &[(&str, Vec<f32>)]) -> Vec<u8> 
     bytes
 }
 
-/// How samples of a TIFF are stored.
+/// Storage of the samples of a TIFF.
 #[derive(Clone, Copy, Debug)]
 pub enum Samples {
     /// 16 bit, unsigned.
@@ -122,7 +122,7 @@ fn value_len(kind: u16) -> usize {
     }
 }
 
-/// What stands before the samples of a little-endian TIFF whose strips have `rows_per_strip` rows.
+/// Returns the bytes before the samples of a little-endian TIFF whose strips have `rows_per_strip` rows.
 pub fn tiff_header(
     [width, height]: [u32; 2],
     rows_per_strip: u32,

@@ -18,7 +18,7 @@ impl Map {
         Self { width, height, texels: texels.collect() }
     }
 
-    /// The same height everywhere, as a part of the highest.
+    /// Creates a map of one height, as a part of the highest.
     pub fn constant(height: f64) -> Self {
         Self::new(4, 4, |_, _| (height * 65535.0).round() as u16)
     }

@@ -1,4 +1,4 @@
-//! What the tests share.
+//! Common parts of the tests.
 
 // Each test binary compiles this module and uses a part of it.
 #![allow(dead_code)]

@@ -41,7 +41,7 @@ impl View {
     }
 }
 
-/// How a map goes on beyond its edges.
+/// Continuation of a map beyond its edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Continuation {
     Repeat,

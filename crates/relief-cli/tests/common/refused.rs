@@ -1,13 +1,13 @@
-//! What every refusal has in common.
+//! Common checks of all refusals.
 
 use std::path::Path;
 
 use super::command::{Folder, Ran};
 
-/// Where outputs go; nothing else is ever there.
+/// Folder of the outputs; nothing else is ever there.
 pub const OUT: &str = "out";
 
-/// What a folder holds.
+/// Returns the names of a folder's entries.
 pub fn entries(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).expect("the folder is there");
     entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect()
@@ -20,7 +20,7 @@ pub fn with_out() -> Folder {
     folder
 }
 
-/// Fails unless the command failed as it should: with that code, in a paragraph that has those words, without
+/// Fails unless the command failed as it should: with the exit code, in a paragraph that has the words, without
 /// a trace.
 pub fn assert_refused(folder: &Folder, ran: &Ran, code: i32, words: &[&str]) {
     let Ran { line, stderr, stdout, .. } = ran;
@@ -63,8 +63,8 @@ fn assert_flags_are_known(folder: &Folder, Ran { line, stderr, .. }: &Ran) {
     }
 }
 
-/// Makes the folder [`OUT`] one that nobody may write into, and says whether it has become that: some users,
-/// root among them, may write anywhere, which is told.
+/// Makes the folder [`OUT`] read-only, and returns whether it worked: some users, root among them, may write
+/// anywhere, which is printed.
 pub fn make_read_only(folder: &Folder) -> bool {
     let out = folder.path(OUT);
     let mut permissions = std::fs::metadata(&out).expect("it is there").permissions();

@@ -1,4 +1,4 @@
-//! What is wrong with normal maps, photographs and lists of lights is said as in `bad_input.rs`.
+//! Wrong normal maps, photographs and lists of lights are reported as in `bad_input.rs`.
 
 use crate::common::files::exr;
 use crate::common::maps::{Map, encoded};

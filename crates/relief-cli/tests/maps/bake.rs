@@ -1,4 +1,4 @@
-//! `relief bake` as users run it, with every kind that there is.
+//! `relief bake` as users run it, with every kind.
 
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};

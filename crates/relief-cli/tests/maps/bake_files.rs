@@ -1,5 +1,4 @@
-//! The files of `relief bake`: whole sets of one run, whatever becomes of the process, and nobody else's
-//! files.
+//! Files of `relief bake`: whole sets of one run, whatever becomes of the process, and nobody else's files.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -112,7 +111,7 @@ fn files_that_the_new_bake_does_not_have_go_unless_they_were_changed() {
     expected.sort();
     assert_eq!(names(&folder), expected);
     assert_eq!(files(&folder)[&changed], b"changed");
-    // Machines are told, too, and other kinds and formats stay.
+    // The JSON lists the file, too. Other kinds and formats stay.
     let folder = room(64);
     bake(&folder, flags);
     bake(&folder, "--kind normal");
@@ -258,7 +257,7 @@ const SETS: [&str; 2] = [
     "--kind pyramid,normal,dilation-erosion --set normal.mips=1 --format png --scale 0.3 --wrap clamp",
 ];
 
-/// What the two leave, and how long the second takes.
+/// Returns the files of both bakes, and the time of the second.
 fn two_sets(folder: &Folder) -> ([BTreeMap<String, Vec<u8>>; 2], Duration) {
     let mut took = Duration::ZERO;
     let sets = SETS.map(|flags| {

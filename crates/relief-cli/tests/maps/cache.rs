@@ -1,4 +1,4 @@
-//! Baked maps that `relief render` keeps from run to run.
+//! Baked maps that `relief render` caches from run to run.
 
 use std::path::{Path, PathBuf};
 #[cfg(unix)]
@@ -27,7 +27,7 @@ fn line(map: &str, flags: &str) -> String {
     )
 }
 
-/// What a run says of the baked map.
+/// Returns a run's report on the baked map.
 fn map_of(ran: Ran) -> Value {
     assert_eq!(ran.code, Some(0), "{ran:?}");
     let about: Value = serde_json::from_str(&ran.stdout).expect("JSON");
@@ -66,7 +66,7 @@ fn a_map_is_baked_once_and_read_after_that() {
     // It is no other map's when only the picture changes.
     let steeper = json(&folder, "one.png", "--cache kept/here --scale 0.2 --tile 3,2 --mesh sphere");
     assert_eq!(steeper["from"], "cache");
-    // People are told, too.
+    // The text says so, too.
     let said = folder.relief(&line("one.png", "--cache kept/here")).fine().stdout;
     assert!(said.contains("frustum") && said.contains("kept/here"), "{said}");
 }

@@ -1,4 +1,4 @@
-//! Elevation models on the command line: their holes, their edges, and what is said of them.
+//! Elevation models on the command line: their holes, edges and notes.
 
 use std::path::PathBuf;
 
@@ -37,7 +37,7 @@ fn a_mesh_of_one_has_holes_where_they_are_asked_for() {
     assert_eq!(holes, [filled[0] - 12, filled[1] + 10]);
     let [filled, holes] = ["", " --holes"].map(|flag| count(&format!("dem.tif --error 1%{flag}")));
     assert!(holes[1] >= filled[1] + 10 && holes != filled, "{holes:?} {filled:?}");
-    // Nothing is left out of a map without holes, and its reader is told.
+    // Nothing is left out of a map without holes, and a note says so.
     assert_eq!(count("whole.tif --texels 1 --holes"), count("whole.tif --texels 1"));
     let ran = folder.relief("mesh whole.tif --holes -o out.glb");
     assert!(ran.code == Some(0) && ran.stderr.contains("there are no holes"), "{}", ran.stderr);
@@ -192,12 +192,12 @@ fn inspect_says_where_metres_come_from() {
                 as &[_],
         ),
         (&[[3072, 2222], [4099, 9001]], &["texel       3.048000 m", "by EPSG:2222", "in m (by key 4099)"]),
-        (&[[3072, 2263], [3076, 9001]], &["in m (by key 3076)", "in m, that of the ground"]),
+        (&[[3072, 2263], [3076, 9001]], &["in m (by key 3076)", "in m, the unit of the ground"]),
         (&[[3072, 31000], [4096, 5703]], &["that of EPSG:31000", "not known", "--unit"]),
         (&[[3072, 32617], [4096, 9999]], &["that of EPSG:9999", "no known length", "--unit"]),
         (&[[3072, 32767]], &["names no unit", "metres are not known", "--unit"]),
-        (&[[3072, 32767], [4099, 9002]], &["in ft of 0.3048 m each, that of the heights", "--unit"]),
-        (&[[3072, 2263]], &["that of the ground", "--unit"]),
+        (&[[3072, 32767], [4099, 9002]], &["in ft of 0.3048 m each, the unit of the heights", "--unit"]),
+        (&[[3072, 2263]], &["the unit of the ground", "--unit"]),
         (&[[3072, 32617], [4096, 5715]], &["counted downward: -110 m to -90.5 m", "convention  depth"]),
     ] {
         folder.write("dem.tif", ramp(numbers, [90.5, 0.5]));
@@ -271,9 +271,9 @@ fn notes_say_which_unit_is_taken() {
     let folder = Folder::new();
     let line = "mesh dem.tif -o dem.glb";
     for (numbers, part) in [
-        (&[[3072u16, 2263]] as &[_], "the unit of the ground is taken, us-ft"),
-        (&[[3072, 2222]], "the unit of the ground is taken, ft"),
-        (&[[3072, 32767], [4099, 9002]], "the unit of the heights is taken, ft"),
+        (&[[3072u16, 2263]] as &[_], "the unit of the ground is assumed, us-ft"),
+        (&[[3072, 2222]], "the unit of the ground is assumed, ft"),
+        (&[[3072, 32767], [4099, 9002]], "the unit of the heights is assumed, ft"),
         (&[[3072, 32767]], "their metres are not known"),
         (&[[3072, 31000], [4096, 5703]], "(that of EPSG:31000)"),
         (&[[3072, 32617], [3076, 9999]], "(EPSG:9999)"),
@@ -323,7 +323,7 @@ fn files_beside_a_map_say_where_it_lies() {
     assert!(ran.code == Some(0) && ran.stderr.contains("--unit"), "{}", ran.stderr);
     folder.write("dem.prj", b"EPSG:2222");
     let text = folder.relief("inspect dem.tif").fine().stdout;
-    for part in ["(by EPSG:2222), placed by dem.tfw", "texel       3.048000 m", "that of the ground"] {
+    for part in ["(by EPSG:2222), placed by dem.tfw", "texel       3.048000 m", "the unit of the ground"] {
         assert!(text.contains(part), "'{part}' is missing:\n{text}");
     }
     folder.write("dem.prj", b"LOCAL_CS[\"site\",UNIT[\"metre\",1]]");

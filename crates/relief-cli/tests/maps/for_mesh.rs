@@ -1,5 +1,4 @@
-//! `relief height for-mesh`: what a map that was lifted shows over flat triangles, and where one has no
-//! values.
+//! `relief height for-mesh`: a lifted map over flat triangles, and texels without values.
 
 use crate::common::aov::Aov;
 use crate::common::command::{Folder, json_of};
@@ -20,7 +19,8 @@ fn folder() -> Folder {
     folder
 }
 
-/// How far most hits of both lie apart in metres, and how many pixels but one of both covers.
+/// Returns the distance in metres within which most hits of both lie, and the number of pixels that only one
+/// covers.
 fn apart(a: &Aov, b: &Aov) -> (f64, usize) {
     let pairs = || a.pixels().zip(b.pixels());
     let mut distances: Vec<f64> = pairs()
@@ -120,7 +120,7 @@ fn what_cannot_be_made_is_refused() {
         ("--mesh ring.obj --lift --scale -1 -o out/a.exr", 2, ["-1", ""]),
         ("--mesh ring.obj --lift --scale inf -o out/a.exr", 2, ["inf", ""]),
         ("--mesh ring.obj --lift --max-memory 300KiB -o out/a.exr", 1, ["memory", ""]),
-        ("--mesh ring.obj --lift -o hills.png", 2, ["hills.png", "read"]),
+        ("--mesh ring.obj --lift -o hills.png", 2, ["hills.png", "replace"]),
     ] {
         let ran = folder.relief(&format!("height for-mesh hills.png {line}"));
         assert_refused(&folder, &ran, code, &words);

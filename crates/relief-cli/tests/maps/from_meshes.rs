@@ -1,4 +1,4 @@
-//! `relief height from-meshes`: what a map was displaced with comes back, and is shown without flags.
+//! `relief height from-meshes`: the heights of a displaced mesh come back, and are shown without flags.
 
 use std::process::Stdio;
 use std::time::Duration;
@@ -35,13 +35,13 @@ fn mesh(folder: &Folder, name: &str) -> Mesh {
     read_mesh(&folder.path(name), &MeshOptions::default()).expect("a mesh").mesh
 }
 
-/// The vertices of the mesh that a map makes of the ring without a flag.
+/// Returns the vertices of the ring displaced by a map without flags.
 fn shown(folder: &Folder, map: &str) -> Vec<Vec3> {
     folder.relief(&format!("mesh {map} --mesh ring.obj -o shown.glb")).fine();
     mesh(folder, "shown.glb").vertices().iter().map(|vertex| vertex.position).collect()
 }
 
-/// How far the farthest of two lists of points lie apart in metres.
+/// Returns the greatest distance in metres between points of two lists.
 fn furthest(a: &[Vec3], b: &[Vec3]) -> f32 {
     assert_eq!(a.len(), b.len());
     a.iter().zip(b).map(|(a, b)| (*a - *b).length()).fold(0.0, f32::max)
@@ -120,7 +120,7 @@ fn a_picture_of_both_is_the_same() {
     let [shown, flat] = [apart(&heights), apart(&flat)];
     println!("{shown:.1e} m, without the map {flat:.1e} m");
     assert!(shown < 1e-3 && flat > 10.0 * shown, "{shown} {flat}");
-    // Normals of the heights bend with the mesh's own, and those of the map are the detailed mesh's.
+    // Normals of the heights bend with the mesh's own. The normal map has the detailed mesh's normals.
     let turned = |of: &Aov| {
         let pairs = truth.pixels().zip(of.pixels());
         let both = pairs.filter(|((_, _, a), (_, _, b))| {
@@ -150,7 +150,7 @@ fn what_a_map_cannot_hold_is_said() {
     let about = json_of(&folder.relief(&format!("{line} --json")).fine());
     let [holes, covered] = ["holes", "covered"].map(|key| about[key].as_u64().expect("a number"));
     assert!(holes > 100 && holes < covered, "{about}");
-    assert!(folder.relief(line).fine().stdout.contains("find nothing within 0.005 m"));
+    assert!(folder.relief(line).fine().stdout.contains("have no hit within 0.005 m"));
     // A gutter leaves texels without a value, which are seen.
     folder.write(
         "part.obj",

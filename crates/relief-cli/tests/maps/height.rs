@@ -125,7 +125,7 @@ fn green_is_told_by_the_normals_themselves() {
             heights.push(noted_metres(&folder.path("a.exr")));
             let error = difference(&heights[heights.len() - 1], &original, 0.05);
             assert!(error < 5e-3, "{name} {way}: {error}");
-            // To say it comes to the same; to say the other does not.
+            // Naming the same direction changes nothing; naming the other does.
             for (green, least, most) in [(way, 0.0, 1e-6), (other, 0.02, f64::INFINITY)] {
                 folder.relief(&format!("{line} --green {green}").replace("a.exr", "said.exr")).fine();
                 let said = noted_metres(&folder.path("said.exr"));

@@ -1,4 +1,4 @@
-//! The files of `relief height`: all of one run, whatever becomes of the process.
+//! Files of `relief height`: all of one run, whatever becomes of the process.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;

@@ -58,7 +58,7 @@ fn floats(pixels: &[[f64; 3]]) -> Vec<u8> {
     exr([SIDE, SIDE], &[("R", plane(0)), ("G", plane(1)), ("B", plane(2))])
 }
 
-/// How the photographs of a folder are stored.
+/// Storage of a folder's photographs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     Srgb,
@@ -112,7 +112,7 @@ fn heights_normals_and_colours_come_back() {
             let off = error(&folder, &format!("h.{ending}"));
             let most = if kind == Kind::Floats { 1e-6 } else { 1e-4 } + rounding * 1e-5;
             assert!(off < most, "{kind:?} {ending}: {off} of the relief");
-            // The normals are those of the heights, and say of themselves where green points.
+            // The normals fit the heights, and their file states where green points.
             let back = format!("height from-normals n.{ending} -o back.exr --damping 0 --json");
             assert_eq!(json_of(&folder.relief(&back).fine())["green"]["said_by"], "the file");
             let off = error(&folder, "back.exr");

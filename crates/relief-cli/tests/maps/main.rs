@@ -1,4 +1,4 @@
-//! The commands that make maps: `bake` and `height`, and what files say about heights.
+//! Commands that make maps, `bake` and `height`, and metadata of heights.
 
 #[path = "../common/mod.rs"]
 mod common;

@@ -1,5 +1,5 @@
-//! `relief mesh` of maps that know their metres: what is written is as large as the ground, lies where the file
-//! says, and keeps an error that is asked for in metres.
+//! `relief mesh` of maps that know their metres. The mesh is as large as the ground, lies where the file says,
+//! and keeps a tolerance in metres.
 
 use crate::common::command::{Folder, json_of};
 use crate::common::files::{Samples, Tag, tiff};
@@ -12,10 +12,10 @@ const SIZE: [u32; 2] = [40, 24];
 /// The lowest and the highest ground, in the unit of heights.
 const GROUND: [f64; 2] = [100.0, 200.0];
 
-/// What positions of 32 bits are off by in a few hundred metres.
+/// Rounding error of 32-bit positions in a few hundred metres.
 const BITS_M: f64 = 1e-4;
 
-/// Hills whose lowest and highest texel are those.
+/// Returns hills between the heights of `GROUND`.
 fn heights() -> Vec<f32> {
     let wave = |at: u32| ((f64::from(at % 40) / 7.0).sin() * (f64::from(at / 40) / 5.0).cos() + 1.0) / 2.0;
     let waves: Vec<f64> = (0..SIZE[0] * SIZE[1]).map(wave).collect();
@@ -104,13 +104,13 @@ fn folder() -> Folder {
 }
 
 /// A mesh as it is in a file: positions with texture coordinates, and triangles.
-struct Made {
+struct WrittenMesh {
     about: Value,
     vertices: Vec<([f64; 3], [f64; 2])>,
     triangles: Vec<[usize; 3]>,
 }
 
-fn read(folder: &Folder, name: &str, about: Value) -> Made {
+fn read(folder: &Folder, name: &str, about: Value) -> WrittenMesh {
     let raw = read_raw_mesh(&folder.path(name), DEFAULT_MAX_BYTES).unwrap_or_else(|error| panic!("{error}"));
     let corners = raw.triangles.as_flattened();
     let vertex = |corner: &relief_core::mesh::RawCorner| {
@@ -120,10 +120,10 @@ fn read(folder: &Folder, name: &str, about: Value) -> Made {
     };
     let vertices: Vec<_> = corners.iter().map(vertex).collect();
     let triangles = (0..vertices.len() / 3).map(|at| [3 * at, 3 * at + 1, 3 * at + 2]).collect();
-    Made { about, vertices, triangles }
+    WrittenMesh { about, vertices, triangles }
 }
 
-fn made(folder: &Folder, line: &str) -> Made {
+fn mesh_of(folder: &Folder, line: &str) -> WrittenMesh {
     let about = json_of(&folder.relief(&format!("mesh {line} -o out/made.glb --json")).fine());
     read(folder, "out/made.glb", about)
 }
@@ -149,7 +149,7 @@ fn vertices_and_the_origin_are_the_coordinates_of_the_file() {
     for Model { name, transform: [a, b, c, d, e, f], crs, metres, .. } in models() {
         let file = format!("{name}.tif");
         for flags in ["--texels 1", "--error 1m", "--error 1m --quantize 16", "--texels 3 --lods 2"] {
-            let Made { about, vertices, .. } = made(&folder, &format!("{file} {flags}"));
+            let WrittenMesh { about, vertices, .. } = mesh_of(&folder, &format!("{file} {flags}"));
             let place = &about["georeference"];
             let extras = &glb_json(&folder, "out/made.glb")["nodes"][0]["extras"]["georeference"];
             assert_eq!((place, &place["crs"]), (extras, &json!(crs)), "{name} {flags}");
@@ -180,12 +180,12 @@ fn vertices_and_the_origin_are_the_coordinates_of_the_file() {
             }
             assert!(zero_m == GROUND[0], "{name}: {zero_m}");
         }
-        let rows: [f64; 2] = numbers(&made(&folder, &file).about["georeference"]["row_lengths"]);
+        let rows: [f64; 2] = numbers(&mesh_of(&folder, &file).about["georeference"]["row_lengths"]);
         let varies = ["degrees", "mercator"].contains(&name);
         assert!(rows[0] <= 1.0 && rows[1] >= 1.0 && (rows[0] < rows[1]) == varies, "{name}: {rows:?}");
     }
     // A map that knows nothing of the ground is as large as it was, and says so.
-    let Made { about, vertices, .. } = made(&folder, "none.tif --texels 1");
+    let WrittenMesh { about, vertices, .. } = mesh_of(&folder, "none.tif --texels 1");
     let ends = |axis: usize| {
         [f64::min, f64::max].map(|of| vertices.iter().map(|(at, _)| at[axis]).reduce(of).expect("some"))
     };
@@ -198,7 +198,7 @@ fn vertices_and_the_origin_are_the_coordinates_of_the_file() {
 
 /// The greatest distance in height of triangles from the bilinear surface of the map, at 8 x 8 points a texel, and
 /// how many of them were looked at.
-fn farthest(parts: &[Made]) -> (f64, usize) {
+fn farthest(parts: &[WrittenMesh]) -> (f64, usize) {
     const PER_TEXEL: f64 = 8.0;
     let heights = heights();
     let texel = |column: f64, row: f64| {
@@ -215,7 +215,7 @@ fn farthest(parts: &[Made]) -> (f64, usize) {
     let count = SIZE.map(|side| (f64::from(side) * PER_TEXEL) as usize);
     let mut seen = vec![false; count[0] * count[1]];
     let mut greatest = 0.0f64;
-    for Made { vertices, triangles, .. } in parts {
+    for WrittenMesh { vertices, triangles, .. } in parts {
         for corners in triangles {
             let [(a, uva), (b, uvb), (c, uvc)] = corners.map(|corner| vertices[corner]);
             let area = (uvb[0] - uva[0]) * (uvc[1] - uva[1]) - (uvb[1] - uva[1]) * (uvc[0] - uva[0]);
@@ -247,7 +247,7 @@ fn an_error_in_metres_holds_between_the_texels() {
     let folder = folder();
     let all = (SIZE[0] * SIZE[1] * 64) as usize;
     for name in ["metres", "feet", "degrees", "mercator", "turned"] {
-        let within = made(&folder, &format!("{name}.tif --error 1m"));
+        let within = mesh_of(&folder, &format!("{name}.tif --error 1m"));
         let certified = number(&within.about["error"]["greatest_m"]);
         let count = within.triangles.len();
         let (greatest, seen) = farthest(&[within]);
@@ -257,20 +257,20 @@ fn an_error_in_metres_holds_between_the_texels() {
         );
         assert!(seen == all && count > 100, "{name}: {seen} points, {count} triangles");
         // With half as many triangles it is missed, and the answer knows.
-        let fewer = made(&folder, &format!("{name}.tif --triangles {}", count / 2));
+        let fewer = mesh_of(&folder, &format!("{name}.tif --triangles {}", count / 2));
         let certified = number(&fewer.about["error"]["greatest_m"]);
         let (greatest, seen) = farthest(&[fewer]);
         assert!(greatest > 1.0 && certified > 1.0 && seen == all, "{name}: {greatest} {certified}");
     }
-    // In tiles, too, whose metres are those of one origin.
+    // In tiles, too, whose metres have one origin.
     folder.relief("mesh metres.tif --error 2m --tiles 2x2 -o out/tile.glb").fine();
-    let tiles: Vec<Made> = ["0-0", "1-0", "0-1", "1-1"]
+    let tiles: Vec<WrittenMesh> = ["0-0", "1-0", "0-1", "1-1"]
         .map(|at| read(&folder, &format!("out/tile-{at}.glb"), Value::Null))
         .into();
     let (greatest, seen) = farthest(&tiles);
     assert!(greatest <= 2.0 + BITS_M && greatest > 1.0 && seen == all, "{greatest} {seen}");
     // A size that is named is the ground's, and a unit is what it says.
-    let named = made(&folder, "none.tif --tile-size 400,240 --error 100cm --wrap clamp");
+    let named = mesh_of(&folder, "none.tif --tile-size 400,240 --error 100cm --wrap clamp");
     assert!(farthest(std::slice::from_ref(&named)).0 <= 1.0 + BITS_M && named.triangles.len() > 100);
     assert_eq!(named.about["metres"]["from"], "tile-size");
 }
@@ -279,7 +279,7 @@ fn an_error_in_metres_holds_between_the_texels() {
 fn lengths_are_those_of_the_mesh_that_is_written() {
     let folder = folder();
     let sizes = |line: &str| {
-        let about = made(&folder, line).about;
+        let about = mesh_of(&folder, line).about;
         (numbers::<3>(&about["size_m"]), about)
     };
     let near = |found: f64, expected: f64| (found - expected).abs() <= 1e-4 * expected.abs();
@@ -300,7 +300,7 @@ fn lengths_are_those_of_the_mesh_that_is_written() {
         let place = &about["georeference"];
         let [_, _, zero_m] = numbers(&place["origin"]);
         let times = number(&place["exaggeration"]);
-        let low = made(&folder, &format!("metres.tif --texels 1 {flags}"))
+        let low = mesh_of(&folder, &format!("metres.tif --texels 1 {flags}"))
             .vertices
             .iter()
             .map(|(at, _)| at[1])
@@ -327,10 +327,10 @@ fn lengths_are_those_of_the_mesh_that_is_written() {
     let [a, b, c] = ["a", "b", "c"]
         .map(|name| std::fs::read(folder.path(format!("out/{name}.png"))).expect("it was written"));
     assert!(a == b && b == c);
-    // Pixels are those of the scene, whose plane is 1 m long; the file is in metres.
+    // Pixels count in the scene, whose plane is 1 m long; the file is in metres.
     folder.write("view.toml", "height = 'none.png'\neye = [0.3, 0.6, 1]\nsize = [160, 120]\n");
-    let seen = made(&folder, "metres.tif --view view.toml --pixels 4");
-    let scene = made(&folder, "none.tif --scale 0.25 --wrap clamp --view view.toml --pixels 4");
+    let seen = mesh_of(&folder, "metres.tif --view view.toml --pixels 4");
+    let scene = mesh_of(&folder, "none.tif --scale 0.25 --wrap clamp --view view.toml --pixels 4");
     assert_eq!(seen.triangles.len(), scene.triangles.len());
     assert!(near(numbers::<3>(&seen.about["size_m"])[0], 400.0), "{}", seen.about);
     for ((at, _), (of_scene, _)) in seen.vertices.iter().zip(&scene.vertices) {
@@ -382,7 +382,7 @@ fn what_is_no_length_or_no_place_is_refused() {
         ("metres.tif --place -o out/b.stl", 2, ["--place", "GLB"]),
         ("metres.tif --place -o out/b.ply", 2, ["--place", "GLB"]),
         ("metres.tif --place --print-size 100 -o out/b.glb", 2, ["--place", "--print-size"]),
-        ("none.tif --place -o out/b.glb", 1, ["--place", "does not say"]),
+        ("none.tif --place -o out/b.glb", 1, ["--place", "does not state"]),
         ("degrees.tif --place -o out/b.glb", 1, ["--place", "EPSG:4326"]),
         ("mercator.tif --place -o out/b.glb", 1, ["--place", "EPSG:3857"]),
         ("metres.tif --exaggerate 0 -o out/b.glb", 2, ["--exaggerate", "0"]),

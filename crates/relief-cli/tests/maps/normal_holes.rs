@@ -7,10 +7,10 @@ use image::{DynamicImage, ImageFormat, RgbImage, RgbaImage};
 use relief_core::Wrap;
 use relief_io::{Fill, HeightOptions, read_height};
 
-/// Which texels hold no normal.
+/// Function that tells which texels hold no normal.
 type Mask<'a> = &'a dyn Fn(u32, u32) -> bool;
 
-/// What a map stores for a normal.
+/// Function that encodes a normal as a texel.
 type Texel<'a> = &'a dyn Fn([f64; 3]) -> [u8; 4];
 
 const SIDE: u32 = 128;

@@ -1,4 +1,4 @@
-//! `relief capture`: what it writes, what it says of it, and what it refuses.
+//! `relief capture`: files, report and refusals.
 
 use crate::common::aov::Aov;
 use crate::common::command::{Folder, json_of};
@@ -171,7 +171,7 @@ fn a_single_card_is_said_to_leave_nothing_and_is_shown_as_an_impostor() {
         assert_eq!(ran.stderr.contains("impostor-blend"), !solid, "{line}: {said}");
         // What is taken where nothing is compared is said.
         let takes_pixel = flags.contains("--verify 0") && !flags.contains("--cover");
-        assert_eq!(ran.stderr.contains("--cover pixel is taken"), takes_pixel, "{line}: {said}");
+        assert_eq!(ran.stderr.contains("--cover pixel is used"), takes_pixel, "{line}: {said}");
         if takes_pixel {
             assert!(ran.stdout.contains("cover pixel"), "{line}: {said}");
         }
@@ -225,7 +225,7 @@ fn objects_replace_nothing_that_they_are_made_from() {
         let bytes = |name: &str| std::fs::read(folder.path(name)).expect("it is there");
         let before = [picture, buffer, "object.toml"].map(bytes);
         let ran = folder.relief(&format!("capture {line} --size 16 --verify 0 --cover centre"));
-        assert_refused(&folder, &ran, 2, &["would replace", read, "which is read"]);
+        assert_refused(&folder, &ran, 2, &["would replace the input", read]);
         assert!(before == [picture, buffer, "object.toml"].map(bytes), "{line}");
     }
 }

@@ -1,4 +1,4 @@
-//! `relief mesh`: what it writes is the relief that is rendered, in every format, whole or not at all.
+//! `relief mesh`: its triangles are the relief that is rendered, in every format, whole or not at all.
 
 use crate::common::aov::Aov;
 use crate::common::command::{Folder, Ran, json_of};
@@ -233,7 +233,7 @@ fn what_cannot_be_made_is_refused() {
         ("hills.png --wrap repaet -o out/a.glb", 2, ["repaet", "repeat"]),
         ("hills.png -o out/a.step", 2, ["step", "stl"]),
         ("hills.png -o out/a", 2, [".glb", ".stl"]),
-        ("hills.png --mesh ring.obj -o ring.obj", 2, ["ring.obj", "read"]),
+        ("hills.png --mesh ring.obj -o ring.obj", 2, ["ring.obj", "replace"]),
         ("hills.png -o -", 2, ["--format", "-"]),
         ("hills.png -o out/none/a.glb", 1, ["out/none", "folder"]),
         ("hills.png -o out", 2, ["out", ".glb"]),

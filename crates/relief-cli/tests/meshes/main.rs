@@ -1,4 +1,4 @@
-//! The commands that make meshes and objects: `mesh`, `slices`, `capture`.
+//! Commands that make meshes and depth objects: `mesh`, `slices`, `capture`.
 
 #[path = "../common/mod.rs"]
 mod common;

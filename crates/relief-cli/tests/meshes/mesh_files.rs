@@ -1,4 +1,4 @@
-//! `relief mesh`: what it says of its triangles, and the ways in which it stores them.
+//! `relief mesh`: its report on triangles, and the ways of storing them.
 
 use crate::common::command::{Folder, json_of};
 use crate::common::maps::Map;
@@ -59,7 +59,7 @@ fn integers_are_a_smaller_file_with_a_greater_error() {
     let ran =
         folder.relief("mesh hills.png --print-size 80 --tiles 2x1 --quantize 14 -o out/part.glb").fine();
     assert!(ran.stdout.contains("quantised   to 14 bits") && ran.stdout.contains(" mm "), "{}", ran.stdout);
-    assert!(ran.stdout.contains("its rounding counted"), "{}", ran.stdout);
+    assert!(ran.stdout.contains("rounding included"), "{}", ran.stdout);
     // A closed mesh stays closed, and its texture may go beyond 1.
     let ball = made("--mesh sphere --tile 3,2 --texels 2 --quantize 16 -o out/ball.glb");
     assert_eq!((&ball["open_edges"], &ball["quantized"]["uvs"]), (&json!(0), &json!("floats")), "{ball}");
@@ -124,8 +124,8 @@ fn levels_of_detail_are_coarser_and_coarser() {
     assert!(!folder.path("out/none.glb").exists());
 }
 
-/// What belongs to a file that is read is not replaced either: buffers and pictures of a mesh, pictures of an
-/// object, and what a scene names.
+/// Files that belong to an input are not replaced either: buffers and pictures of a mesh, pictures of a depth
+/// object, and files that a scene names.
 #[test]
 fn what_a_file_names_is_not_replaced() {
     let folder = with_out();
@@ -156,7 +156,7 @@ fn what_a_file_names_is_not_replaced() {
     ] {
         let path = folder.path(read);
         let before = std::fs::read(&path).expect("it is there");
-        assert_refused(&folder, &folder.relief(line), 2, &["would replace", read, "which is read"]);
+        assert_refused(&folder, &folder.relief(line), 2, &["would replace the input", read]);
         assert!(before == std::fs::read(&path).expect("it is there"), "{line}");
     }
     // A picture inside of a file is no other file's.

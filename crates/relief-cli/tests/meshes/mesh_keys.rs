@@ -1,4 +1,4 @@
-//! Keys of a surface in a glTF's material: they are what the scene does not say, and are refused by name.
+//! Keys of a surface in a glTF's material: they are defaults for the scene, and bad ones are refused by name.
 
 use std::fs;
 
@@ -45,7 +45,7 @@ fn gltf(mesh: &Mesh, materials: &[&str]) -> (String, Vec<u8>) {
     (json, lists.concat())
 }
 
-/// The same as a GLB.
+/// Returns the glTF as a GLB.
 fn glb(json: &str, buffer: &[u8]) -> Vec<u8> {
     let mut json = json.replace(r#""uri": "mesh.bin", "#, "").into_bytes();
     json.resize(json.len().next_multiple_of(4), b' ');

@@ -43,7 +43,7 @@ fn what_has_no_shells_is_refused() {
     for (line, code, words) in [
         ("slices no.toml -o out/a.glb", 1, &["no.toml"][..]),
         ("slices h.png -o out/a.glb", 1, &["h.png"]),
-        ("slices object.toml -o out/a.glb", 1, &["object.toml", "images"]),
+        ("slices object.toml -o out/a.glb", 1, &["object.toml", "depth object"]),
         ("slices two.toml -o out/a.glb", 1, &["two.toml", "several surfaces"]),
         ("slices frames.toml -o out/a.glb", 2, &["--frames"]),
         ("slices s.toml -o out/a.gltf", 2, &["--output", "gltf"]),

@@ -1,4 +1,4 @@
-//! What is around the work: scene files of flags, schemas, completions, manual pages, loudness, threads.
+//! Everything around the work: scene files of flags, schemas, completions, manual pages, messages, threads.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! `relief bench`: what it tells, and what it refuses.
+//! `relief bench`: report and refusals.
 
 use crate::common::command::{Folder, json_of};
 use crate::common::maps::Map;

@@ -1,4 +1,4 @@
-//! `relief compare`: what it writes, and what it refuses.
+//! `relief compare`: files and refusals.
 
 use crate::common::command::{Folder, json_of};
 use crate::common::maps::Map;
@@ -187,9 +187,9 @@ fn a_method_is_chosen_for_an_error_or_a_time() {
     assert!(ran.stdout.contains("relief render --height map.png --method cone"), "{}", ran.stdout);
     let ran = folder.relief(&format!("{line} --budget-ms 60000")).fine();
     assert!(ran.stdout.contains("--method cone") && ran.stdout.contains("bump"), "{}", ran.stdout);
-    // What is told to be run can be run.
-    let told = ran.stdout.lines().find_map(|line| line.strip_prefix("relief ")).expect("a command");
-    folder.relief(&format!("{told} --size 16x12 -q")).fine();
+    // The printed command can be run.
+    let printed = ran.stdout.lines().find_map(|line| line.strip_prefix("relief ")).expect("a command");
+    folder.relief(&format!("{printed} --size 16x12 -q")).fine();
 
     let none = folder.relief(&format!("{line} --budget-ms 0.000001"));
     assert_eq!(none.code, Some(1));

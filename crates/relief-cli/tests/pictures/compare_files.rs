@@ -1,4 +1,4 @@
-//! What `relief compare`, `relief bench` and `relief shader` leave where they cannot go on.
+//! Files that `relief compare`, `relief bench` and `relief shader` leave if they cannot go on.
 
 #![cfg(unix)]
 

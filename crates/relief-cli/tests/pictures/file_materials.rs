@@ -7,7 +7,7 @@ use image::{DynamicImage, ImageFormat, Rgb, RgbImage, Rgba, RgbaImage};
 use relief_io::{MeshOptions, read_mesh};
 use relief_object::{ObjectOptions, read_object};
 
-/// Renders a mesh from the front, lit so that colours are those of the material, and gives the picture.
+/// Renders a mesh from the front, lit so that its colours are the material's, and returns the picture.
 fn rendered(folder: &Folder, mesh: &str, backend: &str, more: &str) -> RgbImage {
     let samples = if more.contains("--samples") { "" } else { " --samples 1" };
     let line = format!(
@@ -61,7 +61,7 @@ fn each_triangle_has_the_colours_of_its_material() {
         assert!(seen(0) > 300 && seen(channel) > 300, "{mesh}: {} and {}", seen(0), seen(channel));
         std::fs::remove_dir_all(folder.path("object")).expect("it is there");
     }
-    // Colours that are given are those of all triangles.
+    // A given colour map colours all triangles.
     let given = rendered(&folder, "two.gltf", "cpu", "--color green.png");
     assert_eq!(given.get_pixel(30, 20), given.get_pixel(10, 20));
 }

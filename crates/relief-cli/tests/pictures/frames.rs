@@ -1,5 +1,5 @@
-//! `relief render --frames`: each frame is the picture that its files make by themselves, and what is refused
-//! is so before anything is written.
+//! `relief render --frames`: each picture is the same as if rendered alone, and refusals come before anything is
+//! written.
 
 use std::fs;
 
@@ -162,7 +162,7 @@ fn what_cannot_be_rendered_in_frames_is_refused_before_anything_is_written() {
         ("s.toml --frames 0..1000000 -o out/%d.png".to_owned(), 2, &["1000001", "1000000"]),
         ("s.toml --frames 0..=7 -o out/%d.png".to_owned(), 2, &["A..B"]),
         // What is read is not written.
-        ("--height wave_%03d.png --frames 8..9 -o wave_%03d.png".to_owned(), 2, &["wave_008.png", "read"]),
+        ("--height wave_%03d.png --frames 8..9 -o wave_%03d.png".to_owned(), 2, &["wave_008.png", "replace"]),
     ] {
         assert_refused(&folder, &folder.relief(&format!("render {line} {SMALL}")), code, words);
     }
@@ -180,7 +180,7 @@ fn no_frame_replaces_what_another_one_reads_or_writes() {
         ("--frames 0..11 -o maps/v1%d.png", &["v10.png", "frame 0 ", "frame 10 "][..]),
         ("--frames 1..11 -o out/../maps/v1%d.png", &["v11.png", "frame 1 ", "frame 11 "]),
         // What all frames read.
-        ("--color maps/v10.png --frames 0..1 -o maps/v1%d.png", &["v10.png", "read"]),
+        ("--color maps/v10.png --frames 0..1 -o maps/v1%d.png", &["v10.png", "replace"]),
         // The picture of frame 11 and the numbers of frame 1.
         ("--frames 1..11 -o out/a%d.exr --aov ./out/a1%d.exr", &["a11.exr", "frame 1 ", "frame 11"]),
     ] {

@@ -1,4 +1,4 @@
-//! The commands that make pictures: `render`, `compare`, `bench`.
+//! Commands that make pictures: `render`, `compare`, `bench`.
 
 #[path = "../common/mod.rs"]
 mod common;

@@ -1,5 +1,5 @@
-//! What readers leave out or assume is said: every row of the table of omissions by a file that makes it
-//! appear, and the notes on values for none and on ranges by every command that reads heights.
+//! Notes on what readers leave out or assume. Every row of the table of omissions has a file that makes it
+//! appear. Every command that reads heights prints the notes on undeclared holes and on ranges.
 
 use crate::common::command::{Folder, Ran, json_of};
 use crate::common::files::{Samples, Tag, crc32, exr, georeference, pgm, tiff};
@@ -216,7 +216,7 @@ fn with_chunk(png: &[u8], chunk: &[u8]) -> Vec<u8> {
     [before, &length, chunk, &crc32(chunk).to_be_bytes(), after].concat()
 }
 
-/// What a note is about, of those that a command gives to programs.
+/// Returns the rows that the notes in a command's JSON are about.
 fn abouts(ran: &Ran) -> Vec<String> {
     assert_eq!(ran.code, Some(0), "relief {}: {}", ran.line, ran.stderr);
     let notes = json_of(ran)["notes"].as_array().cloned().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! `relief height procedure`: formulas fill height maps, which move.
+//! `relief height procedure`: formulas fill height maps, also in motion.
 
 use crate::common::command::json_of;
 use crate::common::refused::{OUT, assert_refused, entries, with_out};

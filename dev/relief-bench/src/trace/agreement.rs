@@ -5,7 +5,7 @@ use relief_core::HeightMap;
 use relief_core::exact::{FastTracer, cell_walk};
 use relief_testing::judge::judge;
 
-use super::tracers::{Contest, Rays, Tracer};
+use super::tracers::{Rays, Tracer, TracerSet};
 
 /// Rays of a set that are compared.
 const COMPARED: usize = 50_000;
@@ -37,13 +37,13 @@ fn compared(count: usize) -> impl IndexedParallelIterator<Item = usize> {
 /// # Errors
 ///
 /// The first answer that breaks it.
-pub fn check_fast(contest: &Contest, rays: &Rays) -> Result<(), String> {
+pub fn check_fast(tracer_set: &TracerSet, rays: &Rays) -> Result<(), String> {
     compared(rays.paths.len()).try_for_each(|at| {
         let path = &rays.paths[at];
-        let truth = cell_walk(contest.map, path);
-        let fast = contest.fast.trace(path);
-        judge(contest.map, path, &truth, &fast, FastTracer::ERROR).map_err(|wrong| wrong.to_string())?;
-        if contest.fast.is_blocked(path) != fast.hit.found {
+        let truth = cell_walk(tracer_set.map, path);
+        let fast = tracer_set.fast.trace(path);
+        judge(tracer_set.map, path, &truth, &fast, FastTracer::ERROR).map_err(|wrong| wrong.to_string())?;
+        if tracer_set.fast.is_blocked(path) != fast.hit.found {
             return Err(format!("the fast tracer's two answers differ for {path:?}"));
         }
         Ok(())
@@ -51,8 +51,8 @@ pub fn check_fast(contest: &Contest, rays: &Rays) -> Result<(), String> {
 }
 
 /// Compares a tracer with the cell walk.
-pub fn compare(contest: &Contest, rays: &Rays, tracer: &Tracer) -> Agreement {
-    let walk = Tracer::Walk(contest.map);
+pub fn compare(tracer_set: &TracerSet, rays: &Rays, tracer: &Tracer) -> Agreement {
+    let walk = Tracer::Walk(tracer_set.map);
     let hits = |tracer: &Tracer| -> Vec<Option<f64>> {
         compared(tracer.count(rays)).map(|at| tracer.hit(rays, at)).collect()
     };
@@ -61,7 +61,7 @@ pub fn compare(contest: &Contest, rays: &Rays, tracer: &Tracer) -> Agreement {
     Agreement {
         hits: share(&given),
         true_hits: share(&truth),
-        rays: same_rays.then(|| differences(contest.map, &truth, &given)),
+        rays: same_rays.then(|| differences(tracer_set.map, &truth, &given)),
     }
 }
 

@@ -87,15 +87,15 @@ impl Rays {
     }
 
     /// The shadow rays from where these view rays hit, for either program from its own hits.
-    pub fn shadows(&self, name: &'static str, ground: &Ground, contest: &Contest) -> Self {
+    pub fn shadows(&self, name: &'static str, ground: &Ground, tracer_set: &TracerSet) -> Self {
         let sun = sun();
         let to_sun = |point: DVec3| ground.path_to_sun(point, sun);
         let paths = self.paths.iter().filter_map(|path| {
-            let hit = contest.fast.trace(path).hit;
+            let hit = tracer_set.fast.trace(path).hit;
             hit.found.then(|| to_sun(Ground::point(hit.uv, hit.height))).flatten()
         });
         let parry = self.parry.iter().filter_map(|(ray, length)| {
-            let t = contest.parry.cast_local_ray(ray, *length, true)?;
+            let t = tracer_set.parry.cast_local_ray(ray, *length, true)?;
             let point = ray.origin + ray.dir * t;
             to_sun(DVec3::new(point.x.into(), point.y.into(), point.z.into()))
         });
@@ -128,18 +128,18 @@ pub fn parry_field(map: &HeightMap) -> HeightField {
     HeightField::new(heights, Vector::new(width as f32, SCALE_M as f32, depth as f32))
 }
 
-/// Everything that traces one map.
-pub struct Contest<'a> {
+/// All tracers of one map.
+pub struct TracerSet<'a> {
     /// The map.
     pub map: &'a HeightMap,
     /// The tracer that is measured.
     pub fast: FastTracer,
-    /// The other program's.
+    /// Height field of parry3d, the other program.
     pub parry: HeightField,
     shaders: Vec<(String, MethodTracer<'a>)>,
 }
 
-/// One of them.
+/// One tracer.
 pub enum Tracer<'a> {
     /// The exact tracer of renderers.
     Fast(&'a FastTracer),
@@ -151,8 +151,8 @@ pub enum Tracer<'a> {
     Parry(&'a HeightField),
 }
 
-impl<'a> Contest<'a> {
-    /// Sets all of them up.
+impl<'a> TracerSet<'a> {
+    /// Creates all tracers of `map`.
     pub fn new(map: &'a HeightMap) -> Result<Self, String> {
         let shaders = METHODS.map(|method| {
             let selection = Selection::method(method).map_err(|error| error.to_string())?;
@@ -168,7 +168,7 @@ impl<'a> Contest<'a> {
         })
     }
 
-    /// All tracers by name, the one that is measured first.
+    /// Returns all tracers with their names, the measured one first.
     pub fn tracers(&self) -> Vec<(&str, Tracer<'_>)> {
         let mut tracers = vec![
             (FAST, Tracer::Fast(&self.fast)),

@@ -1,4 +1,4 @@
-//! What would stop a bake at its end, found before it begins.
+//! Checks of a bake before it begins, for errors that would come at its end.
 
 use relief_bake::{Kind, Settings, Shape, Sink, SinkError, Texture, bake};
 use relief_core::{ByteSize, HeightMap, Metric, Watch, Wrap};
@@ -6,13 +6,13 @@ use relief_core::{ByteSize, HeightMap, Metric, Watch, Wrap};
 use super::files::Plan;
 use super::storage::{Packing, Storage};
 
-/// Side of the map that is baked to see what channels a kind has.
+/// Side of the tiny map that is baked to learn a kind's channels.
 const TRIAL_SIDE: u32 = 8;
 
-/// Bytes that a program takes whatever the size of the map: threads, and a few rows in the writers.
+/// Bytes that a program takes for maps of every size: threads, and a few rows in the writers.
 const FIXED: u64 = 16 << 20;
 
-/// Whether the files of textures of those shapes can be written.
+/// Checks that the files of textures of the given shapes can be written.
 ///
 /// # Errors
 ///
@@ -22,7 +22,8 @@ pub fn check_files(plans: &[Plan], packing: Packing, shapes: &[Shape]) -> Result
     plans.iter().try_for_each(|plan| plan.check(packing))
 }
 
-/// Whether the channels of a kind can be stored. They are known once a map is baked: a tiny one shows them.
+/// Checks that the channels of a kind can be stored. They are known after a bake, so a tiny map is
+/// baked.
 ///
 /// # Errors
 ///
@@ -38,18 +39,18 @@ pub fn check_channels(
     if packing.storage != Storage::Block {
         return Ok(());
     }
-    let mut seen = Seen(Vec::new());
+    let mut channels = TextureList(Vec::new());
     let height = |column: u32, row: u32| ((3 * column + 5 * row) % 7) as f32 / 7.0;
-    // What stops the trial stops the bake, which says more of it.
+    // What stops the trial stops the bake, which reports it better.
     if let Ok(map) = HeightMap::from_fn(TRIAL_SIDE, TRIAL_SIDE, wrap, height) {
-        let _ = bake(kind, &map, metric, settings, &Watch::none(), &mut seen);
+        let _ = bake(kind, &map, metric, settings, &Watch::none(), &mut channels);
     }
-    seen.0.iter().try_for_each(|texture| packing.storage.check(packing.format, texture, lossy_heights))
+    channels.0.iter().try_for_each(|texture| packing.storage.check(packing.format, texture, lossy_heights))
 }
 
-/// Whether a bake fits into the memory allowed, and into what the system gives. A 2-D bake holds its input and
-/// its output, and half as much again; a volume at least a slice in the output's place. Heights that are
-/// rounded and needed as they are afterwards are held twice.
+/// Checks that a bake fits into the memory allowed, and into what the system gives. A 2-D bake
+/// holds its input and its output, and half as much again. A volume holds at least one slice
+/// instead of the output. Heights that are rounded but needed unrounded later are held twice.
 ///
 /// # Errors
 ///
@@ -67,12 +68,12 @@ pub fn check_memory(
     let needed = (output.saturating_add(input).saturating_mul(3) / 2).saturating_add(copy);
     if let Some(ByteSize(limit)) = limit.filter(|limit| needed > limit.0) {
         return Err(format!(
-            "a bake of {width}x{height} texels needs about {needed} bytes of memory, {limit} are allowed: raise \
-             --max-memory"
+            "a bake of {width}x{height} texels needs about {needed} bytes of memory, more than the {limit} allowed: \
+             raise --max-memory"
         ));
     }
-    // The map is in memory already. Asking for the rest is no proof that it can be used, but what is refused
-    // now would end the program later.
+    // The map is in memory already. A granted request is no proof that the memory can be used, but
+    // a refused one would end the program later.
     let more = usize::try_from((needed - input).saturating_add(FIXED)).unwrap_or(usize::MAX);
     let refused = Vec::<u8>::new().try_reserve_exact(more).is_err();
     if refused {
@@ -84,10 +85,10 @@ pub fn check_memory(
     Ok(())
 }
 
-/// Takes note of textures, and drops their texels.
-struct Seen(Vec<Texture>);
+/// Sink that lists textures and drops their texels.
+struct TextureList(Vec<Texture>);
 
-impl Sink for Seen {
+impl Sink for TextureList {
     fn begin(&mut self, texture: &Texture) -> Result<(), SinkError> {
         self.0.push(texture.clone());
         Ok(())

@@ -1,4 +1,4 @@
-//! From spooled textures to files: which files, and writing them.
+//! Files of spooled textures: their plan, and writing them.
 
 use std::io;
 use std::ops::Range;
@@ -14,28 +14,28 @@ use super::identity::Identity;
 use super::spool::{SpoolReader, Spooled};
 use super::storage::{FileFormat, Packing, Storage};
 
-/// A file to be written: of a texture some channels, some mip levels, and of a volume some slices.
+/// File to be written: some channels and mip levels of a texture, and some slices of a volume.
 #[derive(Debug)]
 pub struct Plan {
-    /// Its name.
+    /// Name of the file.
     pub name: String,
     texture: usize,
     channels: Range<usize>,
     levels: Range<usize>,
     slices: Range<u32>,
-    /// Columns, rows and slices of its finest level; those of the texture's, or more.
+    /// Columns, rows and slices of its finest level: the texture's, or more.
     size: [u32; 3],
 }
 
-/// Why files were not written.
+/// Reason that files were not written.
 #[derive(Debug, thiserror::Error)]
 pub enum FilesError {
-    /// The file of that name cannot be written.
+    /// A file cannot be written.
     #[error("{name}: {problem}")]
     Write {
-        /// Its name.
+        /// Name of the file.
         name: String,
-        /// Why.
+        /// Reason.
         problem: WriteProblem,
     },
     /// A value cannot be stored.
@@ -46,16 +46,18 @@ pub enum FilesError {
     Cancelled(#[from] Cancelled),
 }
 
-/// The files of textures of those shapes. `base` is the names' beginning.
+/// Returns the files of textures of the given shapes. Their names begin with `base`.
 pub fn plan<'a>(base: &str, format: FileFormat, shapes: impl IntoIterator<Item = &'a Shape>) -> Vec<Plan> {
     let numbered = shapes.into_iter().enumerate();
     numbered.flat_map(|(index, shape)| plan_texture(base, format, index, shape)).collect()
 }
 
-/// The files of a texture. PNG and KTX2 files hold up to four channels; two colours are two files, so that no
-/// channel of the second becomes the opacity of the first. PNG and EXR files hold one mip level, KTX2 files
-/// all: where levels are not each half the one before, rounded down, which the format takes for granted, they
-/// are padded to the right and below. In EXR files slices lie below each other, as many as fit.
+/// Returns the files of a texture.
+///
+/// PNG and KTX2 files hold up to four channels. Two colours become two files, so that no channel of
+/// the second becomes the opacity of the first. PNG and EXR files hold one mip level, KTX2 files
+/// hold all. KTX2 requires that each level is half the one before, rounded down; other levels are
+/// padded to the right and below. In EXR files slices lie below each other, as many as fit.
 fn plan_texture(base: &str, format: FileFormat, index: usize, shape: &Shape) -> Vec<Plan> {
     let count = shape.channels as usize;
     let levels = shape.mips.len() + 1;
@@ -100,7 +102,7 @@ fn plan_texture(base: &str, format: FileFormat, index: usize, shape: &Shape) -> 
     plans
 }
 
-/// How many slices of that size a picture holds below each other, at least one.
+/// Returns how many slices of a size fit below each other into one picture, at least one.
 fn slices_below([width, height, depth]: [u32; 3]) -> u32 {
     let fits = |slices: &u32| HeightMap::check_size(width, height.saturating_mul(*slices)).is_ok();
     let most = (MAX_TEXELS / (u64::from(width) * u64::from(height)).max(1)).min(u64::from(depth)) as u32;
@@ -108,12 +110,12 @@ fn slices_below([width, height, depth]: [u32; 3]) -> u32 {
 }
 
 impl Plan {
-    /// Columns, rows and slices of one of the file's levels; 0 is its finest.
+    /// Returns columns, rows and slices of one of the file's levels; level 0 is its finest.
     fn level_size(&self, level: usize) -> [u32; 3] {
         self.size.map(|side| (side >> level.min(31)).max(1))
     }
 
-    /// Whether a file can hold it.
+    /// Checks that a file can hold it.
     ///
     /// # Errors
     ///
@@ -135,8 +137,8 @@ impl Plan {
                 fits.map_err(|_| {
                     let format = packing.format.extension();
                     format!(
-                        "{width}x{height} texels do not go into an {format} file: {MAX_SIDE} texels a side and \
-                         {MAX_TEXELS} in all do"
+                        "{width}x{height} texels do not fit into an {format} file: the limit is {MAX_SIDE} texels a \
+                         side and {MAX_TEXELS} in all: use another --format, or a smaller map"
                     )
                 })
             }
@@ -174,14 +176,14 @@ pub fn write(
     Ok(())
 }
 
-/// What all files of a bake share.
+/// Data that all files of a bake share.
 struct OfBake<'a> {
     packing: Packing,
     identity: &'a Identity,
     names: Vec<String>,
 }
 
-/// Writes a file, and counts each row of it.
+/// Writes a file and counts each of its rows.
 fn write_one(
     path: &Path,
     plan: &Plan,
@@ -204,11 +206,11 @@ fn write_one(
     }
     let metadata = Metadata::new(entries).map_err(|problem| FilesError::Value(problem.to_string()))?;
     let channels = &texture.channels[plan.channels.clone()];
-    // Writers know failed rows as failures of the system only.
+    // Writers pass on failed rows only as system errors.
     let mut failure = None;
     let mut rows = |row: Row, texels: &mut [f32]| -> io::Result<()> {
         let Some(channel) = channels.get(row.channel) else {
-            // A fourth one is opacity.
+            // A fourth channel is opacity.
             texels.fill(if row.channel == 3 { 1.0 } else { 0.0 });
             return Ok(());
         };
@@ -217,7 +219,7 @@ fn write_one(
             level: row.level + plan.levels.start as u32,
             slice: row.slice + plan.slices.start,
             channel: row.channel + plan.channels.start,
-            // What is padded repeats the last row and column.
+            // Padding repeats the last row and column.
             row: row.row.min(rows - 1),
         };
         let (own, beyond) = texels.split_at_mut(columns as usize);
@@ -246,7 +248,7 @@ fn write_one(
         }
         FileFormat::Png => {
             let bits = if storage == (Storage::Unorm { bits: 8 }) { 8 } else { 16 };
-            // Two channels as grey and opacity would be mixed by whoever shows them: a blue of 0 is added.
+            // Viewers would mix two channels as grey and opacity, so a blue of 0 is added.
             let channels = if channels.len() == 2 { 3 } else { channels.len() };
             write_png_rows(path, &PngTexture { width, height, channels, bits }, &metadata, &mut rows)
         }

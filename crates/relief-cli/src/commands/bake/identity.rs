@@ -1,4 +1,4 @@
-//! What a baked file says of itself.
+//! Metadata of a baked file, and the hash that identifies its bake.
 
 use std::ops::Range;
 use std::path::Path;
@@ -9,17 +9,17 @@ use relief_io::read_metadata;
 
 use super::storage::{Packing, Storage};
 
-/// The hash that tells two bakes apart.
+/// Metadata entry with the hash that identifies a bake.
 const KEY: &str = "relief.key";
 
-/// The files of a bake, as a JSON list of names.
+/// Metadata entry with the names of a bake's files, as a JSON list.
 const FILES: &str = "relief.files";
 
-/// Names and values for a file's metadata.
+/// Names and values of a file's metadata.
 pub type Entries = Vec<(String, String)>;
 
-/// What decides a bake's values, and what all of its files say of them: of a kind's bake from a map with that
-/// hash.
+/// Returns the inputs that decide the values of a bake, as entries of all of its files.
+/// `source_hash` is the hash of `map`.
 fn inputs(
     kind: &Kind,
     settings: &Settings,
@@ -52,7 +52,7 @@ fn inputs(
     ]
 }
 
-/// The hash of texts, each with its length.
+/// Hashes texts, each with its length.
 fn hash_of<'a>(texts: impl Iterator<Item = &'a str>) -> blake3::Hash {
     let mut hasher = blake3::Hasher::new();
     for text in texts {
@@ -62,14 +62,14 @@ fn hash_of<'a>(texts: impl Iterator<Item = &'a str>) -> blake3::Hash {
     hasher.finalize()
 }
 
-/// What decides the bytes of a bake's files, and what all of them say.
+/// Inputs that decide the bytes of a bake's files, and the entries of all of them.
 pub struct Identity {
     entries: Entries,
     key: String,
 }
 
 impl Identity {
-    /// Of a kind's bake from a map with that hash.
+    /// Creates the identity of a kind's bake from `map`, whose hash is `source_hash`.
     pub fn new(
         kind: &Kind,
         settings: &Settings,
@@ -91,13 +91,14 @@ impl Identity {
         Self { entries, key }
     }
 
-    /// The hash of all inputs.
+    /// Returns the hash of all inputs.
     pub fn key(&self) -> &str {
         &self.key
     }
 
-    /// What a file of that texture and those channels says, with the names of all files of the bake. The
-    /// `level` and the `slices` are those of a file that does not hold all of them.
+    /// Returns the metadata of a file with these channels of `texture`. `files` are the names of
+    /// all files of the bake. `level` and `slices` are given for a file that does not hold all of
+    /// them.
     pub fn metadata(
         &self,
         texture: &Texture,
@@ -147,7 +148,7 @@ impl Identity {
     }
 }
 
-/// Whether a file says that it was baked.
+/// Whether a file's metadata state that it was baked.
 pub fn is_baked(path: &Path) -> bool {
     read_metadata(path).is_ok_and(|found| found.get(KEY).is_some())
 }

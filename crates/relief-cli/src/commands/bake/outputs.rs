@@ -1,5 +1,5 @@
-//! The files of all bakes of a height map in a folder: which are whole, which may be written, and writing
-//! them all at once.
+//! Files of all bakes of a height map in a folder: which are up to date, which may be written, and
+//! writing all at once.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -13,13 +13,13 @@ use crate::failure::Failure;
 use crate::interrupt::cancelled;
 use crate::waiting::waiting;
 
-/// How the manifest's name ends.
+/// Ending of the manifest's name.
 const MANIFEST: &str = ".relief-manifest";
 
-/// What the manifest of a height map says of earlier bakes.
+/// Manifest of the earlier bakes of a height map.
 pub struct Earlier<'a> {
     folder: &'a Path,
-    /// The manifest's name.
+    /// Name of the manifest.
     name: String,
     manifest: Manifest,
     /// Whether another program's file has the manifest's name.
@@ -27,7 +27,7 @@ pub struct Earlier<'a> {
 }
 
 impl<'a> Earlier<'a> {
-    /// The bakes of the height map of that name in a folder.
+    /// Reads the manifest of the height map named `stem` in a folder.
     pub fn find(folder: &'a Path, stem: &str) -> Result<Self, Failure> {
         let name = format!("{stem}{MANIFEST}");
         let path = folder.join(&name);
@@ -39,26 +39,27 @@ impl<'a> Earlier<'a> {
         Ok(Self { folder, name, manifest, is_strange })
     }
 
-    /// No earlier bakes: of a single file, which no manifest lists.
+    /// Returns no earlier bakes, for a single file, which no manifest lists.
     pub fn none(folder: &'a Path, stem: &str) -> Self {
         let name = format!("{stem}{MANIFEST}");
         Self { folder, name, manifest: Manifest::default(), is_strange: false }
     }
 
-    /// The manifest's name.
+    /// Returns the manifest's name.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The names of the files of a part, if it was made from that and all of them are as they were.
+    /// Returns the names of a part's files, if they were made from `made_from` and are all
+    /// unchanged.
     pub fn whole(&self, part: &str, made_from: &str) -> Option<Vec<String>> {
         let part = self.manifest.whole(self.folder, part, made_from)?;
         Some(part.files.iter().map(|file| file.name.clone()).collect())
     }
 }
 
-/// The files of a run on their way to a folder. Dropped before [`finish`](Self::finish), everything is as it
-/// was.
+/// Output files of a run on their way to a folder. Dropped before [`finish`](Self::finish), nothing
+/// changes.
 pub struct Outputs<'a> {
     set: FileSet,
     earlier: Earlier<'a>,
@@ -70,7 +71,7 @@ pub struct Outputs<'a> {
 }
 
 impl<'a> Outputs<'a> {
-    /// Makes the folder if it is missing, waits for other processes, and mends what killed ones left.
+    /// Creates the folder if it is missing, waits for other processes, and repairs what killed ones left.
     pub fn open(
         folder: &'a Path,
         stem: &str,
@@ -91,17 +92,17 @@ impl<'a> Outputs<'a> {
         Ok(Self { set, earlier, has_manifest, force, parts: Vec::new() })
     }
 
-    /// What was baked before.
+    /// Returns the earlier bakes.
     pub fn earlier(&self) -> &Earlier<'a> {
         &self.earlier
     }
 
-    /// A folder for files without a name.
-    pub fn room(&self) -> &Path {
+    /// Returns the folder for files without a name.
+    pub fn hidden_folder(&self) -> &Path {
         self.set.room()
     }
 
-    /// Whether a file of that name can be written, and is none of another program.
+    /// Checks that a file of that name can be written, and is not another program's.
     pub fn check(&mut self, name: &str) -> Result<(), Failure> {
         let path = self.earlier.folder.join(name);
         self.set.check(&path).map_err(Failure::work)?;
@@ -114,20 +115,20 @@ impl<'a> Outputs<'a> {
             return Ok(());
         }
         Err(Failure::Work(format!(
-            "{}: is there already, and relief has not baked it: move it away, give another --output, or replace it \
+            "{}: exists already, and relief has not baked it: move it away, give another --output, or replace it \
              with --force",
             path.display()
         )))
     }
 
-    /// Where to write a file of that name.
+    /// Returns where to write a file of that name.
     pub fn place(&mut self, name: &str) -> Result<PathBuf, Failure> {
-        // It may have come since the first look.
+        // It may have come since the first check.
         self.check(name)?;
         self.set.put(&self.earlier.folder.join(name)).map_err(Failure::work)
     }
 
-    /// Takes note of a part whose files have been written, each to its place.
+    /// Adds a part whose files have been written, each to its place.
     pub fn add(&mut self, name: &str, made_from: &str, files: &[(String, PathBuf)]) -> io::Result<()> {
         let listed = files.iter().map(|(name, place)| ListedFile::of(place, name));
         let files = listed.collect::<io::Result<_>>()?;
@@ -135,8 +136,9 @@ impl<'a> Outputs<'a> {
         Ok(())
     }
 
-    /// Gives all files their names, and removes those of earlier bakes of the same parts that are no longer
-    /// among them. Gives the names of those that were left, since somebody has changed them.
+    /// Gives all files their names. Removes files of earlier bakes of the same parts that are no
+    /// longer written. Returns the names of removable files that stayed because somebody has
+    /// changed them.
     pub fn finish(mut self, cancel: &AtomicBool) -> Result<Vec<String>, Failure> {
         let mut manifest = self.earlier.manifest.clone();
         let mut before = Vec::new();
@@ -144,13 +146,13 @@ impl<'a> Outputs<'a> {
             before.extend(manifest.part(&part.name).into_iter().flat_map(|part| part.files.clone()));
             manifest.set(part);
         }
-        let mut kept = Vec::new();
+        let mut changed = Vec::new();
         for file in before.into_iter().filter(|file| !manifest.lists(&file.name)) {
             match std::fs::symlink_metadata(self.earlier.folder.join(&file.name)) {
                 Ok(about) if about.is_file() && file.is_in(self.earlier.folder) => {
                     self.set.remove(&file.name).map_err(Failure::work)?;
                 }
-                Ok(_) => kept.push(file.name),
+                Ok(_) => changed.push(file.name),
                 Err(_) => {}
             }
         }
@@ -164,6 +166,6 @@ impl<'a> Outputs<'a> {
             return Err(cancelled());
         }
         self.set.commit().map_err(Failure::work)?;
-        Ok(kept)
+        Ok(changed)
     }
 }

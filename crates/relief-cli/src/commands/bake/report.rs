@@ -1,4 +1,4 @@
-//! What is said of a run.
+//! Report on a run of `relief bake`.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -10,9 +10,9 @@ use super::{Job, Task, maps};
 use crate::failure::Failure;
 use crate::say;
 
-/// What became of a kind.
+/// Result for one kind.
 pub struct Baked {
-    /// Its name.
+    /// Name of the kind.
     pub kind: &'static str,
     key: String,
     files: Vec<String>,
@@ -21,7 +21,7 @@ pub struct Baked {
 }
 
 impl Baked {
-    /// A task whose files are there; they were before when it is `up_to_date`.
+    /// Creates the result of a task whose files are written, or were `up_to_date`.
     pub fn new(task: &Task, files: Vec<String>, up_to_date: bool, started: Instant) -> Self {
         let (kind, key) = (task.kind.name, task.identity.key().to_owned());
         Self { kind, key, files, up_to_date, seconds: started.elapsed().as_secs_f64() }
@@ -36,11 +36,7 @@ impl Baked {
                 1 => ("is", files),
                 count => ("are", format!("the {count} files {files}")),
             };
-            writeln!(
-                out,
-                "{}: nothing to do, {files} {verb} baked from the same inputs already (--force bakes again)",
-                self.kind
-            )
+            writeln!(out, "{}: nothing to do, {files} {verb} up to date (--force bakes again)", self.kind)
         } else {
             writeln!(out, "{}: {files} in {:.2} s", self.kind, self.seconds)
         }
@@ -48,16 +44,17 @@ impl Baked {
 }
 
 impl Job<'_> {
-    /// Says what became of the kinds, and which files of earlier bakes were left.
-    pub fn tell(&self, all: &[Baked], kept: &[String], out: &mut dyn Write) -> Result<(), Failure> {
+    /// Reports the results of all kinds, and the files of earlier bakes that stayed because they
+    /// were changed.
+    pub fn tell(&self, all: &[Baked], changed: &[String], out: &mut dyn Write) -> Result<(), Failure> {
         let folder = self.folder;
         if self.arguments.json {
-            writeln!(out, "{:#}", self.as_json(all, kept))?;
+            writeln!(out, "{:#}", self.as_json(all, changed))?;
             return Ok(());
         }
-        for name in kept {
+        for name in changed {
             say::note(format_args!(
-                "{} was left: an earlier bake wrote it, this one does not, and it has been changed since",
+                "{} stays: an earlier bake wrote it, this one does not, and it has been changed since",
                 folder.join(name).display()
             ));
         }
@@ -65,7 +62,7 @@ impl Job<'_> {
         Ok(())
     }
 
-    fn as_json(&self, all: &[Baked], kept: &[String]) -> Value {
+    fn as_json(&self, all: &[Baked], changed: &[String]) -> Value {
         let baked: Vec<Value> = all
             .iter()
             .map(|baked| {
@@ -78,7 +75,7 @@ impl Job<'_> {
         json!({
             "input": self.arguments.height, "output": self.arguments.output, "source": self.source_hash,
             "width": self.size[0], "height": self.size[1], "wrap": self.wrap.name(),
-            "tile_m": self.metric.tile_m, "scale_m": self.metric.scale_m, "baked": baked, "kept": kept,
+            "tile_m": self.metric.tile_m, "scale_m": self.metric.scale_m, "baked": baked, "kept": changed,
             "notes": maps::as_json(&self.notes),
         })
     }

@@ -1,8 +1,9 @@
-//! Baked texels on their way to the files: as they come, in a file without a name beside the outputs.
+//! Temporary storage of baked texels on the way to the files, in a nameless file beside the
+//! outputs.
 //!
-//! Files want another order than bakes have: KTX2 begins with the smallest mip level, PNG and KTX2 put the
-//! channels of a texel side by side, and each file names all files of its bake. Keeping texels on the disk
-//! meanwhile, 4 bytes a value, serves textures of any size in memory for a few rows.
+//! Files need another order than bakes give: KTX2 begins with the smallest mip level, PNG and KTX2
+//! store the channels of a texel side by side, and each file names all files of its bake. With the
+//! texels on the disk, 4 bytes a value, textures of any size need memory for a few rows only.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
@@ -14,10 +15,10 @@ use relief_io::Row;
 /// Bytes that are read ahead for each channel.
 const READ_AHEAD: u64 = 1 << 18;
 
-/// What decides whether a texture can be taken, before its texels come.
+/// Check that decides whether a texture can be taken, before its texels come.
 type Check<'a> = dyn Fn(&Texture) -> Result<(), String> + 'a;
 
-/// A sink that keeps textures on the disk.
+/// Sink that stores textures on the disk.
 pub struct Spool<'a> {
     file: BufWriter<File>,
     check: &'a Check<'a>,
@@ -25,23 +26,23 @@ pub struct Spool<'a> {
     end: u64,
 }
 
-/// A texture on the disk.
+/// Texture on the disk.
 pub struct Spooled {
-    /// What it is.
+    /// Description of the texture.
     pub texture: Texture,
     start: u64,
-    /// Slices that have come, of all levels.
+    /// Number of slices that have come, over all levels.
     slices: u64,
 }
 
 impl<'a> Spool<'a> {
-    /// An empty one whose file lies in that folder, without a name and so without a trace.
+    /// Creates an empty spool, whose file in `folder` has no name and leaves no trace.
     pub fn new(folder: &Path, check: &'a Check<'a>) -> io::Result<Self> {
         let file = BufWriter::with_capacity(1 << 16, tempfile::tempfile_in(folder)?);
         Ok(Self { file, check, textures: Vec::new(), end: 0 })
     }
 
-    /// The textures, and their texels.
+    /// Returns the textures, and a reader of their texels.
     pub fn finish(mut self) -> Result<(Vec<Spooled>, SpoolReader), SinkError> {
         self.check_complete()?;
         let file = self.file.into_inner().map_err(|error| failed(error.error()))?;
@@ -90,7 +91,7 @@ impl Sink for Spool<'_> {
 }
 
 impl Spooled {
-    /// Columns and rows of the slice that comes next; none after the last.
+    /// Returns columns and rows of the next slice; none after the last.
     fn place_of_next(&self) -> Option<[u32; 2]> {
         let mut before = 0;
         for level in 0..=self.texture.mips.len() {
@@ -103,7 +104,7 @@ impl Spooled {
         None
     }
 
-    /// Where a row lies, and where its plane ends.
+    /// Returns the start of a row, and the end of its plane, in bytes.
     fn place(&self, row: Row) -> (u64, u64) {
         let bytes = |side: [u32; 3]| 4 * side.map(u64::from).iter().product::<u64>();
         let channels = self.texture.channels.len() as u64;
@@ -116,15 +117,15 @@ impl Spooled {
     }
 }
 
-/// Gives back rows.
+/// Reader of rows.
 pub struct SpoolReader {
     file: File,
-    /// For each channel what was read ahead, and where that lies.
+    /// For each channel the bytes read ahead, and their start.
     ahead: Vec<(u64, Vec<u8>)>,
 }
 
 impl SpoolReader {
-    /// Reads a row of a texture; its channel and level must be among those of the texture.
+    /// Reads a row of a texture. Its channel and level must be the texture's own.
     pub fn row(&mut self, spooled: &Spooled, row: Row, texels: &mut [f32]) -> io::Result<()> {
         let (start, plane_end) = spooled.place(row);
         let length = 4 * texels.len() as u64;
@@ -147,5 +148,5 @@ impl SpoolReader {
 }
 
 fn failed(error: &io::Error) -> SinkError {
-    SinkError(format!("the output folder cannot be written to ({error}): check the free space of the disk"))
+    SinkError(format!("the output folder cannot be written to ({error}): check the free space on the disk"))
 }

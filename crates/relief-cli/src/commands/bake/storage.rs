@@ -1,4 +1,4 @@
-//! How texels are stored: the choice of bits, and rounding to the side that keeps a map's promise.
+//! Storage of texels: the choice of bits, and rounding to the side that keeps a map's guarantee.
 
 use clap::ValueEnum;
 use relief_bake::{Channel, Texture};
@@ -6,7 +6,7 @@ use relief_core::Rounding;
 use relief_core::encoding::half;
 use relief_io::TexelFormat;
 
-/// A file format.
+/// File format of baked maps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum FileFormat {
     /// 32-bit floats in named channels; volumes as slices below each other
@@ -18,10 +18,10 @@ pub enum FileFormat {
 }
 
 impl FileFormat {
-    /// All of them.
+    /// All formats.
     pub const ALL: [FileFormat; 3] = [FileFormat::Exr, FileFormat::Png, FileFormat::Ktx2];
 
-    /// The ending of files' names.
+    /// Returns the ending of files' names.
     pub const fn extension(self) -> &'static str {
         match self {
             FileFormat::Exr => "exr",
@@ -30,7 +30,7 @@ impl FileFormat {
         }
     }
 
-    /// The most channels of a file.
+    /// Returns the most channels of a file.
     pub const fn channels(self) -> usize {
         match self {
             FileFormat::Exr => usize::MAX,
@@ -39,10 +39,10 @@ impl FileFormat {
     }
 }
 
-/// How values are stored, as asked for.
+/// Storage of values, as asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum TexelChoice {
-    /// By the kind's `bits`: integers of so many bits, floats for 0; 16 bit in PNG
+    /// By the kind's `bits`: integers with as many bits, floats for 0; 16 bits in PNG
     Auto,
     /// 32-bit floats
     Float,
@@ -56,7 +56,7 @@ pub enum TexelChoice {
     Bc,
 }
 
-/// How values are stored.
+/// Storage of values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Storage {
     /// 32-bit floats.
@@ -72,19 +72,19 @@ pub enum Storage {
     Block,
 }
 
-/// How the files of a bake are stored.
+/// Storage of a bake's files.
 #[derive(Clone, Copy)]
 pub struct Packing {
-    /// Their format.
+    /// File format.
     pub format: FileFormat,
-    /// Their texels.
+    /// Storage of the texels.
     pub storage: Storage,
     /// Whether KTX2 levels are compressed.
     pub zstd: bool,
 }
 
 impl Storage {
-    /// What the choice means for a format and a kind's `bits`.
+    /// Returns the storage that a choice means for a format and a kind's `bits`.
     ///
     /// # Errors
     ///
@@ -105,14 +105,14 @@ impl Storage {
             (TexelChoice::Unorm8, FileFormat::Png | FileFormat::Ktx2) => Ok(Storage::Unorm { bits: 8 }),
             (TexelChoice::Unorm16, FileFormat::Png | FileFormat::Ktx2) => Ok(Storage::Unorm { bits: 16 }),
             (TexelChoice::Bc, FileFormat::Ktx2) => Ok(Storage::Block),
-            (_, FileFormat::Exr) => Err(format!("{name} files hold 32-bit floats: leave --texels out")),
-            (_, FileFormat::Png) => {
-                Err(format!("{name} files hold integers: use unorm8 or unorm16, or ktx2"))
-            }
+            (_, FileFormat::Exr) => Err(format!("{name} files hold 32-bit floats only: leave --texels out")),
+            (_, FileFormat::Png) => Err(format!(
+                "{name} files hold integers only: use --texels unorm8 or unorm16, or --format ktx2"
+            )),
         }
     }
 
-    /// The name that the metadata have for it.
+    /// Returns its name in metadata.
     pub const fn name(self) -> &'static str {
         match self {
             Storage::Float => "float32",
@@ -128,7 +128,7 @@ impl Storage {
         matches!(self, Storage::Unorm { .. } | Storage::Block)
     }
 
-    /// The texel format of a KTX2 file of so many channels.
+    /// Returns the texel format of a KTX2 file with `channels` channels.
     pub const fn ktx2(self, channels: usize) -> TexelFormat {
         match (self, channels) {
             (Storage::Float, 0 | 1) => TexelFormat::R32F,
@@ -149,7 +149,7 @@ impl Storage {
         }
     }
 
-    /// Whether a texture can be stored so; `lossy_heights` allows heights in blocks.
+    /// Checks that a texture can be stored like this; `lossy_heights` allows heights in blocks.
     ///
     /// # Errors
     ///
@@ -159,17 +159,17 @@ impl Storage {
         self.check_channels(&texture.channels, lossy_heights)
     }
 
-    /// Whether textures of so many slices can be stored so.
+    /// Checks that textures with `slices` slices can be stored like this.
     ///
     /// # Errors
     ///
     /// When they cannot; the text says what to do.
     pub fn check_depth(self, format: FileFormat, slices: u32) -> Result<(), String> {
         if slices > 1 && format == FileFormat::Png {
-            return Err("a volume does not go into a PNG file: use --format ktx2 or exr".to_owned());
+            return Err("a PNG file cannot hold a volume: use --format ktx2 or exr".to_owned());
         }
         if slices > 1 && self == Storage::Block {
-            return Err("a volume does not go into block-compressed texels: leave --texels bc out".to_owned());
+            return Err("block-compressed texels cannot hold a volume: leave --texels bc out".to_owned());
         }
         Ok(())
     }
@@ -181,13 +181,13 @@ impl Storage {
         for Channel { name, rounding, .. } in channels {
             if *rounding != Rounding::Nearest {
                 return Err(format!(
-                    "block compression would break the promise of the channel '{name}', whose values may only be \
+                    "block compression would break the guarantee of the channel '{name}', whose values may only be \
                      rounded to one side: leave --texels bc out"
                 ));
             }
             if name.contains("height") && !lossy_heights {
                 return Err(format!(
-                    "block compression leaves 8 levels in a block of the channel '{name}', between ends of 8 bit: \
+                    "block compression keeps 8 levels per block of the channel '{name}', between ends of 8 bits: \
                      give --lossy-heights if another copy of the heights exists"
                 ));
             }
@@ -195,13 +195,13 @@ impl Storage {
         Ok(())
     }
 
-    /// What a writer is given to store that value: a fraction of the channel's range where texels are
-    /// normalised. The value that a reader computes from it, `range[0] + texel * (range[1] - range[0])` in
-    /// `f32`, lies on the channel's safe side.
+    /// Returns the number that a writer stores for `value`: a fraction of the channel's range if
+    /// texels are normalised. A reader computes `range[0] + texel * (range[1] - range[0])` in
+    /// `f32`, which lies on the channel's safe side.
     ///
     /// # Errors
     ///
-    /// When no stored value lies there.
+    /// When no stored value lies on that side.
     pub fn texel(self, value: f32, channel: &Channel) -> Result<f32, String> {
         let texel = match self {
             Storage::Float => Some(value),
@@ -234,7 +234,7 @@ fn unorm_texel(value: f32, channel: &Channel, most: u32) -> Option<f32> {
     if exact.is_nan() {
         return None;
     }
-    // Codes are tried from the far side of the neighbouring one, since decoding rounds, too.
+    // Codes are tried from the far side of the neighbouring one, since decoding also rounds.
     let code = match channel.rounding {
         Rounding::Nearest => {
             let slack = 1e-3;

@@ -1,4 +1,4 @@
-//! `relief capture`: images with depth of a mesh, which together are an image-based object.
+//! `relief capture`: captures a mesh as a depth object, which is a set of images with depth.
 
 mod report;
 mod subject;
@@ -29,84 +29,85 @@ use crate::streams::{Files, tell_written};
 use crate::waiting::waiting;
 use crate::{interrupt, say, values};
 
-/// What `relief capture` is given.
+/// Arguments of `relief capture`.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub struct Arguments {
-    /// Mesh: a glTF, GLB, OBJ, PLY or STL file, or a built-in one (cube, cylinder, sphere, torus); or a scene
-    /// file with one surface, for its mesh in its place, displaced if it has a height map, and its color
+    /// Mesh: a glTF, GLB, OBJ, PLY or STL file, or a built-in mesh (cube, cylinder, sphere, torus).
+    /// Or a scene file with one surface: its mesh in its place, displaced if it has a height map,
+    /// with its color
     #[arg(value_name = "MESH|SCENE.toml")]
     input: PathBuf,
-    /// Folder to write the object into; it is made if it is missing
+    /// Folder for the object's files; created if missing
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// From where: cube, along the axes from both sides; octahedral, all around; hemi, the upper half of it;
-    /// horizontal, around y; or the [[view]] tables of a file
+    /// Directions of the images: cube, along the axes from both sides; octahedral, all around;
+    /// hemi, the upper half; horizontal, around y; or the [[view]] tables of a file
     #[arg(long, value_name = "cube|octahedral|hemi|horizontal|FILE.toml", default_value_t)]
     views: Views,
-    /// Frames of a side of the grid of octahedral and hemi, or directions of horizontal [default: 8]
+    /// Images along a side of the octahedral or hemi grid, or directions of horizontal [default: 8]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     grid: Option<u32>,
-    /// Texels of a side of each image
+    /// Width and height of each image in texels
     #[arg(long, value_name = "PX", default_value = "209", allow_hyphen_values = true)]
     size: u32,
-    /// From eyes, with this field of view, in place of parallel rays
+    /// Field of view of perspective images in degrees [default: orthographic images]
     #[arg(long, value_name = "DEGREES", value_parser = values::positive, allow_hyphen_values = true)]
     perspective: Option<f64>,
-    /// What the height of a texel is: centre, that of what its centre shows; pixel, the highest point in it,
-    /// so that nothing thin is lost; or auto, whichever is nearer to the mesh [default: auto, with --verify 0
-    /// pixel]
+    /// What the height of a texel means: centre, the height at its centre; pixel, the highest point
+    /// in it, so that nothing thin is lost; or auto, whichever is nearer to the mesh [default:
+    /// auto; pixel with --verify 0]
     #[arg(long, value_name = "auto|centre|pixel")]
     cover: Option<CoverChoice>,
-    /// Bits of a depth: 32, floats in an EXR, or 16 or 8 in a PNG
+    /// Bits per depth: 32, floats in an EXR, or 16 or 8 in a PNG
     #[arg(long, value_name = "8|16|32", default_value = "32", allow_hyphen_values = true)]
     bits: u32,
-    /// Compare with the mesh in so many pictures from random directions, 0 for none
+    /// Number of pictures from random directions, 0 to 4096, that compare the object with the mesh
     #[arg(long, value_name = "N", default_value = "32", allow_hyphen_values = true)]
     verify: u32,
-    /// What images are between texels that jump, when they are compared: bilinear, step, highest or nearest
+    /// Surface between texels that jump, in the comparison: bilinear, step, highest or nearest
     /// [default: highest]
     #[arg(long, value_name = "NAME", hide_short_help = true)]
     cells: Option<JumpCells>,
-    /// By how many texels cells differ that jump, when they are compared [default: 4]
+    /// Difference in texels from which on cells jump, in the comparison [default: 4]
     #[arg(long, value_name = "TEXELS", allow_hyphen_values = true, hide_short_help = true)]
     jump: Option<f64>,
-    /// Colour picture of the mesh, laid out by its texture coordinates, in place of that of its material
+    /// Colour picture of the mesh, laid out by its texture coordinates [default: the picture of its
+    /// material]
     #[arg(long, value_name = "FILE")]
     color: Option<PathBuf>,
-    /// Replace files of the object's names in the folder that no capture has written
+    /// Replace files of these names in the folder even if no capture has written them
     #[arg(long)]
     force: bool,
-    /// Print one JSON object
+    /// Print the result as one JSON object
     #[arg(long)]
     pub json: bool,
-    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    /// Memory limit, as in 512MiB; work that needs more is refused [default: 4GiB]
     #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
     max_memory: Option<ByteSize>,
 }
 
 const AFTER_HELP: &str = "Examples:\n  \
     relief capture spot.obj -o spot                                  # six images along the axes\n  \
-    relief capture tree.glb --views octahedral --grid 12 --size 128 -o tree  # as engines' impostors\n  \
+    relief capture tree.glb --views octahedral --grid 12 --size 128 -o tree  # an octahedral impostor\n  \
     relief capture rock.ply --views hemi --grid 7 --size 64 --bits 8 -o rock # for a camera above\n  \
-    relief capture lamp.glb --perspective 40 --cover pixel -o lamp   # from eyes, nothing thin lost\n\n\
-    An object is what all of its images say may be solid: hollows that no image looks into are filled. The \
-    folder gets object.toml, depth.exr (or .png), normal.png and, of a mesh with colours, color.png; of \
-    octahedral grids normal-depth.png, too, as engines have it. Colours are those of a glTF's material: its \
-    base colour and picture; colours of vertices are not read. Both sides of triangles are seen. The \
-    comparison counts the pixels that show object and mesh of those that show either (IoU) and says how far \
-    apart they are on the mean, in percent of the ball's diameter.";
+    relief capture lamp.glb --perspective 40 --cover pixel -o lamp   # perspective, nothing thin lost\n\n\
+    The object is solid where all of its images allow it: hollows that no image looks into are filled.\n\n\
+    The folder gets object.toml, depth.exr (or .png), normal.png and, for a mesh with colours, color.png; for \
+    octahedral grids also normal-depth.png, as engines have it. Colours are the base colour and picture of a \
+    glTF's material; colours of vertices are not read. Both sides of triangles are captured.\n\n\
+    The comparison gives the intersection over union (IoU) of the pixels that show object and mesh, and their \
+    mean distance in percent of the diameter of the object's ball.";
 
-/// What is said of images that leave nothing of the object.
-const NO_SOLID: &str = "nothing of the object is left: a single card is seen by no image along it, and what \
-    an image does not see is not solid. --cover pixel with an odd --size keeps cards in the middle, and a mesh \
-    with thickness stays; images of --views octahedral or hemi are shown all the same by `relief render \
-    --method impostor-blend`";
+/// Note on images that leave nothing of the object.
+const NO_SOLID: &str = "the object is empty: what an image does not see is not solid, and a flat card is seen by \
+    no image along it. --cover pixel with an odd --size keeps cards in the middle, and a mesh with thickness \
+    stays. `relief render --method impostor-blend` shows images of --views octahedral or hemi all the same";
 
-/// Frames of a side, or directions, unless told otherwise.
+/// Default of `--grid`: images along a side, or directions.
 const DEFAULT_GRID: u32 = 8;
 
-/// From where, by a name or a file.
+/// Arrangement of the images, by a name or a file.
 #[derive(Clone, Debug, Default)]
 enum Views {
     #[default]
@@ -149,7 +150,7 @@ impl fmt::Display for Views {
     }
 }
 
-/// What heights are, or whichever is better.
+/// Meaning of heights, or whichever is nearer to the mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum CoverChoice {
     #[default]
@@ -180,7 +181,7 @@ impl fmt::Display for CoverChoice {
     }
 }
 
-/// Reads, captures, compares and writes.
+/// Reads the mesh, captures it, compares and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let started = Instant::now();
     arguments.check()?;
@@ -192,7 +193,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if !arguments.json {
         subject.notes.iter().for_each(say::note);
         if arguments.cover.is_none() && arguments.verify == 0 {
-            say::note("nothing is compared with the mesh: --cover pixel is taken, which loses nothing thin");
+            say::note(
+                "--verify 0 compares nothing with the mesh, so --cover pixel is used, which loses nothing thin",
+            );
         }
     }
     let capturer = Capturer::new(&subject.mesh, subject.colors.as_ref(), settings);
@@ -219,7 +222,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 impl Arguments {
-    /// The files that may be standard streams: none, as an object is a folder.
+    /// Returns the files that may be standard streams: none, as an object is a folder.
     pub fn files(&mut self) -> Files<'_> {
         Files::default()
     }
@@ -228,21 +231,23 @@ impl Arguments {
         self.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0)
     }
 
-    /// What can be judged before any file is read.
+    /// Checks the arguments before any file is read.
     fn check(&self) -> Result<(), Failure> {
         let has_grid = matches!(self.views, Views::Octahedral | Views::Hemi | Views::Horizontal);
         if self.grid.is_some() && !has_grid {
-            return Err(Failure::usage("--grid needs --views octahedral, hemi or horizontal"));
+            return Err(Failure::usage(
+                "--grid needs --views octahedral, hemi or horizontal: add one, or leave it out",
+            ));
         }
         if self.cover == Some(CoverChoice::Auto) && self.verify == 0 {
             return Err(Failure::usage(
-                "--cover auto compares with the mesh, which --verify 0 does not: choose centre or pixel",
+                "--cover auto compares with the mesh, and --verify 0 does not: choose --cover centre or pixel",
             ));
         }
         let [most, _] = MAX_PICTURES;
         if self.verify > most {
             return Err(Failure::Usage(format!(
-                "--verify: {} pictures are too many: at most {most}",
+                "--verify: {} pictures are too many: give at most {most}",
                 self.verify
             )));
         }
@@ -254,7 +259,7 @@ impl Arguments {
         }
     }
 
-    /// Refuses an object that would replace what it is made from.
+    /// Refuses an object that would replace a file that it is made from.
     fn check_inputs(&self, files: ObjectFiles, read: &[PathBuf]) -> Result<(), Failure> {
         let inputs: Vec<&Path> = read.iter().map(AsRef::as_ref).collect();
         // Of a file of views nothing else is read, whatever it names.
@@ -266,7 +271,7 @@ impl Arguments {
             let of_views = || views.filter(|views| is_same_file(&file, views)).cloned();
             if let Some(input) = replaced(&file, &inputs).or_else(of_views) {
                 return Err(Failure::Usage(format!(
-                    "--output {}: would replace {}, which is read: give another folder",
+                    "--output {}: would replace the input {}: give another folder",
                     self.output.display(),
                     input.display()
                 )));
@@ -275,7 +280,8 @@ impl Arguments {
         Ok(())
     }
 
-    /// What heights are: where nothing is compared, and nothing is said, those that lose nothing thin.
+    /// Returns the meaning of heights: without a comparison and a flag, the one that loses nothing
+    /// thin.
     fn cover(&self) -> CoverChoice {
         let pixel = || if self.verify == 0 { CoverChoice::One(Cover::Pixel) } else { CoverChoice::Auto };
         self.cover.unwrap_or_else(pixel)
@@ -303,7 +309,8 @@ impl Arguments {
         }
     }
 
-    /// The images to be written, and how far they, and others that were tried, are from the mesh.
+    /// Captures with each meaning of heights that is asked for, and returns the best images with
+    /// all comparisons.
     fn best(
         &self,
         capturer: &Capturer,
@@ -342,14 +349,14 @@ impl Arguments {
         best.map(|(captured, _)| (captured, compared)).ok_or_else(nothing)
     }
 
-    /// Whether anything of the object is left.
+    /// Whether anything of the object is solid.
     fn is_solid(&self, captured: &Captured, measured: Option<&Measured>) -> Result<bool, Failure> {
         let Verification { cells, jump_texels, .. } = self.verification();
         let object = captured.object(cells, jump_texels).map_err(Failure::work)?;
         Ok(measured.is_none_or(|measured| measured.iou > 0.0) && object.has_solid())
     }
 
-    /// Why there are no images, with the flag that would help.
+    /// Turns an error of capturing into a failure, with the flag that helps.
     fn of_capture(&self, error: CaptureError) -> Failure {
         let flag = match &error {
             CaptureError::Cancelled(_) => return interrupt::cancelled(),
@@ -362,7 +369,7 @@ impl Arguments {
             CaptureError::View { .. } if self.perspective.is_some() => "--perspective",
             CaptureError::TooMuchMemory { .. } => {
                 return Failure::Work(format!(
-                    "{error}: --max-memory raises it, a smaller --size needs less"
+                    "{error}: --max-memory raises the limit, a smaller --size needs less"
                 ));
             }
             CaptureError::View { .. } | CaptureError::CutOff { .. } | CaptureError::BadCount(_) => {

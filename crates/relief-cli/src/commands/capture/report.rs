@@ -1,4 +1,4 @@
-//! What is said of a capture.
+//! Report on a capture.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -14,15 +14,15 @@ use super::Arguments;
 use super::subject::Subject;
 use crate::values::six_digits;
 
-/// A capture that was written.
+/// Capture that was written.
 pub struct About<'a> {
     pub captured: &'a Captured,
-    /// What was compared with the mesh, the images that were written among them.
+    /// All comparisons with the mesh, also of the written images.
     pub compared: &'a [(Cover, Measured)],
     pub files: &'a [PathBuf],
-    /// Whether anything of the object is left.
+    /// Whether anything of the object is solid.
     pub is_solid: bool,
-    /// Edges of the mesh that only one triangle has.
+    /// Edges of the mesh with only one triangle.
     pub open_edges: usize,
     pub seconds: f64,
 }
@@ -54,7 +54,7 @@ impl About<'_> {
         if self.open_edges > 0 {
             writeln!(
                 out,
-                "  open        {} edges of the mesh are open, {:.2} % of what is seen are backs",
+                "  open        {} edges of the mesh are open, {:.2} % of the texels seen show backs",
                 self.open_edges,
                 100.0 * self.back_share()
             )?;

@@ -1,4 +1,4 @@
-//! What is captured: a mesh and its colours.
+//! Subject of a capture: a mesh and its colours.
 
 use std::path::{Path, PathBuf};
 
@@ -17,22 +17,22 @@ use crate::commands::numbered::{Numbering, ONE_FRAME, files};
 use crate::commands::scene_arguments::of_scene_file;
 use crate::failure::Failure;
 
-/// A mesh and its colours.
+/// Mesh with its colours.
 pub struct Subject {
     pub mesh: Mesh,
     pub colors: Option<MeshColors>,
-    /// The files that were read.
+    /// Files that were read.
     pub inputs: Vec<PathBuf>,
-    /// What a user may not expect.
+    /// Notes on what a user may not expect.
     pub notes: Vec<String>,
 }
 
-/// The proportions of a plane without a map.
+/// Proportions of a plane without a map.
 const SQUARE: [f64; 2] = [1.0, 1.0];
 
 impl Subject {
-    /// Reads the mesh of a file, a built-in one, or that of a scene's surface, which is displaced if it has a
-    /// height map.
+    /// Reads a built-in mesh, the mesh of a file, or the mesh of a scene's surface, displaced if it
+    /// has a height map.
     pub fn read(arguments: &Arguments) -> Result<Self, Failure> {
         let is_scene = arguments.input.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
         let mut inputs = vec![arguments.input.clone()];
@@ -77,32 +77,33 @@ impl Subject {
     }
 }
 
-/// The colours of a picture, as much of them as the surface's material leaves.
+/// Returns the colours of a picture, times the diffuse colour of the surface's material.
 fn with_picture(picture: Picture, surface: &SurfaceSpec) -> MeshColors {
     let diffuse = surface.material.as_ref().and_then(|material| material.diffuse);
     MeshColors::of(diffuse.unwrap_or([1.0; 3]), Some(picture))
 }
 
-/// The surface of a mesh by its name or file.
+/// Returns a surface with a mesh by its name or file.
 fn of_mesh(path: &Path) -> Result<SurfaceSpec, Failure> {
     let mesh: MeshChoice = path.to_string_lossy().parse().map_err(Failure::usage)?;
     Ok(SurfaceSpec { mesh: Some(mesh), ..SurfaceSpec::default() })
 }
 
-/// The only surface of a scene file.
+/// Returns the only surface of a scene file.
 fn only_surface(spec: &SceneSpec, path: &Path) -> Result<SurfaceSpec, Failure> {
     let refused = |what: &str| Err(Failure::Work(format!("{}: {what}", path.display())));
     let mut surfaces = spec.each_surface();
     match (surfaces.pop(), surfaces.is_empty()) {
         (Some(surface), true) if surface.object.is_some() => {
-            refused("its surface is an object of images already, which has no triangles: give a mesh")
+            refused("its surface is a depth object already, which has no triangles: give a mesh")
         }
         (Some(surface), true) => Ok(surface),
-        _ => refused("it has several surfaces, and an object is of one mesh: give the mesh's file"),
+        _ => refused("it has several surfaces, and an object has one mesh: give the mesh's file"),
     }
 }
 
-/// The mesh of a scene's surface, displaced by its height map, with a vertex every texel along its edges.
+/// Returns the mesh of a scene's surface, displaced by its height map, with one vertex per texel
+/// along its edges.
 fn displaced(
     spec: SceneSpec,
     surface: &SurfaceSpec,
@@ -125,8 +126,8 @@ fn displaced(
     if needed > arguments.max_bytes() {
         let (triangles, limit) = (mesher.triangles(), ByteSize(arguments.max_bytes()));
         return Err(at(&format!(
-            "its {triangles} triangles take {} MiB, more than the {limit} allowed: --max-memory raises it, \
-             and `relief mesh` makes coarser ones for capture to read",
+            "its {triangles} triangles take {} MiB, more than the {limit} allowed: --max-memory raises the limit, \
+             and `relief mesh` makes coarser meshes for capture to read",
             needed.div_ceil(1 << 20)
         )));
     }
@@ -153,14 +154,14 @@ fn displaced(
     notes.extend(arguments.color.iter().flat_map(|path| maps::of_picture(path)));
     let is_left_out = colors.is_none() && shown.file_colors().is_some_and(|colors| colors.colored() > 0);
     if is_left_out {
-        let what = "the colours of its mesh's materials are left out, as it is displaced";
+        let what = "the colours of its mesh's materials are left out, since the mesh is displaced";
         let remark = Remark::new(&omissions::LEFT_OUT_COLORS, what);
         notes.insert(By::Keys.note(&remark.of(&arguments.input)));
     }
     Ok(Subject { mesh, colors, inputs, notes: notes.iter().map(ToString::to_string).collect() })
 }
 
-/// The mesh of a file, and its colours if it has any.
+/// Reads the mesh of a file, and its colours if it has any.
 fn of_mesh_file(
     path: &Path,
     (projection, up): (Option<UvProjection>, Option<Up>),
@@ -170,7 +171,7 @@ fn of_mesh_file(
     let options = MeshOptions { projection, up, colors: true, max_bytes };
     let MeshFile { mesh, colors, notes: of_file, .. } = match read_mesh(path, &options) {
         Err(error) if error.problem.is_of_texture_coordinates() && projection.is_none() => {
-            // No picture lies on it by coordinates that it has not, and nothing else needs them.
+            // Without texture coordinates no picture is laid on it, and nothing else needs them.
             let projected = MeshOptions { projection: Some(UvProjection::Box), ..options };
             read_mesh(path, &projected).map_err(Failure::of_mesh)?
         }

@@ -1,4 +1,4 @@
-//! What is said of a comparison.
+//! Report on a comparison.
 
 use std::io::Write;
 use std::path::PathBuf;
@@ -7,10 +7,10 @@ use comfy_table::Table;
 use comfy_table::presets::ASCII_MARKDOWN;
 use relief_compare::{Candidate, Records, Tried};
 
-use crate::commands::contest::as_json;
+use crate::commands::method_set::as_json;
 use crate::failure::Failure;
 
-/// Says what was found and where it stands.
+/// Writes the report and the paths of the files.
 pub fn tell(
     is_json: bool,
     records: &Records,
@@ -31,7 +31,7 @@ pub fn tell(
     Ok(())
 }
 
-/// What was tried, what keeps the goal first, and how to render with the best.
+/// Writes what was tried, what keeps the goal first, and how to render with the best method.
 fn choice(tried: &Tried, scene: &str, out: &mut dyn Write) -> Result<(), Failure> {
     let mut table = Table::new();
     table.load_style(ASCII_MARKDOWN).set_header([
@@ -74,12 +74,13 @@ fn choice(tried: &Tried, scene: &str, out: &mut dyn Write) -> Result<(), Failure
     Ok(())
 }
 
-/// The figures that tell methods apart: rays at the worst angle and scale, and their pictures' means.
+/// Returns the table that compares methods: rays at the worst angle and scale, and the means of
+/// their pictures.
 fn table(records: &Records) -> Table {
     let mut table = Table::new();
     table.load_style(ASCII_MARKDOWN);
     table.set_header(["method", "passed %", "p99 texels", "reads", "FLIP", "map bytes a texel"]);
-    // Rays know nothing of shadows: theirs stand beside the pictures with each.
+    // Rays do not depend on shadows: their figures stand beside the pictures with each shadow.
     let mut labels: Vec<[String; 2]> = Vec::new();
     for method in records.pictures.iter().map(|record| &record.method) {
         if !labels.iter().any(|[label, _]| *label == method.label()) {

@@ -1,4 +1,4 @@
-//! Heights with what a file says of them.
+//! Heights with the metadata of their file.
 
 use relief_core::Wrap;
 use relief_io::HeightNote;
@@ -6,29 +6,29 @@ use relief_io::HeightNote;
 use super::output::{Content, Output};
 use crate::failure::Failure;
 
-/// The paper and section of what makes heights of normals, photographs and meshes.
+/// Paper and section of the ways from normals, photographs and meshes to heights.
 pub const SURVEYED: &str = "Szirmay-Kalos and Umenhoffer 2008 2.2";
 
-/// Heights on their way to a file, and what is said of them.
+/// Heights on the way to a file, with their metadata.
 pub struct Described {
     /// Columns and rows.
     pub size: [u32; 2],
-    /// The heights, row by row.
+    /// Heights, row by row.
     pub texels: Vec<f32>,
     pub wrap: Wrap,
     pub note: HeightNote,
-    /// What they were made of and how, by names.
+    /// Source and settings, by names.
     pub origin: Vec<(&'static str, String)>,
-    /// Where the way was published, if it was.
+    /// Publication of the method, if there is one.
     pub published: Option<&'static str>,
-    /// What holds of them, if it can be said in a line.
+    /// Guarantee that fits in a line, if there is one.
     pub guarantee: Option<&'static str>,
-    /// What only some heights have.
+    /// Further entries that only some heights have.
     pub more: Vec<(&'static str, String)>,
 }
 
 impl Described {
-    /// What goes to a file of that format.
+    /// Returns the content of a file of the output's format.
     pub fn content(self, output: &Output) -> Result<Content, Failure> {
         let Self { size, texels, wrap, note, origin, published, guarantee, more } = self;
         let [width, height] = size;

@@ -1,4 +1,4 @@
-//! `relief height for-mesh`: a height map for one mesh, which has its own part of the map everywhere.
+//! `relief height for-mesh`: adapts a height map to one mesh with unique texture coordinates.
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -21,13 +21,13 @@ use crate::progress::Progress;
 use crate::streams::{Files, Written, tell_written};
 use crate::{interrupt, say, units, values};
 
-/// Displacement in metres between heights 0 and 1 unless something says otherwise; that of `relief render`.
+/// Default displacement in metres between heights 0 and 1, the same as in `relief render`.
 const DEFAULT_SCALE_M: f64 = 0.05;
 
-/// Bytes a texel that are taken besides the map.
+/// Bytes per texel that are taken besides the map.
 const BYTES_PER_TEXEL: u64 = 24;
 
-/// What `relief height for-mesh` is given.
+/// Arguments of `relief height for-mesh`.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub struct Arguments {
@@ -36,29 +36,31 @@ pub struct Arguments {
     /// Height map to write
     #[arg(short, long, value_name = "FILE.png|exr")]
     output: PathBuf,
-    /// Mesh whose texture coordinates lie from 0 to 1 and nowhere on each other: a file, or a built-in one
+    /// Mesh whose texture coordinates lie from 0 to 1 without overlaps: a file, or a built-in mesh
     #[arg(long, value_name = "NAME|FILE")]
     mesh: MeshChoice,
-    /// Add the height of the smooth base that the mesh's normals promise above its flat triangles
+    /// Add the height of the smooth base (the curved surface of the mesh's normals) above the flat
+    /// triangles
     #[arg(long)]
     lift: bool,
-    /// Leave texels without a value that lie more than N texels beside those which the mesh shows
+    /// Leave texels without a value if they lie more than N texels outside the mesh's charts
+    /// [default: keep all]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     gutter: Option<u32>,
-    /// Metres of displacement between heights 0 and 1, or with a unit, as in 5cm [default: true to the tile
-    /// where the height map's file states metres, else 0.05]
+    /// Displacement in metres between heights 0 and 1, or with a unit, as in 5cm [default: true to
+    /// the tile where the height map's file states metres, else 0.05]
     #[arg(long, value_name = "M", value_parser = units::length, allow_hyphen_values = true)]
     scale: Option<f64>,
     /// Displacement of height 0 in metres [default: -scale, carved into the surface]
     #[arg(long, value_name = "M", value_parser = units::length, allow_hyphen_values = true)]
     bias: Option<f64>,
-    /// Format of a height map that goes to the standard output, as in -o - --format exr
+    /// Format of a height map on standard output, as in -o - --format exr
     #[arg(long, value_enum, value_name = "png|exr", hide_short_help = true)]
     format: Option<Format>,
-    /// Print one JSON object
+    /// Print the result as one JSON object
     #[arg(long)]
     pub(super) json: bool,
-    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    /// Memory limit, as in 512MiB; work that needs more is refused [default: 4GiB]
     #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
     max_memory: Option<ByteSize>,
     #[command(flatten)]
@@ -67,18 +69,17 @@ pub struct Arguments {
 
 const AFTER_HELP: &str = "Examples:\n  relief height for-mesh bark.png --mesh tree.glb --lift -o tree.exr\n  \
     relief height for-mesh wall.exr --mesh hall.obj --gutter 4 -o hall.exr\n\n\
-    With --lift the map shows over flat triangles what the given one shows with `--set surface.lift=1`, but \
-    for what it does not resolve: its file says its scale and bias, which are printed, too. Light it by a \
-    normal map of the given one (`relief bake --kind normal`), since the mesh's own normals bend with its \
-    smooth base. Texels without a value are filled by --fill, and seen through with `relief render --holes`; \
-    only EXR holds them.";
+    With --lift the map shows over flat triangles what the given map shows with `--set surface.lift=1`, up to \
+    its resolution. The file states its scale and bias, which are printed, too. Light it by a normal map of \
+    the given map (`relief bake --kind normal`), since the mesh's own normals bend with its smooth base.\n\n\
+    --fill fills texels without a value; `relief render --holes` shows them as openings. Only EXR holds them.";
 
-/// Reads, makes and writes.
+/// Reads the map and the mesh, adapts the map and writes it.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let started = Instant::now();
     let Arguments { height: path, lift, gutter, json, .. } = arguments;
     if !lift && gutter.is_none() {
-        return Err(Failure::usage("nothing is asked of the map: give --lift, --gutter N, or both"));
+        return Err(Failure::usage("the map would not change: give --lift, --gutter N, or both"));
     }
     let file = match &arguments.mesh {
         MeshChoice::File(file) => Some(file.as_path()),
@@ -88,7 +89,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let output = Output::new("--output", &arguments.output, &inputs)?;
     if gutter.is_some() && output.format == Format::Png {
         return Err(Failure::usage(
-            "a PNG holds no texels without a value, which --gutter leaves: write an EXR",
+            "--gutter leaves texels without a value, which a PNG cannot hold: write an EXR",
         ));
     }
     let max_bytes = arguments.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0);
@@ -114,40 +115,40 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let map = arguments.displaced(map, &mesh)?;
     let cancel = interrupt::catch()?;
     let mut staged = Staged::open(&[&output.path], *json, cancel)?;
-    let made = Made::of(&map, &mesh, *lift, *gutter)
+    let adapted = AdaptedMap::new(&map, &mesh, *lift, *gutter)
         .map_err(|error| Failure::Work(format!("{}: {error}", arguments.mesh)))?;
-    let content = made.content(&map, &output, &arguments.mesh)?;
+    let content = adapted.content(&map, &output, &arguments.mesh)?;
     output.write(&mut staged, &content, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
     tell_written(*json, |out| {
-        let HeightNote { tile_m, scale_m, bias_m, .. } = made.note;
+        let HeightNote { tile_m, scale_m, bias_m, .. } = adapted.note;
         let [width, height] = content.size;
         if *json {
             let about = json!({
                 "input": path.display().to_string(), "mesh": arguments.mesh.to_string(),
                 "output": output.path.display().to_string(), "width": width, "height": height, "scale_m": scale_m,
-                "bias_m": bias_m, "tile_m": tile_m, "lift_m": made.lift_m, "without_value": made.without_value,
+                "bias_m": bias_m, "tile_m": tile_m, "lift_m": adapted.lift_m, "without_value": adapted.without_value,
                 "seconds": seconds, "notes": maps::as_json(&notes),
             });
             writeln!(out, "{about:#}")?;
             return Ok(());
         }
         writeln!(out, "{}: {width}x{height} heights in {seconds:.2} s", output.path.display())?;
-        made.print(out)?;
+        adapted.print(out)?;
         Ok(())
     })
 }
 
 impl Arguments {
-    /// The files that may be standard streams.
+    /// Returns the files that may be standard streams.
     pub fn files(&mut self) -> Files<'_> {
         let format = self.format.map(Format::ending);
         let heights = Written { flag: "--output", path: &mut self.output, format };
         Files { read: vec![&mut self.height], written: vec![heights], ..Files::default() }
     }
 
-    /// The map with its displacement on that mesh.
+    /// Returns the map with its displacement on `mesh`.
     fn displaced(&self, map: HeightMap, mesh: &Mesh) -> Result<HeightMap, Failure> {
         if map.stated_displacement_m().is_some() && self.scale.is_none() && self.bias.is_none() {
             return Ok(map);
@@ -158,18 +159,18 @@ impl Arguments {
     }
 }
 
-/// A map that was made.
-struct Made {
-    /// From 0 to 1, NaN where there is no value.
+/// Height map adapted to a mesh.
+struct AdaptedMap {
+    /// Heights from 0 to 1, NaN where there is no value.
     texels: Vec<f32>,
     note: HeightNote,
-    /// The least and the greatest lift in metres.
+    /// Least and greatest lift in metres.
     lift_m: [f32; 2],
     without_value: u64,
 }
 
-impl Made {
-    fn of(
+impl AdaptedMap {
+    fn new(
         map: &HeightMap,
         mesh: &Mesh,
         is_lifted: bool,

@@ -1,4 +1,5 @@
-//! `relief height from-meshes`: the height map that displaces a simple mesh onto a detailed one.
+//! `relief height from-meshes`: computes the height map that displaces a simple mesh onto a
+//! detailed one.
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -25,72 +26,73 @@ use crate::progress::Progress;
 use crate::streams::{Files, Written, tell_written};
 use crate::{say, units, values};
 
-/// Bytes a texel: the heights as they are found, and the texels that are written.
+/// Bytes per texel: the computed heights and the written texels.
 const BYTES_PER_TEXEL: u64 = MeshPair::BYTES_PER_TEXEL + 8;
 
-/// Bytes a texel that a normal map takes more.
+/// Further bytes per texel of a normal map.
 const BYTES_OF_NORMALS: u64 = 24;
 
-/// What `relief height from-meshes` is given.
+/// Arguments of `relief height from-meshes`.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub struct Arguments {
-    /// Simple mesh that the map is for, with texture coordinates: a file, or a built-in one
+    /// Simple mesh with texture coordinates, which the map is for: a file, or a built-in mesh
     #[arg(long, value_name = "NAME|FILE")]
     low: MeshChoice,
-    /// Detailed mesh in the same place, with or without texture coordinates: a file, or a built-in one
+    /// Detailed mesh in the same place, with or without texture coordinates: a file, or a built-in
+    /// mesh
     #[arg(long, value_name = "NAME|FILE")]
     high: MeshChoice,
-    /// Columns and rows of the map
+    /// Columns and rows of the height map, as in 2048x2048
     #[arg(long, value_name = "WxH", value_parser = values::size, allow_hyphen_values = true)]
     size: [u32; 2],
     /// Height map to write
     #[arg(short, long, value_name = "FILE.png|exr")]
     output: PathBuf,
-    /// Normal map of the detailed mesh on the simple one, to write as well: normals that come of the heights
-    /// count the facets of the simple mesh twice
+    /// Also write a normal map of the detailed mesh on the simple one. Normals derived from the
+    /// heights would count the simple mesh's facets twice
     #[arg(long, value_name = "FILE.png|exr")]
     normals: Option<PathBuf>,
-    /// The farthest to look from the simple mesh, outward and inward, in metres or with a unit, as in 2cm
-    /// [default: a tenth of the diagonal of its box]
+    /// Greatest distance searched from the simple mesh, outward and inward, in metres or with a
+    /// unit, as in 2cm [default: a tenth of the diagonal of its box]
     #[arg(long, value_name = "M", value_parser = units::length, allow_hyphen_values = true)]
     cage: Option<f64>,
-    /// Which of several layers of the detailed mesh counts: nearest to the simple mesh, or outermost, that
-    /// is seen from outside
+    /// Layer of the detailed mesh that counts if there are several: nearest to the simple mesh, or
+    /// outermost, which is seen from outside
     #[arg(long, value_name = "nearest|outermost", default_value_t)]
     layer: Layer,
-    /// Let faces count that look the other way, too
+    /// Also accept faces that look the other way
     #[arg(long)]
     two_sided: bool,
-    /// How the map goes on beyond its edges: repeat, clamp or mirror
+    /// Continuation of the map beyond its edges: repeat, clamp or mirror
     #[arg(long, value_name = "WRAP", default_value_t)]
     wrap: Wrap,
-    /// Leave texels without a value that lie more than N texels beside those which the mesh shows [default:
-    /// all are filled]
+    /// Leave texels without a value if they lie more than N texels outside the simple mesh's charts
+    /// [default: fill all]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     gutter: Option<u32>,
-    /// Format of a height map that goes to the standard output, as in -o - --format exr
+    /// Format of a height map on standard output, as in -o - --format exr
     #[arg(long, value_enum, value_name = "png|exr", hide_short_help = true)]
     format: Option<Format>,
-    /// Print one JSON object
+    /// Print the result as one JSON object
     #[arg(long)]
     pub(super) json: bool,
-    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    /// Memory limit, as in 512MiB; work that needs more is refused [default: 4GiB]
     #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
     max_memory: Option<ByteSize>,
 }
 
 const AFTER_HELP: &str = "Examples:\n  \
-    relief height from-meshes --low low.glb --high scan.ply --size 2048x2048 --normals n.png -o rock.exr\n  \
+    relief height from-meshes --low low.glb --high scan.ply --size 2048x2048 --normals n.png -o h.exr\n  \
     relief height from-meshes --low column.obj --high cylinder --size 512x256 --cage 5cm -o column.exr\n\n\
-    Each texel looks along the interpolated normal of the simple mesh, both ways. The file says its scale \
-    and its bias: `relief render --height rock.exr --normal n.png --mesh low.glb` and `relief mesh rock.exr \
-    --mesh low.glb` show the detailed mesh without further flags. Of several faces that look outward the \
-    nearest counts, so a cage may be wide; with --layer outermost it must be narrower than the gaps between \
-    parts. Texels that find nothing are counted and filled from their surroundings. EXR of 32-bit floats, or \
-    PNG of 16 bit, by the output's name.";
+    Each texel searches along the interpolated normal of the simple mesh, both ways. The file states its scale \
+    and bias: `relief render --height h.exr --normal n.png --mesh low.glb` and `relief mesh h.exr \
+    --mesh low.glb` show the detailed mesh without further flags.\n\n\
+    Of several faces that look outward the nearest counts, so a cage may be wide. With --layer outermost it \
+    must be narrower than the gaps between parts. Texels without a hit are counted and filled from their \
+    surroundings. The output's ending chooses 32-bit float EXR or 16-bit PNG.";
 
-/// Reads, finds and writes.
+/// Reads both meshes, computes the heights and writes them.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let started = Instant::now();
     let output = Output::new("--output", &arguments.output, &arguments.inputs())?;
@@ -105,12 +107,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let paths: Vec<&Path> = [Some(&output), normals.as_ref()].into_iter().flatten().map(path_of).collect();
     let mut staged = Staged::open(&paths, arguments.json, cancel)?;
     let heights = {
-        let bar = Progress::bar("looking", arguments.json);
+        let bar = Progress::bar("searching", arguments.json);
         let tell = |_: &str, part: f32| bar.show(part);
         let watch = Watch::new(&tell, cancel);
         heights_from_meshes(&low, &caster, &arguments.pair(), &watch)
     };
-    let heights = heights.map_err(|error| arguments.of_looking(error))?;
+    let heights = heights.map_err(|error| arguments.of_search(error))?;
     let [bias_m, top_m] = heights.displacement_m();
     let note = HeightNote { tile_m: low.tile_m(), scale_m: top_m - bias_m, bias_m, of_mesh: true };
     let content = arguments.content(&heights, note, &output)?;
@@ -121,7 +123,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let tell = |_: &str, part: f32| bar.show(part);
         let watch = Watch::new(&tell, cancel);
         let planes = normals_from_meshes(&low, high, &caster, &arguments.pair(), &watch)
-            .map_err(|error| arguments.of_looking(error))?;
+            .map_err(|error| arguments.of_search(error))?;
         output.write(&mut staged, &arguments.normals_content(planes, output)?, cancel)?;
     }
     staged.finish()?;
@@ -140,16 +142,16 @@ fn path_of(output: &Output) -> &Path {
     &output.path
 }
 
-/// What is read.
+/// Meshes that were read.
 struct Meshes {
     low: Mesh,
-    /// With its normals, where these are asked for.
+    /// Detailed mesh with its normals, if a normal map is asked for.
     high: Option<Mesh>,
     caster: RayCaster,
 }
 
 impl Arguments {
-    /// The files that may be standard streams.
+    /// Returns the files that may be standard streams.
     pub fn files(&mut self) -> Files<'_> {
         let format = self.format.map(Format::ending);
         let heights = Written { flag: "--output", path: &mut self.output, format };
@@ -157,19 +159,19 @@ impl Arguments {
         Files { written: [Some(heights), normals].into_iter().flatten().collect(), ..Files::default() }
     }
 
-    /// Where normals go.
+    /// Returns the output of the normal map.
     fn normals_output(&self) -> Result<Option<Output>, Failure> {
         let Some(path) = &self.normals else { return Ok(None) };
         check_distinct([Some(&self.output), Some(path)])?;
         Output::new("--normals", path, &self.inputs()).map(Some)
     }
 
-    /// Bytes a texel.
+    /// Returns the bytes per texel.
     fn bytes_per_texel(&self) -> u64 {
         BYTES_PER_TEXEL + if self.normals.is_some() { BYTES_OF_NORMALS } else { 0 }
     }
 
-    /// The files that are read.
+    /// Returns the files that are read.
     fn inputs(&self) -> Vec<&Path> {
         let files = [&self.low, &self.high].map(|mesh| match mesh {
             MeshChoice::File(file) => Some(file.as_path()),
@@ -182,7 +184,7 @@ impl Arguments {
         self.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0)
     }
 
-    /// Whether what is given can be used, before anything is read.
+    /// Checks the arguments before anything is read.
     fn check(&self, output: &Output) -> Result<(), Failure> {
         let [width, height] = self.size;
         HeightMap::check_size(width, height)
@@ -194,7 +196,7 @@ impl Arguments {
         }
         if self.gutter.is_some() && output.format == Format::Png {
             return Err(Failure::usage(
-                "a PNG holds no texels without a value, which --gutter leaves: write an EXR",
+                "--gutter leaves texels without a value, which a PNG cannot hold: write an EXR",
             ));
         }
         check_memory(self.size, self.bytes_per_texel(), self.max_bytes())
@@ -205,7 +207,7 @@ impl Arguments {
         MeshPair { size, wrap, cage_m: cage, layer, two_sided, gutter }
     }
 
-    /// Both meshes, within what memory the map leaves.
+    /// Reads both meshes, within the memory that the map leaves.
     fn read(&self) -> Result<Meshes, Failure> {
         let [width, height] = self.size.map(u64::from);
         let left = self.max_bytes().saturating_sub(width * height * self.bytes_per_texel());
@@ -223,8 +225,8 @@ impl Arguments {
                 return Ok(());
             }
             Err(Failure::Work(format!(
-                "{}: {triangles} triangles need {} MiB of memory to be looked for, {} MiB are left: \
-                 --max-memory raises it",
+                "{}: {triangles} triangles need {} MiB of memory for their BVH, {} MiB are left: raise \
+                 --max-memory",
                 self.high,
                 needed.div_ceil(1 << 20),
                 left >> 20
@@ -237,7 +239,7 @@ impl Arguments {
         };
         let (high, caster) = match &self.high {
             MeshChoice::File(file) if self.normals.is_some() => {
-                // Where its texture lies is of no use here, and it need not have any.
+                // The texture coordinates are not used here, and the file need not have any.
                 let projection = Some(UvProjection::Box);
                 let options = MeshOptions { max_bytes: left, projection, ..MeshOptions::default() };
                 of_mesh(read_mesh(file, &options).map_err(Failure::of_mesh)?.mesh)?
@@ -255,11 +257,11 @@ impl Arguments {
         Ok(Meshes { low, high, caster })
     }
 
-    /// Why there are no heights, with what would help.
-    fn of_looking(&self, error: FromMeshesError) -> Failure {
+    /// Turns an error of the search into a failure, with the flag that helps.
+    fn of_search(&self, error: FromMeshesError) -> Failure {
         let advice = match &error {
             FromMeshesError::Cancelled(_) => return cancelled(),
-            FromMeshesError::NothingFound { behind: 0, .. } => "; --cage looks farther",
+            FromMeshesError::NothingFound { behind: 0, .. } => ": --cage searches farther",
             FromMeshesError::NothingFound { .. } => " (--two-sided)",
             FromMeshesError::Outside { .. } => " (--wrap)",
             FromMeshesError::NoTexel => " (--size)",
@@ -340,12 +342,12 @@ impl Arguments {
             let cage = values::six_digits(heights.cage_m);
             writeln!(
                 out,
-                "  holes       {} find nothing within {cage} m, filled from their surroundings",
+                "  holes       {} have no hit within {cage} m, filled from their surroundings",
                 share(holes, covered)
             )?;
         }
         for (count, what) in [
-            (behind, "of these texels find faces that look the other way (--two-sided)"),
+            (behind, "of these texels hit faces that look the other way (--two-sided)"),
             (without_value, "texels have no value, beyond the gutter"),
             (without_area, "triangles of the simple mesh have no area in the texture"),
         ] {
@@ -357,7 +359,7 @@ impl Arguments {
     }
 }
 
-/// So many texels, and what part of all that is.
+/// Formats `count` texels and their share of `all`.
 fn share(count: u64, all: u64) -> String {
     format!("{count} texels ({:.3} %)", 100.0 * count as f64 / all.max(1) as f64)
 }

@@ -1,4 +1,4 @@
-//! `relief height from-normals`: a normal map to a height map.
+//! `relief height from-normals`: integrates a normal map into a height map.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -24,36 +24,36 @@ use crate::progress::Progress;
 use crate::say;
 use crate::streams::{Files, Written, tell_written};
 
-/// Bytes a texel that reading and integrating take at their peak.
+/// Peak of the bytes per texel that reading and integrating take.
 const BYTES_PER_TEXEL: u64 = 32;
 
-/// The same where some texels hold no normal.
+/// Peak of the bytes per texel if some texels hold no normal.
 const BYTES_PER_TEXEL_WITH_HOLES: u64 = 72;
 
-/// The damping for normals that come from elsewhere: those that `relief bake` made are inverted as they were
-/// made.
+/// Default damping of normals from elsewhere. Normals of `relief bake` are inverted without any.
 const DEFAULT_DAMPING: f64 = 0.1;
 
-/// What `relief height from-normals` is given.
+/// Arguments of `relief height from-normals`.
 #[derive(Args)]
 #[command(after_help = after_help())]
 pub struct Arguments {
-    /// Tangent-space normal map: PNG, JPEG, EXR, TIFF, HDR or PGM with red, green and blue, or EXR with x, y
-    /// and z
+    /// Tangent-space normal map: PNG, JPEG, EXR, TIFF, HDR or PGM with red, green and blue, or EXR
+    /// with x, y and z; - for standard input
     normals: PathBuf,
     /// Height map to write
     #[arg(short, long, value_name = "FILE.png|exr")]
     output: PathBuf,
-    /// Where green points: up in the picture (+y: OpenGL, glTF, Blender), down (-y: DirectX, Unreal), or as
-    /// the normals fit a relief better
+    /// Direction of green: up in the picture (+y: OpenGL, glTF, Blender), down (-y: DirectX,
+    /// Unreal), or auto, whichever fits a relief better
     #[arg(long, value_enum, value_name = "up|down|auto", default_value = "auto", allow_hyphen_values = true)]
     green: Green,
-    /// Fill texels that hold no normal from their surroundings: black, white, middle grey, transparent, NaN
-    /// [default: they are holes of the height map, which EXR can hold and PNG cannot]
+    /// Fill texels without a normal (black, white, middle grey, transparent, NaN) from their
+    /// surroundings [default: they become holes of the height map, which EXR can hold and PNG
+    /// cannot]
     #[arg(long)]
     fill: bool,
-    /// Refuse a map of which more than this part of the slopes fits no relief: it is no tangent-space normal
-    /// map then. 100 takes any
+    /// Refuse the map if more than this percentage of its slopes fits no relief: then it is no
+    /// tangent-space normal map. 100 accepts every map
     #[arg(
         long,
         value_name = "PERCENT",
@@ -70,25 +70,25 @@ pub struct Arguments {
 fn after_help() -> String {
     format!(
         "Example:\n  relief height from-normals rock_normal.png -o rock.exr\n  relief bake rock.exr --kind cone,horizon -o .\n\n\
-         A file that `relief bake --kind normal` wrote says its own wrap, tile and green; for others --wrap is repeat, and \
-         --damping 0.1. Texels that are black, white, grey or transparent hold no normal: heights beside them do not \
-         depend on them. {WRITTEN}\n\n\
-         Normals do not say which way is out: where a relief comes back turned inside out, red and green are both the other \
-         way, and the height map is one of depth (--depth in other commands)."
+         Files of `relief bake --kind normal` state their own wrap, tile and green. For others the default of --wrap is repeat, \
+         of --damping 0.1. Texels that are black, white, grey or transparent hold no normal; heights beside them do not depend \
+         on them. {WRITTEN}\n\n\
+         Normals do not say which way is out. If a relief comes back inside out, red and green both point the other way: the \
+         height map is a depth map (use --depth in other commands)."
     )
 }
 
-/// A part in percent, with its sign or without.
+/// Reads a percentage, with its sign or without.
 fn percent(text: &str) -> Result<f64, String> {
     let number = text.strip_suffix('%').unwrap_or(text).trim_end().parse::<f64>();
-    let number = number.map_err(|_| "it is no number: give percent, as in 60".to_owned())?;
+    let number = number.map_err(|_| format!("'{text}' is not a number: give percent, as in 60"))?;
     if (0.0..=100.0).contains(&number) {
         return Ok(number);
     }
-    Err("it must be from 0 to 100 percent".to_owned())
+    Err(format!("{number} is out of range: it must be from 0 to 100 percent"))
 }
 
-/// Where green points.
+/// Direction of the green channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Green {
     #[value(alias = "+y")]
@@ -98,15 +98,15 @@ enum Green {
     Auto,
 }
 
-/// What the axes of the normals are, and who says so.
+/// Axes of the normals, and their source.
 enum Known {
-    /// The command line or the file.
+    /// Axes that the command line or the file states.
     Axes(Axes, &'static str),
-    /// Nobody.
+    /// No axes are stated.
     Unknown,
 }
 
-/// Reads, integrates and writes.
+/// Reads the normals, integrates them and writes the heights.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let started = Instant::now();
     let Arguments { normals: path, common, .. } = arguments;
@@ -156,7 +156,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
                 let steepness = slopes.steepness();
                 let is_beyond = 100.0 * heights.misfit > arguments.max_misfit * steepness;
                 if is_beyond && axes != Axes::World {
-                    // They may fit one with green the other way.
+                    // They may fit a relief with green the other way.
                     let turned = slopes.turned_over();
                     let other = heights_from_known_slopes(&turned, &how, &watch).map_err(of_integration)?;
                     other_misfit = Some(other.misfit / steepness);
@@ -217,7 +217,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 impl Arguments {
-    /// The files that may be standard streams.
+    /// Returns the files that may be standard streams.
     pub fn files(&mut self) -> Files<'_> {
         let format = self.common.format.map(Format::ending);
         let heights = Written { flag: "--output", path: &mut self.output, format };
@@ -228,7 +228,9 @@ impl Arguments {
         match (self.green, from_bake.axes) {
             (Green::Up | Green::Down, Some(Axes::World)) => {
                 let name = self.normals.display();
-                Err(Failure::Usage(format!("--green: {name} has its normals in world space: leave it out")))
+                Err(Failure::Usage(format!(
+                    "--green: the normals of {name} are in world space: leave it out"
+                )))
             }
             (Green::Up, _) => Ok(Known::Axes(Axes::Tangent, "the command line")),
             (Green::Down, _) => Ok(Known::Axes(Axes::TangentGreenDown, "the command line")),
@@ -237,7 +239,7 @@ impl Arguments {
         }
     }
 
-    /// Refuses normals that no relief has, and holes where the output has none.
+    /// Refuses normals that no relief has, and holes if the output cannot hold them.
     fn judge(&self, slopes: &NormalSlopes, suspects: &[NormalSource], format: Format) -> Result<(), Failure> {
         let name = self.normals.display();
         let faults = slopes.faults;
@@ -246,7 +248,7 @@ impl Arguments {
             let percent = 100.0 * faults.below_horizon as f64 / texels as f64;
             return Err(Failure::Work(format!(
                 "{name}: {percent:.0} % of its normals point along the surface or into it (blue at or below the middle): give \
-                 a tangent-space normal map with blue, not one in object space or of two channels{}",
+                 a tangent-space normal map with blue, not one in object space or with two channels{}",
                 may_be(suspects)
             )));
         }
@@ -256,7 +258,7 @@ impl Arguments {
         let kinds = hole_kinds(&faults).map(|(count, kind)| format!("{count} {kind}"));
         Err(Failure::Work(format!(
             "{name}: {} of its texels hold no normal ({}), the first at ({column}, {row}): give --fill to fill them from their \
-             surroundings, or an EXR file as the output, which keeps them as holes",
+             surroundings, or write an EXR, which keeps them as holes",
             faults.holes(),
             kinds.collect::<Vec<String>>().join(", ")
         )))
@@ -269,8 +271,7 @@ impl Arguments {
             return Ok(());
         };
         let what = if suspects.is_empty() {
-            ". Nothing that was measured says what it is: noise, cliffs everywhere, or no normal map"
-                .to_owned()
+            ". No measure tells what it is: noise, cliffs everywhere, or no normal map".to_owned()
         } else {
             may_be(suspects)
         };
@@ -288,15 +289,15 @@ impl Arguments {
     }
 }
 
-/// What a map may be, as the end of an error.
+/// Lists what a map may be, for the end of an error.
 fn may_be(suspects: &[NormalSource]) -> String {
     let suspects: Vec<String> = suspects.iter().map(ToString::to_string).collect();
     if suspects.is_empty() { String::new() } else { format!(". It may be {}", suspects.join("; or ")) }
 }
 
-/// What a file that `relief bake` wrote says of its normals.
+/// Metadata of a normal map that `relief bake` wrote.
 struct FromBake {
-    /// Whether they are slopes of heights and nothing else.
+    /// Whether the normals are slopes of heights and nothing else.
     is_exact: bool,
     axes: Option<Axes>,
     wrap: Option<relief_core::Wrap>,
@@ -324,7 +325,7 @@ impl FromBake {
         }
     }
 
-    /// The size of a texel: what is asked for, what the file says, or square texels of a map 1 m wide.
+    /// Returns the texel size: the one asked for, the file's, or square texels of a map 1 m wide.
     fn texel_m(&self, asked: Option<[f64; 2]>, [width, height]: [u32; 2]) -> [f64; 2] {
         let (width, height) = (f64::from(width), f64::from(height));
         let of_file = self.tile_m.map(|[u, v]| [u / width, v / height]);
@@ -332,7 +333,7 @@ impl FromBake {
     }
 }
 
-/// Where green was taken to point, and why.
+/// Direction that green was taken to have, with the reason.
 struct GreenAnswer {
     way: &'static str,
     said_by: Option<&'static str>,
@@ -354,16 +355,13 @@ impl GreenAnswer {
     fn text(&self) -> String {
         let Self { way, said_by, fit } = self;
         match (said_by, fit) {
-            (Some(by), _) if *way == "none" => format!("none: normals in world space, says {by}"),
-            (Some(by), _) => format!("{way}, says {by}"),
+            (Some(by), _) if *way == "none" => format!("none: normals in world space, by {by}"),
+            (Some(by), _) => format!("{way}, by {by}"),
             (None, Some(fit)) if fit.is_sure() => {
-                format!(
-                    "{way}, as the normals fit a relief better, confidence {:.0} %",
-                    100.0 * fit.confidence
-                )
+                format!("{way}, which fits a relief better, confidence {:.0} %", 100.0 * fit.confidence)
             }
             _ => format!(
-                "taken to point {way}: the normals fit a relief as well either way (--green up or down says it)"
+                "taken to point {way}: the normals fit a relief as well either way (set it with --green up or down)"
             ),
         }
     }
@@ -384,7 +382,7 @@ fn faults_as_json(faults: &NormalFaults) -> Value {
     })
 }
 
-/// The kinds of holes that there are, with their numbers.
+/// Returns the kinds of holes that occur, with their numbers.
 fn hole_kinds(faults: &NormalFaults) -> impl Iterator<Item = (usize, &'static str)> {
     let kinds = [
         (faults.background, "black, white or of another full colour"),
@@ -401,7 +399,7 @@ fn print_faults(out: &mut impl Write, faults: &NormalFaults, is_filled: bool) ->
         writeln!(out, "  holes       {count} {kind}; {what}")?;
     }
     for (count, what) in [
-        (faults.not_unit, "of a length more than 0.1 off from 1, of which the direction was used"),
+        (faults.not_unit, "more than 0.1 off unit length; their direction was used"),
         (
             faults.below_horizon,
             "that point along the surface or into it, taken for the steepest slope accepted",
@@ -415,7 +413,8 @@ fn print_faults(out: &mut impl Write, faults: &NormalFaults, is_filled: bool) ->
     Ok(())
 }
 
-/// The hash of a normal map: BLAKE3 of width and height as `u32` and the vectors as `f32`, all little-endian.
+/// Returns the hash of a normal map: BLAKE3 of width and height as `u32` and the vectors as `f32`,
+/// all little-endian.
 fn source_hash([width, height]: [u32; 2], vectors: &[[f32; 3]]) -> String {
     let mut hasher = blake3::Hasher::new();
     hasher.update(&width.to_le_bytes());

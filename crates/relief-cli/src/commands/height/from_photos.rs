@@ -1,4 +1,5 @@
-//! `relief height from-photos`: photographs under known lights to a height map (photometric stereo).
+//! `relief height from-photos`: photometric stereo, from photographs under known lights to a height
+//! map.
 
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -26,17 +27,17 @@ use crate::progress::Progress;
 use crate::say;
 use crate::streams::{Files, Written, tell_written};
 
-/// Bytes a texel that a photograph keeps: its brightness.
+/// Bytes per texel that a photograph keeps: its brightness.
 const BYTES_PER_PHOTO: u64 = 4;
 
-/// Bytes a texel that are taken beside the brightnesses at their peak: a picture in colour, then normals,
-/// albedo and heights.
+/// Peak of the bytes per texel beside the brightnesses: a colour picture, then normals, albedo and
+/// heights.
 const BYTES_PER_TEXEL: u64 = 60;
 
-/// The damping of photographs' normals, which have noise.
+/// Default damping of normals from photographs, which have noise.
 const DEFAULT_DAMPING: f64 = 0.1;
 
-/// What `relief height from-photos` is given.
+/// Arguments of `relief height from-photos`.
 #[derive(Args)]
 #[command(after_help = after_help())]
 pub struct Arguments {
@@ -45,10 +46,11 @@ pub struct Arguments {
     /// Height map to write
     #[arg(short, long, value_name = "FILE.png|exr")]
     output: PathBuf,
-    /// Write the normals, too, with green up (+y): 16-bit PNG or EXR
+    /// Also write the normals, with green up (+y): 16-bit PNG or EXR
     #[arg(long, value_name = "FILE.png|exr")]
     normals: Option<PathBuf>,
-    /// Write the albedo, too, the colour without light and shadow: 8-bit PNG in sRGB, or EXR in linear light
+    /// Also write the albedo, the colour without light and shadow: 8-bit PNG in sRGB, or EXR in
+    /// linear light
     #[arg(long, value_name = "FILE.png|exr")]
     albedo: Option<PathBuf>,
     #[command(flatten)]
@@ -57,23 +59,23 @@ pub struct Arguments {
 
 fn after_help() -> String {
     format!(
-        "A file of lights:\n\n  # Pictures of one matt thing from one place straight above, each with one distant light on.\n  \
+        "A file of lights:\n\n  # Photographs of one matt object from straight above, each with one distant light on.\n  \
          [[photo]]\n  file = \"left.png\"         # from the folder of this file\n  \
-         light = [-0.5, 0.0, 0.8]  # to the light: right, up, towards the camera; of any length\n  \
+         light = [-0.5, 0.0, 0.8]  # toward the light: right, up, toward the camera; of any length\n  \
          [[photo]]\n  file = \"right.png\"\n  light = [0.5, 0.0, 0.8]\n  intensity = 1.2           # brightness of a white \
          surface that faces it [default: 1]\n  [[photo]]\n  file = \"top.png\"\n  light = [0.0, 0.5, 0.8]\n\n\
-         Three lights or more, not in one plane with the surface. Above the list it may have:\n\n  \
+         Three lights or more are needed, not in one plane with the surface. Above the list the file may set:\n\n  \
          linear = true       # integer samples are proportional to light [default: as a PNG says, else they are sRGB; \
          floats are linear]\n  \
-         shadow = 0.01       # linear brightness up to which a sample is in shadow, and left out\n  \
-         overexposed = 1.0   # linear brightness from which a sample is left out; inf for never\n\n\
-         Example:\n  relief height from-photos lights.toml -o coin.exr --normals coin_normal.png --albedo coin_color.png\n\n\
-         Where fewer than three lights reach, slopes are filled in from their surroundings. --wrap is clamp, --damping 0.1. \
-         {WRITTEN}"
+         shadow = 0.01       # samples up to this linear brightness are in shadow, and left out\n  \
+         overexposed = 1.0   # samples from this linear brightness on are left out; inf for never\n\n\
+         Example:\n  relief height from-photos lights.toml -o coin.exr --normals normal.png --albedo albedo.png\n\n\
+         Slopes that fewer than three lights reach are filled from their surroundings. The default of --wrap is clamp, of \
+         --damping 0.1. {WRITTEN}"
     )
 }
 
-/// Reads, solves, integrates and writes.
+/// Reads the photographs, solves for normals, integrates them and writes the results.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let started = Instant::now();
     let common = &arguments.common;
@@ -156,7 +158,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         if unknown > 0 {
             writeln!(
                 out,
-                "  normals     {unknown} seen under fewer than three lights, filled in from their surroundings"
+                "  normals     {unknown} seen under fewer than three lights, filled from their surroundings"
             )?;
         }
         for output in [&outputs.normals, &outputs.albedo].into_iter().flatten() {
@@ -167,7 +169,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         {
             writeln!(
                 out,
-                "  albedo      up to {brightest:.2}, cut off at 1 in the PNG: scale the intensities by that, or write an EXR"
+                "  albedo      up to {brightest:.2}, clipped to 1 in the PNG: scale the intensities by that, or write an EXR"
             )?;
         }
         Ok(())
@@ -181,14 +183,14 @@ struct Outputs {
 }
 
 impl Arguments {
-    /// The files that may be standard streams.
+    /// Returns the files that may be standard streams.
     pub fn files(&mut self) -> Files<'_> {
         let format = self.common.format.map(Format::ending);
         let heights = Written { flag: "--output", path: &mut self.output, format };
         Files { read: Vec::new(), written: vec![heights], ..Files::default() }
     }
 
-    /// The outputs, of which none is another or an input.
+    /// Returns the outputs. None of them is another or an input.
     fn outputs(&self, lights: &Lights) -> Result<Outputs, Failure> {
         let photos = lights.photos.iter().map(|photo| photo.file.as_path());
         let inputs: Vec<&Path> = photos.chain([self.lights.as_path()]).collect();
@@ -216,7 +218,7 @@ fn read_photo(lights: &Lights, photo: usize, max_bytes: u64) -> Result<Picture, 
     })
 }
 
-/// The size of all photographs, and each one's brightness.
+/// Reads all photographs: their size, and the brightness of each.
 fn read_all(lights: &Lights, common: &Common) -> Result<([u32; 2], Vec<Vec<f32>>), Failure> {
     let mut size = None;
     let mut pixels = Vec::with_capacity(lights.photos.len());
@@ -228,7 +230,7 @@ fn read_all(lights: &Lights, common: &Common) -> Result<([u32; 2], Vec<Vec<f32>>
         if given != [width, height] {
             let [first, here] = [0, photo].map(|photo| lights.photos[photo].file.display());
             let what = format!(
-                "{here} has {}x{} pixels, {first} has {width}x{height}: photographs must be of one size",
+                "{here} has {}x{} pixels, {first} has {width}x{height}: photographs must have one size",
                 given[0], given[1]
             );
             return Err(lights.of_photo(photo, &what));
@@ -240,7 +242,7 @@ fn read_all(lights: &Lights, common: &Common) -> Result<([u32; 2], Vec<Vec<f32>>
     Ok((size.unwrap_or([0, 0]), pixels))
 }
 
-/// The luminance of a colour (BT.709), or overexposed where one of its channels is.
+/// Returns the luminance of a colour (BT.709), or at least `overexposed` if one of its channels is.
 fn brightness([r, g, b, _]: [f32; 4], overexposed: f32) -> f32 {
     let luminance = 0.2126 * r + 0.7152 * g + 0.0722 * b;
     if r.max(g).max(b) >= overexposed { luminance.max(overexposed) } else { luminance }
@@ -266,7 +268,7 @@ fn of_solving(error: PhotometricError, lights: &Lights) -> Failure {
         }
         PhotometricError::NothingKnown => Failure::Work(format!(
             "{}: no pixel is lit in three photographs whose lights are well spread: samples count from 'shadow' = {} to \
-             'overexposed' = {}",
+             'overexposed' = {}: lower the first or raise the second",
             lights.path.display(),
             lights.exposure.shadow,
             lights.exposure.overexposed
@@ -275,7 +277,7 @@ fn of_solving(error: PhotometricError, lights: &Lights) -> Failure {
     }
 }
 
-/// The albedo, for which photographs are read once more, one at a time.
+/// Computes the albedo. Photographs are read once more, one at a time.
 fn colours(
     lights: &Lights,
     photos: &[Photo],
@@ -301,5 +303,5 @@ fn normal_map(planes: [Vec<f32>; 3], size: [u32; 2], format: Format) -> Result<C
     Ok(Content { size, names: &["R", "G", "B"], planes: coded(planes, format), bits: 16, metadata })
 }
 
-/// Where albedo and normals of photographs were published.
+/// Publication of the albedo and the normals of photographs.
 const PUBLISHED: &str = "Woodham 1980";

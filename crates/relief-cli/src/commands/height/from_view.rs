@@ -1,4 +1,4 @@
-//! `relief height from-view`: an image of an object as a height map.
+//! `relief height from-view`: converts an image of a depth object into a height map.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -22,37 +22,37 @@ use crate::progress::Progress;
 use crate::streams::{Files, Written, tell_written};
 use crate::{interrupt, values};
 
-/// Bytes a texel of what is written.
+/// Bytes per texel of the outputs.
 const BYTES_PER_TEXEL: u64 = 28;
 
-/// What `relief height from-view` is given.
+/// Arguments of `relief height from-view`.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub struct Arguments {
-    /// Object of images with depth: an object.toml of `relief capture`
+    /// Depth object: an object.toml of `relief capture`
     object: PathBuf,
-    /// Which of its images, counted from 1 in the file's order; of a grid row by row
+    /// Number of the image, counted from 1 in the file's order; a grid counts row by row
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     view: usize,
     /// Height map to write
     #[arg(short, long, value_name = "FILE.png|exr")]
     output: PathBuf,
-    /// Write the image's normals, too: 16-bit PNG, or EXR
+    /// Also write the image's normals: 16-bit PNG, or EXR
     #[arg(long, value_name = "FILE.png|exr")]
     normals: Option<PathBuf>,
-    /// Write the image's colours, too: 8-bit PNG in sRGB, or EXR in linear light
+    /// Also write the image's colours: 8-bit PNG in sRGB, or EXR in linear light
     #[arg(long, value_name = "FILE.png|exr")]
     albedo: Option<PathBuf>,
-    /// Leave texels that see nothing without a value [default: they are 0]
+    /// Leave texels that see nothing without a value [default: their height is 0]
     #[arg(long)]
     holes: bool,
-    /// Format of a height map that goes to the standard output, as in -o - --format exr
+    /// Format of a height map on standard output, as in -o - --format exr
     #[arg(long, value_enum, value_name = "png|exr", hide_short_help = true)]
     format: Option<Format>,
-    /// Print one JSON object
+    /// Print the result as one JSON object
     #[arg(long)]
     pub(super) json: bool,
-    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    /// Memory limit, as in 512MiB; work that needs more is refused [default: 4GiB]
     #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
     max_memory: Option<ByteSize>,
 }
@@ -60,12 +60,13 @@ pub struct Arguments {
 const AFTER_HELP: &str = "Examples:\n  \
     relief height from-view spot/object.toml --view 5 -o front.exr --albedo front.png\n  \
     relief height from-view spot/object.toml --view 5 --holes -o front.exr\n\n\
-    The map is as deep as it is wide, and lies below its plane. On the built-in `plane`, which is a metre \
-    long, `relief render --height front.exr --wrap clamp` shows what the image saw; on one of another size \
-    scale and bias go with it. Where it saw nothing is the floor, or with --holes no value, which `relief \
-    render --holes` sees through; only EXR holds that.";
+    The map is as deep as it is wide, and lies below its plane. On the built-in `plane`, which is 1 m long, \
+    `relief render --height front.exr --wrap clamp` shows what the image saw. On a plane of another size, \
+    scale and bias grow with it.\n\n\
+    Where the image saw nothing, the map has its floor, or with --holes no value. `relief render --holes` \
+    shows such texels as openings; only EXR holds them.";
 
-/// Reads and writes.
+/// Reads the object and writes the height map.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let started = Instant::now();
     let outputs = arguments.outputs()?;
@@ -122,25 +123,25 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     })
 }
 
-/// The files to be written.
+/// Output files.
 struct Outputs {
     heights: Output,
     normals: Option<Output>,
     albedo: Option<Output>,
 }
 
-/// An image of an object.
+/// One image of a depth object.
 struct Image<'a> {
     object: &'a ImageObject,
     view: &'a View,
-    /// Its first texel among those of all.
-    place: [u32; 2],
+    /// First texel of the image in the texture of all images.
+    origin: [u32; 2],
 }
 
 impl Image<'_> {
-    /// The place of each of its texels among those of all, row by row.
+    /// Returns the place of each of its texels in the texture of all images, row by row.
     fn places(&self) -> impl Iterator<Item = [u32; 2]> {
-        let ([columns, rows], [left, top]) = (self.view.size(), self.place);
+        let ([columns, rows], [left, top]) = (self.view.size(), self.origin);
         (0..rows).flat_map(move |row| (0..columns).map(move |column| [left + column, top + row]))
     }
 
@@ -148,7 +149,7 @@ impl Image<'_> {
         self.places().map(|[x, y]| self.object.heights().texel(i64::from(x), i64::from(y)))
     }
 
-    /// The same of what lies as the heights do: the parts of each texel, plane by plane.
+    /// Returns the image's part of data that lies as the heights do: three planes of numbers.
     fn planes(&self, of_all: impl Fn(usize) -> [f32; 3]) -> [Vec<f32>; 3] {
         let width = self.object.layout().size()[0] as usize;
         let texels: Vec<[f32; 3]> =
@@ -156,13 +157,14 @@ impl Image<'_> {
         [0, 1, 2].map(|part| texels.iter().map(|texel| texel[part]).collect())
     }
 
-    /// Metres that it is wide, and as deep.
+    /// Returns the image's width in metres, which is its depth, too.
     fn width_m(&self) -> f64 {
         2.0 * self.view.ball().1
     }
 
-    /// The texels from 0 to 1, and what they are on a plane whose longer side is a metre, as the built-in
-    /// one's is: it lies above all of them. Where there are holes, texels that see nothing have no value.
+    /// Returns the texels from 0 to 1, with scale and bias on a plane whose longer side is 1 m, as
+    /// the built-in plane's is. The plane lies above all texels. With holes, texels that see
+    /// nothing have no value.
     fn heights(&self, has_holes: bool) -> (Vec<f32>, HeightNote) {
         let is_valued = |texel: &f32| !has_holes || *texel > 0.0;
         let valued = || self.texels().filter(is_valued);
@@ -178,7 +180,7 @@ impl Image<'_> {
 }
 
 impl Arguments {
-    /// The files that may be standard streams.
+    /// Returns the files that may be standard streams.
     pub fn files(&mut self) -> Files<'_> {
         let format = self.format.map(Format::ending);
         let heights = Written { flag: "--output", path: &mut self.output, format };
@@ -195,7 +197,7 @@ impl Arguments {
         let heights = Output::new("--output", &self.output, &inputs)?;
         if self.holes && heights.format == Format::Png {
             return Err(Failure::usage(
-                "a PNG holds no texels without a value, which --holes leaves: write an EXR",
+                "--holes leaves texels without a value, which a PNG cannot hold: write an EXR",
             ));
         }
         check_distinct([Some(&self.output), self.normals.as_ref(), self.albedo.as_ref()])?;
@@ -209,23 +211,23 @@ impl Arguments {
         })
     }
 
-    /// The image that is asked for.
+    /// Returns the image that is asked for.
     fn image<'a>(&self, object: &'a ImageObject) -> Result<Image<'a>, Failure> {
         let place = self.view.checked_sub(1);
         let found = place.and_then(|at| Some((object.views().get(at)?, *object.layout().places().get(at)?)));
         let Some((view, place)) = found else {
             let (view, count) = (self.view, object.views().len());
-            return Err(Failure::Usage(format!("--view {view}: the object has the images 1 to {count}")));
+            return Err(Failure::Usage(format!("--view {view}: the object has images 1 to {count}")));
         };
         if view.eye().is_some() {
             return Err(Failure::Work(format!(
-                "{}: image {} is perspective, and its heights go by inverse distances: a height map on a \
-                 plane has straight ones, as images by parallel rays have",
+                "{}: image {} is perspective, so its depths are not linear: choose an orthographic image, or capture \
+                 the object without `--perspective`",
                 self.object.display(),
                 self.view
             )));
         }
-        Ok(Image { object, view, place })
+        Ok(Image { object, view, origin: place })
     }
 
     fn heights(
@@ -248,7 +250,7 @@ impl Arguments {
         described.content(output)
     }
 
-    /// What all files say of where they come from.
+    /// Returns the origin that all files state.
     fn origin(&self) -> Vec<(&'static str, String)> {
         vec![("object", self.object.display().to_string()), ("view", self.view.to_string())]
     }

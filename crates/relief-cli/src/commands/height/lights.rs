@@ -1,4 +1,4 @@
-//! The file that lists photographs and their lights: TOML.
+//! TOML file that lists photographs and their lights.
 
 use std::fs::File;
 use std::io::Read;
@@ -12,33 +12,33 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 
-/// The longest file that is read, in bytes: longer ones are something else.
+/// Greatest length of the file in bytes: longer files are something else.
 const MAX_FILE_BYTES: u64 = 1 << 20;
 
-/// Samples at or below it are in shadow, unless the file says otherwise: 28 of 255 in sRGB.
+/// Default of `shadow`: samples at or below it are in shadow; 28 of 255 in sRGB.
 const DEFAULT_SHADOW: f32 = 0.01;
 
-/// Samples at or above it are overexposed, unless the file says otherwise: white in files of integers.
+/// Default of `overexposed`: samples at or above it are overexposed; white in files of integers.
 const DEFAULT_OVEREXPOSED: f32 = 1.0;
 
-/// Photographs and their lights.
+/// Photographs and their lights, from one file.
 pub struct Lights {
-    /// The file.
+    /// Path of the file.
     pub path: PathBuf,
     text: String,
-    /// By which curve integers were made of light; none where each file says it.
+    /// Curve from light to integer samples; none if each picture's file says it.
     pub curve: Option<Curve>,
     pub exposure: Exposure,
     pub photos: Vec<LitPhoto>,
 }
 
-/// A photograph and its light.
+/// Photograph and its light.
 pub struct LitPhoto {
-    /// Where the picture is.
+    /// Path of the picture.
     pub file: PathBuf,
     pub to_light: [f64; 3],
     pub intensity: f64,
-    /// Where in the text each of them stands.
+    /// Places of the picture's and the light's entries in the text.
     file_at: Range<usize>,
     light_at: Range<usize>,
 }
@@ -62,8 +62,8 @@ struct PhotoText {
 }
 
 impl Lights {
-    /// Reads the file and checks all that needs no picture. Relative names in it start at the folder that it
-    /// lies in.
+    /// Reads the file and checks all that needs no picture. Relative names in it start at the
+    /// folder of the file.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let text = read_text(path).map_err(|what| Failure::Work(format!("{}: {what}", path.display())))?;
         let found: Text = toml::from_str(&text).map_err(|error| {
@@ -123,7 +123,7 @@ impl Lights {
             )),
             other => Failure::Work(format!("{}: {other}", self.path.display())),
         })?;
-        // With a light below the surface, or along it, nothing that it shines on is seen.
+        // A light below the surface, or along it, lights nothing that the camera sees.
         match self.photos.iter().find(|photo| photo.to_light[2] <= 0.0) {
             Some(photo) => {
                 let what = "the light is not above the surface: its third number, towards the camera, must be above 0";
@@ -133,7 +133,7 @@ impl Lights {
         }
     }
 
-    /// What is wrong with the file of a photograph, with its place in the list.
+    /// Returns a failure about the file of a photograph, with its line in the list.
     pub fn of_photo(&self, photo: usize, what: &str) -> Failure {
         self.failure(&self.photos[photo].file_at, what)
     }
@@ -148,7 +148,7 @@ fn read_text(path: &Path) -> Result<String, String> {
     let mut bytes = Vec::new();
     let read = File::open(path).and_then(|file| file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes));
     read.map_err(|error| format!("cannot be read: {error}"))?;
-    let no_list = "no list of lights, which is a short TOML file (--help shows one)";
+    let no_list = "it is no list of lights, which is a short TOML file (--help shows one)";
     if bytes.len() as u64 > MAX_FILE_BYTES {
         return Err(format!("is too long: {no_list}"));
     }

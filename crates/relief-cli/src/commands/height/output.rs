@@ -1,4 +1,4 @@
-//! The files that `relief height` writes.
+//! Files that `relief height` writes.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use crate::commands::staged::{Staged, format_of};
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
 
-/// A file format, by the ending of the output's name.
+/// File format, by the ending of the output's name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
     Png,
@@ -20,7 +20,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// The ending of such files' names.
+    /// Returns the ending of the names of such files.
     pub const fn ending(self) -> &'static str {
         match self {
             Self::Png => "png",
@@ -29,18 +29,18 @@ impl Format {
     }
 }
 
-/// Refuses outputs of which two are the same file.
+/// Refuses two outputs with the same file.
 pub fn check_distinct<const N: usize>(named: [Option<&PathBuf>; N]) -> Result<(), Failure> {
     for (at, path) in named.iter().enumerate() {
         let Some(path) = path else { continue };
         if named[..at].iter().flatten().any(|other| is_same_file(other, path)) {
-            return Err(Failure::Usage(format!("{} is named for two outputs", path.display())));
+            return Err(Failure::Usage(format!("{} is named for two outputs: rename one", path.display())));
         }
     }
     Ok(())
 }
 
-/// Colours of linear light as a file of that format holds them: in sRGB in PNG, themselves in EXR.
+/// Encodes colours of linear light for a file format: sRGB in PNG, linear in EXR.
 pub fn encoded(mut content: Content, format: Format) -> Content {
     if format == Format::Png {
         let values = content.planes.iter_mut().flatten();
@@ -49,7 +49,7 @@ pub fn encoded(mut content: Content, format: Format) -> Content {
     content
 }
 
-/// Normals as a file of that format holds them: fractions in PNG, themselves in EXR.
+/// Encodes normals for a file format: from 0 to 1 in PNG, from -1 to 1 in EXR.
 pub fn coded(mut planes: [Vec<f32>; 3], format: Format) -> Vec<Vec<f32>> {
     if format == Format::Png {
         planes.iter_mut().flatten().for_each(|value| *value = 0.5 * *value + 0.5);
@@ -57,7 +57,7 @@ pub fn coded(mut planes: [Vec<f32>; 3], format: Format) -> Vec<Vec<f32>> {
     planes.into()
 }
 
-/// What is said of a picture that goes with a height map, and `more` of what it was made of.
+/// Returns the metadata of a picture beside a height map; `more` says what it was made of.
 pub fn metadata(
     kind: &str,
     more: Vec<(&str, String)>,
@@ -77,10 +77,10 @@ pub fn metadata(
     Metadata::new(entries).map_err(|problem| Failure::Work(problem.to_string()))
 }
 
-/// The space of normals, as metadata say it.
+/// Space of the normals, as metadata state it.
 pub const NORMAL_SPACE: &str = "tangent, +y up in the picture";
 
-/// How colours are stored in a file of that format, as metadata say it.
+/// Returns the colour encoding of a file format, as metadata state it.
 pub const fn color_space(format: Format) -> &'static str {
     match format {
         Format::Png => "sRGB",
@@ -90,31 +90,31 @@ pub const fn color_space(format: Format) -> &'static str {
 
 const FORMATS: [(&str, Format); 2] = [("png", Format::Png), ("exr", Format::Exr)];
 
-/// A file to be written.
+/// Output file.
 #[derive(Clone, Debug)]
 pub struct Output {
     pub path: PathBuf,
     pub format: Format,
 }
 
-/// What a file is to hold: planes of texels, in PNG files from 0 to 1.
+/// Content of a file: planes of texels, in PNG files from 0 to 1.
 pub struct Content {
     pub size: [u32; 2],
-    /// The channels' names in EXR files.
+    /// Names of the channels in EXR files.
     pub names: &'static [&'static str],
     pub planes: Vec<Vec<f32>>,
-    /// Bits of a sample in PNG files.
+    /// Bits per sample in PNG files.
     pub bits: u32,
     pub metadata: Metadata,
 }
 
 impl Output {
-    /// The file that a flag names, if it can be written and is none of those that are read.
+    /// Creates the output that a flag names, if it can be written and is none of `inputs`.
     pub fn new(flag: &str, path: &Path, inputs: &[&Path]) -> Result<Self, Failure> {
         Ok(Self { path: path.to_owned(), format: format_of(flag, path, &FORMATS, inputs)? })
     }
 
-    /// How texels are stored, as metadata say it.
+    /// Returns how texels are stored, as metadata state it.
     pub const fn stored_as(&self) -> &'static str {
         match self.format {
             Format::Png => "unorm16",
@@ -122,7 +122,7 @@ impl Output {
         }
     }
 
-    /// Writes it aside.
+    /// Writes the file aside; it takes its name later.
     pub fn write(&self, staged: &mut Staged, content: &Content, cancel: &AtomicBool) -> Result<(), Failure> {
         let Output { path, format } = self;
         let aside = staged.aside(path)?;

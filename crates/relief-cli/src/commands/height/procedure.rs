@@ -1,4 +1,4 @@
-//! `relief height procedure`: a formula to height maps.
+//! `relief height procedure`: generates height maps from a formula.
 
 use std::fmt::Write as _;
 use std::io::Write;
@@ -25,28 +25,29 @@ use crate::progress::Progress;
 use crate::streams::{Files, Written, tell_written};
 use crate::{interrupt, units, values};
 
-/// Bytes a texel of what is written.
+/// Bytes per texel of the outputs.
 const BYTES_PER_TEXEL: u64 = 12;
 
-/// Rows that are filled together.
+/// Rows that one task fills.
 const BAND: u32 = 16;
 
-/// Where the formulas come from.
+/// Publication of the formulas.
 const PUBLISHED: &str = "Szirmay-Kalos and Umenhoffer 2008 3.1";
 
-/// What `relief height procedure` is given.
+/// Arguments of `relief height procedure`.
 #[derive(Args)]
 #[command(after_help = after_help())]
 pub struct Arguments {
     /// Formula: waves, fbm or bumps
     procedure: String,
-    /// Height map to write; with --frames, a name with a place for their numbers, as in waves_%04d.png
+    /// Height map to write; with --frames, a name with a placeholder for the frame number, as in
+    /// waves_%04d.png
     #[arg(short, long, value_name = "FILE.png|exr")]
     output: PathBuf,
-    /// Set a parameter, as in count=8; see below
+    /// Parameter of the formula, as in count=8; repeatable; listed below
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
     settings: Vec<(String, f64)>,
-    /// Texels of the map
+    /// Width and height of the map in texels
     #[arg(
         long,
         value_name = "WxH",
@@ -55,16 +56,17 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     size: [u32; 2],
-    /// Time, of which 1 is once around: what is seen at 0 and at 1 is the same
+    /// Time in periods of the animation: 0 and 1 show the same
     #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true)]
     time: f64,
-    /// Write a map for each number from A to B, both among them, as in 0..47: together they go once around
+    /// Write one map per frame number from A to B, inclusive, as in 0..47; together they are one
+    /// period
     #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
     frames: Option<Frames>,
-    /// Other random numbers
+    /// Seed of the random numbers
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u32,
-    /// Metres between the heights 0 and 1, as the file says it
+    /// Displacement in metres between heights 0 and 1, stored in the file
     #[arg(
         long,
         value_name = "M",
@@ -73,19 +75,20 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     scale: f64,
-    /// Metres of the map along u and v, one number or two [default: the longer side 1 m]
+    /// Size of the map along u and v in metres, one number or two [default: 1 m for the longer
+    /// side]
     #[arg(long, value_name = "U[,V]", value_parser = units::one_or_two_lengths, allow_hyphen_values = true)]
     tile_size: Option<[f64; 2]>,
-    /// Write the formula as WGSL, too: a function of texture coordinates, time, seed and parameters
+    /// Also write the formula as WGSL: a function of texture coordinates, time, seed and parameters
     #[arg(long, value_name = "FILE.wgsl")]
     wgsl: Option<PathBuf>,
-    /// Format of a height map that goes to the standard output, as in -o - --format exr
+    /// Format of a height map on standard output, as in -o - --format exr
     #[arg(long, value_enum, value_name = "png|exr", hide_short_help = true)]
     format: Option<Format>,
-    /// Print one JSON object
+    /// Print the result as one JSON object
     #[arg(long)]
     pub(super) json: bool,
-    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    /// Memory limit, as in 512MiB; work that needs more is refused [default: 4GiB]
     #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
     max_memory: Option<ByteSize>,
 }
@@ -97,7 +100,7 @@ fn after_help() -> String {
          relief render --height waves_%04d.png --frames 0..47 -o out_%04d.png\n\n\
          Formulas and their parameters:\n",
     );
-    // A string takes whatever is written.
+    // Writing to a string cannot fail.
     for Entry { name, summary, params, .. } in ENTRIES {
         let _ = writeln!(text, "  {name:<8} {summary}");
         for param in *params {
@@ -108,14 +111,14 @@ fn after_help() -> String {
     text + "\nMaps tile without a seam. The same flags give the same heights."
 }
 
-/// A setting `NAME=VALUE`.
+/// Reads a setting `NAME=VALUE`.
 fn setting(text: &str) -> Result<(String, f64), String> {
     let wrong = || "write it as NAME=VALUE, as in count=8".to_owned();
     let (name, value) = text.split_once('=').ok_or_else(wrong)?;
     Ok((name.trim().to_owned(), value.trim().parse().map_err(|_| wrong())?))
 }
 
-/// Fills and writes.
+/// Generates the maps and writes them.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let started = Instant::now();
     let procedure = arguments.procedure()?;
@@ -182,12 +185,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     })
 }
 
-/// Its parameters by their names.
+/// Returns the parameters with their names.
 fn named(procedure: &Procedure) -> impl Iterator<Item = (&'static str, f32)> {
     procedure.entry().params.iter().zip(procedure.params()).map(|(param, value)| (param.name, value))
 }
 
-/// All heights, band by band.
+/// Computes all heights, band by band.
 fn filled(procedure: &Procedure, size: [u32; 2], watch: &Watch) -> Result<Vec<f32>, Failure> {
     let bands = size[1].div_ceil(BAND);
     let done = AtomicU32::new(0);
@@ -203,7 +206,7 @@ fn filled(procedure: &Procedure, size: [u32; 2], watch: &Watch) -> Result<Vec<f3
 }
 
 impl Arguments {
-    /// The files that may be standard streams.
+    /// Returns the files that may be standard streams.
     pub fn files(&mut self) -> Files<'_> {
         let format = self.format.map(Format::ending);
         let written = vec![Written { flag: "--output", path: &mut self.output, format }];
@@ -226,13 +229,13 @@ impl Arguments {
         Ok(procedure.with_seed(self.seed))
     }
 
-    /// Metres of the map.
+    /// Returns the map's size in metres.
     fn tile_m(&self) -> [f64; 2] {
         let [width, height] = self.size.map(f64::from);
         self.tile_size.unwrap_or([width, height].map(|side| side / width.max(height)))
     }
 
-    /// The files to be written, and the time of each.
+    /// Returns the files to write, each with its time.
     fn outputs(&self) -> Result<Vec<(Output, f64)>, Failure> {
         let names = Numbering::of(None);
         let is_pattern = names.is_pattern(&self.output);
@@ -240,15 +243,15 @@ impl Arguments {
             None if is_pattern => {
                 let path = self.output.display();
                 return Err(Failure::Usage(format!(
-                    "--output {path}: its name has a place for a frame's number: say which with --frames, as \
-                     in --frames 0..47"
+                    "--output {path}: the name has a placeholder for a frame number: give the range with --frames, \
+                     as in --frames 0..47"
                 )));
             }
             Some(_) if !is_pattern => {
                 let path = self.output.display();
                 return Err(Failure::Usage(format!(
-                    "--output {path}: all frames would have this name: give it a place for their numbers, as \
-                     in waves_%04d.png"
+                    "--output {path}: all frames would have this name: give it a placeholder for their numbers, \
+                     as in waves_%04d.png"
                 )));
             }
             None => vec![(Output::new("--output", &self.output, &[])?, self.time)],

@@ -1,4 +1,4 @@
-//! What `relief inspect` says of a mesh.
+//! Report of `relief inspect` on a mesh.
 
 use std::io::{self, Write};
 
@@ -13,7 +13,7 @@ use crate::progress::Progress;
 use crate::streams::answer;
 use crate::values::six_digits;
 
-/// Reads and prints.
+/// Reads the mesh and prints its measures.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let reading = &arguments.reading;
     let of_maps = [
@@ -60,7 +60,10 @@ fn print(
     writeln!(out, "  size        {}, from {from} to {to}", sides.join(" x "))?;
     if file.degenerate + file.double > 0 {
         let (degenerate, double) = (file.degenerate, file.double);
-        writeln!(out, "  left out    {degenerate} triangles without an area, {double} on earlier ones")?;
+        writeln!(
+            out,
+            "  left out    {degenerate} triangles without area, {double} duplicates of earlier ones"
+        )?;
     }
     for note in &file.notes {
         writeln!(out, "  note        {}{}", note.text, By::Flags.advice(&note.clone().of(&arguments.file)))?;
@@ -78,10 +81,10 @@ fn print(
     writeln!(out, "  hard edges  {hard_edges}")?;
     for (axis, tile) in ["u", "v"].iter().zip(measures.tile_m) {
         let [least, mean, greatest] = parts(tile);
-        writeln!(out, "  tile {axis}      {least} m to {greatest} m, {mean} m on the mean")?;
+        writeln!(out, "  tile {axis}      {least} m to {greatest} m, {mean} m on average")?;
     }
     let [_, mean, greatest] = parts(measures.normal_angle_deg);
-    writeln!(out, "  normals     up to {greatest}° apart within a triangle, {mean}° on the mean")?;
+    writeln!(out, "  normals     up to {greatest}° apart within a triangle, {mean}° on average")?;
     let already = match measures.folded {
         0 => String::new(),
         count => format!(", {count} triangles undisplaced"),
@@ -95,7 +98,8 @@ fn print(
     Ok(())
 }
 
-/// The largest displacement inward and outward before the first fold, in metres. None where nothing folds.
+/// Returns the largest displacement inward and outward in metres before the first fold; none where
+/// nothing folds.
 fn furthest_m(measures: &MeshMeasures) -> [Option<f64>; 2] {
     measures.unfolded_m.map(|offset| offset.is_finite().then_some(offset.abs()))
 }

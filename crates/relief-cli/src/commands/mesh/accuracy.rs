@@ -1,25 +1,26 @@
-//! How far a mesh may be from the relief.
+//! Tolerance of a mesh: the greatest distance to the relief.
 
 use crate::units;
 
-/// A tolerance.
+/// Tolerance as given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Tolerance {
-    /// A part of the map's scale.
+    /// Part of the map's scale.
     OfScale(f64),
-    /// Metres of the mesh that is written.
+    /// Metres of the written mesh.
     Metres(f64),
 }
 
 impl Default for Tolerance {
-    /// Half a percent of the scale.
+    /// Returns half a percent of the scale.
     fn default() -> Self {
         Self::OfScale(0.005)
     }
 }
 
 impl Tolerance {
-    /// In metres, before the mesh is made larger or smaller by a factor.
+    /// Returns the tolerance in metres of the scene. The written mesh is larger by the factor
+    /// `size`.
     pub fn metres(self, scale_m: f64, size: f64) -> f64 {
         match self {
             // Where there is no relief, anything is near enough.
@@ -30,7 +31,7 @@ impl Tolerance {
     }
 }
 
-/// A tolerance as it is written.
+/// Reads a tolerance: a length, or a part of the scale in percent.
 pub fn tolerance(text: &str) -> Result<Tolerance, String> {
     let known = match text.trim().strip_suffix('%') {
         Some(percent) => percent.trim().parse().map(|percent: f64| Tolerance::OfScale(percent / 100.0)).ok(),

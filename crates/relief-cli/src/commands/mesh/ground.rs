@@ -1,4 +1,4 @@
-//! The metres that a mesh is written in, and where on the ground it lies.
+//! Metres of the written mesh, and its place on the ground.
 
 use std::fmt::Write as _;
 
@@ -13,114 +13,117 @@ use crate::failure::Failure;
 use crate::units::in_words;
 use crate::values::six_digits;
 
-/// The name of what a GLB's extras say of the ground.
+/// Name of the entry in a GLB's extras that describes the ground.
 pub const EXTRAS: &str = "georeference";
 
-/// The longest mesh that is made solid without being asked for a size, in metres.
+/// Longest mesh in metres that is made solid without a given size.
 pub const LONGEST_SOLID_M: f64 = 2.0;
 
-/// The metres of a mesh that is written.
+/// Metres of a written mesh.
 #[derive(Clone, Debug)]
 pub struct Metres {
-    /// Metres of the written mesh in a metre of the scene, whose planes are 1 m long.
+    /// Metres of the written mesh per metre of the scene, whose planes are 1 m long.
     pub factor: f64,
     pub source: Source,
-    /// Where the map lies, where its file says it and the mesh is that map once.
-    pub place: Option<Place>,
+    /// Placement of the map on the ground, if its file states it and the mesh shows the map exactly
+    /// once.
+    pub placement: Option<MapPlacement>,
 }
 
-/// From where metres are known.
+/// Source of a mesh's metres.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Source {
-    /// The mesh is no plane: it has metres of its own.
+    /// The mesh, which is no plane and has metres of its own.
     Mesh,
-    /// The height map's file.
+    /// The file of the height map.
     File,
     /// The flag for the size of a tile.
     TileSize,
-    /// Nothing: a plane is 1 m long. With the reason, where the file gives one.
+    /// None: a plane is 1 m long. With the reason, if the file gives one.
     Nothing(Option<String>),
 }
 
-/// Where a map lies in the coordinates of its file.
+/// Placement of a map in the coordinate system of its file.
 #[derive(Clone, Debug)]
-pub struct Place {
+pub struct MapPlacement {
     system: CoordinateSystem,
     epsg: Option<u16>,
     transform: GridTransform,
-    /// Metres in a unit of the coordinates, along x and y.
+    /// Metres per unit of the coordinates, along x and y.
     metres_per_unit: [f64; 2],
     row_lengths: [f64; 2],
-    /// The coordinates of the map's middle.
+    /// Coordinates of the map's middle.
     middle: [f64; 2],
 }
 
-/// The heights of a mesh that is written.
+/// Heights of a written mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Heights {
-    /// The file's height in metres where the mesh's `y` is 0; none where that is not known.
+    /// Height in metres, by the file, at `y = 0` of the mesh; none if it is not known.
     pub zero_m: Option<f64>,
-    /// Times as high as the ground is, beside its lengths.
+    /// Factor on heights relative to the ground, besides the factor on lengths.
     pub exaggeration: Option<f64>,
 }
 
 impl Metres {
-    /// What the arguments and the height map's header say.
+    /// Returns what the arguments and the height map's header state.
     pub fn of(arguments: &Arguments) -> Self {
-        let placed = &arguments.placed;
-        if !matches!(placed.mesh, None | Some(MeshChoice::Builtin(Builtin::Plane))) {
-            return Self { factor: 1.0, source: Source::Mesh, place: None };
+        let flags = &arguments.placement;
+        if !matches!(flags.mesh, None | Some(MeshChoice::Builtin(Builtin::Plane))) {
+            return Self { factor: 1.0, source: Source::Mesh, placement: None };
         }
-        let tiles = placed.tile.unwrap_or([1.0; 2]);
-        // What cannot be is refused with the scene.
+        let tiles = flags.tile.unwrap_or([1.0; 2]);
+        // Impossible sizes are refused with the scene.
         let factor = |[u, v]: [f64; 2]| {
             let factor = u.max(v) * (tiles[0] * tiles[1]).abs().sqrt();
             if factor.is_normal() && factor > 0.0 { factor } else { 1.0 }
         };
-        if let Some(tile_m) = placed.tile_size {
-            return Self { factor: factor(tile_m), source: Source::TileSize, place: None };
+        if let Some(tile_m) = flags.tile_size {
+            return Self { factor: factor(tile_m), source: Source::TileSize, placement: None };
         }
         // A file that cannot be read is refused when its texels are.
         let ground = read_ground(&arguments.height, &arguments.reading.options(arguments.max_memory)).ok();
         let reason = |ground: &Ground| ground.georeference.as_ref()?.texel_size_m.clone().err();
         let Some((ground, tile_m)) = ground.as_ref().and_then(|ground| Some((ground, ground.tile_m?))) else {
             let source = Source::Nothing(ground.as_ref().and_then(reason));
-            return Self { factor: 1.0, source, place: None };
+            return Self { factor: 1.0, source, placement: None };
         };
-        let place = Place::of(ground).filter(|_| tiles == [1.0; 2]);
-        Self { factor: factor(tile_m), source: Source::File, place }
+        let placement = MapPlacement::of(ground).filter(|_| tiles == [1.0; 2]);
+        Self { factor: factor(tile_m), source: Source::File, placement }
     }
 
-    /// Whether the height map says how many metres the plane is long.
+    /// Whether the height map states how many metres long the plane is.
     pub fn is_known(&self) -> bool {
         matches!(self.source, Source::File | Source::TileSize)
     }
 
-    /// The surface with the displacement that its file states in metres, where these are not the scene's.
+    /// Returns the surface with the displacement that its file states in metres, if these are not
+    /// the scene's.
     pub fn applied(&self, arguments: &Arguments, surface: Surface) -> Result<Surface, Failure> {
         let map = surface.height_map();
-        let is_stated = map.stated_displacement_m().is_some() && arguments.placed.scale.is_none();
+        let is_stated = map.stated_displacement_m().is_some() && arguments.placement.scale.is_none();
         if !self.is_known() || !is_stated {
             return Ok(surface);
         }
-        let bias_m = if arguments.placed.bias.is_some() { map.bias_m() } else { map.bias_m() / self.factor };
+        let bias_m =
+            if arguments.placement.bias.is_some() { map.bias_m() } else { map.bias_m() / self.factor };
         let map = map.as_ref().clone().with_displacement(map.scale_m() / self.factor, bias_m);
         Ok(surface.with_height_map(map.map_err(Failure::work)?))
     }
 
-    /// Where the mesh of a surface is put: turned so that `x` is east, and with its lowest height at 0 where
-    /// nothing says how high it lies.
+    /// Returns the placement of a surface's mesh: turned so that `x` is east, with the lowest
+    /// height at 0 if nothing states its height.
     pub fn put(&self, arguments: &Arguments, surface: &Surface) -> Put {
         let map = surface.height_map();
-        let says = arguments.placed.bias.is_some()
-            || (map.stated_displacement_m().is_some() && arguments.placed.scale.is_none());
-        // The very number that the lowest vertex has.
+        let says = arguments.placement.bias.is_some()
+            || (map.stated_displacement_m().is_some() && arguments.placement.scale.is_none());
+        // The exact number that the lowest vertex has.
         let lift_m = if self.is_known() && !says { -f64::from(map.bias_m() as f32) } else { 0.0 };
-        let turn = self.place.as_ref().map_or(Put::STAY.turn, Place::turn);
+        let turn = self.placement.as_ref().map_or(Put::STAY.turn, MapPlacement::turn);
         Put { turn, lift_m }
     }
 
-    /// The heights of a mesh of that surface.
+    /// Returns the heights of a surface's mesh.
     pub fn heights(&self, arguments: &Arguments, surface: &Surface) -> Heights {
         let map = surface.height_map();
         let none = Heights { zero_m: None, exaggeration: None };
@@ -138,7 +141,7 @@ impl Metres {
         Heights { zero_m: Some(zero_m - low_m / exaggeration), exaggeration: Some(exaggeration) }
     }
 
-    /// Where metres are from, in a word.
+    /// Returns the name of the metres' source.
     pub fn source_name(&self) -> Option<&'static str> {
         match self.source {
             Source::Mesh => Some("mesh"),
@@ -148,15 +151,15 @@ impl Metres {
         }
     }
 
-    /// That they are not known, with the flag that names them.
+    /// Returns why the metres are not known, with the flag that sets them.
     pub fn unknown(&self) -> Option<String> {
         let Source::Nothing(reason) = &self.source else { return None };
         let reason = reason.as_ref().map(|reason| format!(": {reason}")).unwrap_or_default();
-        Some(format!("not known{reason}; the plane is 1 m long, unless --tile-size U,V names its length"))
+        Some(format!("not known{reason}; the plane is 1 m long, unless --tile-size U,V sets its length"))
     }
 }
 
-impl Place {
+impl MapPlacement {
     fn of(ground: &Ground) -> Option<Self> {
         let georeference = ground.georeference.as_ref()?;
         let transform = georeference.transform?;
@@ -170,19 +173,20 @@ impl Place {
         })
     }
 
-    /// Cosine and sine of the angle from east to the map's columns, toward north.
+    /// Returns cosine and sine of the angle from east to the map's columns, toward north.
     fn turn(&self) -> [f64; 2] {
         let [x, y] = [0, 1].map(|axis| self.transform.column[axis] * self.metres_per_unit[axis]);
         let length = x.hypot(y);
         [x / length, y / length]
     }
 
-    /// The coordinate system as programs name it.
+    /// Returns the name of the coordinate system as programs write it.
     fn crs(&self) -> Option<String> {
         self.epsg.map(|number| format!("EPSG:{number}"))
     }
 
-    /// What a program needs to know to place the mesh that is larger than the ground by a factor.
+    /// Returns what a program needs to place the mesh, which is `size` times as large as the
+    /// ground.
     pub fn as_json(&self, heights: Heights, size: f64) -> Value {
         let [x, y] = self.middle;
         json!({
@@ -194,7 +198,7 @@ impl Place {
         })
     }
 
-    /// Where the mesh's origin lies, in words.
+    /// Describes the place of the mesh's origin.
     pub fn in_words(&self, heights: Heights) -> String {
         let [x, y] = self.middle;
         let mut text = self.crs().unwrap_or_else(|| format!("{} coordinates", self.system.name()));
@@ -205,7 +209,7 @@ impl Place {
         text
     }
 
-    /// How long rows are beside the one whose metres the mesh has, where they differ.
+    /// Describes the lengths of rows relative to the middle row, if they differ.
     pub fn rows_in_words(&self) -> Option<String> {
         let [least, greatest] = self.row_lengths;
         if least == 1.0 && greatest == 1.0 {
@@ -215,14 +219,14 @@ impl Place {
         Some(format!("metres of the middle row; on the ground rows are {least} to {greatest} times as long"))
     }
 
-    /// Metres from the origin of the coordinates to that of a mesh as large as the ground: x east, y up, z
-    /// south.
+    /// Returns the translation in metres from the origin of the coordinates to the origin of a mesh
+    /// as large as the ground: x east, y up, z south.
     pub fn translation_m(&self, heights: Heights) -> Result<[f64; 3], Failure> {
         if self.system != CoordinateSystem::Projected {
             let crs = self.crs().unwrap_or_else(|| self.system.name().to_owned());
             return Err(Failure::Work(format!(
-                "--place: the metres of {crs} depend on the latitude, so that the mesh has no place in \
-                 metres: bring the map into a projected system first, as with gdalwarp -t_srs EPSG:32633"
+                "--place: metres of {crs} depend on the latitude, so the mesh has no place in metres: project \
+                 the map first, as with gdalwarp -t_srs EPSG:32633"
             )));
         }
         let [x, y] = [0, 1].map(|axis| self.middle[axis] * self.metres_per_unit[axis]);
@@ -230,15 +234,15 @@ impl Place {
     }
 }
 
-/// Refuses a solid that no printer prints, where nobody said how large it is to be.
+/// Refuses a solid that is too long to print, if no size is given.
 pub fn check_solid(arguments: &Arguments, length_m: f64) -> Result<(), Failure> {
     if arguments.solid.is_none() || arguments.print_size.is_some() || length_m <= LONGEST_SOLID_M {
         return Ok(());
     }
     let longest = in_words(LONGEST_SOLID_M);
     Err(Failure::Work(format!(
-        "--solid: the mesh is {} long, and solids for printers are at most {longest}: --print-size MM makes \
-         it as long as that, and --print-size {}m keeps its size",
+        "--solid: the mesh is {} long, and solids for printers are at most {longest}: give --print-size MM, \
+         or keep this size with --print-size {}m",
         in_words(length_m),
         six_digits(length_m)
     )))

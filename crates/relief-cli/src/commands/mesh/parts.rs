@@ -1,4 +1,4 @@
-//! The files of a mesh: one, or one for each column and row.
+//! Files of a mesh: one, or one for each column and row.
 
 use std::path::{Path, PathBuf};
 
@@ -6,17 +6,17 @@ use relief_mesh::Part;
 
 use crate::failure::Failure;
 
-/// The most files.
+/// Most files.
 const MOST: u32 = 4096;
 
-/// A file, and the part of the mesh that it gets.
+/// File, and the part of the mesh that it gets.
 #[derive(Debug)]
 pub struct PartFile {
     pub path: PathBuf,
     pub part: Part,
 }
 
-/// Columns and rows as they are written.
+/// Reads columns and rows, as in `4x2`.
 pub fn columns_and_rows(text: &str) -> Result<[u32; 2], String> {
     let wrong = || format!("write it as COLUMNSxROWS, as in 4x2, at most {MOST} in all");
     let (columns, rows) = text.trim().split_once(['x', 'X']).ok_or_else(wrong)?;
@@ -27,7 +27,7 @@ pub fn columns_and_rows(text: &str) -> Result<[u32; 2], String> {
     }
 }
 
-/// The files that an output is.
+/// Returns the files of an output.
 pub fn files(output: &Path, tiles: Option<[u32; 2]>) -> Result<Vec<PartFile>, Failure> {
     let Some(of) = tiles else {
         return Ok(vec![PartFile { path: output.to_owned(), part: Part::WHOLE }]);

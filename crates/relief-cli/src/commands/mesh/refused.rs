@@ -1,4 +1,4 @@
-//! Why there is no mesh, with the flag that mends it.
+//! Errors of the mesher, with the flag that helps.
 
 use relief_core::ByteSize;
 use relief_mesh::MesherError;
@@ -6,10 +6,10 @@ use relief_mesh::MesherError;
 use crate::failure::Failure;
 use crate::interrupt;
 
-/// What helps where a mesh is too large.
+/// Advice if a mesh is too large.
 pub const COARSER: &str = "a larger --error, --texels or --pixels makes the mesh coarser, --tiles cuts it";
 
-/// What there can be no mesh of, with lengths of one that is larger by a factor.
+/// Turns a mesher's error into a failure. Its lengths are multiplied by `size`.
 pub fn of_larger(error: MesherError, size: f64) -> Failure {
     of_mesher(match error {
         MesherError::BadTolerance { error_m } => MesherError::BadTolerance { error_m: error_m * size },
@@ -24,12 +24,12 @@ pub fn of_larger(error: MesherError, size: f64) -> Failure {
     })
 }
 
-/// What there can be no mesh of.
+/// Turns a mesher's error into a failure.
 pub fn of_mesher(error: MesherError) -> Failure {
     match error {
         MesherError::NoTexels => Failure::Usage(format!("--texels: {error}")),
         MesherError::Pair { .. } => Failure::usage(error),
-        MesherError::NoView { .. } => Failure::Usage(format!("{error}: --view SCENE.toml names one")),
+        MesherError::NoView { .. } => Failure::Usage(format!("{error}: give one with --view SCENE.toml")),
         MesherError::BadWeights { .. } | MesherError::Weighted { .. } => {
             Failure::Usage(format!("--weights: {error}"))
         }
@@ -37,14 +37,14 @@ pub fn of_mesher(error: MesherError) -> Failure {
         MesherError::BadView { .. } => Failure::Work(format!("--view: {error}")),
         MesherError::BadTolerance { .. } => Failure::Usage(format!("--error: {error}")),
         MesherError::TooFine { .. } | MesherError::NotReached { .. } => {
-            Failure::Work(format!("--error: {error} (a larger one, or --texels 1)"))
+            Failure::Work(format!("--error: {error}: give a larger one, or --texels 1"))
         }
         MesherError::OnPlanesAlone { .. } => {
-            Failure::Work(format!("{error}: leave it out, or --texels N divides the mesh's edges evenly"))
+            Failure::Work(format!("{error}: leave it out, or divide the mesh's edges evenly with --texels N"))
         }
-        MesherError::SideOfFold { .. } => Failure::Work(format!("--side: {error}: a smaller --scale helps")),
+        MesherError::SideOfFold { .. } => Failure::Work(format!("--side: {error}: give a smaller --scale")),
         MesherError::SideOfSeams { .. } => Failure::Work(format!(
-            "--side: {error}: a map that repeats itself (--wrap, --tile) fits, and --seams keep leaves gaps"
+            "--side: {error}: use a map that repeats itself (--wrap, --tile), or leave gaps with --seams keep"
         )),
         MesherError::PartOfNoPlane | MesherError::TooManyParts { .. } => {
             Failure::Work(format!("--tiles: {error}"))
@@ -55,13 +55,13 @@ pub fn of_mesher(error: MesherError) -> Failure {
         | MesherError::SolidBranches { .. }
         | MesherError::SolidTouches { .. } => Failure::Work(format!("--solid: {error}")),
         MesherError::SolidOfHoles => {
-            Failure::Work(format!("--solid: {error}: leave --holes out, and holes are filled"))
+            Failure::Work(format!("--solid: {error}: leave --holes out, then holes are filled"))
         }
-        MesherError::SolidOfSeams { .. } => Failure::Work(format!("--solid: {error}: --seams weld does")),
+        MesherError::SolidOfSeams { .. } => Failure::Work(format!("--solid: {error}: give --seams weld")),
         MesherError::AllHoles => Failure::Work(format!("--holes: {error}")),
         MesherError::MoreThan { .. } => Failure::Work(format!("--triangles: {error}")),
         MesherError::NoMemory { limit } => Failure::Work(format!(
-            "the mesh takes more than the {} allowed: --max-memory raises it, {COARSER}",
+            "the mesh takes more than the {} allowed: --max-memory raises the limit, {COARSER}",
             ByteSize(limit)
         )),
         MesherError::TooLarge { .. } => Failure::Work(format!("{error}: {COARSER}")),

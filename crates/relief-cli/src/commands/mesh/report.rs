@@ -1,4 +1,4 @@
-//! What is said of a mesh that was made.
+//! Report on a written mesh.
 
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -11,14 +11,14 @@ use serde_json::json;
 
 use super::Arguments;
 use super::ground::Metres;
-use super::made::{WrittenLevel, WrittenPart};
+use super::write::{WrittenLevel, WrittenPart};
 use crate::commands::maps::{self, Note};
 use crate::failure::Failure;
 use crate::say;
 use crate::units::{fitting, in_words};
 use crate::values::six_digits;
 
-/// A mesh that was made.
+/// Written mesh with what the report needs.
 pub struct About<'a> {
     pub format: MeshFormat,
     pub written: &'a [WrittenPart],
@@ -28,25 +28,25 @@ pub struct About<'a> {
     pub notes: &'a BTreeSet<Note>,
 }
 
-/// What seams are off by is told from this part of the error on.
-const TOLD: f64 = 0.01;
+/// Share of the error from which on the error at seams is reported.
+const REPORTED_SEAMS: f64 = 0.01;
 
-/// What became of positions that were rounded to a lattice.
+/// Effect of quantization on positions.
 struct OnLattice {
     bits: u32,
     step_m: f64,
-    /// How texture coordinates are stored.
+    /// Storage of texture coordinates.
     uvs: &'static str,
     of: Rounded,
 }
 
-/// A level of detail.
+/// Level of detail.
 struct LevelAbout {
     triangles: u64,
     vertices: u64,
     open: u64,
     error_m: Option<f64>,
-    /// The greatest part of the picture down to which it is shown.
+    /// Greatest part of the picture down to which it is shown.
     coverage: f64,
 }
 
@@ -75,12 +75,13 @@ impl About<'_> {
         self.written.iter().map(of).sum()
     }
 
-    /// The error of all parts: the greatest, and the mean by their texels, which are about as many in each.
+    /// Returns the error of all parts: the greatest, and the mean of the parts' means, which have
+    /// about as many texels each.
     fn certificate(&self) -> Option<Certificate> {
         self.certificate_of(0)
     }
 
-    /// The error of a level of detail.
+    /// Returns the error of a level of detail.
     fn certificate_of(&self, level: usize) -> Option<Certificate> {
         let of_level = |part: &WrittenPart| part.levels().nth(level)?.certificate;
         let all = || self.written.iter().filter_map(of_level);
@@ -89,7 +90,7 @@ impl About<'_> {
         Some(Certificate { mean_m, ..worst })
     }
 
-    /// What became of positions that were rounded, of all parts.
+    /// Returns the effect of quantization, over all parts.
     fn rounded(&self) -> Option<OnLattice> {
         let of_part = |part: &WrittenPart| {
             let Quantization { grid, uvs } = part.quantization?;
@@ -100,7 +101,7 @@ impl About<'_> {
         self.written.iter().filter_map(of_part).reduce(|a, b| OnLattice { of: a.of.with(b.of), ..a })
     }
 
-    /// The indices of all strips, and how many there are for a triangle.
+    /// Returns the number of indices of all strips, and the indices per triangle.
     fn strips(&self) -> (u64, f64) {
         let levels = || self.written.iter().flat_map(WrittenPart::levels);
         let indices: u64 = levels().filter_map(|level| level.indices).sum();
@@ -108,7 +109,7 @@ impl About<'_> {
         (indices, indices as f64 / triangles as f64)
     }
 
-    /// All levels of detail, of all parts together.
+    /// Returns all levels of detail, each over all parts.
     fn levels(&self) -> Vec<LevelAbout> {
         let count = self.written.first().map_or(0, |part| part.levels().count());
         let of_level = |level: usize| {
@@ -125,8 +126,8 @@ impl About<'_> {
         (0..count).map(of_level).collect()
     }
 
-    /// What is folded over of the relief, and of the underside of a solid. Parts are those of planes, which
-    /// do not fold.
+    /// Returns the folds of the relief and of a solid's underside. Only planes have parts, and
+    /// planes do not fold.
     fn folds(&self) -> [Option<&Folds>; 2] {
         let first = |of: fn(&Streamed) -> &Folds| {
             self.written.iter().map(|part| of(&part.finest.streamed)).find(|folds| folds.triangles > 0)
@@ -134,11 +135,11 @@ impl About<'_> {
         [first(|streamed| &streamed.folds), first(|streamed| &streamed.folds_below)]
     }
 
-    /// Says it.
+    /// Writes the report.
     pub fn tell(&self, arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         let Self { format, written, seconds, surface, metres, notes } = self;
         let size = written.first().map_or(1.0, |part| part.size);
-        // Of the mesh that is written beside the ground.
+        // Size of the written mesh relative to the ground.
         let of_ground = size / metres.factor;
         let heights = metres.heights(arguments, surface);
         let cracks =
@@ -162,7 +163,7 @@ impl About<'_> {
         let [scale_m, bias_m] = [map.scale_m(), lifted_m].map(|of_scene| of_scene * metres.factor);
         let certificate = self.certificate();
         if arguments.json {
-            let mesh = arguments.placed.mesh.clone().unwrap_or_default();
+            let mesh = arguments.placement.mesh.clone().unwrap_or_default();
             let mut about = json!({
                 "input": arguments.height.display().to_string(), "mesh": mesh.to_string(),
                 "output": arguments.output.display().to_string(), "format": format.name(),
@@ -182,9 +183,9 @@ impl About<'_> {
                 "size": of_ground, "exaggeration": heights.exaggeration,
             });
             about["georeference"] = metres
-                .place
+                .placement
                 .as_ref()
-                .map_or_else(|| serde_json::Value::Null, |place| place.as_json(heights, of_ground));
+                .map_or_else(|| serde_json::Value::Null, |placement| placement.as_json(heights, of_ground));
             if let Some(rounded) = self.rounded() {
                 about["quantized"] = json!({
                     "bits": rounded.bits, "step_m": rounded.step_m, "greatest_m": rounded.of.greatest_m,
@@ -230,9 +231,9 @@ impl About<'_> {
         if let Some(unknown) = metres.unknown() {
             writeln!(out, "  metres      {unknown}")?;
         }
-        if let Some(place) = &metres.place {
-            writeln!(out, "  ground      {}", place.in_words(heights))?;
-            if let Some(rows) = place.rows_in_words() {
+        if let Some(placement) = &metres.placement {
+            writeln!(out, "  ground      {}", placement.in_words(heights))?;
+            if let Some(rows) = placement.rows_in_words() {
                 writeln!(out, "  rows        {rows}")?;
             }
         }
@@ -255,11 +256,11 @@ impl About<'_> {
         if let Some(Certificate { error_m, uv, mean_m, seams_m, judge }) = certificate {
             let [greatest, mean, seams] = [error_m, mean_m, seams_m].map(in_words);
             let [u, v] = uv.map(six_digits);
-            let rounded = if self.rounded().is_some() { ", its rounding counted" } else { "" };
+            let rounded = if self.rounded().is_some() { ", rounding included" } else { "" };
             let at = format!("at uv {u},{v}, judged at the {judge}{rounded}");
             writeln!(out, "  error       at most {greatest} {at}; {mean} on average")?;
-            if seams_m > error_m * TOLD {
-                let why = "where the two sides of a seam see other heights";
+            if seams_m > error_m * REPORTED_SEAMS {
+                let why = "where the two sides of a seam have different heights";
                 writeln!(out, "  seams       up to {seams} more in triangles at seams, {why}")?;
             }
         }
@@ -267,7 +268,7 @@ impl About<'_> {
             let [greatest, step] = [rounded.of.greatest_m, rounded.step_m].map(in_words);
             let bits = rounded.bits;
             write!(out, "  quantised   to {bits} bits, steps of {step}: vertices moved {greatest} ")?;
-            writeln!(out, "at most, {} triangles without an area", rounded.of.without_area)?;
+            writeln!(out, "at most, {} triangles without area", rounded.of.without_area)?;
         }
         for (number, level) in self.levels().iter().enumerate().filter(|_| arguments.lods.is_some()) {
             writeln!(out, "  level {number}     {}", level.in_words())?;
@@ -296,13 +297,13 @@ impl About<'_> {
     }
 }
 
-/// What to do about folds.
-const FOLDED: &str = "the relief is folded over where the mesh curves more than it lets be displaced, and \
-    shows its back there: a smaller --scale, another --bias, or a rounder mesh there; relief inspect MESH \
-    says how far a mesh can be displaced before it folds";
+/// Advice on folds.
+const FOLDED: &str = "the relief folds over where the mesh curves too much for the displacement, and shows \
+    its back there: give a smaller --scale, another --bias, or a rounder mesh; `relief inspect MESH` says how \
+    far a mesh can be displaced before it folds";
 
-/// What to do about those of an underside.
-const FOLDED_BELOW: &str = "the underside is folded over where the mesh curves more than the solid is thick: \
+/// Advice on folds of an underside.
+const FOLDED_BELOW: &str = "the underside folds over where the mesh curves more than the solid is thick: give \
     a smaller --solid or --scale, or another --bias";
 
 fn folds_in_words(folds: &Folds, of: usize) -> String {

@@ -1,4 +1,4 @@
-//! From the flags of `relief mesh` to the mesher's settings, and which flags go together.
+//! Settings of the mesher from the flags of `relief mesh`, and which flags go together.
 
 use relief_io::{MeshFormat, Up};
 use relief_mesh::{
@@ -7,12 +7,12 @@ use relief_mesh::{
 };
 
 use super::refused::of_mesher;
-use super::seen::Seen;
+use super::write::Source;
 use super::{Arguments, BYTES_TO_WRITE, bytes_of};
 use crate::failure::Failure;
 
 impl Arguments {
-    /// Whether what is given can be used, before anything is read.
+    /// Checks the arguments before anything is read.
     pub(super) fn check(&self, format: MeshFormat) -> Result<(), Failure> {
         if let Some(size) = self.print_size.filter(|size| !(1e-3..=1e9).contains(size)) {
             let must = "it must be from 0.001 to 1e9 millimetres";
@@ -31,9 +31,9 @@ impl Arguments {
         }
         let (edges, interior) = self.rules(self.is_measured());
         relief_mesh::check_pair(edges, interior).map_err(of_mesher)?;
-        let [is_even, is_measured, is_seen] =
+        let [is_even, is_measured, is_viewed] =
             [Spacing::Even, Spacing::Uneven, Spacing::Voxels].map(|spacing| edges.spacing == spacing);
-        if is_seen && self.view.is_none() {
+        if is_viewed && self.view.is_none() {
             return Err(of_mesher(MesherError::NoView { edges: edges.name }));
         }
         let idle = [
@@ -43,69 +43,77 @@ impl Arguments {
             ("--fit", self.fit.is_some() && !is_measured),
             ("--side", self.side.is_some() && !is_measured),
             ("--texels", self.texels.is_some() && !is_even),
-            ("--view", self.view.is_some() && !is_seen),
+            ("--view", self.view.is_some() && !is_viewed),
         ];
         if let Some((flag, _)) = idle.into_iter().find(|(_, is_idle)| *is_idle) {
             let (edges, interior) = (edges.name, interior.name);
             return Err(Failure::Usage(format!(
-                "{flag} is not for the edges '{edges}' and the interior '{interior}', which --texels, \
+                "{flag} does not go with the edges '{edges}' and the interior '{interior}', which --texels, \
                  --view, --edges or --interior ask for: leave one out"
             )));
         }
         self.check_storage(format)?;
         if self.tiles.is_some() && self.shading == Some(Shading::Mesh) {
-            let why = "the normals of triangles would differ where two files meet";
-            return Err(Failure::Usage(format!("--tiles: --shading mesh cannot be used with it: {why}")));
+            let why = "normals of triangles would differ where two files meet";
+            return Err(Failure::Usage(format!(
+                "--tiles: does not go with --shading mesh: {why}: leave one out"
+            )));
         }
         Ok(())
     }
 
-    /// Whether the format has what is asked of it.
+    /// Checks that the format can store what is asked for.
     fn check_storage(&self, format: MeshFormat) -> Result<(), Failure> {
         let for_glb = [
-            ("--quantize", self.quantize.is_some(), "has no integers that are scaled"),
+            ("--quantize", self.quantize.is_some(), "has no scaled integers"),
             ("--lods", self.lods.is_some(), "has no levels of detail"),
             ("--strips", self.strips, "has no triangle strips"),
             ("--place", self.place, "has no node to move"),
         ];
         let asked = for_glb.into_iter().find(|(_, is_asked, _)| *is_asked && format != MeshFormat::Gltf);
         if let Some((flag, _, why)) = asked {
-            return Err(Failure::Usage(format!("{flag}: {} {why}: only a GLB has", format.name())));
+            return Err(Failure::Usage(format!("{flag}: {} {why}: write a GLB", format.name())));
         }
         if self.place && self.print_size.is_some() {
-            let why = "a mesh that is smaller or larger than the ground has no place on it";
-            return Err(Failure::Usage(format!("--place: --print-size cannot be used with it: {why}")));
+            let why = "a mesh of another size than the ground has no place on it";
+            return Err(Failure::Usage(format!(
+                "--place: does not go with --print-size: {why}: leave one out"
+            )));
         }
         if format == MeshFormat::Gltf && self.up == Some(Up::Z) {
-            let why = "glTF has y up, and programs that have z up turn it as they read it";
-            return Err(Failure::Usage(format!("--up: z cannot be used for a GLB: {why}")));
+            let why = "glTF has y up, and programs with z up turn it when they read it";
+            return Err(Failure::Usage(format!("--up z: does not go with a GLB: {why}: leave it out")));
         }
         if self.quantize.is_none() {
             return Ok(());
         }
         if let Some(side @ (Side::Above | Side::Below)) = self.side {
-            let why = "vertices that are rounded would not stay there";
-            return Err(Failure::Usage(format!("--quantize: --side {side} cannot be kept with it: {why}")));
+            let why = "rounding would move vertices to the other side";
+            return Err(Failure::Usage(format!(
+                "--quantize: does not go with --side {side}: {why}: leave one out"
+            )));
         }
         Ok(())
     }
 
-    /// Whether triangles are made to an error.
+    /// Whether triangles are made to a tolerance.
     pub(super) fn is_measured(&self) -> bool {
         let asks = self.judge.is_some() || self.fit.is_some() || self.side.is_some();
         self.error.is_some() || self.triangles.is_some() || (self.texels.is_none() && asks)
     }
 
-    /// The edge rule and the interior: where none is named, as a tolerance or a fixed distance asks.
+    /// Returns the edge rule and the interior. Defaults follow from a tolerance or a fixed spacing.
     pub(super) fn rules(&self, is_measured: bool) -> (&'static EdgeRule, &'static Interior) {
         let usual = if is_measured { MeshSettings::within(1.0) } else { MeshSettings::default() };
-        let seen = || EDGE_RULES.iter().find(|edges| self.view.is_some() && edges.spacing == Spacing::Voxels);
-        let edges = self.edges.or_else(seen);
-        // Weights are for patterns that take any number of points.
+        let viewed =
+            || EDGE_RULES.iter().find(|edges| self.view.is_some() && edges.spacing == Spacing::Voxels);
+        let edges = self.edges.or_else(viewed);
+        // Weights are for interiors that take any number of points.
         let patterned = |interior: &&Interior| interior.takes.contains(&Spacing::Even);
         let weighted = || self.weights.and_then(|_| INTERIORS.iter().find(patterned));
         match (edges, self.interior.or_else(weighted)) {
-            // Of two that belong together one is enough; interiors that take one rule alone are for that.
+            // Of two that belong together one is enough. Interiors that take one rule alone are
+            // meant for that rule.
             (Some(edges), None) => {
                 let fits = |interior: &&Interior| relief_mesh::check_pair(edges, interior).is_ok();
                 (edges, INTERIORS.iter().rfind(fits).unwrap_or(usual.interior))
@@ -118,8 +126,8 @@ impl Arguments {
         }
     }
 
-    /// How the mesh of a surface is made: `size` is the factor on lengths.
-    pub(super) fn settings(&self, Seen { surface, view, metres, .. }: &Seen, size: f64) -> MeshSettings {
+    /// Returns the mesher's settings for `source`. The written mesh is larger by the factor `size`.
+    pub(super) fn settings(&self, Source { surface, view, metres, .. }: &Source, size: f64) -> MeshSettings {
         let usual = MeshSettings::default();
         let is_plane = Mesher::is_plane(surface.mesh());
         let (edges, interior) = self.rules(self.is_measured() || (is_plane && self.texels.is_none()));

@@ -1,4 +1,4 @@
-//! The baked maps that the method reads: where they are kept, and what is said of them.
+//! Cache of the baked maps that the method reads, and messages about it.
 
 use std::path::PathBuf;
 
@@ -7,16 +7,16 @@ use relief_core::ByteSize;
 use relief_maps::{Account, Cache, CacheError, Maps, Origin};
 use serde_json::{Value, json};
 
-/// Where baked maps are kept.
+/// Flags of the cache for baked maps.
 #[derive(Args)]
 #[command(next_help_heading = "Baked maps")]
 pub struct CacheArguments {
-    /// Folder that keeps the maps that the method reads, baked once for each height map; it may be emptied at
-    /// any time [default: the environment's RELIEF_CACHE, else the system's cache folder]
+    /// Folder that caches the baked maps of the method, once for each height map; it may be emptied
+    /// at any time [default: the environment's RELIEF_CACHE, else the system's cache folder]
     #[arg(long, value_name = "DIR", conflicts_with = "no_cache", hide_short_help = true)]
     cache: Option<PathBuf>,
-    /// What that folder may hold; maps unused longest are dropped
-    /// [default: the environment's RELIEF_CACHE_SIZE, else 2GiB]
+    /// Size limit of the cache, as in 512MiB; maps unused longest are dropped [default: the
+    /// environment's RELIEF_CACHE_SIZE, else 2GiB]
     #[arg(
         long,
         value_name = "SIZE",
@@ -25,20 +25,22 @@ pub struct CacheArguments {
         hide_short_help = true
     )]
     cache_size: Option<ByteSize>,
-    /// Bake the maps that the method reads, and neither look for them nor keep them
+    /// Bake the maps of the method for this run only, without the cache
     #[arg(long, hide_short_help = true)]
     no_cache: bool,
 }
 
 impl CacheArguments {
-    /// The provider of baked maps, and a note where there is no folder to keep them.
+    /// Returns the provider of baked maps, and a note if there is no cache.
     pub fn maps(&self) -> (Maps, Option<String>) {
         if self.no_cache {
             return (Maps::in_memory(), None);
         }
         match self.cache() {
             Ok(cache) => (Maps::with_cache(cache), None),
-            Err(error) => (Maps::in_memory(), Some(format!("baked maps are not kept: {error}; {ELSEWHERE}"))),
+            Err(error) => {
+                (Maps::in_memory(), Some(format!("baked maps are not cached: {error}: {ELSEWHERE}")))
+            }
         }
     }
 
@@ -52,38 +54,38 @@ impl CacheArguments {
     }
 }
 
-/// What may be done where the folder cannot be used.
+/// Advice if the folder cannot be used.
 const ELSEWHERE: &str = "give another folder with --cache, or --no-cache";
 
-/// Kind and texture.
+/// Returns the kind and the texture of a map.
 fn name(account: &Account) -> String {
     [account.kind, account.texture].join(" ").trim_end().to_owned()
 }
 
-/// What went on beside the work, if anything did.
+/// Returns a note if a map was not cached, or its file was damaged.
 pub fn note(account: &Account) -> Option<String> {
     if let Some(error) = &account.not_kept {
         let mend = match error {
             CacheError::TooLarge { .. } => "raise --cache-size, or give --no-cache",
             _ => ELSEWHERE,
         };
-        return Some(format!("the baked map {} is not kept: {error}; {mend}", name(account)));
+        return Some(format!("the baked map {} is not cached: {error}: {mend}", name(account)));
     }
     let file = account.file.as_ref().filter(|_| account.was_damaged);
     file.map(|file| format!("{}: damaged, baked again", file.display()))
 }
 
-/// For people.
+/// Reports a map in one line.
 pub fn line(account: &Account) -> String {
     let (name, seconds) = (name(account), account.elapsed.as_secs_f64());
     match (account.origin, &account.file) {
         (Origin::Cache, Some(file)) => format!("map {name}: read from {}", file.display()),
-        (_, Some(file)) => format!("map {name}: baked in {seconds:.2} s, kept in {}", file.display()),
-        (_, None) => format!("map {name}: baked in {seconds:.2} s, not kept"),
+        (_, Some(file)) => format!("map {name}: baked in {seconds:.2} s, cached in {}", file.display()),
+        (_, None) => format!("map {name}: baked in {seconds:.2} s, not cached"),
     }
 }
 
-/// For programs.
+/// Reports a map as JSON.
 pub fn as_json(account: &Account) -> Value {
     let from = match account.origin {
         Origin::Bake => "bake",

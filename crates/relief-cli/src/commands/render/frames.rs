@@ -1,4 +1,4 @@
-//! `relief render --frames`: a picture for each number of a range.
+//! `relief render --frames`: renders one picture per frame number.
 
 use std::collections::{BTreeSet, HashMap};
 use std::ffi::OsString;
@@ -23,7 +23,7 @@ use crate::progress::Progress;
 use crate::streams::{answer, tell_written};
 use crate::{interrupt, say};
 
-/// Renders and writes all frames, each as by itself.
+/// Renders and writes all frames, each the same as if rendered alone.
 pub fn run(
     arguments: &Arguments,
     spec: &SceneSpec,
@@ -32,13 +32,14 @@ pub fn run(
 ) -> Result<(), Failure> {
     let sequence = Sequence { arguments, spec, numbering };
     {
-        let _looking = Progress::spinner("looking for files", arguments.json);
+        let _checking = Progress::spinner("checking files", arguments.json);
         sequence.check(frames)?;
     }
     let mut renderer = PictureRenderer::new(arguments);
     let cancel = interrupt::catch()?;
     let bar = Progress::bar("rendering", arguments.json);
-    let mut told = Told { json: arguments.json, all: Vec::new(), said: BTreeSet::new(), is_heard: true };
+    let mut report =
+        FrameReport { json: arguments.json, all: Vec::new(), printed: BTreeSet::new(), is_read: true };
     let count = frames.count();
     for (done, number) in (0u64..).zip(frames.numbers()) {
         let tell = |task: &str, part: f32| {
@@ -46,7 +47,7 @@ pub fn run(
                 bar.show((done as f32 + part) / count as f32);
             }
         };
-        let rendered = sequence.frame(number, &mut renderer, &bar, &tell, &mut told, cancel);
+        let rendered = sequence.frame(number, &mut renderer, &bar, &tell, &mut report, cancel);
         rendered.map_err(|failure| match (cancel.load(Ordering::Relaxed), done) {
             (false, _) => of_frame(failure, number, done),
             (true, 0) => interrupt::cancelled(),
@@ -57,12 +58,12 @@ pub fn run(
     }
     drop(bar);
     match arguments.json {
-        true => answer(|out| Ok(writeln!(out, "{:#}", json!({ "frames": told.all }))?)),
+        true => answer(|out| Ok(writeln!(out, "{:#}", json!({ "frames": report.all }))?)),
         false => Ok(()),
     }
 }
 
-/// Why there is no such frame, when so many were written.
+/// Adds to a failure the frame's number, and the number of frames that were written before.
 fn of_frame(failure: Failure, number: u32, done: u64) -> Failure {
     let text = |message: String| match done {
         0 => format!("frame {number}: {message}"),
@@ -76,18 +77,18 @@ fn of_frame(failure: Failure, number: u32, done: u64) -> Failure {
     }
 }
 
-/// What was said of frames.
-struct Told {
+/// Report on frames.
+struct FrameReport {
     json: bool,
-    /// For machines, of all frames.
+    /// JSON of all frames.
     all: Vec<serde_json::Value>,
-    /// Lines and notes that were said, and hold on.
-    said: BTreeSet<String>,
-    /// Whether somebody reads the answers still.
-    is_heard: bool,
+    /// Lines and notes that were printed, and hold for later frames, too.
+    printed: BTreeSet<String>,
+    /// Whether somebody still reads the report.
+    is_read: bool,
 }
 
-/// A scene whose files are others in each frame.
+/// Scene whose files differ from frame to frame.
 struct Sequence<'a> {
     arguments: &'a Arguments,
     spec: &'a SceneSpec,
@@ -95,20 +96,20 @@ struct Sequence<'a> {
 }
 
 impl Sequence<'_> {
-    /// Whether all frames can be rendered, as far as names and files tell: those that are read are there, and
-    /// none of them is written, nor is a file written twice.
+    /// Checks all frames, as far as names and files tell. Inputs exist, no input is written, and no
+    /// file is written twice.
     fn check(&self, frames: Frames) -> Result<(), Failure> {
         let of_flags = Numbering::of(None);
         for (flag, path) in
             [("--output", Some(&self.arguments.output)), ("--aov", self.arguments.aov.as_ref())]
         {
             let Some(path) = path else { continue };
-            // What is no pattern is told as that, before it is told to be none.
+            // A bad pattern is reported as that, before a missing placeholder is.
             of_flags.path(path, frames.first())?;
             if !of_flags.is_pattern(path) {
                 let path = path.display();
                 return Err(Failure::Usage(format!(
-                    "{flag} {path}: all frames would have this name: give it a place for their numbers, \
+                    "{flag} {path}: all frames would have this name: give it a placeholder for their numbers, \
                      as in out_%04d.png"
                 )));
             }
@@ -116,19 +117,19 @@ impl Sequence<'_> {
         self.numbering.spec(self.spec, frames.first())?;
         if !self.numbering.has_frames(self.spec) {
             return Err(Failure::usage(
-                "--frames: nothing in the scene is another in each frame: give the number a place in the \
-                 name of a file, as in --height height_%04d.png or the key \
+                "--frames: no file of the scene differs from frame to frame: put a placeholder for the number \
+                 into the name of a file, as in --height height_%04d.png or the key \
                  object = \"walk/%04d/object.toml\"",
             ));
         }
         let in_files_of_meshes = self.numbering.has_frames_of_meshes(self.spec);
         let in_all = files(self.spec);
-        let mut places = Places::default();
+        let mut places = FramePaths::default();
         for number in frames.numbers() {
             let at = |failure| of_frame(failure, number, 0);
             let spec = self.numbering.spec(self.spec, number)?;
             let is_first = number == frames.first();
-            // What is the same in all frames is looked for once.
+            // A file that is the same in all frames is checked once.
             let is_new = |file: &&PathBuf| is_first || !in_all.contains(*file);
             let are_there = |read: &[PathBuf]| {
                 read.iter().filter(is_new).try_for_each(|file| must_be_there(file)).map_err(at)
@@ -152,7 +153,7 @@ impl Sequence<'_> {
         places.check()
     }
 
-    /// The files of a frame.
+    /// Returns the files of a frame.
     fn outputs(&self, number: u32, spec: &SceneSpec) -> Result<Outputs, Failure> {
         let of_flags = Numbering::of(None);
         let picture = of_flags.path(&self.arguments.output, number)?;
@@ -160,14 +161,14 @@ impl Sequence<'_> {
         Outputs::new(self.arguments, picture, aov, spec)
     }
 
-    /// Renders a frame and says so.
+    /// Renders a frame and reports it.
     fn frame(
         &self,
         number: u32,
         renderer: &mut PictureRenderer,
         bar: &Progress,
         tell: &(dyn Fn(&str, f32) + Sync),
-        told: &mut Told,
+        report: &mut FrameReport,
         cancel: &AtomicBool,
     ) -> Result<(), Failure> {
         let spec = self.numbering.spec(self.spec, number)?.with_keys_of_meshes().map_err(of_scene)?;
@@ -178,43 +179,43 @@ impl Sequence<'_> {
         }
         let (counts, made) = renderer.draw(&scene, &outputs, tell)?;
         let picture = Picture { spec: &spec, scene: &scene, outputs: &outputs, counts, made: &made };
-        if told.json {
+        if report.json {
             let mut about = picture.as_json();
             about["frame"] = number.into();
-            told.all.push(about);
+            report.all.push(about);
             return Ok(());
         }
         let notes = renderer.notes(&spec, &scene, &made);
         bar.aside(|| {
             for note in notes {
-                if told.said.insert(note.clone()) {
+                if report.printed.insert(note.clone()) {
                     say::note(note);
                 }
             }
-            told.tell(&picture)
+            report.tell(&picture)
         })
     }
 }
 
-impl Told {
-    /// Says what was rendered, without what was said of a frame before in the same words.
+impl FrameReport {
+    /// Reports a picture, without lines that a frame before had in the same words.
     fn tell(&mut self, picture: &Picture) -> Result<(), Failure> {
-        if !self.is_heard {
+        if !self.is_read {
             return Ok(());
         }
         let mut text = Vec::new();
         picture.tell(&mut text)?;
         let text = String::from_utf8_lossy(&text).into_owned();
-        let heard = tell_written(false, |out| {
-            for line in text.lines().filter(|line| self.said.insert((*line).to_owned())) {
+        let read = tell_written(false, |out| {
+            for line in text.lines().filter(|line| self.printed.insert((*line).to_owned())) {
                 out.extend_from_slice(line.as_bytes());
                 out.push(b'\n');
             }
             Ok(())
         });
-        match heard {
-            // Who wanted the first lines alone still wants all pictures.
-            Err(Failure::ReaderGone) => self.is_heard = false,
+        match read {
+            // Who wanted only the first lines still wants all pictures.
+            Err(Failure::ReaderGone) => self.is_read = false,
             other => other?,
         }
         Ok(())
@@ -232,7 +233,7 @@ fn must_be_there(file: &Path) -> Result<(), Failure> {
     }
 }
 
-/// Whether an object's pictures are there.
+/// Checks that a depth object's pictures exist.
 fn pictures_must_be_there(object: &Path) -> Result<(), Failure> {
     let description = read_description(object).map_err(Failure::work)?;
     for name in [Some(description.depth), description.color, description.normal].into_iter().flatten() {
@@ -241,17 +242,17 @@ fn pictures_must_be_there(object: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The files of all frames, by their folders without links and their names.
+/// Paths of all frames' files: folders are resolved, so that links do not hide equal files.
 #[derive(Default)]
-struct Places {
+struct FramePaths {
     folders: HashMap<PathBuf, PathBuf>,
-    /// With the frame that reads it.
+    /// Files that are read, each with its frame.
     read: HashMap<PathBuf, u32>,
-    /// With the frame that writes it, and its name.
+    /// Files that are written, each with its frame and its name.
     written: HashMap<PathBuf, (u32, PathBuf)>,
 }
 
-impl Places {
+impl FramePaths {
     fn of(&mut self, path: &Path) -> PathBuf {
         if path.is_symlink()
             && let Ok(place) = path.canonicalize()
@@ -277,23 +278,23 @@ impl Places {
             if let Some((other, _)) = self.written.insert(place, (frame, path.clone())) {
                 let path = path.display();
                 return Err(Failure::Usage(format!(
-                    "{path} is named for frame {other} and for frame {frame}"
+                    "{path} is named for frame {other} and for frame {frame}: give each its own name"
                 )));
             }
         }
         Ok(())
     }
 
-    /// Whether no frame writes what another one reads.
+    /// Checks that no frame writes what another one reads.
     fn check(&self) -> Result<(), Failure> {
-        // The first of them, whatever their order in here.
+        // The first frame is named, whatever the order in the map.
         let replaced = self
             .written
             .iter()
             .filter_map(|(place, (frame, path))| self.read.get(place).map(|reader| (frame, path, reader)));
         match replaced.min() {
             Some((frame, path, reader)) => Err(Failure::Usage(format!(
-                "{}: frame {frame} would replace it, which frame {reader} reads",
+                "{}: frame {frame} would replace it, and frame {reader} reads it: give another --output",
                 path.display()
             ))),
             None => Ok(()),

@@ -1,5 +1,5 @@
-//! The files that `relief render` writes: a picture, and numbers beside it. Both are written row by row while
-//! the scene is rendered, so that pictures of any size fit into the memory.
+//! Files that `relief render` writes: a picture, and AOVs. Both are written row by row while the
+//! scene is rendered, so that pictures of any size fit into memory.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -24,10 +24,10 @@ use crate::commands::staged::{Staged, format_of};
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
 
-/// Pixels of a row that a core takes at least.
+/// Least number of pixels of a row per core.
 const ROW_PART: usize = 256;
 
-/// Bits of a sample in a PNG.
+/// Bits per channel of a PNG.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bits {
     Eight,
@@ -41,12 +41,12 @@ impl FromStr for Bits {
         match text {
             "8" => Ok(Bits::Eight),
             "16" => Ok(Bits::Sixteen),
-            _ => Err("a PNG has 8 or 16 bits"),
+            _ => Err("a PNG has 8 or 16 bits per channel: give 8 or 16"),
         }
     }
 }
 
-/// A picture's format where no name says it.
+/// Format of a picture on standard output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum StreamFormat {
     Png,
@@ -56,7 +56,7 @@ pub enum StreamFormat {
 }
 
 impl StreamFormat {
-    /// The ending of such files' names.
+    /// Returns the ending of the names of such files.
     pub const fn ending(self) -> &'static str {
         match self {
             Self::Png => "png",
@@ -66,7 +66,7 @@ impl StreamFormat {
     }
 }
 
-/// The endings of pictures' names.
+/// Endings of pictures' names.
 const PICTURES: [(&str, PictureFormat); 4] = [
     ("png", PictureFormat::Png8),
     ("jpg", PictureFormat::Jpeg),
@@ -74,16 +74,16 @@ const PICTURES: [(&str, PictureFormat); 4] = [
     ("exr", PictureFormat::Exr),
 ];
 
-/// The files to be written.
+/// Files to write.
 pub struct Outputs {
     pub picture: PathBuf,
     format: PictureFormat,
-    /// Where the numbers of pixels go.
+    /// File of the AOVs.
     pub aov: Option<PathBuf>,
     wire: bool,
 }
 
-/// Why they were not.
+/// Reason that the files were not written.
 pub enum Error {
     Render(RenderError),
     Failed(Failure),
@@ -95,23 +95,23 @@ impl From<Failure> for Error {
     }
 }
 
-/// What the pixels of a picture have in sum.
+/// Sums over the pixels of a picture.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Counts {
     /// Pixels that show a surface, at least in part.
     pub covered: usize,
-    /// Those whose search ran out of steps.
+    /// Pixels whose search ran out of steps.
     pub exhausted: usize,
-    /// Reads of one sample of each.
+    /// Reads of one sample per pixel.
     pub reads: u64,
 }
 
-/// Renders into a sink, with numbers of every pixel or without.
+/// Function that renders into a sink, with AOVs or without.
 pub type Render<'a> = dyn FnMut(bool, &mut Bands) -> Result<Made, RenderError> + 'a;
 
 impl Outputs {
-    /// Outputs of those names, for a scene. Those that cannot be written, and those that would replace what
-    /// is read, are found before the work, not after it.
+    /// Creates the outputs of a scene. Outputs that cannot be written, or would replace an input,
+    /// are refused before the work.
     pub fn new(
         arguments: &Arguments,
         picture: PathBuf,
@@ -132,13 +132,13 @@ impl Outputs {
         if let Some(path) = &aov {
             format_of("--aov", path, &[("exr", ())], &inputs)?;
             if relief_io::file_set::is_same_file(path, &picture) || *path == picture {
-                return Err(Failure::usage("--aov and --output name the same file"));
+                return Err(Failure::usage("--aov and --output name the same file: rename one"));
             }
         }
         Ok(Self { picture, format, aov, wire: arguments.wire })
     }
 
-    /// Writes them while the scene is rendered.
+    /// Writes the files while the scene is rendered.
     pub fn write(
         &self,
         scene: &Scene,
@@ -152,7 +152,7 @@ impl Outputs {
         let picture = staged.aside(&self.picture)?;
         let aov = self.aov.as_ref().map(|path| staged.aside(path)).transpose()?;
         let mut ended = Err(Error::Render(RenderError::Cancelled(Cancelled)));
-        // Writers know what fails inside of them as failures of the system only.
+        // Writers pass on errors inside of them only as system errors.
         let mut draw = |picture: &mut PictureSink, numbers: Option<&mut LineSink>| -> io::Result<()> {
             ended = self.draw(scene, render, picture, numbers);
             if ended.is_ok() { Ok(()) } else { Err(io::Error::other("stopped")) }
@@ -174,7 +174,7 @@ impl Outputs {
         if cancel.load(Ordering::Relaxed) {
             return Err(cancelled().into());
         }
-        // What happened first says why.
+        // The first error says why.
         let ended = match (ended, written) {
             (Ok(ended), Ok(())) => ended,
             (Ok(_), Err(error)) => {
@@ -204,7 +204,7 @@ impl Outputs {
         let mut row = |pixels: &[PixelOut]| -> Result<(), Failure> {
             let mut colours = display.linear_row(next_row, pixels);
             next_row += 1;
-            // What is brighter than sRGB has it would shine through lines.
+            // Light beyond the range of sRGB would shine through the lines.
             if !is_linear {
                 colours.iter_mut().for_each(|colour| *colour = colour.map(|part| part.clamp(0.0, 1.0)));
             }

@@ -1,4 +1,4 @@
-//! What is said of a rendering.
+//! Report on a rendering.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -12,8 +12,8 @@ use super::output::{Counts, Outputs};
 use crate::commands::maps::{self, By};
 use crate::{advice, values};
 
-/// What is counted as reads: those of the method's own shader, or where the CPU answers `exact` by the exact
-/// tracer, which is not that shader, the nodes and cells that the tracer looks at.
+/// Names what is counted as reads: reads of the method's own shader, or nodes and cells of the
+/// exact tracer, by which the CPU renders `exact`.
 fn what_reads_are(scene: &Scene, backend: &str) -> &'static str {
     let traced = |surface: &&Surface| backend == "cpu" && surface.selection().is_exact();
     match (scene.surfaces().iter().filter(traced).count(), scene.surfaces().len()) {
@@ -23,7 +23,7 @@ fn what_reads_are(scene: &Scene, backend: &str) -> &'static str {
     }
 }
 
-/// A picture that was written.
+/// Picture that was written.
 pub struct Picture<'a> {
     pub spec: &'a SceneSpec,
     pub scene: &'a Scene,
@@ -42,12 +42,12 @@ impl Picture<'_> {
         if covered == 0 { 0.0 } else { reads as f64 / covered as f64 }
     }
 
-    /// Says for machines what was rendered and how.
+    /// Reports the picture as JSON.
     pub fn as_json(&self) -> Value {
         let Self { spec, scene, outputs, made, .. } = self;
         let Counts { covered, exhausted, .. } = self.counts;
         let [width, height] = scene.size();
-        // Names that are no Unicode have no exact form in JSON.
+        // Names that are not Unicode have no exact form in JSON.
         let name = |path: &Path| path.display().to_string();
         let surface = |surface: &Surface| {
             let (selection, map) = (surface.selection(), surface.height_map());
@@ -70,7 +70,7 @@ impl Picture<'_> {
         })
     }
 
-    /// The same for people, the picture's own line first.
+    /// Prints the report, the picture's own line first.
     pub fn tell(&self, out: &mut dyn Write) -> io::Result<()> {
         let Self { spec, scene, outputs, made, .. } = self;
         let Counts { covered, exhausted, .. } = self.counts;
@@ -138,7 +138,7 @@ impl Picture<'_> {
         if covered == 0 {
             writeln!(
                 out,
-                "no pixel shows the surface: check --eye, --target and --fov; backs \
+                "no pixel shows the surface: check --eye, --target and --fov; back faces \
                  show with --two-sided only"
             )?;
         }

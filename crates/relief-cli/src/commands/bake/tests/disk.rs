@@ -1,7 +1,7 @@
 //! No room on the disk: a limit to the size of files, whose signal is ignored, fails a write as a full disk
 //! does.
 
-use super::{Failure, Room};
+use super::{Failure, MapFolder};
 
 /// Set in the process whose files are limited.
 const LIMITED: &str = "RELIEF_BAKE_LIMITED";
@@ -12,11 +12,11 @@ fn child() {
     if std::env::var_os(LIMITED).is_none() {
         return;
     }
-    let room = Room::new();
+    let folder = MapFolder::new();
     // The first fails while texels come, the second in writing its file, which is longer than its texels.
     for line in ["--kind volume --format ktx2", "--kind shade --format exr"] {
-        let failed = matches!(room.bake_unless(false, line), Err(Failure::Work(_)));
-        println!("child: failed {failed}, left {:?}", room.files());
+        let failed = matches!(folder.bake_unless(false, line), Err(Failure::Work(_)));
+        println!("child: failed {failed}, left {:?}", folder.files());
     }
 }
 

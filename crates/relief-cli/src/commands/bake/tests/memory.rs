@@ -1,6 +1,6 @@
 //! The peak of the resident memory of a process that bakes one map and nothing else.
 
-use super::Room;
+use super::MapFolder;
 
 /// Where [`child`] finds its map, and the format.
 const MEMORY: &str = "RELIEF_BAKE_MEMORY";
@@ -20,12 +20,12 @@ fn child() {
         line.split_ascii_whitespace().nth(1).and_then(|kib| kib.parse().ok()).expect("a number")
     };
     let side: u32 = side.parse().expect("a number");
-    let room = Room::of([8, 8]);
+    let folder = MapFolder::of([8, 8]);
     let grey: Vec<u8> = (0..u64::from(side) * u64::from(side)).map(|at| ((at * 31) >> 8) as u8).collect();
-    relief_io::write_png8(&room.map, side, side, relief_io::PngColour::Grey, &grey).expect("writable");
+    relief_io::write_png8(&folder.map, side, side, relief_io::PngColour::Grey, &grey).expect("writable");
     drop(grey);
     let idle = peak();
-    room.bake(&format!("--kind shade --set shade.bits=16 --format {format}"));
+    folder.bake(&format!("--kind shade --set shade.bits=16 --format {format}"));
     println!("peak {} idle {idle}", peak());
 }
 

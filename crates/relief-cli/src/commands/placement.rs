@@ -1,4 +1,4 @@
-//! How a height map lies on a mesh: the flags that commands share.
+//! Flags that say how a height map lies on a mesh, shared by several commands.
 
 use clap::Args;
 use relief_io::Up;
@@ -8,22 +8,23 @@ use super::maps::HeightArguments;
 use crate::units::Length;
 use crate::{units, values};
 
-/// The mesh, and how the height map lies on it.
+/// Flags of the mesh and of the placement of the height map on it.
 #[derive(Args)]
-pub struct PlacedArguments {
-    /// Base mesh: plane (in the proportions of the height map), square, cube, cylinder, sphere or torus, or a
-    /// glTF, GLB, OBJ or PLY file, in metres with y up, or STL, in millimetres with z up [default: plane]
+pub struct PlacementArguments {
+    /// Base mesh: plane (in the proportions of the height map), square, cube, cylinder, sphere or
+    /// torus; or a file: glTF, GLB, OBJ or PLY in metres with y up, STL in millimetres with z up
+    /// [default: plane]
     #[arg(long, value_name = "NAME|FILE", help_heading = "Maps and mesh")]
     pub mesh: Option<MeshChoice>,
-    /// Make texture coordinates for the mesh of a file, in place of its own: box (from six sides), cylinder
+    /// Replace a mesh file's texture coordinates by a projection: box (from six sides), cylinder
     /// (around y, with flat caps) or sphere (as a map of the world)
     #[arg(long, value_name = "box|cylinder|sphere", help_heading = "Maps and mesh", hide_short_help = true)]
     pub project: Option<UvProjection>,
-    /// Axis that points up in the file of the mesh: y or z [default: z in STL, y in others; a file that
-    /// `relief mesh` wrote says it itself]
+    /// Up axis in the mesh's file: y or z [default: z in STL, y in others; files of `relief mesh`
+    /// state it]
     #[arg(long, value_name = "y|z", help_heading = "Maps and mesh", hide_short_help = true)]
     pub mesh_up: Option<Up>,
-    /// How many times as large the mesh is, its tiles with it; the relief's metres stay [default: 1]
+    /// Factor on the size of the mesh and its tiles; the relief keeps its metres [default: 1]
     #[arg(
         long,
         value_name = "N",
@@ -33,8 +34,8 @@ pub struct PlacedArguments {
         hide_short_help = true,
     )]
     pub mesh_scale: Option<f64>,
-    /// Metres of displacement between heights 0 and 1, or with a unit, as in 5cm [default: true to the tile
-    /// where the height map's file states metres, else 0.05]
+    /// Displacement in metres between heights 0 and 1, or with a unit, as in 5cm [default: true to
+    /// the tile where the height map's file states metres, else 0.05]
     #[arg(
         long,
         value_name = "M",
@@ -43,8 +44,8 @@ pub struct PlacedArguments {
         help_heading = "Maps and mesh",
     )]
     pub scale: Option<Length>,
-    /// Displacement of height 0 in metres [default: -scale, carved into the surface; of a map made for a mesh
-    /// without --scale what its file says]
+    /// Displacement of height 0 in metres [default: -scale, carved into the surface; for a map made
+    /// for a mesh, without --scale, the file's own]
     #[arg(
         long,
         value_name = "M",
@@ -54,7 +55,7 @@ pub struct PlacedArguments {
         hide_short_help = true,
     )]
     pub bias: Option<f64>,
-    /// Make heights N times as high [default: 1]
+    /// Factor on heights [default: 1]
     #[arg(
         long,
         value_name = "N",
@@ -63,7 +64,7 @@ pub struct PlacedArguments {
         help_heading = "Maps and mesh",
     )]
     pub exaggerate: Option<f64>,
-    /// Tiles along u and v [default: 1,1]
+    /// Number of tiles along u and v [default: 1,1]
     #[arg(
         long,
         value_name = "U,V",
@@ -72,7 +73,8 @@ pub struct PlacedArguments {
         help_heading = "Maps and mesh",
     )]
     pub tile: Option<[f64; 2]>,
-    /// Metres of a tile along u and v [default: as the height map's file states, else its texels are square]
+    /// Tile size along u and v in metres, or with units, as in 30cm,20cm [default: as the height
+    /// map's file states, else texels are square]
     #[arg(
         long,
         value_name = "U,V",
@@ -84,8 +86,8 @@ pub struct PlacedArguments {
     pub tile_size: Option<[f64; 2]>,
 }
 
-impl PlacedArguments {
-    /// A surface of what these flags say, and those on reading its height map.
+impl PlacementArguments {
+    /// Returns a surface with the values of these flags, and of `reading`.
     pub fn surface(&self, reading: &HeightArguments) -> SurfaceSpec {
         let given = |flag: bool| flag.then_some(true);
         SurfaceSpec {

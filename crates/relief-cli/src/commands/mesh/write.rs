@@ -1,4 +1,4 @@
-//! Makes the mesh while it is written.
+//! Makes a mesh while it is written.
 
 use std::collections::BTreeMap;
 use std::convert::Infallible;
@@ -7,83 +7,98 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::Vec3;
-use relief_core::Watch;
 use relief_core::mesh::PositionGrid;
+use relief_core::{HeightMap, Watch};
 use relief_io::{
     GlbLayout, GlbLevel, GlbMaterials, GlbNode, MeshCounts, MeshFormat, MeshSink, Quantization, Standing,
     write_glb, write_mesh_standing,
 };
-use relief_mesh::{Bounds, Certificate, Mesher, Stream, StreamError, Streamed};
+use relief_mesh::{Bounds, Certificate, Mesher, Stream, StreamError, Streamed, View};
+use relief_scene::Surface;
 
+use super::Arguments;
+use super::ground::{self, Metres};
 use super::parts::PartFile;
 use super::refused::{COARSER, of_larger};
-use super::seen::Seen;
-use super::{Arguments, ground};
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
 use crate::progress::Progress;
 
-/// A file that was written.
+/// Everything that a mesh is made from, beside the arguments.
+pub struct Source<'a> {
+    pub surface: &'a Surface,
+    /// Camera whose pixels set the fineness.
+    pub view: Option<View>,
+    /// Coarser levels of the height map, used where vertices are farther apart than its texels.
+    pub coarser: Vec<HeightMap>,
+    /// Metres of the written mesh.
+    pub metres: &'a Metres,
+    /// Materials of the base that are written.
+    pub materials: Option<GlbMaterials>,
+}
+
+/// File that was written.
 #[derive(Debug)]
 pub struct WrittenPart {
-    /// Its name.
+    /// Name of the file.
     pub name: String,
-    /// Its mesh.
+    /// Finest level of detail.
     pub finest: WrittenLevel,
-    /// Further levels of detail.
+    /// Coarser levels of detail.
     pub coarser: Vec<WrittenLevel>,
-    /// How its vertices are stored in integers, if they are.
+    /// Quantization of the vertices, if they are stored in integers.
     pub quantization: Option<Quantization>,
-    /// How much larger it is than in the scene.
+    /// Factor between the written mesh and the scene's.
     pub size: f64,
-    /// Of the file.
+    /// Size of the file in bytes.
     pub bytes: u64,
 }
 
-/// A level of detail that was written.
+/// Level of detail that was written.
 #[derive(Debug)]
 pub struct WrittenLevel {
     pub counts: MeshCounts,
-    /// Indices of its triangles in the file, of formats that tell.
+    /// Indices of its triangles in the file, if the format counts them.
     pub indices: Option<u64>,
     pub streamed: Streamed,
-    /// How far the relief is from the triangles; lengths of the mesh as it was written.
+    /// Distance between the relief and the triangles, in lengths of the written mesh.
     pub certificate: Option<Certificate>,
-    /// The part of the picture down to which it is shown.
+    /// Share of the picture down to which the level is shown.
     pub coverage: f64,
 }
 
 impl WrittenPart {
-    /// All levels of detail.
+    /// Returns all levels of detail, the finest first.
     pub fn levels(&self) -> impl Iterator<Item = &WrittenLevel> {
         [&self.finest].into_iter().chain(&self.coarser)
     }
 }
 
-/// What lengths of the mesh as it is written may be wrong by, as a part of them: tolerances leave more room.
+/// Relative error of lengths of the written mesh. Tolerances leave more slack.
 const ROUNDING: f64 = 1e-6;
 
-/// Tries to keep a tolerance that is a length of the mesh as it is written.
+/// Attempts to keep a tolerance that is a length of the written mesh.
 const TRIES: u32 = 4;
 
 /// Makes the mesh of a surface, part by part, and writes each into its file.
 pub fn write(
     arguments: &Arguments,
-    seen: &Seen,
+    source: &Source,
     format: MeshFormat,
     files: &[PartFile],
     staged: &mut Staged,
     cancel: &AtomicBool,
 ) -> Result<Vec<WrittenPart>, Failure> {
-    let making = Making { arguments, seen, format, cancel };
+    let making = Making { arguments, source, format, cancel };
     let print_m = arguments.print_size.map(|mm| mm / 1000.0);
-    let factor = seen.metres.factor;
+    let factor = source.metres.factor;
     let Some(print_m) = print_m else {
         ground::check_solid(arguments, making.expected_length() * factor)?;
         return making.all_written(files, staged, [factor; 2]);
     };
-    // How long it is follows from the mesh, and the mesh from the tolerance, which may follow from that.
+    // The mesh's length follows from the mesh, and the mesh from the tolerance, which may follow
+    // from the length.
     let mut expected = print_m / making.expected_length();
     for _ in 0..TRIES {
         let size = print_m / making.length(files, expected)?;
@@ -96,12 +111,12 @@ pub fn write(
         expected = size;
     }
     Err(Failure::Work(format!(
-        "{}: the mesh's size and its error follow from each other, and were not found: --error in % works",
+        "{}: no size was found that keeps --print-size and --error together: give --error in %",
         arguments.output.display()
     )))
 }
 
-/// How a mesh is stored.
+/// Storage of a mesh.
 #[derive(Clone, Copy)]
 struct Stored {
     quantization: Option<Quantization>,
@@ -109,7 +124,7 @@ struct Stored {
 }
 
 impl Stored {
-    /// In a GLB.
+    /// Returns the storage in a GLB.
     fn of(quantization: Option<Quantization>) -> Self {
         Self { quantization, standing: Standing::usual(MeshFormat::Gltf) }
     }
@@ -117,16 +132,16 @@ impl Stored {
 
 struct Making<'a> {
     arguments: &'a Arguments,
-    seen: &'a Seen<'a>,
+    source: &'a Source<'a>,
     format: MeshFormat,
     cancel: &'a AtomicBool,
 }
 
 impl Making<'_> {
-    /// Counts a part of the mesh; a tolerance is a length of a mesh that is larger by `size`.
+    /// Counts a part of the mesh. A tolerance is a length of a mesh that is larger by `size`.
     fn mesher(&self, file: &PartFile, size: f64) -> Result<Mesher, Failure> {
         let mesher = self.level(file, size, &[])?;
-        self.arguments.check_memory(self.seen.surface, std::slice::from_ref(&mesher))?;
+        self.arguments.check_memory(self.source.surface, std::slice::from_ref(&mesher))?;
         Ok(mesher)
     }
 
@@ -138,24 +153,24 @@ impl Making<'_> {
             if let Some(last) = finer.last().filter(|last| last.triangles() <= mesher.triangles()) {
                 let name = file.path.display();
                 return Err(Failure::Work(format!(
-                    "--lods: {name}: level {level} would have {} triangles where the one before has {}: \
-                     --lods {level} is as many as there are",
+                    "--lods: {name}: level {level} would have {} triangles and the level before has {}: give \
+                     --lods {level}",
                     mesher.triangles(),
                     last.triangles(),
                 )));
             }
             finer.push(mesher);
-            self.arguments.check_memory(self.seen.surface, &finer)?;
+            self.arguments.check_memory(self.source.surface, &finer)?;
         }
         Ok(finer)
     }
 
-    /// Counts the level of detail after those.
+    /// Counts the level of detail after `finer`.
     fn level(&self, file: &PartFile, size: f64, finer: &[Mesher]) -> Result<Mesher, Failure> {
-        let Self { arguments, seen, .. } = self;
-        let Seen { surface, .. } = seen;
+        let Self { arguments, source, .. } = self;
+        let Source { surface, .. } = source;
         let level = finer.len() as u32;
-        let settings = arguments.settings(seen, size).coarser(level);
+        let settings = arguments.settings(source, size).coarser(level);
         let held: u64 = finer.iter().map(Mesher::bytes).sum();
         let max_bytes = settings.max_bytes.saturating_sub(held);
         let settings = relief_mesh::MeshSettings { part: file.part, max_bytes, ..settings };
@@ -165,14 +180,14 @@ impl Making<'_> {
         let watch = Watch::new(&tell, self.cancel);
         let mesher = match arguments.triangles {
             Some(most) => Mesher::with_at_most(mesh, map, &settings, (most >> (2 * level)).max(1), &watch),
-            None if seen.coarser.is_empty() => Mesher::watched(mesh, map, &settings, &watch),
-            None => Mesher::with_levels(mesh, map, &seen.coarser, &settings, &watch),
+            None if source.coarser.is_empty() => Mesher::watched(mesh, map, &settings, &watch),
+            None => Mesher::with_levels(mesh, map, &source.coarser, &settings, &watch),
         };
         mesher.map_err(|error| of_larger(error, size))
     }
 
-    /// Makes and writes all parts. Of the sizes the first is the one that tolerances are meant for, the
-    /// second is how much larger the mesh becomes.
+    /// Makes and writes all parts. Tolerances are meant for the size `expected`; the mesh becomes
+    /// larger by `size`.
     fn all_written(
         &self,
         files: &[PartFile],
@@ -182,7 +197,8 @@ impl Making<'_> {
         let Some(bits) = self.arguments.quantize else {
             return self.all_in_floats(files, staged, [expected, size]);
         };
-        // A lattice begins where the mesh does, which is known when it was made once. Parts share theirs.
+        // A quantization grid begins where the mesh does, which is known after making it once.
+        // Parts share their grid.
         if let [file] = files {
             let meshers = self.meshers(file, expected)?;
             let bounds = self.bounds(&meshers, size)?;
@@ -198,7 +214,7 @@ impl Making<'_> {
         of_parts.map(written).collect()
     }
 
-    /// The same without rounding.
+    /// Makes and writes all parts without rounding.
     fn all_in_floats(
         &self,
         files: &[PartFile],
@@ -208,19 +224,19 @@ impl Making<'_> {
         let usual = Standing::usual(self.format);
         let mut standing = Standing { up: self.arguments.up.unwrap_or(usual.up), ..usual };
         let is_print = self.arguments.print_size.is_some() || self.arguments.solid.is_some();
-        let mut made = None;
+        let mut counted = None;
         if self.format == MeshFormat::Stl && is_print {
-            // It stands on the plate, all parts on the same one.
+            // The mesh stands on the plate, all parts on the same one.
             let mut base_m = f64::INFINITY;
             for file in files {
                 let meshers = self.meshers(file, expected)?;
                 base_m = base_m.min(self.bounds(&meshers, size)?.positions_m[0].y.into());
-                made = (files.len() == 1).then_some(meshers);
+                counted = (files.len() == 1).then_some(meshers);
             }
             standing.base_m = base_m;
         }
         let how = Stored { quantization: None, standing };
-        if let (Some(meshers), [file]) = (made, files) {
+        if let (Some(meshers), [file]) = (counted, files) {
             return Ok(vec![self.written(file, &meshers, how, staged, size)?]);
         }
         files
@@ -255,7 +271,7 @@ impl Making<'_> {
         let bytes = std::fs::metadata(&aside).map_err(Failure::work)?.len();
         let of_levels = meshers.iter().zip(&layout.levels).zip(streamed).enumerate();
         let mut levels = of_levels.map(|(at, ((mesher, level), streamed))| {
-            // Wherever the surface was, it is moved as far as its vertices at most.
+            // The surface moves at most as far as its vertices.
             let moved_m = streamed.rounded.map_or(0.0, |rounded| rounded.greatest_m);
             let certificate = mesher.certificate().map(|certificate| Certificate {
                 error_m: certificate.error_m * size + moved_m,
@@ -270,9 +286,9 @@ impl Making<'_> {
         Ok(WrittenPart { finest, coarser: levels.collect(), name, quantization, size, bytes })
     }
 
-    /// The materials, with the triangles of each level that have them.
+    /// Returns the materials, with the triangles of each level that have them.
     fn materials(&self, meshers: &[Mesher]) -> Result<Option<GlbMaterials>, Failure> {
-        let Some(mut materials) = self.seen.materials.clone() else { return Ok(None) };
+        let Some(mut materials) = self.source.materials.clone() else { return Ok(None) };
         if !materials.are_several() {
             return Ok(Some(materials));
         }
@@ -294,23 +310,24 @@ impl Making<'_> {
         Ok(Some(materials))
     }
 
-    /// Where a mesh lies that is larger than the scene's by a factor.
+    /// Returns the node of a mesh that is `size` times as large as the scene's.
     fn node(&self, size: f64) -> Result<GlbNode, Failure> {
-        let Self { arguments, seen: Seen { surface, metres, .. }, .. } = self;
-        let Some(place) = &metres.place else {
+        let Self { arguments, source: Source { surface, metres, .. }, .. } = self;
+        let Some(placement) = &metres.placement else {
             if arguments.place {
-                let why = "the height map's file does not say where its plane lies";
-                return Err(Failure::Work(format!("--place: {why}: --json says what it says")));
+                let why = "the height map's file does not state the place of its plane";
+                return Err(Failure::Work(format!("--place: {why}: leave it out, or georeference the map")));
             }
             return Ok(GlbNode::default());
         };
         let heights = metres.heights(arguments, surface);
-        let translation_m = if arguments.place { place.translation_m(heights)? } else { [0.0; 3] };
-        let said = place.as_json(heights, size / metres.factor).to_string();
-        Ok(GlbNode { translation_m, extras: BTreeMap::from([(ground::EXTRAS, said)]) })
+        let translation_m = if arguments.place { placement.translation_m(heights)? } else { [0.0; 3] };
+        let extras = placement.as_json(heights, size / metres.factor).to_string();
+        Ok(GlbNode { translation_m, extras: BTreeMap::from([(ground::EXTRAS, extras)]) })
     }
 
-    /// Hands all levels of detail over to the file, and gives the indices of each, if the format tells.
+    /// Writes all levels of detail to the file. Returns the indices of each, if the format counts
+    /// them.
     fn stream(
         &self,
         meshers: &[Mesher],
@@ -321,7 +338,7 @@ impl Making<'_> {
         let bar = Progress::bar("meshing", self.arguments.json);
         let grid = layout.quantization.map(|how| how.grid);
         let all = layout.counts().triangles as f32;
-        let mut made = Ok(Vec::new());
+        let mut streamed = Ok(Vec::new());
         let tell = |_: &str, part: f32| bar.show(part);
         let watch = Watch::new(&tell, self.cancel);
         let blocks = |sink: &mut MeshSink| {
@@ -332,12 +349,12 @@ impl Making<'_> {
                 // Other formats are seldom drawn as they are, and strips have an order of their own.
                 let cache_order = self.format == MeshFormat::Gltf && !layout.strips;
                 let how = Stream { size, check: true, grid, cache_order, watch };
-                match (mesher.stream(&how, |block| sink(block)), &mut made) {
-                    (Ok(streamed), Ok(made)) => made.push(streamed),
+                match (mesher.stream(&how, |block| sink(block)), &mut streamed) {
+                    (Ok(level), Ok(levels)) => levels.push(level),
                     (Err(StreamError::Sink(error)), _) => return Err(error),
-                    (Err(error), made) => {
+                    (Err(error), streamed) => {
                         let text = error.to_string();
-                        *made = Err(error);
+                        *streamed = Err(error);
                         return Err(io::Error::other(text));
                     }
                     (Ok(_), Err(_)) => {}
@@ -355,15 +372,15 @@ impl Making<'_> {
         if self.cancel.load(Ordering::Relaxed) {
             return Err(cancelled());
         }
-        match (made, written) {
-            (Err(error), _) => Err(Failure::Work(format!("{name}: {error}: a smaller --scale helps"))),
+        match (streamed, written) {
+            (Err(error), _) => Err(Failure::Work(format!("{name}: {error}: give a smaller --scale"))),
             (_, Err(error)) => Err(Failure::Work(format!("{name}: {}", error.problem))),
             (Ok(streamed), Ok(indices)) if streamed.len() == meshers.len() => Ok((streamed, indices)),
             (Ok(_), Ok(_)) => Err(nothing_written(name)),
         }
     }
 
-    /// The least and the greatest numbers of all levels of a mesh, made larger by a factor.
+    /// Returns the bounds of all levels of a mesh that is made larger by `size`.
     fn bounds(&self, meshers: &[Mesher], size: f64) -> Result<Bounds, Failure> {
         let bar = Progress::bar("measuring", self.arguments.json);
         let tell = |_: &str, part: f32| bar.show(part);
@@ -378,11 +395,12 @@ impl Making<'_> {
         bounds.reduce(|a, b| Ok(a?.with(&b?))).unwrap_or_else(|| Err(nothing_written(&name)))
     }
 
-    /// The longest side of a box around the base, displaced as far as the map goes: about that of the mesh.
+    /// Returns the longest side of a box around the base, displaced as far as the map goes: about
+    /// the mesh's.
     fn expected_length(&self) -> f64 {
-        let map = self.seen.surface.height_map();
+        let map = self.source.surface.height_map();
         let ends = map.extremes().map(|height| map.displacement_m(f64::from(height)) as f32);
-        let vertices = self.seen.surface.mesh().vertices().iter();
+        let vertices = self.source.surface.mesh().vertices().iter();
         let corners = vertices.flat_map(|vertex| ends.map(|metres| vertex.position + vertex.normal * metres));
         let [least, greatest] = corners
             .fold([Vec3::INFINITY, Vec3::NEG_INFINITY], |[least, greatest], at| {
@@ -391,7 +409,7 @@ impl Making<'_> {
         f64::from((greatest - least).max_element()).max(f64::MIN_POSITIVE)
     }
 
-    /// The longest side of the mesh in metres, of all parts.
+    /// Returns the longest side of the mesh in metres, over all parts.
     fn length(&self, files: &[PartFile], expected: f64) -> Result<f64, Failure> {
         let name = self.arguments.output.display();
         let [mut least, mut greatest] = [Vec3::INFINITY, Vec3::NEG_INFINITY];
@@ -403,15 +421,18 @@ impl Making<'_> {
         if length > 0.0 {
             return Ok(length);
         }
-        Err(Failure::Work(format!("{name}: the mesh is a point, which has no size")))
+        Err(Failure::Work(format!(
+            "{name}: the mesh is a single point, which cannot be scaled: leave out --print-size"
+        )))
     }
 }
 
 fn nothing_written(name: &str) -> Failure {
-    Failure::Work(format!("{name}: nothing was written"))
+    Failure::Work(format!("{name}: nothing was written: the mesh is empty"))
 }
 
-/// How parts are stored in integers of so many bits: on one lattice, so that they meet.
+/// Returns the quantization of parts with `bits` bits per coordinate: on one grid, so that they
+/// meet.
 fn quantizations(bounds: &[Bounds], bits: u32) -> Result<Vec<Quantization>, Failure> {
     let boxes: Vec<[Vec3; 2]> = bounds.iter().map(|bounds| bounds.positions_m).collect();
     let grids = PositionGrid::around(&boxes, bits).map_err(Failure::usage)?;

@@ -1,5 +1,5 @@
-//! What `relief compare` and `relief bench` have in common: a scene, the methods that are tried on it, and
-//! where.
+//! Common part of `relief compare` and `relief bench`: a scene, the methods that are tried on it,
+//! and the machines that render it.
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -24,11 +24,11 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::{advice, interrupt, lanes, say};
 
-/// The methods that are tried, where, and on what.
+/// Flags for the methods that are tried, the machines and the scene.
 #[derive(Args)]
-pub struct ContestArguments {
-    /// Methods, or pairs of a search and a refinement as linear+binary; all for every method but slices,
-    /// which take minutes: name them, or --geometry slices
+pub struct MethodSetArguments {
+    /// Methods, or pairs of a search and a refinement as linear+binary. all: every method but
+    /// slices, which take minutes; name them, or give --geometry slices
     #[arg(
         long,
         value_name = "A,B",
@@ -37,8 +37,7 @@ pub struct ContestArguments {
         help_heading = "What is tried"
     )]
     methods: Vec<String>,
-    /// Where pictures are made: cpu, gpu (also a software adapter) or both [default: cpu, and gpu if there is
-    /// one]
+    /// Backends: cpu, gpu (also a software adapter) or both [default: cpu, and gpu if there is one]
     #[arg(long, value_name = "cpu,gpu", value_delimiter = ',', help_heading = "What is tried")]
     backend: Vec<BackendChoice>,
     /// How a GPU reads textures: exact, fast or both
@@ -54,30 +53,30 @@ pub struct ContestArguments {
     pub scene: SceneArguments,
 }
 
-/// A contest with all files named and read but the maps.
-pub struct Contest {
-    /// The scene. Its surfaces have no method of their own.
+/// Methods that are tried on a scene. All files are named; all are read but the maps.
+pub struct MethodSet {
+    /// Scene. Its surfaces have no method of their own.
     pub spec: SceneSpec,
-    /// The methods.
+    /// Methods.
     pub contenders: Vec<Contender>,
-    /// Their shadows, where several are named; else the scene's.
+    /// Shadows of the methods, if several are named; else the scene's.
     shadows: Vec<Choice>,
-    /// Where pictures are made.
+    /// Machines that render the pictures.
     pub machines: Vec<Machine>,
-    /// The file of the sample map, where no other is given, as long as this lives.
+    /// Folder of the sample map if no map is given; removed when dropped.
     _sample: Option<TempDir>,
 }
 
-impl ContestArguments {
-    /// What is tried.
-    pub fn contest(&self) -> Result<Contest, Failure> {
+impl MethodSetArguments {
+    /// Returns what is tried.
+    pub fn method_set(&self) -> Result<MethodSet, Failure> {
         let mut spec = self.scene.spec()?;
-        // Pictures that are measured do not change with fashion.
+        // Pictures that are measured do not follow the default look.
         spec.look.get_or_insert(Look::Plain);
         Numbering::of(self.scene.file()).refuse(&spec, ONE_FRAME)?;
         if let Some(file) = spec.each_surface().into_iter().find_map(|surface| surface.object) {
             return Err(Failure::Usage(format!(
-                "{}: what is compared are methods over height maps, not objects of images",
+                "{}: methods over height maps are compared, not depth objects: give a height map",
                 file.display()
             )));
         }
@@ -93,10 +92,10 @@ impl ContestArguments {
         }
         let contenders = self.contenders(&families, &settings)?;
         let sample = sample(&mut spec)?;
-        Ok(Contest { spec, contenders, shadows, machines: self.machines()?, _sample: sample })
+        Ok(MethodSet { spec, contenders, shadows, machines: self.machines()?, _sample: sample })
     }
 
-    /// The geometries that are tried: those that are named, or all; slices only where methods are named.
+    /// Returns the geometries to try: the named ones, or all. Slices only if methods are named.
     fn families(&self, spec: &SceneSpec) -> Result<Vec<String>, Failure> {
         let surfaces = spec.each_surface();
         let names_one = surfaces.iter().any(|surface| {
@@ -105,8 +104,8 @@ impl ContestArguments {
         });
         if self.scene.names_method() || names_one {
             return Err(Failure::usage(
-                "--method, --search and --refine name one method: give --methods the names of those that are \
-                 tried, pairs as linear+binary",
+                "--method, --search and --refine name one method: give --methods a list of names, pairs as \
+                 linear+binary",
             ));
         }
         let entries = STAGES[GEOMETRY].entries;
@@ -117,7 +116,7 @@ impl ContestArguments {
             return Ok(entries.iter().filter(is_quick).map(|entry| entry.name.to_owned()).collect());
         };
         let of = |name: &str| {
-            // Rays are what there is without a geometry.
+            // Methods without a geometry trace rays.
             let base = entries.iter().find(|entry| entry.is_idle()).map_or(name, |entry| entry.name);
             let name = if name == Family::Ray.name() { base } else { name };
             let is_known = known().any(|known| known == name);
@@ -128,7 +127,7 @@ impl ContestArguments {
         text.split(',').map(of).collect()
     }
 
-    /// The methods, with the settings that each has.
+    /// Returns the methods, each with its settings.
     fn contenders(&self, families: &[String], settings: &[(String, f64)]) -> Result<Vec<Contender>, Failure> {
         let mut contenders = if self.methods.iter().any(|name| name == "all") {
             Contender::all()
@@ -142,7 +141,7 @@ impl ContestArguments {
         });
         for (key, value) in settings {
             if !contenders.iter().any(|contender| contender.has(key)) {
-                return Err(Failure::Usage(format!("--set {key}: none of the methods has such a setting")));
+                return Err(Failure::Usage(format!("--set {key}: none of the methods has this setting")));
             }
             for contender in contenders.iter_mut().filter(|contender| contender.has(key)) {
                 let set = contender.selection.set(key, *value);
@@ -152,11 +151,11 @@ impl ContestArguments {
         Ok(contenders)
     }
 
-    /// Where pictures are made.
+    /// Returns the machines that render the pictures.
     fn machines(&self) -> Result<Vec<Machine>, Failure> {
         let of_gpu = || self.sampling.iter().map(|&sampling| Machine::gpu(sampling));
         if self.backend.is_empty() {
-            // A software adapter is no GPU, and slower than the CPU is by itself.
+            // A software adapter is no GPU, and is slower than the CPU backend.
             let found = Renderer::new(BackendChoice::Auto, Sampling::Exact).map_err(of_render)?;
             let has_gpu = found.backend() == "gpu";
             return Ok([Machine::CPU].into_iter().chain(of_gpu().filter(|_| has_gpu)).collect());
@@ -165,7 +164,9 @@ impl ContestArguments {
         for backend in &self.backend {
             match backend {
                 BackendChoice::Auto => {
-                    return Err(Failure::usage("--backend: name cpu, gpu or both: auto is no column"));
+                    return Err(Failure::usage(
+                        "--backend auto: name cpu, gpu or both, since each is a column",
+                    ));
                 }
                 BackendChoice::Cpu => machines.push(Machine::CPU),
                 BackendChoice::Gpu => machines.extend(of_gpu()),
@@ -175,9 +176,8 @@ impl ContestArguments {
     }
 }
 
-impl Contest {
-    /// Reads the maps, and says what is to be said of that unless it is to be quiet. Everything that is not
-    /// named here is as [`Comparison::new`] has it.
+impl MethodSet {
+    /// Reads the maps and prints notes on them, unless it is to be quiet. Everything that is not named here is as [`Comparison::new`] has it.
     pub fn comparison(&self, quiet: bool) -> Result<Comparison, Failure> {
         let scene = self.spec.load().map_err(of_scene)?;
         if !quiet {
@@ -194,13 +194,14 @@ impl Contest {
         Ok(comparison)
     }
 
-    /// The files that are read.
+    /// Returns the files that are read.
     pub fn inputs(&self) -> Vec<PathBuf> {
         files(&self.spec)
     }
 }
 
-/// Takes the settings of some stages out of a description: they are those of what is tried.
+/// Removes the settings of `stages` from a description and returns them: they belong to the
+/// methods.
 fn settings(spec: &mut SceneSpec, stages: &[usize]) -> Vec<(String, f64)> {
     let mut taken = Vec::new();
     for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
@@ -216,7 +217,8 @@ fn settings(spec: &mut SceneSpec, stages: &[usize]) -> Vec<(String, f64)> {
     taken
 }
 
-/// Takes the shadows out of a description that names several, with their settings.
+/// Removes the shadows from a description that names several, with their settings, and returns
+/// them.
 fn shadows(spec: &mut SceneSpec) -> Result<Vec<Choice>, Failure> {
     let stage = STAGES[SHADOW].key;
     let named = spec.each_surface().iter().find_map(|surface| surface.stages.get(stage).cloned());
@@ -241,19 +243,19 @@ fn shadows(spec: &mut SceneSpec) -> Result<Vec<Choice>, Failure> {
             is_of_one = true;
         }
         if !is_of_one {
-            return Err(Failure::Usage(format!("--set {key}: none of the shadows has such a setting")));
+            return Err(Failure::Usage(format!("--set {key}: none of the shadows has this setting")));
         }
     }
     Ok(selections.iter().map(|selection| selection.choices[SHADOW]).collect())
 }
 
-/// Names the sample map in a description that names none.
+/// Adds the sample map to a description without a map.
 fn sample(spec: &mut SceneSpec) -> Result<Option<TempDir>, Failure> {
     let has_map = spec.each_surface().iter().any(|surface| surface.height.is_some());
     if has_map || !spec.surfaces.is_empty() {
         return Ok(None);
     }
-    let failed = |error| Failure::Work(format!("a folder for the sample map cannot be made: {error}"));
+    let failed = |error| Failure::Work(format!("no folder can be made for the sample map: {error}"));
     let folder = tempfile::Builder::new().prefix("relief-").tempdir().map_err(failed)?;
     let path = folder.path().join("cobbles.png");
     std::fs::write(&path, COBBLES_PNG).map_err(failed)?;
@@ -261,7 +263,7 @@ fn sample(spec: &mut SceneSpec) -> Result<Option<TempDir>, Failure> {
     Ok(Some(folder))
 }
 
-/// Compares, with a bar that says what is done, and notes on what was left out.
+/// Runs the comparison with a progress bar, and prints notes on what was left out.
 pub fn compared(
     what: &'static str,
     comparison: &Comparison,
@@ -269,8 +271,8 @@ pub fn compared(
     cancel: &AtomicBool,
 ) -> Result<Compared, Failure> {
     let progress = Progress::bar(what, quiet);
-    let told = |_: &str, part: f32| progress.show(part);
-    let mut compared = comparison.run(&Watch::new(&told, cancel)).map_err(of_comparison)?;
+    let tell = |_: &str, part: f32| progress.show(part);
+    let mut compared = comparison.run(&Watch::new(&tell, cancel)).map_err(of_comparison)?;
     drop(progress);
     for LeftOut { what, reason } in compared.records.left_out.iter().filter(|_| !quiet) {
         say::note(format_args!("{what} is left out: {reason}"));
@@ -279,13 +281,13 @@ pub fn compared(
     Ok(compared)
 }
 
-/// The command line that asked for it.
+/// Returns the command line of this run.
 fn command() -> String {
     let words = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned());
     std::iter::once("relief".to_owned()).chain(words).collect::<Vec<_>>().join(" ")
 }
 
-/// Times once more what a goal hardly decides between, with a bar.
+/// Times once more what a goal hardly decides between, with a progress bar.
 pub fn look_again(
     what: &'static str,
     comparison: &Comparison,
@@ -295,18 +297,18 @@ pub fn look_again(
     cancel: &AtomicBool,
 ) -> Result<(), Failure> {
     let progress = Progress::bar(what, quiet);
-    let told = |_: &str, part: f32| progress.show(part);
-    let looked = comparison.look_again(records, goal, &Watch::new(&told, cancel));
+    let tell = |_: &str, part: f32| progress.show(part);
+    let looked = comparison.look_again(records, goal, &Watch::new(&tell, cancel));
     looked.map(|_| ()).map_err(of_comparison)
 }
 
-/// The records for programs.
+/// Formats the records as JSON.
 pub fn as_json(records: &Records) -> Result<String, Failure> {
     let text = serde_json::to_string_pretty(records).map_err(Failure::work)?;
     Ok(text + "\n")
 }
 
-/// Why there is no comparison, with what mends it.
+/// Turns a comparison's error into a failure, with the flag that helps.
 pub fn of_comparison(error: CompareError) -> Failure {
     match error {
         CompareError::Value { what: "an angle", .. } => Failure::Usage(format!("--angles: {error}")),
@@ -318,7 +320,7 @@ pub fn of_comparison(error: CompareError) -> Failure {
         CompareError::Nothing(_) => Failure::usage(error),
         CompareError::Selection(error) => Failure::Usage(format!("--steps: {error}")),
         CompareError::TooMuchMemory { .. } => Failure::Work(format!(
-            "{error}: --max-memory raises it; fewer --rays, a smaller --size and fewer --methods need less"
+            "{error}: --max-memory raises the limit; fewer --rays, a smaller --size and fewer --methods need less"
         )),
         CompareError::Cancelled(_) => interrupt::cancelled(),
         CompareError::Render { source, .. } => of_render(*source),

@@ -1,4 +1,4 @@
-//! From where a mesh is looked at, and the levels of its height map that are seen.
+//! Filter of the coarser levels of a height map, for meshes that are made for a view.
 
 use std::str::FromStr;
 use std::sync::atomic::AtomicBool;
@@ -6,39 +6,23 @@ use std::sync::atomic::AtomicBool;
 use relief_bake::{Filter, filter_levels};
 use relief_core::registry::UnknownName;
 use relief_core::{ByteSize, HeightMap, Watch};
-use relief_io::GlbMaterials;
-use relief_mesh::View;
-use relief_scene::Surface;
 
-use super::ground::Metres;
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
 use crate::progress::Progress;
 
-/// What a mesh is made of, and from where it is looked at.
-pub struct Seen<'a> {
-    pub surface: &'a Surface,
-    pub view: Option<View>,
-    /// Coarser levels of the height map, which are seen where voxels are wider than its texels.
-    pub coarser: Vec<HeightMap>,
-    /// The metres that it is written in.
-    pub metres: &'a Metres,
-    /// The materials of the base that are written.
-    pub materials: Option<GlbMaterials>,
-}
-
-/// How coarser levels are made, if they are.
+/// Filter of coarser levels, or none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LevelFilter(pub Option<Filter>);
 
 impl Default for LevelFilter {
-    /// The nearest that takes no time.
+    /// Returns the most accurate filter that takes little time.
     fn default() -> Self {
         Self(Some(Filter::LeastSquares))
     }
 }
 
-/// The name of no filter.
+/// Name of no filter.
 const NONE: &str = "none";
 
 impl FromStr for LevelFilter {
@@ -53,11 +37,11 @@ impl FromStr for LevelFilter {
     }
 }
 
-/// Height maps' worth of memory that it takes to make levels, and to keep them.
+/// Memory for making and keeping the levels, in height maps.
 const MAPS: f64 = 2.5;
 
 impl LevelFilter {
-    /// The coarser levels of a map that takes so many bytes of those that are allowed.
+    /// Returns the coarser levels of a map of `bytes` bytes, within `limit` bytes of memory.
     pub fn levels(
         self,
         map: &HeightMap,
@@ -70,8 +54,8 @@ impl LevelFilter {
         if needed > limit {
             let (mib, limit) = (needed.div_ceil(1 << 20), ByteSize(limit));
             return Err(Failure::Work(format!(
-                "the levels of the height map take {mib} MiB to make, more than the {limit} allowed: \
-                 --max-memory raises it, --level-filter none makes none"
+                "the levels of the height map take {mib} MiB to make, more than the {limit} allowed: raise \
+                 --max-memory, or give --level-filter none"
             )));
         }
         let bar = Progress::bar("filtering", json);
@@ -81,7 +65,7 @@ impl LevelFilter {
             relief_bake::BakeError::Cancelled(_) => cancelled(),
             other => Failure::work(other),
         })?;
-        // The first is the map itself.
+        // The first level is the map itself.
         Ok(levels.split_off(1))
     }
 }
