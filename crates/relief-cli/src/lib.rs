@@ -1,5 +1,5 @@
-//! Command `relief` as a library, so that tests and the documentation of its flags reach it. Programs should
-//! use the crate `relief` instead: this one prints, asks and exits.
+//! Command `relief` as a library, so that tests and the documentation of its flags reach it.
+//! Programs should use the crate `relief` instead: this one prints, asks and exits.
 
 use std::process::ExitCode;
 
@@ -26,7 +26,8 @@ mod units;
 mod values;
 mod waiting;
 
-/// Displacement mapping: turns height maps and meshes into pictures, baked maps, displaced meshes and shaders.
+/// Displacement mapping: turns height maps and meshes into pictures, baked maps, displaced meshes
+/// and shaders.
 #[derive(Parser)]
 #[command(name = "relief", version, propagate_version = true, max_term_width = 100)]
 #[command(after_help = "Start with: relief render --height data/bricks.png -o bricks.png\n\n\
@@ -81,25 +82,28 @@ enum Command {
     Render(Box<commands::render::Arguments>),
     /// Write a scene file of render's flags, with every key
     Scene(Box<commands::scene::Arguments>),
-    /// Report on a height map (size, depth, range, used levels, histogram, whether it tiles) or a mesh (size,
-    /// charts, seams, hard edges, tile sizes)
+    /// Report on a height map (size, depth, range, used levels, histogram, whether it tiles) or a
+    /// mesh (size, charts, seams, hard edges, tile sizes)
     Inspect(commands::inspect::Arguments),
     /// Bake a height map into the maps that methods read: cones, normals, horizons and more
     Bake(Box<commands::bake::Arguments>),
-    /// Make a height map from a normal map, photographs under known lights, a simple and a detailed mesh, a
-    /// depth object, or a formula
+    /// Make a height map from a normal map, photographs under known lights, a simple and a detailed
+    /// mesh, a depth object, or a formula
     Height(commands::height::Arguments),
     /// Displace a mesh by a height map, without cracks, and write a GLB, PLY, OBJ or STL file
     Mesh(Box<commands::mesh::Arguments>),
     /// Capture a mesh as a depth object: images with depth from several views
     Capture(Box<commands::capture::Arguments>),
-    /// Write a scene's relief as shells (offset copies of its mesh), which any glTF viewer shows by an alpha test
+    /// Write a scene's relief as shells (offset copies of its mesh), which any glTF viewer shows by
+    /// an alpha test
     Slices(Box<commands::slices::Arguments>),
-    /// Compare methods by the error of their hits, their cost and their pictures, as a page and as figures
+    /// Compare methods by the error of their hits, their cost and their pictures, as a page and as
+    /// figures
     Compare(Box<commands::compare::Arguments>),
     /// Time frames of methods, part by part
     Bench(Box<commands::bench::Arguments>),
-    /// Export a method as a shader for other programs (WGSL, GLSL, HLSL, MSL or SPIR-V), and its bindings
+    /// Export a method as a shader for other programs (WGSL, GLSL, HLSL, MSL or SPIR-V), and its
+    /// bindings
     Shader(Box<commands::shader::Arguments>),
     /// List every method, search and refinement with its settings and guarantees
     Methods(commands::methods::Arguments),
@@ -109,8 +113,8 @@ enum Command {
     Man(commands::man::Arguments),
 }
 
-/// Runs the command that the program's arguments name and returns the exit code: 0 done, 1 the work failed, 2
-/// the command line is wrong. Wrong arguments and `--help` end the program here.
+/// Runs the command that the program's arguments name and returns the exit code: 0 done, 1 the work
+/// failed, 2 the command line is wrong. Wrong arguments and `--help` end the program here.
 pub fn run() -> ExitCode {
     let parsed = command().try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches));
     let mut arguments = match parsed {

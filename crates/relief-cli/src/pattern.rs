@@ -16,7 +16,7 @@ pub struct Pattern {
 /// Reason that a name cannot be numbered.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PatternError {
-    /// It has more than one placeholder.
+    /// The name has more than one placeholder.
     #[error("it has more than one placeholder for a number: write %d or %04d once")]
     Several,
     /// A percent sign has no known meaning.

@@ -1,8 +1,8 @@
 //! Standard input and output as files: an argument names them by `-`.
 //!
-//! Readers go back and forth in a file, and nobody wants half a picture in a pipe. So the input is copied to
-//! a temporary file first. The output is written to a temporary file and copied when all is done. All other
-//! messages then go to standard error.
+//! Readers go back and forth in a file, and nobody wants half a picture in a pipe. So the input is
+//! copied to a temporary file first. The output is written to a temporary file and copied when all
+//! is done. All other messages then go to standard error.
 
 use std::fs::File;
 use std::io::{self, IsTerminal, Read, Write};
@@ -54,7 +54,8 @@ pub struct Streams {
 }
 
 impl Streams {
-    /// Replaces the names of streams by names of temporary files, and copies standard input to its file.
+    /// Replaces the names of streams by names of temporary files, and copies standard input to its
+    /// file.
     pub fn open(files: Files) -> Result<Self, Failure> {
         let mut streams = Self { folder: None };
         // Errors of the output come before anybody waits for the input.
@@ -138,7 +139,9 @@ impl Streams {
         if self.folder.is_none() {
             let folder = tempfile::Builder::new().prefix("relief-").tempdir();
             self.folder = Some(folder.map_err(|error| {
-                Failure::Work(format!("no folder can be made for temporary files: {error}"))
+                Failure::Work(format!(
+                    "no folder can be made for temporary files: {error}: check the free space"
+                ))
             })?);
         }
         Ok(self.folder.as_ref().map_or(Path::new(""), TempDir::path))
@@ -163,13 +166,14 @@ pub fn named(text: &str) -> String {
     text
 }
 
-/// Prints the answer to a command: on standard output, or on standard error if a file goes to standard output.
+/// Prints the answer to a command: on standard output, or on standard error if a file goes to
+/// standard output.
 pub fn answer(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Failure>) -> Result<(), Failure> {
     say_answer(write, true)
 }
 
-/// Prints which files a command wrote. With `--quiet` it prints nothing, unless `json` was asked for: the files
-/// are the result.
+/// Prints which files a command wrote. With `--quiet` it prints nothing, unless `json` was asked
+/// for: the files are the result.
 pub fn tell_written(
     json: bool,
     write: impl FnOnce(&mut Vec<u8>) -> Result<(), Failure>,

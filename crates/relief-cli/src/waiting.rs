@@ -12,8 +12,8 @@ const NOTE_AFTER: Duration = Duration::from_secs(1);
 /// Longest time to wait: a stopped process must not stop everyone.
 const PATIENCE: Duration = Duration::from_secs(600);
 
-/// Returns a function that takes the time waited so far and decides whether to go on waiting. It prints a note
-/// once, unless `quiet`.
+/// Returns a function that takes the time waited so far and decides whether to go on waiting. It
+/// prints a note once, unless `quiet`.
 pub fn waiting<'a>(
     folder: &'a Path,
     quiet: bool,

@@ -1,9 +1,9 @@
-//! Peak of the command's resident memory. Reading peaks at 8 bytes a texel and 32 MiB above the idle process,
-//! a refused header at 32 MiB; rendering and integrating keep to what they count against `--max-memory`, and
-//! pictures of any size take a band of rows.
+//! Peak of the command's resident memory. Reading peaks at 8 bytes a texel and 32 MiB above the
+//! idle process, a refused header at 32 MiB; rendering and integrating keep to what they count
+//! against `--max-memory`, and pictures of any size take a band of rows.
 //!
-//! The system counts the parent's memory against a child until the child's program has started, so the files
-//! are written row by row, and the tests run one after the other.
+//! The system counts the parent's memory against a child until the child's program has started, so
+//! the files are written row by row, and the tests run one after the other.
 
 mod common;
 
@@ -32,8 +32,8 @@ const TEXELS: u64 = SIDE as u64 * SIDE as u64;
 /// Memory that anything may take that does not grow with the maps.
 const FIXED: u64 = 32 * MIB;
 
-/// Limits in bytes per texel: reading, rendering with the exact tracer, and rendering without it, with levels of
-/// detail.
+/// Limits in bytes per texel: reading, rendering with the exact tracer, and rendering without it,
+/// with levels of detail.
 const READ_BYTES: u64 = 8;
 const EXACT_BYTES: u64 = 11 + 16;
 const METHOD_BYTES: u64 = 8 + 16;
@@ -64,8 +64,8 @@ fn alone(test: impl FnOnce(&Folder, u64)) {
 fn peak(folder: &Folder, line: &str) -> (Option<i32>, u64) {
     let mut command = folder.command();
     command.args(line.split_ascii_whitespace()).stdout(Stdio::null()).stderr(Stdio::null());
-    // With a user the command is forked. Otherwise it begins in the memory of this process, whose peak counts
-    // as its own.
+    // With a user the command is forked. Otherwise it begins in the memory of this process, whose
+    // peak counts as its own.
     #[cfg(unix)]
     {
         use std::os::unix::{fs::MetadataExt, process::CommandExt};
@@ -165,8 +165,8 @@ fn reading_and_rendering_large_maps() {
         render("map.png", "exact", EXACT_BYTES);
         render("map.exr", "exact", EXACT_BYTES);
         render("map.png", "relief", METHOD_BYTES);
-        // What is refused for its memory does not take it: the picture's and 8 bytes a texel would fit, 11
-        // would not.
+        // What is refused for its memory does not take it: the picture's and 8 bytes a texel would
+        // fit, 11 would not.
         let tight = "render --backend cpu --size 8x8 -o a.png --height map.pgm --max-memory";
         assert_within(folder, idle, &format!("{tight} 100MiB"), 1, 0, FIXED);
         assert_within(folder, idle, &format!("{tight} 170MiB"), 1, 0, FIXED + READ_BYTES * TEXELS);

@@ -76,7 +76,7 @@ pub struct Arguments {
     /// file's, else square texels and 1 m for the longer side]
     #[arg(long, value_name = "U,V", value_parser = units::two_lengths)]
     tile_size: Option<[f64; 2]>,
-    /// How values are stored; they are rounded to the side that keeps a map's guarantee
+    /// Storage of values, which are rounded to the side that keeps a map's guarantee
     #[arg(long, value_enum, default_value = "auto", help_heading = "Storage")]
     texels: TexelChoice,
     /// Compress the levels of KTX2 files with Zstandard
@@ -245,7 +245,9 @@ impl Arguments {
         }
         if !self.folder().is_dir() {
             let folder = self.folder().display();
-            return Err(Failure::Work(format!("{name}: cannot be written: there is no folder {folder}")));
+            return Err(Failure::Work(format!(
+                "{name}: cannot be written: there is no folder {folder}: make it first"
+            )));
         }
         Ok(())
     }

@@ -31,8 +31,9 @@ pub fn run(arguments: &Arguments, command: &Command) -> Result<(), Failure> {
         return Ok(io::stdout().lock().write_all(&completions(shell, command))?);
     }
     let Some(folder) = &arguments.output else { return Ok(()) };
-    std::fs::create_dir_all(folder)
-        .map_err(|error| Failure::Work(format!("{}: {error}", folder.display())))?;
+    std::fs::create_dir_all(folder).map_err(|error| {
+        Failure::Work(format!("{}: the folder cannot be made: {error}", folder.display()))
+    })?;
     for shell in Shell::value_variants() {
         let path = folder.join(shell.file_name(command.get_name()));
         let written = write_atomically(&path, |out| out.write_all(&completions(*shell, command)));

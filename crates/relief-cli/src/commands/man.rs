@@ -30,8 +30,9 @@ pub fn run(arguments: &Arguments, command: &Command) -> Result<(), Failure> {
     let mut pages = Vec::new();
     collect(&whole, whole.get_name().to_owned(), &mut pages)?;
     if let Some(folder) = &arguments.output {
-        std::fs::create_dir_all(folder)
-            .map_err(|error| Failure::Work(format!("{}: {error}", folder.display())))?;
+        std::fs::create_dir_all(folder).map_err(|error| {
+            Failure::Work(format!("{}: the folder cannot be made: {error}", folder.display()))
+        })?;
         for (name, text) in pages {
             let path = folder.join(format!("{name}.1"));
             write_atomically(&path, |out| out.write_all(&text)).map_err(Failure::work)?;

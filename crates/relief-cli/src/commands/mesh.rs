@@ -366,7 +366,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let view = arguments.view_of(&spec, &scene);
     if surface.object().is_some() {
-        return Err(Failure::usage("the surface is a depth object, which has no height map on a mesh"));
+        return Err(Failure::usage(
+            "the surface is a depth object, which has no height map on a mesh: give a height map",
+        ));
     }
     drop(scene);
     let surface = metres.applied(arguments, surface)?;

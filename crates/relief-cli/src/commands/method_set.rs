@@ -40,7 +40,7 @@ pub struct MethodSetArguments {
     /// Backends: cpu, gpu (also a software adapter) or both [default: cpu, and gpu if there is one]
     #[arg(long, value_name = "cpu,gpu", value_delimiter = ',', help_heading = "What is tried")]
     backend: Vec<BackendChoice>,
-    /// How a GPU reads textures: exact, fast or both
+    /// Texture reads on a GPU: exact, fast or both
     #[arg(
         long,
         value_name = "exact,fast",
@@ -141,7 +141,9 @@ impl MethodSetArguments {
         });
         for (key, value) in settings {
             if !contenders.iter().any(|contender| contender.has(key)) {
-                return Err(Failure::Usage(format!("--set {key}: none of the methods has this setting")));
+                return Err(Failure::Usage(format!(
+                    "--set {key}: none of the methods has this setting: see `relief methods`"
+                )));
             }
             for contender in contenders.iter_mut().filter(|contender| contender.has(key)) {
                 let set = contender.selection.set(key, *value);
@@ -177,7 +179,8 @@ impl MethodSetArguments {
 }
 
 impl MethodSet {
-    /// Reads the maps and prints notes on them, unless it is to be quiet. Everything that is not named here is as [`Comparison::new`] has it.
+    /// Reads the maps and prints notes on them, unless it is to be quiet. Everything that is not
+    /// named here is as [`Comparison::new`] has it.
     pub fn comparison(&self, quiet: bool) -> Result<Comparison, Failure> {
         let scene = self.spec.load().map_err(of_scene)?;
         if !quiet {
@@ -243,7 +246,9 @@ fn shadows(spec: &mut SceneSpec) -> Result<Vec<Choice>, Failure> {
             is_of_one = true;
         }
         if !is_of_one {
-            return Err(Failure::Usage(format!("--set {key}: none of the shadows has this setting")));
+            return Err(Failure::Usage(format!(
+                "--set {key}: none of the shadows has this setting: see `relief methods`"
+            )));
         }
     }
     Ok(selections.iter().map(|selection| selection.choices[SHADOW]).collect())
@@ -255,7 +260,11 @@ fn sample(spec: &mut SceneSpec) -> Result<Option<TempDir>, Failure> {
     if has_map || !spec.surfaces.is_empty() {
         return Ok(None);
     }
-    let failed = |error| Failure::Work(format!("no folder can be made for the sample map: {error}"));
+    let failed = |error| {
+        Failure::Work(format!(
+            "no folder can be made for the sample map: {error}: give another map with --height"
+        ))
+    };
     let folder = tempfile::Builder::new().prefix("relief-").tempdir().map_err(failed)?;
     let path = folder.path().join("cobbles.png");
     std::fs::write(&path, COBBLES_PNG).map_err(failed)?;

@@ -31,7 +31,7 @@ pub struct MachineArguments {
     /// software adapter [default: auto]
     #[arg(long, value_name = "auto|cpu|gpu")]
     backend: Option<BackendChoice>,
-    /// How maps are read. exact: the same bits on every machine; fast: through the GPU's texture
+    /// Texture reads. exact: the same bits on every machine; fast: through the GPU's texture
     /// sampler [default: exact]
     #[arg(long, value_name = "exact|fast", hide_short_help = true)]
     sampling: Option<Sampling>,
@@ -56,9 +56,9 @@ impl MachineArguments {
 /// Scene file and flags that describe a scene.
 #[derive(Args)]
 pub struct SceneArguments {
-    /// What to render: a scene file (TOML), a height map, a mesh, or an object.toml. Keys of a
-    /// scene are named like the flags, and flags override them. Paths in a scene file start at its
-    /// folder; with - (standard input) they start at the current folder
+    /// File to render: a scene (TOML), a height map, a mesh, or an object.toml. Keys of a scene are
+    /// named like the flags, and flags override them. Paths in a scene file start at its folder;
+    /// with - (standard input) they start at the current folder
     #[arg(value_name = "FILE")]
     scene: Option<PathBuf>,
     /// Width and height of the picture in pixels. map: one pixel per texel, with --view top

@@ -68,8 +68,8 @@ pub struct Arguments {
     /// spirv [default: the first of each]
     #[arg(long, value_name = "NAME[,NAME...]", value_delimiter = ',')]
     profile: Vec<String>,
-    /// How maps are read. exact: texel by texel, with the same bits on every machine; fast: through
-    /// a sampler
+    /// Texture reads. exact: texel by texel, with the same bits on every machine; fast: through a
+    /// sampler
     #[arg(long, value_name = "exact|fast", default_value_t)]
     sampling: Sampling,
     /// Group of all bindings: the descriptor set of SPIR-V, the register space of HLSL; GLSL and

@@ -36,10 +36,14 @@ pub fn format_of<F: Copy>(
     };
     if !folder_of(path).is_dir() {
         let folder = folder_of(path).display();
-        return Err(Failure::Work(format!("{name}: cannot be written: there is no folder {folder}")));
+        return Err(Failure::Work(format!(
+            "{name}: cannot be written: there is no folder {folder}: make it first"
+        )));
     }
     if path.is_dir() {
-        return Err(Failure::Work(format!("{name}: cannot be written: it is a folder")));
+        return Err(Failure::Work(format!(
+            "{name}: cannot be written: it is a folder: give the name of a file"
+        )));
     }
     match replaced(path, inputs) {
         Some(input) => {

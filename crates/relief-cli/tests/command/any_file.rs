@@ -1,5 +1,5 @@
-//! `relief render FILE` with a scene, a height map, a mesh or a depth object, and words that users know from
-//! other programs.
+//! `relief render FILE` with a scene, a height map, a mesh or a depth object, and words that users
+//! know from other programs.
 
 use crate::common::command::{Folder, json_of};
 use crate::common::maps::Map;
@@ -197,7 +197,8 @@ fn help_begins_with_what_is_used_most() {
     ] {
         let help = folder.relief(&format!("{command} -h")).fine().stdout;
         let options = help.split("Options:").nth(1).expect("a section").split("\n\n").next().expect("lines");
-        // The texts of flags stand further to the right, and may begin with the name of another flag.
+        // The texts of flags stand further to the right, and may begin with the name of another
+        // flag.
         let of_a_flag = |line: &&str| line.trim_start().starts_with('-') && line.find('-') <= Some(6);
         let listed: Vec<&str> = options
             .lines()

@@ -1,5 +1,5 @@
-//! Wrong input of any kind: the command reports it in one paragraph, ends with the right code, and leaves
-//! nothing behind.
+//! Wrong input of any kind: the command reports it in one paragraph, ends with the right code, and
+//! leaves nothing behind.
 
 use crate::common::command::Folder;
 use crate::common::files::{Sample, claiming, every_format, exr};
@@ -388,8 +388,8 @@ impl Random {
     }
 }
 
-/// Renders or inspects a file that may be damaged, and fails if that ends in anything but an error or both
-/// outputs.
+/// Renders or inspects a file that may be damaged, and fails if that ends in anything but an error
+/// or both outputs.
 fn survives(folder: &Folder, sample: &Sample, render_it: bool) -> bool {
     folder.write(&sample.name, &sample.bytes);
     let map = format!("{} {}", sample.name, sample.flags);

@@ -1,4 +1,5 @@
-//! Values of `--aov` against a camera, a bilinear surface and a ray march that are written here a second time.
+//! Values of `--aov` against a camera, a bilinear surface and a ray march that are written here a
+//! second time.
 
 use crate::common::aov::{Aov, Pixel};
 use crate::common::command::Folder;
@@ -6,8 +7,8 @@ use crate::common::maps::{self, Map};
 use crate::common::reference::{Continuation, Relief, View};
 use glam::{DVec2, DVec3};
 
-/// Tolerance of positions in metres: the error of `f32` at coordinates about 1, times its growth along a
-/// grazing ray.
+/// Tolerance of positions in metres: the error of `f32` at coordinates about 1, times its growth
+/// along a grazing ray.
 const TOLERANCE_M: f64 = 2e-5;
 
 const VIEW: View = View {
@@ -29,7 +30,8 @@ fn render(folder: &Folder, view: &View, relief: &Relief, more: &str) -> Aov {
     Aov::read(&folder.path("a.exr"))
 }
 
-/// Returns the fault of a pixel that shows a point of the relief on the built-in square, if it has one.
+/// Returns the fault of a pixel that shows a point of the relief on the built-in square, if it has
+/// one.
 fn fault(pixel: &Pixel, view: &View, relief: &Relief, ray: DVec3) -> Option<String> {
     let surface = relief.point(pixel.uv);
     let off_ray = (pixel.position - view.eye).cross(ray).length() / ray.length();
@@ -64,8 +66,8 @@ const NOTHING: Pixel = Pixel {
     bytes: 0.0,
 };
 
-/// Fails where a pixel is wrong in itself, or where more than one in 200 shows another point than the march
-/// found: at points that a ray only touches either may be right.
+/// Fails where a pixel is wrong in itself, or where more than one in 200 shows another point than
+/// the march found: at points that a ray only touches either may be right.
 fn assert_true(aov: &Aov, view: &View, relief: &Relief) -> [usize; 2] {
     assert_eq!([aov.width, aov.height], view.size);
     let (mut hits, mut misses, mut disagree) = (0, 0, 0);
@@ -257,8 +259,9 @@ fn every_method_shows_points_of_the_surface() {
         let aov = render(&folder, &view, &relief, &format!("--method {name}"));
         let hits: Vec<Pixel> = aov.pixels().map(|(_, _, p)| p).filter(|p| p.hit == 1.0).collect();
         assert!(hits.len() > 200, "{name}: {} hits", hits.len());
-        // Approximate methods leave the ray, but what they show is on the surface, with its normal and depth.
-        // Displaced triangles are beside it between their vertices, by a little of the relief's depth.
+        // Approximate methods leave the ray, but what they show is on the surface, with its normal
+        // and depth. Displaced triangles are beside it between their vertices, by a little of the
+        // relief's depth.
         let (off_m, turned) = match method["geometry"].as_str().expect("a name") {
             "none" => (TOLERANCE_M, 1e-3),
             _ => (0.04 * relief.scale_m, 0.2),

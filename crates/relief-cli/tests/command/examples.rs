@@ -1,5 +1,6 @@
-//! Example commands of `docs/commands.md` and of every help: they run on stand-in files, in small pictures, and
-//! their answers make sense. Commands of the README and the guide run by `cargo xtask guide --check`.
+//! Example commands of `docs/commands.md` and of every help: they run on stand-in files, in small
+//! pictures, and their answers make sense. Commands of the README and the guide run by `cargo xtask
+//! guide --check`.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -73,7 +74,8 @@ fn examples(text: &str) -> Vec<String> {
     lines.map(plain).map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ")).collect()
 }
 
-/// The examples of a command's help. The command is a folder's, and its help is as wide as its lines.
+/// The examples of a command's help. The command is a folder's, and its help is as wide as its
+/// lines.
 fn examples_of_help(folder: &Folder, command: &str) -> Vec<String> {
     let help = folder.relief(&format!("{command} --help")).fine().stdout;
     let mut lines: Vec<String> = Vec::new();

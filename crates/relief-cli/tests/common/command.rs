@@ -35,7 +35,8 @@ impl Folder {
         std::fs::write(path, bytes).expect("the temporary folder is writable");
     }
 
-    /// The command in this folder, without arguments. It keeps baked maps in a folder of the test's own.
+    /// The command in this folder, without arguments. It keeps baked maps in a folder of the test's
+    /// own.
     pub fn command(&self) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_relief"));
         command.current_dir(self.0.path()).env("RELIEF_CACHE", self.path(".cache")).stdin(Stdio::null());

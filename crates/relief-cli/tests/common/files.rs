@@ -52,7 +52,8 @@ pub fn every_format() -> Vec<Sample> {
     ]
 }
 
-/// Files with a proper header of that size, and next to nothing behind it. JPEG counts to 65535 only.
+/// Files with a proper header of that size, and next to nothing behind it. JPEG counts to 65535
+/// only.
 pub fn claiming(size: [u32; 2]) -> Vec<Sample> {
     let [width, height] = size;
     let mut png = Map::constant(0.5).png();
@@ -122,7 +123,8 @@ fn value_len(kind: u16) -> usize {
     }
 }
 
-/// Returns the bytes before the samples of a little-endian TIFF whose strips have `rows_per_strip` rows.
+/// Returns the bytes before the samples of a little-endian TIFF whose strips have `rows_per_strip`
+/// rows.
 pub fn tiff_header(
     [width, height]: [u32; 2],
     rows_per_strip: u32,
@@ -227,7 +229,8 @@ pub fn crc32(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(!0, |crc, &byte| (0..8).fold(crc ^ u32::from(byte), step))
 }
 
-/// A text as programs on other systems write it: with a byte order mark, in UTF-16, with old line ends.
+/// A text as programs on other systems write it: with a byte order mark, in UTF-16, with old line
+/// ends.
 pub fn foreign(text: &str) -> Vec<(&'static str, Vec<u8>)> {
     let units: Vec<u16> = std::iter::once(0xfeff).chain(text.encode_utf16()).collect();
     vec![

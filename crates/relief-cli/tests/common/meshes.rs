@@ -18,7 +18,8 @@ pub fn obj(mesh: &Mesh) -> String {
     text
 }
 
-/// Returns a triangle as a glTF that names a file for its picture and one for its buffer, and the buffer's bytes.
+/// Returns a triangle as a glTF that names a file for its picture and one for its buffer, and the
+/// buffer's bytes.
 pub fn gltf(picture: &str, buffer: &str) -> (String, Vec<u8>) {
     let numbers: [f32; 15] = [0., 0., 0., 1., 0., 0., 0., 0., 1., 0., 0., 1., 0., 0., 1.];
     let json = serde_json::json!({
@@ -39,12 +40,12 @@ pub fn gltf(picture: &str, buffer: &str) -> (String, Vec<u8>) {
     (json.to_string(), numbers.iter().flat_map(|number| number.to_le_bytes()).collect())
 }
 
-/// Writes a glTF of two triangles that make the square from (0, 0, 0) to (1, 1, 0), with the given primitives
-/// and more of the file's keys.
+/// Writes a glTF of two triangles that make the square from (0, 0, 0) to (1, 1, 0), with the given
+/// primitives and more of the file's keys.
 ///
-/// Attributes are positions (0), texture coordinates (1, mirrored 6, from -1 to 2 7), colours (all yellow 5,
-/// of several hues 10), joints (8) and weights of 0 (9). Indices are for the lower triangle (2), the
-/// upper one (3) and both (4).
+/// Attributes are positions (0), texture coordinates (1, mirrored 6, from -1 to 2 7), colours (all
+/// yellow 5, of several hues 10), joints (8) and weights of 0 (9). Indices are for the lower
+/// triangle (2), the upper one (3) and both (4).
 pub fn square(folder: &Folder, name: &str, primitives: &str, more: &str) {
     let floats = |numbers: &[f32]| numbers.iter().flat_map(|n| n.to_le_bytes()).collect::<Vec<u8>>();
     let buffer = [
@@ -105,8 +106,9 @@ pub fn factor(rgba: &str) -> String {
     format!(r#"{{"pbrMetallicRoughness": {{"baseColorFactor": [{rgba}]}}}}"#)
 }
 
-/// Writes a glTF of a strip of paper, 3 m long and 1 m wide, that is folded twice. Each of its three squares has
-/// its own material, one with the picture `leaf.png`, or all have the first material.
+/// Writes a glTF of a strip of paper, 3 m long and 1 m wide, that is folded twice. Each of its
+/// three squares has its own material, one with the picture `leaf.png`, or all have the first
+/// material.
 pub fn folded(folder: &Folder, name: &str, has_several: bool) {
     let ends = [[0.0, 0.0], [1.0, 0.0], [1.8, 0.6], [1.8, 1.6]];
     let numbers = |list: Vec<f32>| list.iter().flat_map(|n| n.to_le_bytes()).collect::<Vec<u8>>();

@@ -1,5 +1,5 @@
-//! A camera, a bilinear surface on the built-in plane and its first hits, written down from the conventions
-//! alone, in `f64`.
+//! A camera, a bilinear surface on the built-in plane and its first hits, written down from the
+//! conventions alone, in `f64`.
 
 use std::fmt::Write;
 
@@ -104,8 +104,8 @@ impl Relief {
         DVec3::new(uv.x / self.tile[0] - 0.5, level, uv.y / self.tile[1] - 0.5)
     }
 
-    /// By central differences over two texels; of a clamped map over what of them lies between its outermost
-    /// centres.
+    /// By central differences over two texels; of a clamped map over what of them lies between its
+    /// outermost centres.
     pub fn normal(&self, uv: DVec2) -> DVec3 {
         let texel = 1.0 / DVec2::new(f64::from(self.map.width), f64::from(self.map.height));
         let inside = |at: DVec2| match self.wrap {

@@ -20,8 +20,8 @@ pub fn with_out() -> Folder {
     folder
 }
 
-/// Fails unless the command failed as it should: with the exit code, in a paragraph that has the words, without
-/// a trace.
+/// Fails unless the command failed as it should: with the exit code, in a paragraph that has the
+/// words, without a trace.
 pub fn assert_refused(folder: &Folder, ran: &Ran, code: i32, words: &[&str]) {
     let Ran { line, stderr, stdout, .. } = ran;
     assert_eq!(ran.code, Some(code), "relief {line}: {stderr}");
@@ -45,7 +45,8 @@ fn flags(text: &str) -> impl Iterator<Item = &str> {
     words.filter(|word| word.len() > 2 && word.starts_with("--"))
 }
 
-/// Fails where an error names a flag that the command does not take, but for those that it was given.
+/// Fails where an error names a flag that the command does not take, but for those that it was
+/// given.
 fn assert_flags_are_known(folder: &Folder, Ran { line, stderr, .. }: &Ran) {
     let error = stderr.split("\n\n").next().unwrap_or_default();
     // What stands between backticks are commands of their own.
@@ -63,8 +64,8 @@ fn assert_flags_are_known(folder: &Folder, Ran { line, stderr, .. }: &Ran) {
     }
 }
 
-/// Makes the folder [`OUT`] read-only, and returns whether it worked: some users, root among them, may write
-/// anywhere, which is printed.
+/// Makes the folder [`OUT`] read-only, and returns whether it worked: some users, root among them,
+/// may write anywhere, which is printed.
 pub fn make_read_only(folder: &Folder) -> bool {
     let out = folder.path(OUT);
     let mut permissions = std::fs::metadata(&out).expect("it is there").permissions();

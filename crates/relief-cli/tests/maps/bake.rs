@@ -18,7 +18,7 @@ fn run(arguments: &[&str], folder: &Path) -> Output {
 }
 
 /// A folder with a map of hills and an empty folder `out`.
-fn room(side: u32) -> tempfile::TempDir {
+fn map_folder(side: u32) -> tempfile::TempDir {
     let room = tempfile::tempdir().expect("a temporary folder");
     let height = |at: u32| {
         let (u, v) = (at % side, at / side);
@@ -40,7 +40,7 @@ fn files(room: &Path) -> Vec<String> {
 
 #[test]
 fn the_help_names_every_kind_and_setting() {
-    let room = room(4);
+    let room = map_folder(4);
     let output = run(&["--help"], room.path());
     let text = String::from_utf8_lossy(&output.stdout);
     assert!(output.status.success() && text.contains("Kinds:"));
@@ -54,7 +54,7 @@ fn the_help_names_every_kind_and_setting() {
 
 #[test]
 fn wrong_command_lines_and_missing_maps_have_their_exit_codes() {
-    let room = room(4);
+    let room = map_folder(4);
     let output = run(&["map.png", "--kind", "no such kind", "-o", "out"], room.path());
     assert_eq!(output.status.code(), Some(2));
     assert!(!output.stderr.is_empty() && output.stdout.is_empty());
@@ -67,7 +67,7 @@ fn wrong_command_lines_and_missing_maps_have_their_exit_codes() {
 
 #[test]
 fn every_kind_is_baked_once_and_says_what_it_is() {
-    let room = room(16);
+    let room = map_folder(16);
     for kind in KINDS {
         for format in ["exr", "ktx2"] {
             let line = ["map.png", "--kind", kind.name, "--format", format, "-o", "out", "--json"];
@@ -113,7 +113,7 @@ fn wait_for_work(child: &mut Child, room: &Path) {
 #[test]
 fn an_interrupt_leaves_no_file_or_whole_ones() {
     for kind in KINDS.iter().take(3) {
-        let room = room(600);
+        let room = map_folder(600);
         let mut child = command(&["map.png", "--kind", kind.name, "-o", "out"], room.path())
             .stdout(Stdio::null())
             .stderr(Stdio::null())
@@ -124,7 +124,8 @@ fn an_interrupt_leaves_no_file_or_whole_ones() {
         let signalled = Command::new("kill").args(["-INT", &pid]).stderr(Stdio::null()).status();
         signalled.expect("kill is there");
         let status = child.wait().expect("the command ends");
-        // Where the bake was faster than the signal, its files are whole; else there is none, hidden or not.
+        // Where the bake was faster than the signal, its files are whole; else there is none,
+        // hidden or not.
         let left = files(room.path());
         match status.code() {
             Some(0) => {

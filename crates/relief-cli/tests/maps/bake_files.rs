@@ -1,4 +1,5 @@
-//! Files of `relief bake`: whole sets of one run, whatever becomes of the process, and nobody else's files.
+//! Files of `relief bake`: whole sets of one run, whatever becomes of the process, and nobody
+//! else's files.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -17,7 +18,7 @@ fn hills(folder: &Folder, side: u32) {
     folder.write("map.png", map.png());
 }
 
-fn room(side: u32) -> Folder {
+fn map_folder(side: u32) -> Folder {
     let folder = Folder::new();
     hills(&folder, side);
     folder
@@ -51,7 +52,7 @@ fn up_to_date(folder: &Folder, flags: &str) -> bool {
 
 #[test]
 fn a_manifest_lists_what_is_whole() {
-    let folder = room(24);
+    let folder = map_folder(24);
     let flags = "--kind normal,frustum --set normal.mips=0 --format ktx2";
     bake(&folder, flags);
     let expected =
@@ -89,13 +90,13 @@ fn a_manifest_lists_what_is_whole() {
 
 #[test]
 fn files_that_the_new_bake_does_not_have_go_unless_they_were_changed() {
-    let folder = room(64);
+    let folder = map_folder(64);
     let flags = "--kind pyramid --format png";
     bake(&folder, flags);
     let large = names(&folder);
     hills(&folder, 8);
     let small = {
-        let other = room(8);
+        let other = map_folder(8);
         bake(&other, flags);
         names(&other)
     };
@@ -112,7 +113,7 @@ fn files_that_the_new_bake_does_not_have_go_unless_they_were_changed() {
     assert_eq!(names(&folder), expected);
     assert_eq!(files(&folder)[&changed], b"changed");
     // The JSON lists the file, too. Other kinds and formats stay.
-    let folder = room(64);
+    let folder = map_folder(64);
     bake(&folder, flags);
     bake(&folder, "--kind normal");
     hills(&folder, 8);
@@ -123,7 +124,7 @@ fn files_that_the_new_bake_does_not_have_go_unless_they_were_changed() {
 
 #[test]
 fn files_of_other_programs_are_not_replaced_without_force() {
-    let folder = room(16);
+    let folder = map_folder(16);
     folder.write("out/map.normal.ktx2", "mine");
     let flags = "--kind normal,occlusion --set normal.mips=0 --format ktx2";
     let refused = folder.relief(&line(flags));
@@ -150,7 +151,7 @@ fn files_of_other_programs_are_not_replaced_without_force() {
 fn links_stay_and_inputs_are_no_outputs() {
     use std::os::unix::fs::symlink;
 
-    let folder = room(16);
+    let folder = map_folder(16);
     bake(&folder, "--kind normal,occlusion");
     let whole = files(&folder);
     std::fs::remove_dir_all(folder.path("out")).expect("it is there");
@@ -172,7 +173,7 @@ fn links_stay_and_inputs_are_no_outputs() {
         assert_eq!(std::fs::read_dir(folder.path("elsewhere")).expect("a folder").count(), 1);
     }
     for second in [false, true] {
-        let folder = room(16);
+        let folder = map_folder(16);
         let before = std::fs::read(folder.path("map.png")).expect("the map");
         std::fs::create_dir(folder.path("out")).expect("writable");
         let output = folder.path("out/map.normal.png");
@@ -194,7 +195,7 @@ fn links_stay_and_inputs_are_no_outputs() {
 #[test]
 fn what_cannot_be_written_is_said_before_the_work() {
     // The bake of this volume would take a minute, and then go into no PNG.
-    let folder = room(700);
+    let folder = map_folder(700);
     let refusals = [
         ("--kind distance --set distance.slices=2048 --format png", "ktx2"),
         ("--kind distance --set distance.slices=2048 --format ktx2 --texels bc", "bc"),
@@ -225,7 +226,7 @@ fn what_cannot_be_written_is_said_before_the_work() {
 #[cfg(target_os = "linux")]
 #[test]
 fn memory_that_the_system_refuses_is_an_error() {
-    let folder = room(700);
+    let folder = map_folder(700);
     let line = line("--kind normal");
     let mut refused = 0;
     for mebibytes in (16..400).step_by(4) {
@@ -273,7 +274,7 @@ fn two_sets(folder: &Folder) -> ([BTreeMap<String, Vec<u8>>; 2], Duration) {
 #[cfg(unix)]
 #[test]
 fn an_interrupt_leaves_the_old_files_or_the_new_ones_and_says_which() {
-    let folder = room(96);
+    let folder = map_folder(96);
     let (sets, took) = two_sets(&folder);
     let mut state = 1u32;
     let mut cancelled = 0;
@@ -304,7 +305,7 @@ fn an_interrupt_leaves_the_old_files_or_the_new_ones_and_says_which() {
 
 #[test]
 fn killed_processes_leave_whole_sets_and_nothing_over() {
-    let folder = room(96);
+    let folder = map_folder(96);
     let (sets, took) = two_sets(&folder);
     let others = |mut files: BTreeMap<String, Vec<u8>>| {
         files.retain(|name, _| name != "map.occlusion.png" && name != "map.relief-manifest");
@@ -332,7 +333,7 @@ fn killed_processes_leave_whole_sets_and_nothing_over() {
 
 #[test]
 fn processes_with_different_settings_leave_the_set_of_one() {
-    let folder = room(48);
+    let folder = map_folder(48);
     let (sets, _) = two_sets(&folder);
     for round in 0..8 {
         let runs = [0, 1, 0].map(|which| {
@@ -355,7 +356,7 @@ fn processes_with_different_settings_leave_the_set_of_one() {
 #[cfg(unix)]
 #[test]
 fn who_waits_for_another_process_says_so_and_can_be_interrupted() {
-    let folder = room(16);
+    let folder = map_folder(16);
     let start = || {
         let mut command = folder.command();
         command.args(line("--kind normal").split_ascii_whitespace());

@@ -11,7 +11,7 @@ use crate::common::maps::Map;
 use serde_json::Value;
 
 /// A folder with two maps of hills of one size.
-fn room() -> Folder {
+fn map_folder() -> Folder {
     let folder = Folder::new();
     for (name, step) in [("one.png", 700), ("two.png", 900)] {
         let map = Map::new(48, 40, |x, y| ((x * step + y * 1100 + (x * y) % 11 * 2000) % 65_536) as u16);
@@ -53,7 +53,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 
 #[test]
 fn a_map_is_baked_once_and_read_after_that() {
-    let folder = room();
+    let folder = map_folder();
     let first = json(&folder, "one.png", "--cache kept/here");
     assert_eq!((&first["from"], &first["kind"]), (&"bake".into(), &"frustum".into()), "{first}");
     let with_baked = picture(&folder);
@@ -73,7 +73,7 @@ fn a_map_is_baked_once_and_read_after_that() {
 
 #[test]
 fn other_heights_another_wrap_and_another_size_have_files_of_their_own() {
-    let folder = room();
+    let folder = map_folder();
     folder.write("small.png", Map::new(47, 40, |x, y| (x * 700 + y * 100) as u16).png());
     let flags = ["", "--wrap clamp", "--wrap mirror", "--depth"];
     let mut runs: Vec<(&str, &str)> = flags.map(|flags| ("one.png", flags)).into();
@@ -89,7 +89,7 @@ fn other_heights_another_wrap_and_another_size_have_files_of_their_own() {
 
 #[test]
 fn damaged_files_are_baked_again() {
-    let folder = room();
+    let folder = map_folder();
     let first = json(&folder, "one.png", "--cache kept");
     let right = picture(&folder);
     let file = folder.path(first["file"].as_str().expect("a file"));
@@ -120,7 +120,7 @@ fn damaged_files_are_baked_again() {
 
 #[test]
 fn a_folder_that_cannot_be_written_to_is_noted_and_the_picture_is_there() {
-    let folder = room();
+    let folder = map_folder();
     json(&folder, "one.png", "--no-cache");
     let right = picture(&folder);
     // A file in the folder's place stops everyone, even root.
@@ -138,7 +138,7 @@ fn a_folder_that_cannot_be_written_to_is_noted_and_the_picture_is_there() {
 
 #[test]
 fn without_a_cache_nothing_is_read_and_nothing_kept() {
-    let folder = room();
+    let folder = map_folder();
     let variable = |flags: &str| {
         let line = line("one.png", &format!("--json {flags}"));
         let mut command = folder.command();
@@ -168,7 +168,7 @@ fn without_a_cache_nothing_is_read_and_nothing_kept() {
 
 #[test]
 fn methods_without_a_baked_map_do_not_touch_the_cache() {
-    let folder = room();
+    let folder = map_folder();
     let ran = folder.relief(
         "render --height one.png --look plain --method relief --backend cpu --cache kept --json -o out.png",
     );
@@ -178,7 +178,7 @@ fn methods_without_a_baked_map_do_not_touch_the_cache() {
 
 #[test]
 fn several_processes_at_once_all_finish_and_leave_one_whole_file() {
-    let folder = room();
+    let folder = map_folder();
     let runs: Vec<_> = (0..6)
         .map(|number| {
             let line = line("one.png", "--cache kept").replace("out.png", &format!("out{number}.png"));
@@ -240,7 +240,7 @@ fn killed_processes_leave_nothing_over_and_nothing_wrong() {
 #[test]
 #[cfg(unix)]
 fn a_disk_that_fills_up_is_noted_and_leaves_nothing() {
-    let folder = room();
+    let folder = map_folder();
     json(&folder, "one.png", "--no-cache");
     let right = picture(&folder);
     // No file may grow beyond 16 blocks of 512 bytes: the picture fits, the map does not.

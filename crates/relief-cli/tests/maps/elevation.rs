@@ -31,8 +31,8 @@ fn a_mesh_of_one_has_holes_where_they_are_asked_for() {
         let about = json_of(&folder.relief(&format!("mesh {line} -o out.glb --json")).fine().stdout);
         ["triangles", "open_edges"].map(|key| about[key].as_u64().expect("a number"))
     };
-    // Two texels beside each other are at the corners of six cells: two triangles each, ten sides around
-    // them.
+    // Two texels beside each other are at the corners of six cells: two triangles each, ten sides
+    // around them.
     let [filled, holes] = ["", " --holes"].map(|flag| count(&format!("dem.tif --texels 1{flag}")));
     assert_eq!(holes, [filled[0] - 12, filled[1] + 10]);
     let [filled, holes] = ["", " --holes"].map(|flag| count(&format!("dem.tif --error 1%{flag}")));
@@ -77,7 +77,8 @@ fn a_picture_of_one_with_holes_is_rendered_and_says_so() {
     let surface = &about["surfaces"][0];
     assert_eq!((&surface["filled_texels"], &surface["wrap"]), (&json!(0), &json!("repeat")));
 
-    // Holes that are seen through are filled in files of all kinds, and a map without any is said to be.
+    // Holes that are seen through are filled in files of all kinds, and a map without any is said
+    // to be.
     let covered = |line: &str| json_of(&folder.relief(line).fine().stdout)["covered"].as_u64();
     let [filled, holes] =
         ["", " --holes"].map(|flag| covered(&format!("{line} dem.tif --samples 1 --json{flag}")));
@@ -171,7 +172,8 @@ fn real_models_of_unsigned_integers_are_seen() {
     }
 }
 
-/// A ramp of 40x24 texels of 10 units in a projected system with these keys, its values from `low` in steps.
+/// A ramp of 40x24 texels of 10 units in a projected system with these keys, its values from `low`
+/// in steps.
 fn ramp(numbers: &[[u16; 2]], [low, step]: [f32; 2]) -> Vec<u8> {
     let mut tags = georeference();
     tags[0].2 = [10.0f64, 10.0, 0.0].iter().flat_map(|value| value.to_le_bytes()).collect();

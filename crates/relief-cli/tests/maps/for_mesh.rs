@@ -19,8 +19,8 @@ fn folder() -> Folder {
     folder
 }
 
-/// Returns the distance in metres within which most hits of both lie, and the number of pixels that only one
-/// covers.
+/// Returns the distance in metres within which most hits of both lie, and the number of pixels that
+/// only one covers.
 fn apart(a: &Aov, b: &Aov) -> (f64, usize) {
     let pairs = || a.pixels().zip(b.pixels());
     let mut distances: Vec<f64> = pairs()

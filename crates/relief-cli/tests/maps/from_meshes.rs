@@ -1,4 +1,5 @@
-//! `relief height from-meshes`: the heights of a displaced mesh come back, and are shown without flags.
+//! `relief height from-meshes`: the heights of a displaced mesh come back, and are shown without
+//! flags.
 
 use std::process::Stdio;
 use std::time::Duration;
@@ -12,8 +13,8 @@ use glam::Vec3;
 use relief_core::mesh::{Mesh, torus};
 use relief_io::{MeshOptions, read_height, read_mesh};
 
-/// A folder with a coarse torus, a map of hills, and the torus displaced by it as a scan: without texture
-/// coordinates.
+/// A folder with a coarse torus, a map of hills, and the torus displaced by it as a scan: without
+/// texture coordinates.
 fn folder() -> Folder {
     let folder = with_out();
     folder.write("ring.obj", obj(&torus(24, 16).expect("a mesh")));
@@ -120,7 +121,8 @@ fn a_picture_of_both_is_the_same() {
     let [shown, flat] = [apart(&heights), apart(&flat)];
     println!("{shown:.1e} m, without the map {flat:.1e} m");
     assert!(shown < 1e-3 && flat > 10.0 * shown, "{shown} {flat}");
-    // Normals of the heights bend with the mesh's own. The normal map has the detailed mesh's normals.
+    // Normals of the heights bend with the mesh's own. The normal map has the detailed mesh's
+    // normals.
     let turned = |of: &Aov| {
         let pairs = truth.pixels().zip(of.pixels());
         let both = pairs.filter(|((_, _, a), (_, _, b))| {

@@ -1,4 +1,5 @@
-//! `relief height from-view`: an image of an object is a height map, which shows what the image saw.
+//! `relief height from-view`: an image of an object is a height map, which shows what the image
+//! saw.
 
 use crate::common::aov::Aov;
 use crate::common::command::{Folder, json_of};

@@ -11,7 +11,7 @@ use image::{DynamicImage, ImageFormat, RgbImage};
 use relief_io::file_set::FileSet;
 
 /// A folder with three photographs and their lights.
-fn room() -> Folder {
+fn map_folder() -> Folder {
     let folder = Folder::new();
     let mut lights = String::new();
     for (at, light) in ["[0.5, 0.1, 1]", "[-0.5, 0, 1]", "[0, 0.5, 1]"].iter().enumerate() {
@@ -43,7 +43,7 @@ fn files(folder: &Folder) -> BTreeMap<PathBuf, Vec<u8>> {
 #[test]
 fn killed_runs_leave_the_files_of_one_run_and_nothing_over() {
     const LIGHTS: [&str; 2] = ["lights.toml", "bright.toml"];
-    let folder = room();
+    let folder = map_folder();
     let mut took = Vec::new();
     let sets = LIGHTS.map(|lights| {
         let started = Instant::now();
@@ -74,7 +74,7 @@ fn killed_runs_leave_the_files_of_one_run_and_nothing_over() {
 #[cfg(unix)]
 #[test]
 fn links_stay_and_second_names_of_inputs_are_refused() {
-    let folder = room();
+    let folder = map_folder();
     std::os::unix::fs::symlink("../elsewhere/h.exr", folder.path("out/h.exr")).expect("writable");
     for _ in 0..2 {
         folder.relief(&line("lights.toml")).fine();

@@ -146,8 +146,8 @@ fn heights_normals_and_colours_come_back() {
     assert!(error(&folder, "h.exr") > 0.01);
 }
 
-/// A PNG of linear samples whose rows are stored as an orientation of EXIF says, by which it is shown
-/// upright; marked as linear or not.
+/// A PNG of linear samples whose rows are stored as an orientation of EXIF says, by which it is
+/// shown upright; marked as linear or not.
 fn turned(pixels: &[[f64; 3]], orientation: u8, gamma: Option<f32>) -> Vec<u8> {
     let samples = pixels.iter().flatten().map(|&light| (light.min(1.0) * 65535.0).round() as u16).collect();
     let shown = ImageBuffer::<Rgb<u16>, Vec<u16>>::from_raw(SIDE, SIDE, samples).expect("as many samples");

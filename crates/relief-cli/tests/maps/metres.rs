@@ -1,5 +1,5 @@
-//! `relief mesh` of maps that know their metres. The mesh is as large as the ground, lies where the file says,
-//! and keeps a tolerance in metres.
+//! `relief mesh` of maps that know their metres. The mesh is as large as the ground, lies where the
+//! file says, and keeps a tolerance in metres.
 
 use crate::common::command::{Folder, json_of};
 use crate::common::files::{Samples, Tag, tiff};
@@ -29,7 +29,8 @@ fn dem(tags: &[Tag]) -> Vec<u8> {
     tiff(SIZE, Samples::Float, &data, tags)
 }
 
-/// The transformation of texels, `x = a column + b row + c` and `y = d column + e row + f`, and keys.
+/// The transformation of texels, `x = a column + b row + c` and `y = d column + e row + f`, and
+/// keys.
 fn ground([a, b, c, d, e, f]: [f64; 6], keys: &[[u16; 2]]) -> Vec<Tag> {
     let matrix = [a, b, 0.0, c, d, e, 0.0, f, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
     let mut directory = vec![1, 1, 0, keys.len() as u16];
@@ -196,8 +197,8 @@ fn vertices_and_the_origin_are_the_coordinates_of_the_file() {
     assert!(glb_json(&folder, "out/none.glb")["nodes"][0].get("extras").is_none());
 }
 
-/// The greatest distance in height of triangles from the bilinear surface of the map, at 8 x 8 points a texel, and
-/// how many of them were looked at.
+/// The greatest distance in height of triangles from the bilinear surface of the map, at 8 x 8
+/// points a texel, and how many of them were looked at.
 fn farthest(parts: &[WrittenMesh]) -> (f64, usize) {
     const PER_TEXEL: f64 = 8.0;
     let heights = heights();

@@ -1,4 +1,5 @@
-//! `relief height from-normals` with texels that hold no normal, and with pictures that are no normal maps.
+//! `relief height from-normals` with texels that hold no normal, and with pictures that are no
+//! normal maps.
 
 use crate::common::command::{Folder, json_of};
 use crate::common::files::exr;
@@ -54,8 +55,8 @@ fn is_frame(i: u32, j: u32) -> bool {
     [i, j].iter().any(|at| !(8..SIDE - 8).contains(at))
 }
 
-/// The greatest difference in metres of the heights of a file from the true ones, where a texel is no hole;
-/// the means of both are made equal there.
+/// The greatest difference in metres of the heights of a file from the true ones, where a texel is
+/// no hole; the means of both are made equal there.
 fn difference(folder: &Folder, name: &str, is_hole: &dyn Fn(u32, u32) -> bool) -> f64 {
     let options = HeightOptions { fill: Fill::Always, ..HeightOptions::default() };
     let map = read_height(&folder.path(name), &options).expect("a height map");

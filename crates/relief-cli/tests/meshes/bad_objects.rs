@@ -1,5 +1,5 @@
-//! Depth objects and slices that cannot be shown: the error says what is wrong, and nothing is written. Objects
-//! at the limits are shown.
+//! Depth objects and slices that cannot be shown: the error says what is wrong, and nothing is
+//! written. Objects at the limits are shown.
 
 use crate::common::command::{Folder, json_of};
 use crate::common::refused::{OUT, assert_refused, entries, with_out};

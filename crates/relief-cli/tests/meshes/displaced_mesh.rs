@@ -1,4 +1,5 @@
-//! `relief mesh`: its triangles are the relief that is rendered, in every format, whole or not at all.
+//! `relief mesh`: its triangles are the relief that is rendered, in every format, whole or not at
+//! all.
 
 use crate::common::aov::Aov;
 use crate::common::command::{Folder, Ran, json_of};

@@ -1,5 +1,5 @@
-//! Meshes of files through the command: rendered as the built-in shapes are, inspected, and refused with
-//! advice.
+//! Meshes of files through the command: rendered as the built-in shapes are, inspected, and refused
+//! with advice.
 
 use crate::common::aov::Aov;
 use crate::common::command::Folder;
@@ -39,8 +39,8 @@ fn folder() -> Folder {
 
 const LOOK: &str = "--height hills.png --tile 6,2 --scale 0.03 --size 160x120 --samples 1 --backend cpu";
 
-/// The part of the pixels that both pictures show, and the greatest difference of most of these, in metres
-/// and in texture coordinates.
+/// The part of the pixels that both pictures show, and the greatest difference of most of these, in
+/// metres and in texture coordinates.
 fn compare(a: &Aov, b: &Aov) -> [f64; 3] {
     let (mut alike, mut of_positions, mut of_uvs) = (0, Vec::new(), Vec::new());
     for ((_, _, a), (_, _, b)) in a.pixels().zip(b.pixels()) {

@@ -124,8 +124,8 @@ fn levels_of_detail_are_coarser_and_coarser() {
     assert!(!folder.path("out/none.glb").exists());
 }
 
-/// Files that belong to an input are not replaced either: buffers and pictures of a mesh, pictures of a depth
-/// object, and files that a scene names.
+/// Files that belong to an input are not replaced either: buffers and pictures of a mesh, pictures
+/// of a depth object, and files that a scene names.
 #[test]
 fn what_a_file_names_is_not_replaced() {
     let folder = with_out();

@@ -1,4 +1,5 @@
-//! Keys of a surface in a glTF's material: they are defaults for the scene, and bad ones are refused by name.
+//! Keys of a surface in a glTF's material: they are defaults for the scene, and bad ones are
+//! refused by name.
 
 use std::fs;
 
@@ -6,7 +7,8 @@ use crate::common::command::Folder;
 use crate::common::maps::Map;
 use relief_core::mesh::{Mesh, torus};
 
-/// A glTF of a mesh whose buffer lies beside it, with those materials; each part of it has the next one.
+/// A glTF of a mesh whose buffer lies beside it, with those materials; each part of it has the next
+/// one.
 fn gltf(mesh: &Mesh, materials: &[&str]) -> (String, Vec<u8>) {
     let floats = |numbers: Vec<f32>| numbers.into_iter().flat_map(f32::to_le_bytes).collect::<Vec<u8>>();
     let vertices = mesh.vertices();

@@ -1,5 +1,5 @@
-//! `relief mesh --solid`: closed by the numbers of its vertices in every format, also around holes, and which
-//! way up a mesh stands.
+//! `relief mesh --solid`: closed by the numbers of its vertices in every format, also around holes,
+//! and which way up a mesh stands.
 
 use std::collections::HashMap;
 
@@ -75,8 +75,9 @@ fn root(parent: &mut [u32], mut at: u32) -> u32 {
     at
 }
 
-/// Whether each edge has two triangles that run opposite ways, by the numbers of vertices, each vertex one
-/// ring of triangles, and the volume is positive; gives the volume and the number of pieces.
+/// Whether each edge has two triangles that run opposite ways, by the numbers of vertices, each
+/// vertex one ring of triangles, and the volume is positive; gives the volume and the number of
+/// pieces.
 fn closed(about: &str, (points, triangles): &Triangles) -> (f64, usize) {
     let mut sides: HashMap<[u32; 2], u32> = HashMap::new();
     for (number, corners) in triangles.iter().enumerate() {

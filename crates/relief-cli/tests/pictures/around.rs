@@ -1,4 +1,5 @@
-//! Everything around the work: scene files of flags, schemas, completions, manual pages, messages, threads.
+//! Everything around the work: scene files of flags, schemas, completions, manual pages, messages,
+//! threads.
 
 use std::fs;
 use std::path::Path;
@@ -6,7 +7,7 @@ use std::path::Path;
 use crate::common::command::Folder;
 use serde_json::Value;
 
-fn room() -> Folder {
+fn map_folder() -> Folder {
     let folder = Folder::new();
     let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/cobbles.png");
     fs::copy(shipped, folder.path("map.png")).expect("the shipped map");
@@ -18,7 +19,7 @@ const FLAGS: &str = "--height map.png --method relief --set search.steps=24 --sc
 
 #[test]
 fn a_scene_file_of_flags_renders_the_same_picture() {
-    let folder = room();
+    let folder = map_folder();
     folder.relief(&format!("render {FLAGS} -o a.png")).fine();
     folder.relief(&format!("scene {FLAGS} -o scene.toml")).fine();
     folder.relief("render scene.toml -o b.png").fine();
@@ -95,7 +96,7 @@ fn completions_and_pages_come_one_by_one_and_as_files() {
 
 #[test]
 fn quiet_says_nothing_and_verbose_what_was_done() {
-    let folder = room();
+    let folder = map_folder();
     fs::rename(folder.path("map.png"), folder.path("map_depth.png")).expect("writable");
     let line = "render --height map_depth.png --backend cpu --size 20x20 -o a.png";
     let usual = folder.relief(line);
@@ -113,7 +114,7 @@ fn quiet_says_nothing_and_verbose_what_was_done() {
 
 #[test]
 fn threads_change_time_and_no_byte() {
-    let folder = room();
+    let folder = map_folder();
     let line = "render --height map.png --backend cpu --size 60x40";
     for threads in [1, 3] {
         let ran = folder.relief(&format!("{line} -o {threads}.png --threads {threads} --json")).fine();

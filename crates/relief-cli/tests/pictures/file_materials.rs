@@ -7,7 +7,8 @@ use image::{DynamicImage, ImageFormat, Rgb, RgbImage, Rgba, RgbaImage};
 use relief_io::{MeshOptions, read_mesh};
 use relief_object::{ObjectOptions, read_object};
 
-/// Renders a mesh from the front, lit so that its colours are the material's, and returns the picture.
+/// Renders a mesh from the front, lit so that its colours are the material's, and returns the
+/// picture.
 fn rendered(folder: &Folder, mesh: &str, backend: &str, more: &str) -> RgbImage {
     let samples = if more.contains("--samples") { "" } else { " --samples 1" };
     let line = format!(
@@ -113,9 +114,9 @@ fn block([i, j]: [u32; 2]) -> [u8; 3] {
     [i * 60, j * 60, 255 - 30 * (i + j)].map(|part| part as u8)
 }
 
-/// Holds a picture to what the specification has in the middles of its pixels. `wanted` makes coordinates of
-/// the picture from 0 to 1 of a place on the square, from its upper left corner; points beside the borders of
-/// blocks are left out.
+/// Holds a picture to what the specification has in the middles of its pixels. `wanted` makes
+/// coordinates of the picture from 0 to 1 of a place on the square, from its upper left corner;
+/// points beside the borders of blocks are left out.
 fn assert_lies(what: &str, shown: &RgbImage, wanted: impl Fn([f64; 2]) -> [f64; 2]) {
     let mut points = 0;
     for (x, y, pixel) in shown.enumerate_pixels() {
@@ -407,7 +408,8 @@ fn a_displaced_base_of_three_materials_has_no_crack() {
         let ran = folder.relief("inspect out.glb --json");
         assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     }
-    // A picture of three materials shows something at the very pixels at which one of one material does.
+    // A picture of three materials shows something at the very pixels at which one of one material
+    // does.
     let text = std::fs::read_to_string(folder.path("three.gltf")).expect("it was written");
     folder.write("three.gltf", text.replace("MASK", "OPAQUE"));
     for more in ["", "--surface prism", "--surface tetrahedra"] {

@@ -1,5 +1,5 @@
-//! `relief render --frames`: each picture is the same as if rendered alone, and refusals come before anything is
-//! written.
+//! `relief render --frames`: each picture is the same as if rendered alone, and refusals come
+//! before anything is written.
 
 use std::fs;
 
@@ -19,7 +19,7 @@ fn wave(frame: u32) -> Vec<u8> {
 }
 
 /// A folder of five frames.
-fn room() -> Folder {
+fn map_folder() -> Folder {
     let folder = with_out();
     for frame in 8..=12 {
         folder.write(&format!("wave_{frame:03}.png"), wave(frame));
@@ -43,8 +43,9 @@ fn sorted(folder: &Folder) -> Vec<String> {
 
 #[test]
 fn frames_are_the_pictures_of_their_own_files() {
-    let folder = room();
-    // The camera is fitted, the scene has a folder of its own, and one of its surfaces stands still.
+    let folder = map_folder();
+    // The camera is fitted, the scene has a folder of its own, and one of its surfaces stands
+    // still.
     let scene = |height: &str, color: &str| {
         format!(
             "[[surfaces]]\nheight = '{height}'\ncolor = '{color}'\nmethod = 'cone'\n\
@@ -73,7 +74,7 @@ fn frames_are_the_pictures_of_their_own_files() {
 /// The renderer of a GPU goes on from frame to frame.
 #[test]
 fn frames_of_a_gpu_are_the_pictures_of_their_own_files() {
-    let folder = room();
+    let folder = map_folder();
     let line = "--size 48x36 --samples 1 --backend gpu";
     let ran = folder.relief(&format!(
         "render --height wave_%03d.png --color c%d.png --frames 8..10 {line} -o out/%d.png"
@@ -92,7 +93,7 @@ fn frames_of_a_gpu_are_the_pictures_of_their_own_files() {
 
 #[test]
 fn objects_move() {
-    let folder = room();
+    let folder = map_folder();
     for (frame, mesh) in [(0, "cube"), (1, "torus"), (2, "sphere")] {
         folder.relief(&format!("capture {mesh} --size 32 --verify 1 -q -o walk/{frame:04}")).fine();
     }
@@ -123,7 +124,7 @@ fn objects_move() {
 
 #[test]
 fn what_cannot_be_rendered_in_frames_is_refused_before_anything_is_written() {
-    let folder = room();
+    let folder = map_folder();
     fs::remove_file(folder.path("wave_011.png")).expect("it was there");
     folder.write("s.toml", "height = 'wave_%03d.png'\n");
     folder.write("still.toml", "height = 'wave_008.png'\n");
@@ -193,7 +194,7 @@ fn no_frame_replaces_what_another_one_reads_or_writes() {
 
 #[test]
 fn a_percent_sign_that_is_no_pattern_is_one() {
-    let folder = room();
+    let folder = map_folder();
     folder.write("50%.png", wave(0));
     folder.write("%4d.png", wave(1));
     folder.write("%%d.png", wave(2));
@@ -209,7 +210,7 @@ fn a_percent_sign_that_is_no_pattern_is_one() {
 
 #[test]
 fn other_commands_say_that_they_show_no_frames() {
-    let folder = room();
+    let folder = map_folder();
     folder.write("s.toml", "height = 'wave_%03d.png'\n");
     for line in [
         "compare s.toml -o out/page.html",
@@ -225,7 +226,7 @@ fn other_commands_say_that_they_show_no_frames() {
 
 #[test]
 fn a_frame_that_fails_leaves_those_before_it() {
-    let folder = room();
+    let folder = map_folder();
     folder.write("wave_010.png", "no picture");
     let ran = folder.relief(&format!("render --height wave_%03d.png {SMALL} --frames 8..12 -o out/%d.png"));
     assert_eq!(ran.code, Some(1), "{ran:?}");
@@ -243,7 +244,7 @@ fn frames_that_are_given_up_are_whole() {
     use std::process::{Command, Stdio};
     use std::time::Duration;
 
-    let folder = room();
+    let folder = map_folder();
     let line = "render --height wave_%03d.png --backend cpu --size 900x900 --samples 64 --method relief \
          --frames 8..12 -o out/%d.png";
     let mut command = folder.command();

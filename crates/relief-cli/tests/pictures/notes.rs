@@ -1,5 +1,6 @@
-//! Notes on what readers leave out or assume. Every row of the table of omissions has a file that makes it
-//! appear. Every command that reads heights prints the notes on undeclared holes and on ranges.
+//! Notes on what readers leave out or assume. Every row of the table of omissions has a file that
+//! makes it appear. Every command that reads heights prints the notes on undeclared holes and on
+//! ranges.
 
 use crate::common::command::{Folder, Ran, json_of};
 use crate::common::files::{Samples, Tag, crc32, exr, georeference, pgm, tiff};
@@ -177,8 +178,8 @@ const FEEDS: &[Feed] = &[
     }),
 ];
 
-/// A mesh with a picture, and a command that shows it. More of the keys of the picture's place, of the
-/// material and of the sampler.
+/// A mesh with a picture, and a command that shows it. More of the keys of the picture's place, of
+/// the material and of the sampler.
 fn painted(folder: &Folder, info: &str, material: &str, sampler: &str) -> &'static str {
     folder.write("map.png", integers(0, 65535));
     let more = format!(

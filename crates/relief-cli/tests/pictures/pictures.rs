@@ -12,7 +12,7 @@ use crate::common::maps::Map;
 use relief_io::{linear_to_srgb, read_picture};
 
 /// A map with something to see on it.
-fn room() -> Folder {
+fn map_folder() -> Folder {
     let folder = Folder::new();
     let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/cobbles.png");
     fs::copy(shipped, folder.path("map.png")).expect("the shipped map");
@@ -35,7 +35,7 @@ fn worst(a: &[[f32; 4]], b: &[[f32; 4]]) -> f32 {
 
 #[test]
 fn every_format_holds_the_same_picture_and_states_its_colours() {
-    let folder = room();
+    let folder = map_folder();
     for (name, flags) in [("a.png", ""), ("b.png", "--bits 16"), ("c.exr", ""), ("d.jpg", ""), ("e.JPEG", "")]
     {
         folder.relief(&format!("{SMALL} -o {name} --tone none {flags}")).fine();
@@ -64,7 +64,7 @@ fn every_format_holds_the_same_picture_and_states_its_colours() {
 
 #[test]
 fn edges_are_drawn_over_pictures_and_not_over_numbers() {
-    let folder = room();
+    let folder = map_folder();
     let small = format!("{SMALL} --mesh torus --exposure 5");
     for name in ["png", "exr"] {
         folder.relief(&format!("{small} -o plain.{name} --aov plain-aov.exr")).fine();
@@ -83,7 +83,7 @@ fn edges_are_drawn_over_pictures_and_not_over_numbers() {
 
 #[test]
 fn tone_and_exposure_change_light_and_not_the_background() {
-    let folder = room();
+    let folder = map_folder();
     let flags = "--background 0.2,0.4,0.6 --view top --projection orthographic";
     folder.relief(&format!("{SMALL} -o plain.png {flags}")).fine();
     folder.relief(&format!("{SMALL} -o toned.png {flags} --tone agx --exposure 3")).fine();
@@ -95,7 +95,7 @@ fn tone_and_exposure_change_light_and_not_the_background() {
 
 #[test]
 fn flags_say_what_scene_files_say() {
-    let folder = room();
+    let folder = map_folder();
     folder.write(
         "scene.toml",
         "height = 'map.png'\nbackend = 'cpu'\nsize = [60, 40]\nsamples = 2\nexposure = 0.5\ntone = 'agx'\n\
@@ -120,7 +120,7 @@ fn flags_say_what_scene_files_say() {
 
 #[test]
 fn surroundings_of_a_file_are_seen_through_the_surface() {
-    let folder = room();
+    let folder = map_folder();
     // Red on the right, along x, and green on the left; below white.
     let texel = |x: u32, y: u32| match (y < 40, x < 64) {
         (true, true) => image::Rgb([0, 255, 0]),
@@ -156,7 +156,7 @@ fn surroundings_of_a_file_are_seen_through_the_surface() {
 
 #[test]
 fn what_cannot_be_pictured_is_refused() {
-    let folder = room();
+    let folder = map_folder();
     let refused = [
         ("-o a.exr --tone agx", "linear"),
         ("-o a.jpg --bits 16", "--bits"),
@@ -192,7 +192,7 @@ fn what_cannot_be_pictured_is_refused() {
 #[cfg(unix)]
 #[test]
 fn a_picture_that_is_given_up_leaves_nothing() {
-    let folder = room();
+    let folder = map_folder();
     fs::write(folder.path("x.png"), "before").expect("writable");
     let line = "render --height map.png --look plain --backend cpu --size 1500x1500 --samples 64 --method relief -o x.png \
          --aov x.exr";

@@ -71,7 +71,8 @@ pub struct Outputs<'a> {
 }
 
 impl<'a> Outputs<'a> {
-    /// Creates the folder if it is missing, waits for other processes, and repairs what killed ones left.
+    /// Creates the folder if it is missing, waits for other processes, and repairs what killed ones
+    /// left.
     pub fn open(
         folder: &'a Path,
         stem: &str,

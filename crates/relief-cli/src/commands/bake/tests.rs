@@ -65,7 +65,7 @@ impl MapFolder {
         self.bake_unless(false, line).expect("it can be baked")
     }
 
-    /// What the folder holds besides the map and the manifest.
+    /// Returns the names of the files besides the map and the manifest.
     fn files(&self) -> Vec<String> {
         let entries = std::fs::read_dir(self.dir.path()).expect("the folder is there");
         let mut names: Vec<String> = entries
@@ -191,7 +191,8 @@ fn channels_and_levels_go_where_the_format_has_room() {
         (0..3).all(|level| file.levels[level].planes[2].iter().all(|&v| v == (level as f32 + 2.0) / 8.0))
     );
     let file = read_ktx2(&folder.path("map.levels.odd.ktx2"), 1 << 24).expect("a texture");
-    // Sides that are rounded up have room in a larger finest level; the last row and column are repeated.
+    // Sides that are rounded up have room in a larger finest level; the last row and column are
+    // repeated.
     let sizes: Vec<[u32; 3]> = file.levels.iter().map(|level| level.size).collect();
     assert_eq!(sizes, [[22, 14, 1], [11, 7, 1]]);
     assert_eq!(file.metadata.get("relief.level_sizes"), Some(format!("{WIDTH}x{HEIGHT} 11x7").as_str()));

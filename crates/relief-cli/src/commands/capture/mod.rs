@@ -54,9 +54,9 @@ pub struct Arguments {
     /// Field of view of perspective images in degrees [default: orthographic images]
     #[arg(long, value_name = "DEGREES", value_parser = values::positive, allow_hyphen_values = true)]
     perspective: Option<f64>,
-    /// What the height of a texel means: centre, the height at its centre; pixel, the highest point
-    /// in it, so that nothing thin is lost; or auto, whichever is nearer to the mesh [default:
-    /// auto; pixel with --verify 0]
+    /// Meaning of a texel's height: centre, the height at its centre; pixel, the highest point in
+    /// it, so that nothing thin is lost; or auto, whichever is nearer to the mesh [default: auto;
+    /// pixel with --verify 0]
     #[arg(long, value_name = "auto|centre|pixel")]
     cover: Option<CoverChoice>,
     /// Bits per depth: 32, floats in an EXR, or 16 or 8 in a PNG

@@ -115,7 +115,9 @@ fn displaced(
     let (size, samples, look) = (Some([1, 1].into()), Some(1), Some(Look::Plain));
     let spec = SceneSpec { max_memory, size, samples, look, ..spec };
     let scene = spec.load().map_err(of_scene_file)?;
-    let [shown] = scene.surfaces() else { return Err(Failure::work("it has several surfaces")) };
+    let [shown] = scene.surfaces() else {
+        return Err(Failure::work("the scene has several surfaces: give the mesh's file"));
+    };
     let settings = MeshSettings { max_bytes: arguments.max_bytes(), ..MeshSettings::default() };
     let at = |error: &dyn std::fmt::Display| {
         let input = arguments.input.display();

@@ -217,7 +217,9 @@ impl Arguments {
         let found = place.and_then(|at| Some((object.views().get(at)?, *object.layout().places().get(at)?)));
         let Some((view, place)) = found else {
             let (view, count) = (self.view, object.views().len());
-            return Err(Failure::Usage(format!("--view {view}: the object has images 1 to {count}")));
+            return Err(Failure::Usage(format!(
+                "--view {view}: the object has images 1 to {count}: choose one of them"
+            )));
         };
         if view.eye().is_some() {
             return Err(Failure::Work(format!(

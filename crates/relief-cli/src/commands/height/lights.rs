@@ -118,7 +118,7 @@ impl Lights {
                 self.failure(&self.photos[photo].light_at, what)
             }
             PhotometricError::TooFew(count) => Failure::Work(format!(
-                "{}: three or more photographs are needed, each under [[photo]], {count} are listed",
+                "{}: three or more photographs are needed, each under [[photo]], and {count} are listed: add more",
                 self.path.display()
             )),
             other => Failure::Work(format!("{}: {other}", self.path.display())),

@@ -33,7 +33,10 @@ pub fn files(output: &Path, tiles: Option<[u32; 2]>) -> Result<Vec<PartFile>, Fa
         return Ok(vec![PartFile { path: output.to_owned(), part: Part::WHOLE }]);
     };
     let (Some(stem), Some(extension)) = (output.file_stem(), output.extension()) else {
-        return Err(Failure::Usage(format!("--tiles: {} cannot be the name of files", output.display())));
+        return Err(Failure::Usage(format!(
+            "--tiles: {} cannot be numbered: give --output a name with an ending",
+            output.display()
+        )));
     };
     let file = |at: [u32; 2]| {
         let mut name = stem.to_owned();

@@ -346,7 +346,8 @@ impl Making<'_> {
             for mesher in meshers {
                 let part = mesher.triangles() as f32 / all;
                 let watch = watch.piece(done, done + part);
-                // Other formats are seldom drawn as they are, and strips have an order of their own.
+                // Other formats are seldom drawn as they are, and strips have an order of their
+                // own.
                 let cache_order = self.format == MeshFormat::Gltf && !layout.strips;
                 let how = Stream { size, check: true, grid, cache_order, watch };
                 match (mesher.stream(&how, |block| sink(block)), &mut streamed) {

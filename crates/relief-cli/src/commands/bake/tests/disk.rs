@@ -1,5 +1,5 @@
-//! No room on the disk: a limit to the size of files, whose signal is ignored, fails a write as a full disk
-//! does.
+//! No room on the disk: a limit to the size of files, whose signal is ignored, fails a write as a
+//! full disk does.
 
 use super::{Failure, MapFolder};
 
@@ -13,7 +13,8 @@ fn child() {
         return;
     }
     let folder = MapFolder::new();
-    // The first fails while texels come, the second in writing its file, which is longer than its texels.
+    // The first fails while texels come, the second in writing its file, which is longer than its
+    // texels.
     for line in ["--kind volume --format ktx2", "--kind shade --format exr"] {
         let failed = matches!(folder.bake_unless(false, line), Err(Failure::Work(_)));
         println!("child: failed {failed}, left {:?}", folder.files());

@@ -39,7 +39,7 @@ fn shape(name: &'static str, size: [u32; 3], mips: &[[u32; 3]], channels: u32) -
     Shape { name, size, mips: mips.to_vec(), channels }
 }
 
-/// What the kinds below store: 1 and a third of the height, in a range of 0 to 2.
+/// Value that the kinds below store: 1 and a third of the height, in a range of 0 to 2.
 pub fn shade(texel: f32) -> f32 {
     1.0 + texel / 3.0
 }
@@ -65,7 +65,8 @@ fn levels([width, height]: [u32; 2], _: &Settings) -> Vec<Shape> {
     vec![shape("five", of(width, height), &halves, 5), shape("odd", of(width, height), &odd, 1)]
 }
 
-/// Five channels with a chain of halves, then a texture whose levels are no halves; asks for no cancellation.
+/// Five channels with a chain of halves, then a texture whose levels are no halves; asks for no
+/// cancellation.
 const LEVELS: Kind = kind("levels", &[], levels, |source, _, _, sink| {
     let names = ["a", "b", "c", "d", "e"];
     let [width, height] = [source.map.width(), source.map.height()];
