@@ -160,7 +160,7 @@ fn picture(scratch: &run::Scratch, file: &Path, width: u32, check: bool) -> Resu
 fn strays(root: &Path, shown: &[PathBuf]) -> Result<Vec<String>, String> {
     let folder = Path::new("docs/guide");
     let files = names(&root.join(folder))?.into_iter().map(|name| folder.join(name));
-    let pictures = files.filter(|file| !file.extension().is_some_and(|ending| ending == "md"));
+    let pictures = files.filter(|file| file.extension().is_none_or(|ending| ending != "md"));
     let unshown = pictures.filter(|file| !shown.contains(file));
     Ok(unshown.map(|file| format!("{}: no page of the guide shows it", file.display())).collect())
 }
