@@ -165,8 +165,8 @@ fn reading_and_rendering_large_maps() {
         render("map.png", "exact", EXACT_BYTES);
         render("map.exr", "exact", EXACT_BYTES);
         render("map.png", "relief", METHOD_BYTES);
-        // What is refused for its memory does not take it: the picture's and 8 bytes a texel would
-        // fit, 11 would not.
+        // Refused work does not take the memory: the picture and 8 bytes a texel would fit, 11
+        // would not.
         let tight = "render --backend cpu --size 8x8 -o a.png --height map.pgm --max-memory";
         assert_within(folder, idle, &format!("{tight} 100MiB"), 1, 0, FIXED);
         assert_within(folder, idle, &format!("{tight} 170MiB"), 1, 0, FIXED + READ_BYTES * TEXELS);
@@ -189,7 +189,7 @@ fn integrating_takes_what_is_counted_for_it() {
         stream.finish().expect("there is room");
         drop(writer);
         let texels = u64::from(side).pow(2);
-        // Green that nobody told takes most.
+        // An unknown green direction takes the most memory.
         let line = "height from-normals n.png -o h.exr --max-misfit 100 --wrap";
         for wrap in ["repeat", "clamp"] {
             let most = FIXED + INTEGRATION_BYTES * texels;
@@ -245,7 +245,7 @@ fn pictures_take_a_band_in_every_format() {
             };
             let [png, jpeg] = ["a.png", "a.jpg"].map(taken);
             println!("{size}: {png} {jpeg}");
-            // The pixels of all of it have 18 MB.
+            // All pixels together take 18 MB.
             assert!(jpeg < png + 8 * MIB, "{size}: {jpeg} bytes where a PNG takes {png}");
         }
     });
@@ -268,7 +268,7 @@ fn surfaces_take_what_is_counted_for_them() {
             let counted = count as u64 * ((64 << 10) + of_mesh);
             let line = scene("s.toml", count, more);
             assert_within(folder, idle, &line, 0, MIB, FIXED + counted + READ_BYTES * 16 * 12 * count as u64);
-            // What is refused for its memory does not take it.
+            // Refused work does not take the memory.
             assert_within(
                 folder,
                 idle,
@@ -278,7 +278,7 @@ fn surfaces_take_what_is_counted_for_them() {
                 FIXED + 4096 * count as u64,
             );
         }
-        // A scene file is checked before anybody has said how much it may take.
+        // A scene file is checked before its memory limit is known.
         let line = scene("s.toml", 600, "mesh = 'torus'\n");
         assert_within(folder, idle, &line, 1, 0, FIXED + 6000 * 600);
         let line = format!("{} --max-memory 64MiB", scene("s.toml", 5000, ""));

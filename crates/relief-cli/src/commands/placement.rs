@@ -55,7 +55,7 @@ pub struct PlacementArguments {
         hide_short_help = true,
     )]
     pub bias: Option<f64>,
-    /// Factor on heights [default: 1]
+    /// Factor on heights, 1e-6 to 1e6 [default: 1]
     #[arg(
         long,
         value_name = "N",

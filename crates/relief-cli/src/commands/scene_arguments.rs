@@ -61,9 +61,9 @@ pub struct SceneArguments {
     /// with - (standard input) they start at the current folder
     #[arg(value_name = "FILE")]
     scene: Option<PathBuf>,
-    /// Width and height of the picture in pixels. map: one pixel per texel, with --view top
-    /// --projection orthographic [default: 800x600; with that view and projection, 800 pixels on
-    /// the longer side]
+    /// Width and height of the picture in pixels, 1 to 32768 each. map: one pixel per texel, with
+    /// --view top --projection orthographic [default: 800x600; with that view and projection, 800
+    /// pixels on the longer side]
     #[arg(long, value_name = "WxH|map", allow_hyphen_values = true)]
     size: Option<PictureSize>,
     /// Samples per pixel, 1 to 1024; more of them smooth edges and distant texels [default: 4]
@@ -75,7 +75,7 @@ pub struct SceneArguments {
     /// compare`. Replaces a scene file's own light, background and tone curve [default: studio]
     #[arg(long, value_name = "NAME")]
     look: Option<Look>,
-    /// Exposure in stops; each stop doubles the light [default: the look's]
+    /// Exposure in stops, -32 to 32; each stop doubles the light [default: the look's]
     #[arg(long, value_name = "STOPS", allow_hyphen_values = true)]
     exposure: Option<f32>,
     /// Tone curve. none: clips bright values; agx: desaturates them. EXR files have none [default:
@@ -205,7 +205,8 @@ pub struct SceneArguments {
     /// Projection: perspective or orthographic [default: perspective]
     #[arg(long, value_name = "NAME", help_heading = "Camera and light")]
     projection: Option<ProjectionChoice>,
-    /// Vertical field of view of a perspective camera in degrees [default: 40]
+    /// Vertical field of view of a perspective camera in degrees, above 0 and below 180 [default:
+    /// 40]
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, help_heading = "Camera and light")]
     fov: Option<f64>,
     /// Height in metres that an orthographic picture covers [default: fitted; required with --eye

@@ -13,7 +13,7 @@ use serde_json::Value;
 /// Flags of a small picture that looks straight at the map.
 const SMALL: &str = "--backend cpu --size 12x10 --eye 0,1,0.01 --fov 30 -o a.png --aov a.exr";
 
-/// The one height that all covered pixels of a rendering have.
+/// Returns the single height of all covered pixels.
 fn only_height(folder: &Folder) -> f64 {
     let aov = Aov::read(&folder.path("a.exr"));
     let heights: Vec<f64> = aov.pixels().filter(|(_, _, p)| p.hit == 1.0).map(|(_, _, p)| p.height).collect();
@@ -79,7 +79,7 @@ fn surfaces_of_a_scene_are_rendered_together_and_reported_each() {
     assert_eq!(searches, [&Value::from("cells"), &Value::from("cone")]);
     let covered = |about: &Value| about["covered"].as_u64().expect("a number");
     assert!(covered(&both) > covered(&one) * 3 / 2, "{both}");
-    // A flag holds for each of them.
+    // A flag applies to each surface.
     let over = of("two.toml --method relief");
     let surfaces = over["surfaces"].as_array().expect("a list");
     assert!(surfaces.iter().all(|surface| surface["search"] == "linear"), "{over}");
@@ -190,7 +190,7 @@ fn the_report_agrees_with_the_numbers() {
     assert!(about["seconds"].as_f64().is_some_and(|seconds| seconds >= 0.0));
     let picture = image::open(folder.path("a.png")).expect("a valid picture");
     assert_eq!((picture.width(), picture.height()), (12, 10));
-    // Without a choice of the backend it says why it is the one it is.
+    // Without --backend the report gives the reason for the backend.
     let auto = folder.relief("render --height map.png --size 4x4 -o a.png --json");
     assert_eq!(auto.code, Some(0));
     assert!(json_of(&auto)["reason"].as_str().is_some_and(|reason| !reason.is_empty()));
@@ -470,7 +470,7 @@ fn long_names_and_lines_are_cut_in_what_is_said() {
             assert!((20..8000).contains(&ran.stderr.len()), "{about}: {} bytes", ran.stderr.len());
         }
     }
-    // What was wrong and what to do stand at both ends.
+    // Both ends stay: what is wrong, and what to do.
     let ran = folder.relief(&format!("render --height {long}.png -o a.png"));
     assert!(ran.stderr.starts_with("error: xxx") && ran.stderr.contains("…"), "{}", ran.stderr);
 }

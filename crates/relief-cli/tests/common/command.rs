@@ -62,7 +62,7 @@ impl Ran {
         Self { line: line.to_owned(), code: output.status.code(), stdout, stderr }
     }
 
-    /// Fails unless the command succeeded without a word on the standard error.
+    /// Fails unless the command succeeded without a word on standard error.
     pub fn fine(self) -> Self {
         assert_eq!((self.code, self.stderr.as_str()), (Some(0), ""), "relief {}", self.line);
         self

@@ -76,7 +76,7 @@ fn a_manifest_lists_what_is_whole() {
         assert!(!up_to_date(&folder, flags), "{name}");
         assert_eq!(files(&folder), whole, "{name}");
     }
-    // A manifest that is damaged or gone tells nothing, and is written again.
+    // A damaged or missing manifest counts as empty, and is written again.
     for manifest in [&manifest.as_bytes()[..manifest.len() / 2], manifest.replace("file", "fill").as_bytes()]
     {
         folder.write("out/map.relief-manifest", manifest);
@@ -101,7 +101,7 @@ fn files_that_the_new_bake_does_not_have_go_unless_they_were_changed() {
         names(&other)
     };
     assert!(large.len() >= small.len() + 3, "{large:?} {small:?}");
-    // One of another program that looks like one of ours, and one that was ours.
+    // Another program's file with a name of ours, and a former file of ours.
     folder.write("out/map.pyramid.level99.png", "mine");
     let changed = large.iter().find(|name| !small.contains(name)).expect("it has fewer levels").clone();
     folder.write(&format!("out/{changed}"), "changed");
@@ -135,7 +135,7 @@ fn files_of_other_programs_are_not_replaced_without_force() {
     assert_eq!(names(&folder), ["map.normal.ktx2", "map.occlusion.ktx2", "map.relief-manifest"]);
     assert!(up_to_date(&folder, flags));
     let whole = files(&folder);
-    // Of bakes without a manifest the files say themselves what they are.
+    // Without a manifest the files' metadata identify them.
     std::fs::remove_file(folder.path("out/map.relief-manifest")).expect("it is there");
     assert!(!up_to_date(&folder, flags));
     assert_eq!(files(&folder), whole);
@@ -295,7 +295,7 @@ fn an_interrupt_leaves_the_old_files_or_the_new_ones_and_says_which() {
                 assert!(ran.stdout.is_empty(), "{ran:?}");
                 cancelled += 1;
             }
-            // Before there was anything to clean up.
+            // The signal came before there was anything to clean up.
             code => assert_eq!(code, None, "{ran:?}"),
         }
         assert!(ran.code == Some(0) || left == before, "round {round}: {:?}", left.keys());

@@ -45,7 +45,7 @@ fn picture(folder: &Folder) -> Vec<u8> {
 fn files(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
     let mut files: Vec<PathBuf> = entries.map(|entry| entry.expect("readable").path()).collect();
-    // The lock lies there for good.
+    // The lock file stays.
     files.retain(|file| !file.ends_with(".lock"));
     files.sort();
     files
@@ -63,7 +63,7 @@ fn a_map_is_baked_once_and_read_after_that() {
     let second = json(&folder, "one.png", "--cache kept/here");
     assert_eq!((&second["from"], &second["file"]), (&"cache".into(), &first["file"]), "{second}");
     assert!(with_baked == picture(&folder) && written == std::fs::read(&file).expect("the file"));
-    // It is no other map's when only the picture changes.
+    // Changes of the picture alone use the same baked map.
     let steeper = json(&folder, "one.png", "--cache kept/here --scale 0.2 --tile 3,2 --mesh sphere");
     assert_eq!(steeper["from"], "cache");
     // The text says so, too.
@@ -149,14 +149,14 @@ fn without_a_cache_nothing_is_read_and_nothing_kept() {
     assert!(about["from"] == "bake" && about["file"].is_null() && about["note"].is_null(), "{about}");
     assert!(files(&folder.path("from-the-environment")).is_empty());
     let without = picture(&folder);
-    // The environment's folder is taken, and a flag is stronger.
+    // The environment's folder is used; a flag overrides it.
     assert_eq!(variable("")["from"], "bake");
     assert_eq!(files(&folder.path("from-the-environment")).len(), 1);
     assert!(without == picture(&folder));
     assert_eq!(variable("")["from"], "cache");
     assert!(without == picture(&folder));
     assert_eq!(variable("--cache by-flag")["from"], "bake");
-    // What is there is not read either.
+    // Existing files are not read either.
     let file = &files(&folder.path("from-the-environment"))[0];
     std::fs::write(file, "nothing of use").expect("the folder is writable");
     let about = variable("--no-cache");

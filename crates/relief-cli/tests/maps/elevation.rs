@@ -147,7 +147,7 @@ fn inspect_says_what_is_known_of_it() {
         assert!(text.contains(part), "'{part}' is missing:\n{text}");
     }
 
-    // Why metres are not known is said, too.
+    // The reason for unknown metres is printed, too.
     let keys = [1u16, 1, 0, 1, 1024, 0, 1, 3];
     tags[2].2 = keys.iter().flat_map(|key| key.to_le_bytes()).collect();
     folder.write("dem.tif", tiff(SIZE, Samples::Float, &data, &tags));
@@ -220,7 +220,7 @@ fn inspect_says_where_metres_come_from() {
 fn heights_that_are_no_metres_are_doubted_and_make_no_mesh() {
     let folder = crate::common::refused::with_out();
     let utm = [[3072, 32617]];
-    // Heights of eight made maps that are none, and the unit in which they are.
+    // Doubtful heights of eight made maps, with their unit.
     for (numbers, values, unit) in [
         (utm.as_slice(), [29_332.0, 40.0], "cm"),
         (&utm, [0.0, 250.0], "cm"),
@@ -242,7 +242,7 @@ fn heights_that_are_no_metres_are_doubted_and_make_no_mesh() {
         let ran = folder.relief("render --backend cpu --size 32x24 -o out.png --height dem.tif");
         assert!(ran.code == Some(0) && ran.stderr.contains("--unit"), "{}", ran.stderr);
     }
-    // Whoever says that they are metres is believed, and ground of all kinds is none of it.
+    // A user who confirms metres is believed; real ground is never doubted.
     folder.write("dem.tif", ramp(&utm, [9_500.0, 5.0]));
     folder.relief("mesh dem.tif --unit m -o dem.glb").fine();
     for (numbers, values) in [

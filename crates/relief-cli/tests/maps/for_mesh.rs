@@ -113,7 +113,7 @@ fn what_cannot_be_made_is_refused() {
         ("--mesh rung --lift -o out/a.exr", 2, ["rung", "torus"]),
         ("--mesh none.obj --lift -o out/a.exr", 1, ["none.obj", ""]),
         ("--mesh cube --lift -o out/a.exr", 1, ["cube", "both lie"]),
-        ("--mesh tiled.obj --lift -o out/a.exr", 1, ["tiled.obj", "outside of 0 to 1"]),
+        ("--mesh tiled.obj --lift -o out/a.exr", 1, ["tiled.obj", "outside 0 to 1"]),
         ("--mesh bare.obj --lift -o out/a.exr", 1, ["bare.obj", "texture coordinates"]),
         ("--mesh speck.obj --lift -o out/a.exr", 1, ["speck.obj", "too small"]),
         ("--mesh ring.obj --lift -o out/none/a.exr", 1, ["out/none", ""]),

@@ -69,14 +69,14 @@ fn a_map_comes_back_and_is_shown_without_flags() {
         let text = folder.relief(&line).fine().stdout;
         assert!(text.contains("100.000 %") && text.contains("as the file says"), "{text}");
     }
-    // Other flags say something else, and the bias alone too.
+    // Other flags, and the bias alone, override it.
     for flags in ["--scale 0.01", "--bias 0.05", "--scale 0.04 --bias 0"] {
         folder.relief(&format!("mesh back.exr --mesh ring.obj {flags} -o other.glb")).fine();
         let other: Vec<Vec3> =
             mesh(&folder, "other.glb").vertices().iter().map(|vertex| vertex.position).collect();
         assert!(furthest(&made, &other) > 5e-3, "{flags}");
     }
-    // Level, and yet displaced: a map without any relief has its bias.
+    // A level map is displaced, too, by its bias.
     folder.relief("mesh hills.png --mesh ring.obj --scale 0 --bias 0.02 -o made.glb").fine();
     folder
         .relief("height from-meshes --low ring.obj --high made.glb --size 64x32 --wrap mirror -o level.exr")
@@ -147,7 +147,7 @@ fn what_a_map_cannot_hold_is_said() {
         folder.relief("height from-meshes --low cube --high cube --size 16x16 --wrap clamp -o out/c.png");
     assert!(ran.code == Some(0) && ran.stderr.contains("cube: 240 texels (93.750 %)"), "{}", ran.stderr);
     assert!(ran.stdout.contains("--wrap clamp"), "{}", ran.stdout);
-    // A narrow cage finds a part.
+    // A narrow cage finds only a part.
     let line = "height from-meshes --low ring.obj --high scan.obj --size 64x64 --cage 5mm -o out/h.exr";
     let about = json_of(&folder.relief(&format!("{line} --json")).fine());
     let [holes, covered] = ["holes", "covered"].map(|key| about[key].as_u64().expect("a number"));

@@ -39,7 +39,7 @@ fn a_captured_face_gives_its_picture_back() {
         folder.relief(&format!("{line} --aov a.exr -o a.png")).fine();
         let (mut of_ball, mut off) = (0, 0);
         for (_, _, pixel) in Aov::read(&folder.path("a.exr")).pixels() {
-            // What the image saw well: not the wall below the outline, nor the floor.
+            // Only texels that the image saw well: not the wall below the outline, nor the floor.
             if pixel.hit == 1.0 && pixel.position.y > centre.y + 0.3 * radius {
                 of_ball += 1;
                 off += usize::from(((pixel.position - centre).length() - radius).abs() > half_a_texel);

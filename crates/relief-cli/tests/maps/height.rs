@@ -248,7 +248,7 @@ fn normals_with_faults_are_refused_mended_or_counted() {
     assert_eq!((&said["not_unit"], &said["below_horizon"]), (&json!(256 * 256), &json!(0)));
     write(&|planes| planes[2][7000] = -planes[2][7000]);
     assert_eq!(faults("", 0.2)["below_horizon"], 1);
-    // What is below the surface everywhere, or has no blue, is no map of a relief.
+    // Normals below the surface everywhere, or without blue, are no relief's.
     write(&|planes| planes[2].iter_mut().for_each(|z| *z = -*z));
     let refused = folder.relief(line);
     assert_eq!(refused.code, Some(1));

@@ -62,7 +62,7 @@ fn killed_runs_leave_the_files_of_one_run_and_nothing_over() {
         std::thread::sleep(took[1].mul_f64(1.1 * f64::from(state) / f64::from(u32::MAX)));
         run.kill().expect("it is ours");
         run.wait().expect("it ends");
-        // What the next run does first.
+        // The next run cleans up first.
         drop(FileSet::open(&folder.path("out"), "h.exr", &mut |_| false).expect("nobody holds it"));
         let left = files(&folder);
         assert!(sets.contains(&left), "round {round}: {:?}", left.keys());

@@ -138,7 +138,7 @@ fn heights_normals_and_colours_come_back() {
         let metadata = read_metadata(&folder.path(name)).expect("it has metadata");
         assert!(metadata.get("relief.note.space").is_some_and(|found| found.contains(space)), "{name}");
     }
-    // The wrong curve is noticed: matt normals explain the photographs no more.
+    // The wrong curve shows: matt normals no longer explain the photographs.
     shoot(&folder, Kind::Linear);
     let list = std::fs::read_to_string(folder.path("shots/lights.toml")).expect("it was written");
     folder.write("shots/lights.toml", list.replace("linear = true", ""));
@@ -196,7 +196,7 @@ fn photographs_are_turned_and_linear_as_they_say() {
         let (off, notes) = solve(&unsaid, orientation, Some(1.0));
         assert!(off < 1e-4 && notes == 0, "{orientation}, linear: {off} of the relief");
     }
-    // The list is believed before the files, and numbers that are none are said of each.
+    // The list overrides the files, and bad numbers are reported for each photograph.
     assert!(solve(&format!("linear = false\n{unsaid}"), 1, Some(1.0)).0 > 0.01);
     assert!(solve(&unsaid, 1, None).0 > 0.01);
     assert_eq!(solve(&list, 9, None).1, LIGHTS.len());
@@ -228,7 +228,7 @@ fn shadows_and_overexposure_are_left_out() {
     bright[2].iter_mut().enumerate().filter(|(at, _)| corner(*at)).for_each(|(_, pixel)| pixel[1] = 1.2);
     assert!(run("overexposed = 1.19\n", &bright) < 1e-6);
     assert!(run("overexposed = inf\n", &bright) > 1e-3);
-    // Where two photographs are dark, two are not enough: filled in.
+    // Where two photographs are dark, the other two are too few, and slopes are filled in.
     for (at, pixel) in pixels[1].iter_mut().enumerate() {
         if corner(at) {
             *pixel = [0.0; 3];

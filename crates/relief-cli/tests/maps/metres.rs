@@ -257,7 +257,7 @@ fn an_error_in_metres_holds_between_the_texels() {
             "{name}: {greatest} {certified}"
         );
         assert!(seen == all && count > 100, "{name}: {seen} points, {count} triangles");
-        // With half as many triangles it is missed, and the answer knows.
+        // With half as many triangles the tolerance is missed, and the answer says so.
         let fewer = mesh_of(&folder, &format!("{name}.tif --triangles {}", count / 2));
         let certified = number(&fewer.about["error"]["greatest_m"]);
         let (greatest, seen) = farthest(&[fewer]);
@@ -297,7 +297,7 @@ fn lengths_are_those_of_the_mesh_that_is_written() {
     ] {
         let ([x, y, z], about) = sizes(&format!("metres.tif --texels 1 {flags}"));
         assert!(near(x, 400.0) && near(y, high) && near(z, 240.0), "{flags}: {about}");
-        // What stands in the file finds the heights again.
+        // The file's metadata give the heights back.
         let place = &about["georeference"];
         let [_, _, zero_m] = numbers(&place["origin"]);
         let times = number(&place["exaggeration"]);
@@ -319,7 +319,7 @@ fn lengths_are_those_of_the_mesh_that_is_written() {
     assert!(words.contains("400 x 100 x 240 m, y up") && words.contains("EPSG:32633"), "{words}");
     let words = folder.relief("mesh none.tif --tile-size 40km,24km -o out/a.glb").fine().stdout;
     assert!(words.contains(" x 24 km") && words.contains(" mm at uv"), "{words}");
-    // Both commands mean the same by a factor on heights.
+    // Both commands give --exaggerate the same meaning.
     let look = "render --height metres.tif --size 64x48 --samples 1 --backend cpu";
     folder.relief(&format!("{look} --exaggerate 0.5 -o out/a.png")).fine();
     folder.relief(&format!("{look} --scale 0.125 -o out/b.png")).fine();
@@ -374,7 +374,7 @@ fn what_may_not_be_meant_is_said() {
 #[test]
 fn what_is_no_length_or_no_place_is_refused() {
     let folder = folder();
-    // What no printer prints is not made solid by chance.
+    // A mesh too large to print is not made solid by accident.
     for (line, code, words) in [
         ("metres.tif --solid 3 -o out/b.stl", 1, ["--solid", "--print-size"]),
         ("feet.tif --solid 3 --texels 1 -o out/b.stl", 1, ["--solid", "--print-size"]),

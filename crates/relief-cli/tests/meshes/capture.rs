@@ -46,7 +46,7 @@ fn objects_are_written_and_read() {
         let object = read_object(&folder.path("out/ring/object.toml"), &ObjectOptions::default());
         let object = object.expect("an object");
         assert_eq!(object.object.views().len() as u64, views);
-        // What was measured is said and kept.
+        // The measurement is printed and stored.
         let measured = object.measured.expect("measured");
         let near = |iou: f64| (iou - measured.iou).abs() < 1e-12;
         assert!(about["measured"]["iou"].as_f64().is_some_and(near), "{flags}");
@@ -87,7 +87,7 @@ fn open_meshes_are_told() {
     let about =
         json_of(&folder.relief("capture bare.obj --size 32 --verify 0 --cover pixel --json -o out/b"));
     let count = |name: &str| about[name].as_u64().expect("a number");
-    // One of both sides that the triangle is seen from shows its back.
+    // The triangle is seen from both sides, and one of them is its back.
     assert!(count("backs") > 0 && 3 * count("backs") < 2 * count("seen"), "{about}");
     assert!(about["measured"].is_null());
 }
@@ -169,7 +169,7 @@ fn a_single_card_is_said_to_leave_nothing_and_is_shown_as_an_impostor() {
         let said = format!("{}{}", ran.stdout, ran.stderr);
         assert_eq!(ran.stdout.contains("empty"), !solid, "{line}: {said}");
         assert_eq!(ran.stderr.contains("impostor-blend"), !solid, "{line}: {said}");
-        // What is taken where nothing is compared is said.
+        // The choice without a comparison is noted.
         let takes_pixel = flags.contains("--verify 0") && !flags.contains("--cover");
         assert_eq!(ran.stderr.contains("--cover pixel is used"), takes_pixel, "{line}: {said}");
         if takes_pixel {
@@ -247,11 +247,11 @@ fn files_that_no_capture_has_written_are_replaced_when_asked_to() {
         assert_eq!(entries(&folder.path("o")), [name]);
         assert_eq!(std::fs::read(folder.path(format!("o/{name}"))).expect("it is there"), b"mine");
         folder.relief(&format!("{capture} {more} --force")).fine();
-        // What it has written itself it replaces.
+        // A capture replaces its own files.
         folder.relief(&format!("{capture} {more}")).fine();
         read_object(&folder.path("o/object.toml"), &ObjectOptions::default()).expect("an object");
     }
-    // Of other files of those names none goes, and each that another object had does.
+    // Other files of these names stay; files of another object are removed.
     let folder = folder();
     folder.relief(&format!("{capture} --views hemi --grid 2 --bits 16")).fine();
     folder.write("o/depth.exr", "mine");

@@ -23,7 +23,7 @@ fn folder() -> Folder {
 const CORNERS: &str = "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 0 -1\nv -1 0 0\nv 1 1 0\n\
     vt 0 0\nvt 0 1\nvt 1 0\nvt 0.5 0.5\n";
 
-/// Two triangles of these with a seam between them.
+/// Returns two triangles with a seam between them.
 const SEAM: &str = "f 1/1 2/2 3/3\nf 2/4 1/3 5/1\n";
 
 #[test]
@@ -309,7 +309,7 @@ fn a_view_makes_a_mesh_as_fine_as_it_sees() {
         let about = json_of(&folder.relief(&format!("mesh hills.png {line} --json")).fine());
         (about["triangles"].as_u64().expect("a count"), about)
     };
-    // Half as many pixels a side, a fourth of the triangles; and farther away fewer.
+    // Half as many pixels a side give a fourth of the triangles; a greater distance gives fewer.
     for (name, distance) in [("near", 1.0), ("far", 3.0)] {
         let eye = [0.3, 0.6, 1.0].map(|along| along * distance);
         let text = format!("height = 'none.png'\neye = {eye:?}\nsize = [320, 240]\n");
@@ -321,7 +321,7 @@ fn a_view_makes_a_mesh_as_fine_as_it_sees() {
     let (far, _) = count("--mesh ring.obj --view far.toml -o out/far.glb");
     let ratio = fine as f64 / coarse as f64;
     assert!((3.0..4.5).contains(&ratio) && far * 4 < fine, "{fine} {coarse} {far}");
-    // Coarse ones by coarser levels; every filter has its own.
+    // Coarse meshes use coarser levels, and each filter makes its own.
     let filters = ["none", "average", "max", "min", "least-squares", "variational"];
     let files: Vec<Vec<u8>> = filters
         .iter()

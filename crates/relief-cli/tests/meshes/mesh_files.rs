@@ -118,7 +118,7 @@ fn levels_of_detail_are_coarser_and_coarser() {
     let ran = folder.relief(parts).fine();
     assert!(ran.stdout.contains("level 0") && ran.stdout.contains("level 1"), "{}", ran.stdout);
     assert!(!ran.stdout.contains("level 2"), "{}", ran.stdout);
-    // No level that is not coarser, and nothing is written then.
+    // A level that is not coarser is refused, and nothing is written.
     let ran = folder.relief("mesh hills.png --mesh sphere --texels 64 --lods 8 -o out/none.glb");
     assert!(ran.code == Some(1) && ran.stderr.contains("--lods"), "{}", ran.stderr);
     assert!(!folder.path("out/none.glb").exists());

@@ -92,7 +92,7 @@ fn the_scene_has_the_keys_of_its_mesh_where_it_says_nothing() {
     let same = "height = 'ring/maps/hills.png'\nscale = 0.03\nbias = 0.0\ntile = [6, 2]\nmethod = 'relief'\n\
         set.search.steps = 20\nshadow = 'none'\ntwo-sided = true\nmaterial.diffuse = [0.9, 0.3, 0.1]\n\
         project = 'sphere'\nwrap = 'mirror'\n";
-    // Without the extras a mesh says nothing.
+    // Without the extras a mesh has no keys.
     folder.write("plain/ring.gltf", gltf(&torus(24, 12).expect("a mesh"), &[]).0);
     fs::copy(folder.path("ring/mesh.bin"), folder.path("plain/mesh.bin")).expect("the buffer");
     let plain = "mesh = 'plain/ring.gltf'\n";
@@ -114,7 +114,7 @@ fn the_scene_has_the_keys_of_its_mesh_where_it_says_nothing() {
         let expected = same.replace("method = 'relief'\nset.search.steps = 20", "method = 'cone'");
         assert!(cone == picture(&folder, &format!("{plain}{expected}"), "") && cone != told);
     }
-    // The map of the mesh is known to be read: it is not written over.
+    // The map that the mesh names is an input and is not replaced.
     let ran = folder.relief("render scene.toml --mesh ring/ring.glb -o ring/maps/hills.png");
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
 }
@@ -126,7 +126,7 @@ fn extras_of_others_are_not_looked_at() {
     for extras in ["{}", "7", "[1, 2]", "\"relief\"", "null", r#"{"Relief": {"heigt": 1}}"#] {
         assert!(picture(&folder(&[&material(extras)]), keys, "") == plain, "{extras}");
     }
-    // Materials that say the same are one; of two there are no colours.
+    // Materials with the same keys are one; a mesh with two has no colours.
     let plain = picture(&folder(&["{}", "{}"]), keys, "");
     let both = material(r#"{"relief": {"scale": 0.05}}"#);
     assert!(picture(&folder(&[&both, &both]), keys, "") == plain);

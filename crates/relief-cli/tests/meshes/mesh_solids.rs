@@ -113,7 +113,7 @@ fn closed(about: &str, (points, triangles): &Triangles) -> (f64, usize) {
 
 const SIZE: [usize; 2] = [48, 36];
 
-/// A file of hills with no value where the mask says so.
+/// Returns a file of hills with holes in the mask.
 fn island(folder: &Folder, name: &str, is_hole: impl Fn(usize, usize) -> bool) {
     let texels = (0..SIZE[0] * SIZE[1]).map(|at| {
         let [x, y] = [at % SIZE[0], at / SIZE[0]];
@@ -232,7 +232,7 @@ fn solids_share_their_vertices_in_every_format() {
             let solid = of_file(&folder, &output, &said);
             let (volume, pieces) = closed(&about, &solid);
             assert_eq!(pieces, 1, "{about}");
-            // As many vertices as a closed surface without a handle has.
+            // The number of vertices fits a closed surface without handles.
             let [vertices, triangles] = [solid.0.len(), solid.1.len()];
             assert_eq!(2 * vertices, triangles + 4, "{about}");
             assert!(volume < most * if ending == "stl" { 1e9 } else { 1.0 }, "{about}: {volume}");
@@ -275,7 +275,7 @@ fn prints_lie_on_the_plate() {
             assert!((size[0] - 150.0).abs() < 1e-3 && size[up] < 15.0 && size[3 - up] > 30.0, "{size:?}");
         }
     }
-    // What is no print stays where it is.
+    // A mesh that is not printed stays in place.
     let (low, size) = made("hills.png --scale 0.05 --bias 0.3 -o out/a.stl");
     assert!((299.0..350.0).contains(&low[2]) && size[2] < 51.0, "{low:?} {size:?}");
     for ending in ["ply", "obj"] {
@@ -327,7 +327,7 @@ fn round_trips_keep_their_shape_whichever_way_is_up() {
             assert!(off < 2e-3, "{ending} {up}: {off}");
         }
     }
-    // A file says it itself; the flag says otherwise.
+    // The file states its up axis; the flag overrides it.
     let line =
         "mesh level.png --mesh out/r.stl --project box --scale 0.01 --bias -0.005 --mesh-up y -o out/s.glb";
     folder.relief(line).fine();

@@ -28,7 +28,7 @@ fn shells_are_the_mesh_so_often_and_the_same_bytes_again() {
     folder.relief("slices s.toml --count 5 --threads 1 -o out/b.glb").fine();
     let [a, b] = ["out/a.glb", "out/b.glb"].map(|name| std::fs::read(folder.path(name)).expect("a file"));
     assert!(a == b && a.len() % 4 == 0);
-    // Sixteen unless told otherwise.
+    // The default is sixteen.
     let about = json_of(&folder.relief("slices s.toml -o out/c.glb --json").fine());
     assert_eq!(about["shells"], 16);
 }

@@ -34,7 +34,7 @@ fn medians_are_sure_from_six_frames_on() {
         let answer = json_of(&folder.relief(&format!("{line} {frames} --json")).fine());
         for record in answer["pictures"].as_array().expect("records") {
             assert_eq!(record["confidence"], confidence, "{frames}");
-            // What may be 0 for all that is known is marked, and nothing that is below it is not.
+            // Times that may be 0 are marked, and so is everything below the noise.
             let noise: Vec<&str> = record["below_noise"]
                 .as_array()
                 .expect("keys")

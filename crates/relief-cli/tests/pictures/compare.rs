@@ -181,7 +181,7 @@ fn what_cannot_be_compared_is_told_and_nothing_is_written() {
 #[test]
 fn a_method_is_chosen_for_an_error_or_a_time() {
     let folder = folder();
-    // Of these two only one finds the surface, so that the choice hangs on no measured time.
+    // Only one of these two finds the surface, so the choice does not depend on measured times.
     let line = format!("compare --height map.png --methods bump,cone {SMALL}");
     let ran = folder.relief(&format!("{line} --max-error 0.01")).fine();
     assert!(ran.stdout.contains("relief render --height map.png --method cone"), "{}", ran.stdout);
@@ -194,7 +194,7 @@ fn a_method_is_chosen_for_an_error_or_a_time() {
     let none = folder.relief(&format!("{line} --budget-ms 0.000001"));
     assert_eq!(none.code, Some(1));
     assert!(none.stderr.contains("the nearest is"), "{}", none.stderr);
-    // The page is there all the same, as both helps say.
+    // The page is written all the same, as both helps say.
     let page = std::fs::metadata(folder.path("comparison.html")).expect("it was written");
     assert!(page.len() > 1000);
     for help in ["--help", "compare --help"] {

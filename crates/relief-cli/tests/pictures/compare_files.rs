@@ -42,7 +42,7 @@ fn no_room_on_the_disk_leaves_what_was_there() {
     let folder = folder();
     let outputs = "-o old/page.html --csv old/all.csv --records old/all.json";
     let line = format!("compare --height map.png --methods bump {SMALL} {outputs}");
-    // Blocks of 512 bytes: the page takes more, what is written before it less.
+    // Blocks of 512 bytes: the page takes more, the files before it take less.
     let ran = in_shell(&folder, "trap '' XFSZ; ulimit -f 8", &line);
     assert_eq!((ran.code, ran.stdout.as_str()), (Some(1), ""), "{}", ran.stderr);
     assert!(ran.stderr.contains("old/page.html") && !ran.stderr.contains("panicked"), "{}", ran.stderr);
@@ -65,7 +65,7 @@ fn an_answer_that_cannot_be_written_is_an_error() {
     for line in lines {
         let ran = in_shell(&folder, "exec > /dev/full", &line);
         assert_eq!(ran.code, Some(1), "{line}: {}", ran.stderr);
-        // Of those that answer programs the error is JSON, too.
+        // With --json the error is JSON, too.
         let is_error = ["error: ", "{\"error\":"].iter().any(|start| ran.stderr.starts_with(start));
         assert!(is_error && ran.stderr.contains("standard output"), "{}", ran.stderr);
     }

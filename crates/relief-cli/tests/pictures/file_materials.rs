@@ -193,7 +193,7 @@ fn card(folder: &Folder, mode: &str) -> String {
     name
 }
 
-/// The part of a picture that shows the leaf, which is green.
+/// Returns the share of a picture that shows the leaf, which is green.
 fn green(picture: &RgbImage) -> f64 {
     let is_green = |pixel: &&Rgb<u8>| u32::from(pixel.0[1]) > 20 + 2 * u32::from(pixel.0[0]);
     picture.pixels().filter(is_green).count() as f64 / (picture.width() * picture.height()) as f64
@@ -217,7 +217,7 @@ fn pictures_show_what_is_behind_a_mask() {
             }
         }
     }
-    // By the factor's opacity alone, and above 1 nothing is seen.
+    // With the factor's opacity alone; with a cutoff above 1 nothing is seen.
     for (name, factor, cutoff, wanted) in [
         ("a.gltf", "0, 1, 0, 0.4", 0.5, 0.0),
         ("b.gltf", "0, 1, 0, 0.4", 0.4, 1.0),
@@ -374,7 +374,7 @@ fn a_displaced_mesh_keeps_the_materials_of_its_base() {
             }
         }
     }
-    // A base of one material, too; and what cannot hold materials says so.
+    // The base may also have one material. A format that cannot hold materials is noted.
     let ran = folder.relief("mesh hills.png --mesh one.gltf --scale 0.1 --texels 4 --strips -o one.glb");
     assert_eq!((ran.code, ran.stderr.contains("not written")), (Some(0), false), "{}", ran.stderr);
     let one = read("one.glb").colors.expect("a material");
@@ -408,8 +408,7 @@ fn a_displaced_base_of_three_materials_has_no_crack() {
         let ran = folder.relief("inspect out.glb --json");
         assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     }
-    // A picture of three materials shows something at the very pixels at which one of one material
-    // does.
+    // A picture of three materials covers exactly the pixels that a picture of one material covers.
     let text = std::fs::read_to_string(folder.path("three.gltf")).expect("it was written");
     folder.write("three.gltf", text.replace("MASK", "OPAQUE"));
     for more in ["", "--surface prism", "--surface tetrahedra"] {

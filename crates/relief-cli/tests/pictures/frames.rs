@@ -9,7 +9,7 @@ use crate::common::refused::{assert_refused, entries, with_out};
 
 const SMALL: &str = "--backend cpu --size 48x36 --samples 2";
 
-/// A map of waves that go on.
+/// Returns a map of waves that move from frame to frame.
 fn wave(frame: u32) -> Vec<u8> {
     let map = Map::new(24, 16, |x, y| {
         let turn = std::f64::consts::TAU * (f64::from(x) / 24.0 + f64::from(frame) / 8.0);
@@ -44,8 +44,8 @@ fn sorted(folder: &Folder) -> Vec<String> {
 #[test]
 fn frames_are_the_pictures_of_their_own_files() {
     let folder = map_folder();
-    // The camera is fitted, the scene has a folder of its own, and one of its surfaces stands
-    // still.
+    // The camera is fitted, the scene has a folder of its own, and one of its surfaces is the same
+    // in all frames.
     let scene = |height: &str, color: &str| {
         format!(
             "[[surfaces]]\nheight = '{height}'\ncolor = '{color}'\nmethod = 'cone'\n\
@@ -71,7 +71,7 @@ fn frames_are_the_pictures_of_their_own_files() {
     assert!(bytes(&folder, "out/p08.png") != bytes(&folder, "out/p09.png"));
 }
 
-/// The renderer of a GPU goes on from frame to frame.
+/// A GPU's renderer is used for all frames.
 #[test]
 fn frames_of_a_gpu_are_the_pictures_of_their_own_files() {
     let folder = map_folder();
@@ -151,18 +151,18 @@ fn what_cannot_be_rendered_in_frames_is_refused_before_anything_is_written() {
         ("s.toml --frames 8..9 -o - --format png".to_owned(), 2, &["--frames", "--output"]),
         ("still.toml --frames 8..9 -o out/%d.png".to_owned(), 2, &["--frames", "height_%04d.png"]),
         ("unused.toml --frames 8..9 -o out/%d.png".to_owned(), 2, &["--frames", "height_%04d.png"]),
-        // Patterns that are none.
+        // Bad patterns.
         ("two.toml --frames 8..9 -o out/%d.png".to_owned(), 2, &["w%d_%03d.png", "more than one"]),
         ("two.toml -o out/a.png".to_owned(), 2, &["w%d_%03d.png", "--frames"]),
         ("s.toml --frames 8..9 -o out/%4d.png".to_owned(), 2, &["out/%4d.png", "%04d"]),
         ("s.toml --frames 8..9 -o out/%033d.png".to_owned(), 2, &["33"]),
         (format!("{wave} --color 50%.png --frames 8..9 -o out/%d.png"), 2, &["50%.png", "%%"]),
-        // Ranges that are none.
+        // Bad ranges.
         ("s.toml --frames 9..8 -o out/%d.png".to_owned(), 2, &["--frames", "9 comes after 8"]),
         ("s.toml --frames -1..8 -o out/%d.png".to_owned(), 2, &["--frames", "from 0"]),
         ("s.toml --frames 0..1000000 -o out/%d.png".to_owned(), 2, &["1000001", "1000000"]),
         ("s.toml --frames 0..=7 -o out/%d.png".to_owned(), 2, &["A..B"]),
-        // What is read is not written.
+        // Inputs are not replaced.
         ("--height wave_%03d.png --frames 8..9 -o wave_%03d.png".to_owned(), 2, &["wave_008.png", "replace"]),
     ] {
         assert_refused(&folder, &folder.relief(&format!("render {line} {SMALL}")), code, words);
@@ -177,12 +177,12 @@ fn no_frame_replaces_what_another_one_reads_or_writes() {
         folder.write(&format!("maps/v{frame}.png"), wave(frame));
     }
     for (line, words) in [
-        // Frame 0 would write what frame 10 reads.
+        // Frame 0 would replace an input of frame 10.
         ("--frames 0..11 -o maps/v1%d.png", &["v10.png", "frame 0 ", "frame 10 "][..]),
         ("--frames 1..11 -o out/../maps/v1%d.png", &["v11.png", "frame 1 ", "frame 11 "]),
-        // What all frames read.
+        // An input of all frames.
         ("--color maps/v10.png --frames 0..1 -o maps/v1%d.png", &["v10.png", "replace"]),
-        // The picture of frame 11 and the numbers of frame 1.
+        // The picture of frame 11 and the AOVs of frame 1.
         ("--frames 1..11 -o out/a%d.exr --aov ./out/a1%d.exr", &["a11.exr", "frame 1 ", "frame 11"]),
     ] {
         let ran = folder.relief(&format!("render --height maps/v%d.png {line} {SMALL}"));
@@ -201,7 +201,7 @@ fn a_percent_sign_that_is_no_pattern_is_one() {
     for name in ["50%.png", "%4d.png", "%%d.png"] {
         folder.relief(&format!("render --height {name} {SMALL} -o out/100%_{name}")).fine();
     }
-    // Where frames are asked for it is written twice.
+    // With --frames the percent sign is written twice.
     folder
         .relief(&format!("render --height 50%%.png --color c%d.png {SMALL} --frames 8..8 -o out/%%%d.png"))
         .fine();
@@ -219,7 +219,7 @@ fn other_commands_say_that_they_show_no_frames() {
     ] {
         assert_refused(&folder, &folder.relief(line), 2, &["wave_%03d.png", "render --frames"]);
     }
-    // A scene file may have them.
+    // A scene file may have placeholders.
     folder.relief("scene --height wave_%03d.png -o made.toml").fine();
     folder.relief(&format!("render made.toml {SMALL} --frames 8..8 -o out/%d.png")).fine();
 }
@@ -250,7 +250,7 @@ fn frames_that_are_given_up_are_whole() {
     let mut command = folder.command();
     command.args(line.split_ascii_whitespace());
     let run = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the command starts");
-    // Until there is a whole one.
+    // It ends when there is a whole picture.
     for _ in 0..600 {
         if folder.path("out/8.png").exists() {
             break;

@@ -32,7 +32,8 @@ fn integers(low: u16, high: u16) -> Vec<u8> {
     Map::new(SIZE[0], SIZE[1], |x, _| low + x as u16 * step).png()
 }
 
-/// For each row of the table a command that makes its note appear, with the files that it needs.
+/// Returns, for each row of the table, a command whose note belongs to it, with the files that it
+/// needs.
 type Feed = (&'static str, fn(&Folder) -> &'static str);
 
 const FEEDS: &[Feed] = &[
@@ -210,7 +211,7 @@ fn pages(one: &[u8]) -> Vec<u8> {
     two
 }
 
-/// A PNG with a chunk more, given from its type on, behind the header.
+/// Returns a PNG with a further chunk behind the header, given from its type on.
 fn with_chunk(png: &[u8], chunk: &[u8]) -> Vec<u8> {
     let [before, after] = [&png[..33], &png[33..]];
     let length = (chunk.len() as u32 - 4).to_be_bytes();
@@ -234,7 +235,7 @@ fn every_row_of_the_table_has_a_note() {
         let line = feed(&folder);
         let found = abouts(&folder.relief(&format!("{line} --json")));
         assert!(found.iter().any(|about| about == name), "relief {line}: {found:?}, not {name}");
-        // People read it, too, unless they want to hear nothing; those who inspect ask for it.
+        // The text output has the note, too, unless --quiet is given; `inspect` always prints it.
         let ran = folder.relief(line);
         assert_eq!(ran.code, Some(0), "relief {line}: {}", ran.stderr);
         let is_said = |text: &str| text.lines().any(|line| line.trim_start().starts_with("note"));
@@ -275,7 +276,7 @@ fn a_value_for_none_is_named_with_its_flag_by_all_commands() {
             .find(|line| line.contains(&words))
             .unwrap_or_else(|| panic!("relief {line}: {said}"));
         assert!(note.contains("6 texels have") && note.contains("note"), "{note}");
-        // The flag is taken, makes holes of these texels, and ends the note.
+        // The flag is accepted, makes these texels holes, and ends the note.
         let force = if line.starts_with("bake") { " --force" } else { "" };
         let ran = folder.relief(&format!("{line} {words} --fill{force}"));
         assert_eq!(ran.code, Some(0), "relief {line}: {}", ran.stderr);
@@ -378,7 +379,7 @@ fn a_scene_file_holds_both_and_is_written_with_them() {
     let [by_file, by_flags] = ["scene.toml", "--height map.tif --nodata -9999 --range auto"].map(about);
     assert_eq!(by_file["surfaces"], by_flags["surfaces"]);
     assert_eq!(by_file["surfaces"][0]["filled_texels"], 6);
-    // Of each surface, too; and another map has another value.
+    // Each surface has its own note, since another map has another value.
     folder.write("plain.tif", floats(&ground(7.0)));
     folder.write(
         "two.toml",

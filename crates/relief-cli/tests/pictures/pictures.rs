@@ -76,7 +76,7 @@ fn edges_are_drawn_over_pictures_and_not_over_numbers() {
         assert!(plain.names() == wire.names() && plain.names().len() > 10);
         assert!(plain.names().iter().all(|name| plain.plane(name) == wire.plane(name)), "{name}");
     }
-    // The lines of a picture in sRGB are seen where it is too bright.
+    // Lines are seen in an sRGB picture even where it is too bright.
     let red = pixels(&folder, "wire.png").into_iter().filter(|[r, _, b, _]| *r > 0.9 && *b < 0.3);
     assert!(red.count() > 50);
 }
@@ -209,7 +209,7 @@ fn a_picture_that_is_given_up_leaves_nothing() {
         assert_eq!(fs::read(folder.path("x.png")).expect("it stays"), b"before");
         assert!(!folder.path("x.exr").exists());
     }
-    // What the killed one has left goes with the next.
+    // The next run removes what the killed one left.
     folder.relief(&format!("{SMALL} --look plain -o x.png")).fine();
     let mut names: Vec<_> = fs::read_dir(folder.path("")).expect("a folder").flatten().collect();
     names.retain(|entry| entry.file_name() != "map.png" && entry.file_name() != "x.png");

@@ -19,7 +19,7 @@ fn a_map_is_the_procedure_with_its_settings() {
     let mut procedure = relief_shaders::procedure::Procedure::named("fbm").expect("a listed name");
     procedure.set("octaves", 3.0).expect("a setting");
     let expected = procedure.with_seed(5).at_time(0.25).fill([40, 24]).expect("a map");
-    // What is read goes from 0 to 1.
+    // The heights go from 0 to 1.
     let [low, high] =
         [f32::min, f32::max].map(|of| expected.texels().iter().copied().reduce(of).expect("heights"));
     for (read, height) in map.texels().iter().zip(expected.texels()) {

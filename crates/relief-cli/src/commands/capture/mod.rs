@@ -45,10 +45,11 @@ pub struct Arguments {
     /// hemi, the upper half; horizontal, around y; or the [[view]] tables of a file
     #[arg(long, value_name = "cube|octahedral|hemi|horizontal|FILE.toml", default_value_t)]
     views: Views,
-    /// Images along a side of the octahedral or hemi grid, or directions of horizontal [default: 8]
+    /// Images along a side of the octahedral or hemi grid, 2 to 32, or directions of horizontal
+    /// [default: 8]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     grid: Option<u32>,
-    /// Width and height of each image in texels
+    /// Width and height of each image in texels, 8 to 16384
     #[arg(long, value_name = "PX", default_value = "209", allow_hyphen_values = true)]
     size: u32,
     /// Field of view of perspective images in degrees [default: orthographic images]
