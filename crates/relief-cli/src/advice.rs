@@ -14,25 +14,25 @@ pub fn with(error: &impl ToString, advice: Option<&str>) -> String {
 }
 
 /// Returns an error's text with the flag that helps.
-pub fn with_flag(error: &impl ToString, mend: Option<Mend>) -> String {
+pub fn with_flag(error: &impl ToString, mend: Option<Advice>) -> String {
     with(error, mend.map(|mend| mend.flag))
 }
 
 /// Returns an error's text with the scene key that helps.
-pub fn with_key(error: &impl ToString, mend: Option<Mend>) -> String {
+pub fn with_key(error: &impl ToString, mend: Option<Advice>) -> String {
     with(error, mend.map(|mend| mend.key))
 }
 
 /// Advice on an error.
 #[derive(Clone, Copy)]
-pub struct Mend {
+pub struct Advice {
     /// Text with a flag, for commands that have flags for the keys of a scene file.
     flag: &'static str,
     /// Text with a key of the scene file, for commands that take a scene file alone.
     key: &'static str,
 }
 
-impl Mend {
+impl Advice {
     /// Creates advice with a flag that all commands have.
     const fn everywhere(flag: &'static str) -> Self {
         Self { flag, key: flag }
@@ -40,39 +40,40 @@ impl Mend {
 }
 
 /// Returns what lets a height map be read.
-pub fn of_read(problem: &ReadProblem) -> Option<Mend> {
+pub fn of_read(problem: &ReadProblem) -> Option<Advice> {
     Some(match problem {
-        ReadProblem::Unrecognised => Mend {
+        ReadProblem::Unrecognised => Advice {
             flag: "for headerless 16-bit samples, use --raw 1024x1024,le (or be)",
             key: "for headerless 16-bit samples, use the key raw = \"1024x1024,le\" (or be)",
         },
         // Raw samples are unsigned, so the value that marks no height is 32768, not -32768.
-        ReadProblem::Foreign(ForeignFormat::Srtm { side: 3601 }) => Mend {
+        ReadProblem::Foreign(ForeignFormat::Srtm { side: 3601 }) => Advice {
             flag: "where no height is below 0, --raw 3601x3601,be --nodata 32768 reads it without its place",
             key: "where no height is below 0, the keys raw = \"3601x3601,be\" and nodata = 32768 read it without its \
                   place",
         },
-        ReadProblem::Foreign(ForeignFormat::Srtm { .. }) => Mend {
+        ReadProblem::Foreign(ForeignFormat::Srtm { .. }) => Advice {
             flag: "where no height is below 0, --raw 1201x1201,be --nodata 32768 reads it without its place",
             key: "where no height is below 0, the keys raw = \"1201x1201,be\" and nodata = 32768 read it without its \
                   place",
         },
-        ReadProblem::NeedsRawLayout => {
-            Mend { flag: "use --raw 1024x1024,le (or be)", key: "use the key raw = \"1024x1024,le\" (or be)" }
-        }
-        ReadProblem::RawSize { .. } => Mend { flag: "use --raw", key: "use the key 'raw'" },
+        ReadProblem::NeedsRawLayout => Advice {
+            flag: "use --raw 1024x1024,le (or be)",
+            key: "use the key raw = \"1024x1024,le\" (or be)",
+        },
+        ReadProblem::RawSize { .. } => Advice { flag: "use --raw", key: "use the key 'raw'" },
         ReadProblem::ChooseChannel { .. } | ReadProblem::NotGrey { .. } => {
-            Mend { flag: "use --channel NAME", key: "use the key 'channel'" }
+            Advice { flag: "use --channel NAME", key: "use the key 'channel'" }
         }
-        ReadProblem::Holes { .. } => Mend { flag: "use --fill", key: "use the key fill = true" },
+        ReadProblem::Holes { .. } => Advice { flag: "use --fill", key: "use the key fill = true" },
         _ => return of_picture(problem),
     })
 }
 
 /// Returns what lets a picture or a normal map be read. Their reading has no options.
-pub fn of_picture(problem: &ReadProblem) -> Option<Mend> {
+pub fn of_picture(problem: &ReadProblem) -> Option<Advice> {
     match problem {
-        ReadProblem::TooMuchMemory { .. } => Some(Mend::everywhere("use --max-memory")),
+        ReadProblem::TooMuchMemory { .. } => Some(Advice::everywhere("use --max-memory")),
         ReadProblem::Mask { problem, .. } => of_picture(problem),
         _ => None,
     }
@@ -102,10 +103,10 @@ pub fn of_note(note: &ReadNote) -> Option<[String; 2]> {
 }
 
 /// Returns what lets a mesh be read.
-pub fn of_mesh(problem: &ReadProblem) -> Option<Mend> {
+pub fn of_mesh(problem: &ReadProblem) -> Option<Advice> {
     match problem {
-        ReadProblem::MeshMemory { .. } => Some(Mend::everywhere("use --max-memory")),
-        problem if problem.is_of_texture_coordinates() => Some(Mend {
+        ReadProblem::MeshMemory { .. } => Some(Advice::everywhere("use --max-memory")),
+        problem if problem.is_of_texture_coordinates() => Some(Advice {
             flag: "use --project box, cylinder or sphere",
             key: "use the key project = \"box\", \"cylinder\" or \"sphere\"",
         }),
@@ -115,23 +116,23 @@ pub fn of_mesh(problem: &ReadProblem) -> Option<Mend> {
 }
 
 /// Returns what lets a scene be loaded.
-pub fn of_scene(error: &SceneError) -> Option<Mend> {
+pub fn of_scene(error: &SceneError) -> Option<Advice> {
     match error {
-        SceneError::NoHeightMap(_) => Some(Mend {
+        SceneError::NoHeightMap(_) => Some(Advice {
             flag: "give --height FILE, or the key in the scene file",
             key: "as in height = \"wall.png\"",
         }),
         SceneError::TooMuchMemory { .. }
         | SceneError::TooManySurfaces { .. }
         | SceneError::TooMuchToTrace { .. }
-        | SceneError::TooMuchForLights { .. } => Some(Mend::everywhere("use --max-memory")),
+        | SceneError::TooMuchForLights { .. } => Some(Advice::everywhere("use --max-memory")),
         SceneError::Read(error) => of_read(&error.problem),
         SceneError::Picture(error) => of_picture(&error.problem),
         SceneError::Mesh(error) => of_mesh(&error.problem),
         SceneError::Io { source, .. }
             if matches!(source.kind(), ErrorKind::InvalidData | ErrorKind::FileTooLarge) =>
         {
-            Some(Mend {
+            Some(Advice {
                 flag: "to render a height map, use --height",
                 key: "write a scene file that names the height map with the key 'height'",
             })

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use crate::say::{self, Loudness};
+use crate::say::{self, Verbosity};
 
 /// Steps of a bar: more than any terminal is wide.
 const STEPS: u64 = 1000;
@@ -33,7 +33,7 @@ impl Progress {
     }
 
     fn styled(what: &str, quiet: bool, steps: Option<u64>, template: &str) -> Self {
-        let quiet = quiet || say::loudness() == Loudness::Quiet;
+        let quiet = quiet || say::verbosity() == Verbosity::Quiet;
         let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
         let bar = ProgressBar::with_draw_target(steps, target).with_message(what.to_owned());
         if let Ok(style) = ProgressStyle::with_template(template) {

@@ -14,7 +14,7 @@ use tempfile::TempDir;
 
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::say::{self, Loudness};
+use crate::say::{self, Verbosity};
 
 /// Name of a standard stream in arguments.
 const STREAM: &str = "-";
@@ -178,7 +178,7 @@ pub fn tell_written(
     json: bool,
     write: impl FnOnce(&mut Vec<u8>) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    say_answer(write, json || say::loudness() != Loudness::Quiet)
+    say_answer(write, json || say::verbosity() != Verbosity::Quiet)
 }
 
 fn say_answer(

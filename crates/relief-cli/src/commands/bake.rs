@@ -30,8 +30,8 @@ use relief_io::read_height_file;
 
 use self::files::{FilesError, Plan};
 use self::identity::Identity;
-use self::outputs::{Earlier, Outputs};
-use self::report::Baked;
+use self::outputs::{EarlierBakes, Outputs};
+use self::report::BakedKind;
 use self::spool::Spool;
 use self::storage::{FileFormat, Packing, Storage, TexelChoice};
 use super::maps::{self, HeightArguments, Note};
@@ -403,7 +403,7 @@ impl<'a> Job<'a> {
             Ok(outputs) => outputs,
             // A folder that nobody may write into can already hold all files.
             Err(failure) => {
-                let earlier = Earlier::find(output, &self.stem).ok().filter(|_| has_manifest);
+                let earlier = EarlierBakes::find(output, &self.stem).ok().filter(|_| has_manifest);
                 let all = earlier.map(|earlier| self.up_to_date(&earlier)).unwrap_or_default();
                 let is_whole = all.len() == self.tasks.len() && !cancel.load(Ordering::Relaxed);
                 return if is_whole { self.tell(&all, &[], out) } else { Err(failure) };
@@ -428,11 +428,11 @@ impl<'a> Job<'a> {
     }
 
     /// Returns the kinds whose files are up to date, or none with --force.
-    fn up_to_date(&self, earlier: &Earlier) -> Vec<Baked> {
+    fn up_to_date(&self, earlier: &EarlierBakes) -> Vec<BakedKind> {
         let whole = |task: &Task| {
             let started = Instant::now();
             let files = earlier.whole(&task.part, task.identity.key())?;
-            Some(Baked::new(task, files, true, started))
+            Some(BakedKind::new(task, files, true, started))
         };
         if self.arguments.force { Vec::new() } else { self.tasks.iter().filter_map(whole).collect() }
     }
@@ -444,7 +444,7 @@ impl<'a> Job<'a> {
         map: Cow<HeightMap>,
         outputs: &mut Outputs,
         cancel: &AtomicBool,
-    ) -> Result<Baked, Failure> {
+    ) -> Result<BakedKind, Failure> {
         let (output, Arguments { json, lossy_heights, .. }) = (self.folder, self.arguments);
         let Task { kind, settings, packing, identity, base, part, .. } = task;
         let started = Instant::now();
@@ -480,7 +480,7 @@ impl<'a> Job<'a> {
         let names: Vec<String> = plans.into_iter().map(|plan| plan.name).collect();
         let files: Vec<(String, PathBuf)> = names.iter().cloned().zip(places).collect();
         outputs.add(part, identity.key(), &files).map_err(in_folder)?;
-        Ok(Baked::new(task, names, false, started))
+        Ok(BakedKind::new(task, names, false, started))
     }
 }
 

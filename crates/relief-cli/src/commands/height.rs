@@ -1,7 +1,7 @@
 //! `relief height`: makes height maps from normal maps, photographs, pairs of meshes, depth objects
 //! and formulas, and for a mesh.
 
-mod described;
+mod annotated_heights;
 mod for_mesh;
 mod from_meshes;
 mod from_normals;
@@ -18,7 +18,7 @@ use relief_core::{ByteSize, Wrap};
 use relief_io::{DEFAULT_MAX_BYTES, HeightNote, ReadError};
 use serde_json::{Value, json};
 
-use self::described::{Described, SURVEYED};
+use self::annotated_heights::{AnnotatedHeights, SURVEYED};
 use self::output::{Content, Format, Output};
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
@@ -251,7 +251,7 @@ impl Relief {
         } else {
             "least squares of the slopes, and of waves of about two texels by the damping"
         };
-        let described = Described {
+        let annotated = AnnotatedHeights {
             size: [width, height],
             texels,
             wrap: how.wrap,
@@ -261,7 +261,7 @@ impl Relief {
             guarantee: Some(guarantee),
             more,
         };
-        let content = described.content(output)?;
+        let content = annotated.content(output)?;
         Ok(Self { content, note, how, misfit })
     }
 

@@ -391,7 +391,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let written = write::write(arguments, &source, format, &files, &mut staged, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
-    let about = report::About {
+    let about = report::MeshReport {
         format,
         written: &written,
         seconds,

@@ -157,7 +157,7 @@ pub fn write(
     watch: &Watch,
 ) -> Result<(), FilesError> {
     let names = plans.iter().map(|plan| plan.name.clone()).collect();
-    let of_bake = OfBake { packing, identity, names };
+    let of_bake = BakeContext { packing, identity, names };
     let rows_of = |plan: &Plan| -> u64 {
         let slices = u64::from(plan.slices.end - plan.slices.start);
         let rows = (0..plan.levels.len()).map(|level| u64::from(plan.level_size(level)[1]) * slices);
@@ -177,7 +177,7 @@ pub fn write(
 }
 
 /// Data that all files of a bake share.
-struct OfBake<'a> {
+struct BakeContext<'a> {
     packing: Packing,
     identity: &'a Identity,
     names: Vec<String>,
@@ -187,7 +187,7 @@ struct OfBake<'a> {
 fn write_one(
     path: &Path,
     plan: &Plan,
-    OfBake { packing, identity, names }: &OfBake,
+    BakeContext { packing, identity, names }: &BakeContext,
     spooled: &Spooled,
     reader: &mut SpoolReader,
     count: &mut dyn FnMut() -> Result<(), Cancelled>,

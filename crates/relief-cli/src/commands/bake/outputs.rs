@@ -17,7 +17,7 @@ use crate::waiting::waiting;
 const MANIFEST: &str = ".relief-manifest";
 
 /// Manifest of the earlier bakes of a height map.
-pub struct Earlier<'a> {
+pub struct EarlierBakes<'a> {
     folder: &'a Path,
     /// Name of the manifest.
     name: String,
@@ -26,7 +26,7 @@ pub struct Earlier<'a> {
     is_strange: bool,
 }
 
-impl<'a> Earlier<'a> {
+impl<'a> EarlierBakes<'a> {
     /// Reads the manifest of the height map named `stem` in a folder.
     pub fn find(folder: &'a Path, stem: &str) -> Result<Self, Failure> {
         let name = format!("{stem}{MANIFEST}");
@@ -62,7 +62,7 @@ impl<'a> Earlier<'a> {
 /// changes.
 pub struct Outputs<'a> {
     set: FileSet,
-    earlier: Earlier<'a>,
+    earlier: EarlierBakes<'a>,
     /// Whether a manifest lists the files.
     has_manifest: bool,
     /// Whether files of other programs are replaced.
@@ -87,14 +87,14 @@ impl<'a> Outputs<'a> {
             other => Failure::work(other),
         })?;
         let earlier = match has_manifest {
-            true => Earlier::find(folder, stem)?,
-            false => Earlier::none(folder, stem),
+            true => EarlierBakes::find(folder, stem)?,
+            false => EarlierBakes::none(folder, stem),
         };
         Ok(Self { set, earlier, has_manifest, force, parts: Vec::new() })
     }
 
     /// Returns the earlier bakes.
-    pub fn earlier(&self) -> &Earlier<'a> {
+    pub fn earlier(&self) -> &EarlierBakes<'a> {
         &self.earlier
     }
 

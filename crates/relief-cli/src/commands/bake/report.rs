@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::say;
 
 /// Result for one kind.
-pub struct Baked {
+pub struct BakedKind {
     /// Name of the kind.
     pub kind: &'static str,
     key: String,
@@ -20,7 +20,7 @@ pub struct Baked {
     seconds: f64,
 }
 
-impl Baked {
+impl BakedKind {
     /// Creates the result of a task whose files are written, or were `up_to_date`.
     pub fn new(task: &Task, files: Vec<String>, up_to_date: bool, started: Instant) -> Self {
         let (kind, key) = (task.kind.name, task.identity.key().to_owned());
@@ -46,7 +46,7 @@ impl Baked {
 impl Job<'_> {
     /// Reports the results of all kinds, and the files of earlier bakes that stayed because they
     /// were changed.
-    pub fn tell(&self, all: &[Baked], changed: &[String], out: &mut dyn Write) -> Result<(), Failure> {
+    pub fn tell(&self, all: &[BakedKind], changed: &[String], out: &mut dyn Write) -> Result<(), Failure> {
         let folder = self.folder;
         if self.arguments.json {
             writeln!(out, "{:#}", self.as_json(all, changed))?;
@@ -62,7 +62,7 @@ impl Job<'_> {
         Ok(())
     }
 
-    fn as_json(&self, all: &[Baked], changed: &[String]) -> Value {
+    fn as_json(&self, all: &[BakedKind], changed: &[String]) -> Value {
         let baked: Vec<Value> = all
             .iter()
             .map(|baked| {

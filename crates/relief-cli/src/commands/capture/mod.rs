@@ -20,7 +20,7 @@ use relief_object::{
     Measured, ObjectFiles, ObjectWriter, Verification, WriteObjectError, read_views,
 };
 
-use self::report::About;
+use self::report::CaptureReport;
 use self::subject::Subject;
 use super::inputs::replaced;
 use crate::failure::Failure;
@@ -217,8 +217,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let files = writer.write(&captured, measured).map_err(|error| of_writing(error, cancel))?;
     let seconds = started.elapsed().as_secs_f64();
     let open_edges = subject.mesh.measures().open_edges;
-    let about =
-        About { captured: &captured, compared: &compared, files: &files, is_solid, open_edges, seconds };
+    let about = CaptureReport {
+        captured: &captured,
+        compared: &compared,
+        files: &files,
+        is_solid,
+        open_edges,
+        seconds,
+    };
     tell_written(arguments.json, |out| Ok(about.tell(arguments, &subject, out)?))
 }
 

@@ -15,7 +15,7 @@ use super::subject::Subject;
 use crate::values::six_digits;
 
 /// Capture that was written.
-pub struct About<'a> {
+pub struct CaptureReport<'a> {
     pub captured: &'a Captured,
     /// All comparisons with the mesh, also of the written images.
     pub compared: &'a [(Cover, Measured)],
@@ -27,7 +27,7 @@ pub struct About<'a> {
     pub seconds: f64,
 }
 
-impl About<'_> {
+impl CaptureReport<'_> {
     pub fn tell(&self, arguments: &Arguments, subject: &Subject, out: &mut dyn Write) -> io::Result<()> {
         if arguments.json {
             return writeln!(out, "{:#}", self.as_json(arguments, subject));

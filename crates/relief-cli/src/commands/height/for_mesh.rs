@@ -11,7 +11,7 @@ use relief_io::{DEFAULT_MAX_BYTES, HeightNote, MeshOptions, read_height_file, re
 use relief_scene::{MeshChoice, Surface};
 use serde_json::json;
 
-use super::described::Described;
+use super::annotated_heights::AnnotatedHeights;
 use super::output::{Content, Format, Output};
 use super::{check_memory, of_unwrapped};
 use crate::commands::maps::{self, HeightArguments};
@@ -204,7 +204,7 @@ impl AdaptedMap {
     }
 
     fn content(&self, map: &HeightMap, output: &Output, mesh: &MeshChoice) -> Result<Content, Failure> {
-        let described = Described {
+        let annotated = AnnotatedHeights {
             size: [map.width(), map.height()],
             texels: self.texels.clone(),
             wrap: map.wrap(),
@@ -214,7 +214,7 @@ impl AdaptedMap {
             guarantee: None,
             more: Vec::new(),
         };
-        described.content(output)
+        annotated.content(output)
     }
 
     fn print(&self, out: &mut impl Write) -> io::Result<()> {

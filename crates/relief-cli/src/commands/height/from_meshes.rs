@@ -16,7 +16,7 @@ use relief_io::{DEFAULT_MAX_BYTES, HeightNote, MeshOptions, read_mesh, read_raw_
 use relief_scene::MeshChoice;
 use serde_json::json;
 
-use super::described::{Described, SURVEYED};
+use super::annotated_heights::{AnnotatedHeights, SURVEYED};
 use super::output::{Content, Format, NORMAL_SPACE, Output, check_distinct, coded, metadata};
 use super::{check_memory, of_unwrapped};
 use crate::commands::staged::Staged;
@@ -276,7 +276,7 @@ impl Arguments {
         note: HeightNote,
         output: &Output,
     ) -> Result<Content, Failure> {
-        let described = Described {
+        let annotated = AnnotatedHeights {
             size: heights.size,
             texels: heights.texels(),
             wrap: self.wrap,
@@ -293,7 +293,7 @@ impl Arguments {
             guarantee: None,
             more: Vec::new(),
         };
-        described.content(output)
+        annotated.content(output)
     }
 
     fn normals_content(&self, planes: [Vec<f32>; 3], output: &Output) -> Result<Content, Failure> {

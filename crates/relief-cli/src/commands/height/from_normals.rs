@@ -99,7 +99,7 @@ enum Green {
 }
 
 /// Axes of the normals, and their source.
-enum Known {
+enum StatedAxes {
     /// Axes that the command line or the file states.
     Axes(Axes, &'static str),
     /// No axes are stated.
@@ -123,7 +123,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     common.check_memory([width, height], BYTES_PER_TEXEL)?;
     let from_bake = FromBake::of(read_metadata(path).ok());
     let known = arguments.axes(&from_bake)?;
-    let axes = if let Known::Axes(axes, _) = known { axes } else { Axes::Tangent };
+    let axes = if let StatedAxes::Axes(axes, _) = known { axes } else { Axes::Tangent };
     let source = source_hash([width, height], &vectors);
     let suspects =
         if axes == Axes::World { Vec::new() } else { Evidence::of(&vectors, opacity.as_deref()).sources() };
@@ -151,7 +151,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let tell = |_: &str, part: f32| bar.show(part);
         let watch = Watch::new(&tell, cancel);
         match known {
-            Known::Axes(..) => {
+            StatedAxes::Axes(..) => {
                 let heights = heights_from_known_slopes(&slopes, &how, &watch).map_err(of_integration)?;
                 let steepness = slopes.steepness();
                 let is_beyond = 100.0 * heights.misfit > arguments.max_misfit * steepness;
@@ -165,7 +165,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
                     (heights, slopes, None)
                 }
             }
-            Known::Unknown => {
+            StatedAxes::Unknown => {
                 let (heights, slopes, fit) =
                     heights_from_either_green(slopes, &how, &watch).map_err(of_integration)?;
                 (heights, slopes, Some(fit))
@@ -224,7 +224,7 @@ impl Arguments {
         Files { read: vec![&mut self.normals], written: vec![heights], ..Files::default() }
     }
 
-    fn axes(&self, from_bake: &FromBake) -> Result<Known, Failure> {
+    fn axes(&self, from_bake: &FromBake) -> Result<StatedAxes, Failure> {
         match (self.green, from_bake.axes) {
             (Green::Up | Green::Down, Some(Axes::World)) => {
                 let name = self.normals.display();
@@ -232,10 +232,10 @@ impl Arguments {
                     "--green: the normals of {name} are in world space: leave it out"
                 )))
             }
-            (Green::Up, _) => Ok(Known::Axes(Axes::Tangent, "the command line")),
-            (Green::Down, _) => Ok(Known::Axes(Axes::TangentGreenDown, "the command line")),
-            (Green::Auto, Some(axes)) => Ok(Known::Axes(axes, "the file")),
-            (Green::Auto, None) => Ok(Known::Unknown),
+            (Green::Up, _) => Ok(StatedAxes::Axes(Axes::Tangent, "the command line")),
+            (Green::Down, _) => Ok(StatedAxes::Axes(Axes::TangentGreenDown, "the command line")),
+            (Green::Auto, Some(axes)) => Ok(StatedAxes::Axes(axes, "the file")),
+            (Green::Auto, None) => Ok(StatedAxes::Unknown),
         }
     }
 
@@ -341,13 +341,13 @@ struct GreenAnswer {
 }
 
 impl GreenAnswer {
-    fn new(known: &Known, fit: Option<GreenFit>) -> Self {
+    fn new(known: &StatedAxes, fit: Option<GreenFit>) -> Self {
         let (way, said_by) = match (known, &fit) {
-            (Known::Axes(Axes::World, by), _) => ("none", Some(*by)),
-            (Known::Axes(Axes::TangentGreenDown, by), _) => ("down", Some(*by)),
-            (Known::Axes(Axes::Tangent, by), _) => ("up", Some(*by)),
-            (Known::Unknown, Some(GreenFit { is_down: true, .. })) => ("down", None),
-            (Known::Unknown, _) => ("up", None),
+            (StatedAxes::Axes(Axes::World, by), _) => ("none", Some(*by)),
+            (StatedAxes::Axes(Axes::TangentGreenDown, by), _) => ("down", Some(*by)),
+            (StatedAxes::Axes(Axes::Tangent, by), _) => ("up", Some(*by)),
+            (StatedAxes::Unknown, Some(GreenFit { is_down: true, .. })) => ("down", None),
+            (StatedAxes::Unknown, _) => ("up", None),
         };
         Self { way, said_by, fit }
     }

@@ -11,8 +11,8 @@ use relief_io::{DEFAULT_MAX_BYTES, HeightNote};
 use relief_object::{ObjectFile, ObjectOptions, read_object};
 use serde_json::json;
 
+use super::annotated_heights::{AnnotatedHeights, SURVEYED};
 use super::check_memory;
-use super::described::{Described, SURVEYED};
 use super::output::{
     Content, Format, NORMAL_SPACE, Output, check_distinct, coded, color_space, encoded, metadata,
 };
@@ -239,7 +239,7 @@ impl Arguments {
         note: HeightNote,
         output: &Output,
     ) -> Result<Content, Failure> {
-        let described = Described {
+        let annotated = AnnotatedHeights {
             size: image.view.size(),
             texels,
             wrap: Wrap::Clamp,
@@ -249,7 +249,7 @@ impl Arguments {
             guarantee: None,
             more: vec![("width_m", image.width_m().to_string())],
         };
-        described.content(output)
+        annotated.content(output)
     }
 
     /// Returns the origin that all files state.

@@ -14,8 +14,8 @@ use relief_shaders::Entry;
 use relief_shaders::procedure::{ENTRIES, Procedure};
 use serde_json::json;
 
+use super::annotated_heights::AnnotatedHeights;
 use super::check_memory;
-use super::described::Described;
 use super::output::{Content, Format, Output, check_distinct};
 use crate::commands::numbered::Numbering;
 use crate::commands::staged::Staged;
@@ -273,7 +273,7 @@ impl Arguments {
 
     fn content(&self, procedure: &Procedure, texels: Vec<f32>, output: &Output) -> Result<Content, Failure> {
         let settings: Vec<String> = named(procedure).map(|(name, value)| format!("{name}={value}")).collect();
-        let described = Described {
+        let annotated = AnnotatedHeights {
             size: self.size,
             texels,
             wrap: Wrap::Repeat,
@@ -293,6 +293,6 @@ impl Arguments {
             guarantee: None,
             more: Vec::new(),
         };
-        described.content(output)
+        annotated.content(output)
     }
 }

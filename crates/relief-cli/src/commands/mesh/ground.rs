@@ -24,7 +24,7 @@ pub const LONGEST_SOLID_M: f64 = 2.0;
 pub struct Metres {
     /// Metres of the written mesh per metre of the scene, whose planes are 1 m long.
     pub factor: f64,
-    pub source: Source,
+    pub source: MetresSource,
     /// Placement of the map on the ground, if its file states it and the mesh shows the map exactly
     /// once.
     pub placement: Option<MapPlacement>,
@@ -32,7 +32,7 @@ pub struct Metres {
 
 /// Source of a mesh's metres.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Source {
+pub enum MetresSource {
     /// The mesh, which is no plane and has metres of its own.
     Mesh,
     /// The file of the height map.
@@ -70,7 +70,7 @@ impl Metres {
     pub fn of(arguments: &Arguments) -> Self {
         let flags = &arguments.placement;
         if !matches!(flags.mesh, None | Some(MeshChoice::Builtin(Builtin::Plane))) {
-            return Self { factor: 1.0, source: Source::Mesh, placement: None };
+            return Self { factor: 1.0, source: MetresSource::Mesh, placement: None };
         }
         let tiles = flags.tile.unwrap_or([1.0; 2]);
         // Impossible sizes are refused with the scene.
@@ -79,22 +79,22 @@ impl Metres {
             if factor.is_normal() && factor > 0.0 { factor } else { 1.0 }
         };
         if let Some(tile_m) = flags.tile_size {
-            return Self { factor: factor(tile_m), source: Source::TileSize, placement: None };
+            return Self { factor: factor(tile_m), source: MetresSource::TileSize, placement: None };
         }
         // A file that cannot be read is refused when its texels are.
         let ground = read_ground(&arguments.height, &arguments.reading.options(arguments.max_memory)).ok();
         let reason = |ground: &Ground| ground.georeference.as_ref()?.texel_size_m.clone().err();
         let Some((ground, tile_m)) = ground.as_ref().and_then(|ground| Some((ground, ground.tile_m?))) else {
-            let source = Source::Nothing(ground.as_ref().and_then(reason));
+            let source = MetresSource::Nothing(ground.as_ref().and_then(reason));
             return Self { factor: 1.0, source, placement: None };
         };
         let placement = MapPlacement::of(ground).filter(|_| tiles == [1.0; 2]);
-        Self { factor: factor(tile_m), source: Source::File, placement }
+        Self { factor: factor(tile_m), source: MetresSource::File, placement }
     }
 
     /// Whether the height map states how many metres long the plane is.
     pub fn is_known(&self) -> bool {
-        matches!(self.source, Source::File | Source::TileSize)
+        matches!(self.source, MetresSource::File | MetresSource::TileSize)
     }
 
     /// Returns the surface with the displacement that its file states in metres, if these are not
@@ -144,16 +144,16 @@ impl Metres {
     /// Returns the name of the metres' source.
     pub fn source_name(&self) -> Option<&'static str> {
         match self.source {
-            Source::Mesh => Some("mesh"),
-            Source::File => Some("file"),
-            Source::TileSize => Some("tile-size"),
-            Source::Nothing(_) => None,
+            MetresSource::Mesh => Some("mesh"),
+            MetresSource::File => Some("file"),
+            MetresSource::TileSize => Some("tile-size"),
+            MetresSource::Nothing(_) => None,
         }
     }
 
     /// Returns why the metres are not known, with the flag that sets them.
     pub fn unknown(&self) -> Option<String> {
-        let Source::Nothing(reason) = &self.source else { return None };
+        let MetresSource::Nothing(reason) = &self.source else { return None };
         let reason = reason.as_ref().map(|reason| format!(": {reason}")).unwrap_or_default();
         Some(format!("not known{reason}; the plane is 1 m long, unless --tile-size U,V sets its length"))
     }

@@ -19,7 +19,7 @@ use crate::units::{fitting, in_words};
 use crate::values::six_digits;
 
 /// Written mesh with what the report needs.
-pub struct About<'a> {
+pub struct MeshReport<'a> {
     pub format: MeshFormat,
     pub written: &'a [WrittenPart],
     pub seconds: f64,
@@ -32,7 +32,7 @@ pub struct About<'a> {
 const REPORTED_SEAMS: f64 = 0.01;
 
 /// Effect of quantization on positions.
-struct OnLattice {
+struct QuantizationReport {
     bits: u32,
     step_m: f64,
     /// Storage of texture coordinates.
@@ -41,7 +41,7 @@ struct OnLattice {
 }
 
 /// Level of detail.
-struct LevelAbout {
+struct LevelReport {
     triangles: u64,
     vertices: u64,
     open: u64,
@@ -50,7 +50,7 @@ struct LevelAbout {
     coverage: f64,
 }
 
-impl LevelAbout {
+impl LevelReport {
     fn as_json(&self) -> serde_json::Value {
         let Self { triangles, vertices, open, error_m, coverage } = self;
         json!({
@@ -70,7 +70,7 @@ impl LevelAbout {
     }
 }
 
-impl About<'_> {
+impl MeshReport<'_> {
     fn sum(&self, of: impl Fn(&WrittenPart) -> u64) -> u64 {
         self.written.iter().map(of).sum()
     }
@@ -91,14 +91,14 @@ impl About<'_> {
     }
 
     /// Returns the effect of quantization, over all parts.
-    fn rounded(&self) -> Option<OnLattice> {
+    fn rounded(&self) -> Option<QuantizationReport> {
         let of_part = |part: &WrittenPart| {
             let Quantization { grid, uvs } = part.quantization?;
             let of = part.levels().filter_map(|level| level.streamed.rounded).reduce(Rounded::with)?;
             let uvs = if uvs { "16 bits" } else { "floats" };
-            Some(OnLattice { bits: grid.bits(), step_m: grid.step_m(), uvs, of })
+            Some(QuantizationReport { bits: grid.bits(), step_m: grid.step_m(), uvs, of })
         };
-        self.written.iter().filter_map(of_part).reduce(|a, b| OnLattice { of: a.of.with(b.of), ..a })
+        self.written.iter().filter_map(of_part).reduce(|a, b| QuantizationReport { of: a.of.with(b.of), ..a })
     }
 
     /// Returns the number of indices of all strips, and the indices per triangle.
@@ -110,12 +110,12 @@ impl About<'_> {
     }
 
     /// Returns all levels of detail, each over all parts.
-    fn levels(&self) -> Vec<LevelAbout> {
+    fn levels(&self) -> Vec<LevelReport> {
         let count = self.written.first().map_or(0, |part| part.levels().count());
         let of_level = |level: usize| {
             let all = || self.written.iter().filter_map(move |part| part.levels().nth(level));
             let open = |level: &WrittenLevel| level.streamed.cracks.unwrap_or_default().open;
-            LevelAbout {
+            LevelReport {
                 triangles: all().map(|level| level.counts.triangles).sum(),
                 vertices: all().map(|level| level.counts.vertices).sum(),
                 open: all().map(open).sum(),
@@ -197,7 +197,7 @@ impl About<'_> {
                 about["strips"] = json!({ "indices": indices, "per_triangle": six_digits(of_each) });
             }
             if arguments.lods.is_some() {
-                about["lods"] = self.levels().iter().map(LevelAbout::as_json).collect();
+                about["lods"] = self.levels().iter().map(LevelReport::as_json).collect();
             }
             let [folds, below] =
                 self.folds().map(|folds| folds.map_or_else(|| of_folds(&Folds::default()), of_folds));

@@ -90,23 +90,23 @@ pub fn write(
     staged: &mut Staged,
     cancel: &AtomicBool,
 ) -> Result<Vec<WrittenPart>, Failure> {
-    let making = Making { arguments, source, format, cancel };
+    let writer = MeshWriter { arguments, source, format, cancel };
     let print_m = arguments.print_size.map(|mm| mm / 1000.0);
     let factor = source.metres.factor;
     let Some(print_m) = print_m else {
-        ground::check_solid(arguments, making.expected_length() * factor)?;
-        return making.all_written(files, staged, [factor; 2]);
+        ground::check_solid(arguments, writer.expected_length() * factor)?;
+        return writer.all_written(files, staged, [factor; 2]);
     };
     // The mesh's length follows from the mesh, and the mesh from the tolerance, which may follow
     // from the length.
-    let mut expected = print_m / making.expected_length();
+    let mut expected = print_m / writer.expected_length();
     for _ in 0..TRIES {
-        let size = print_m / making.length(files, expected)?;
+        let size = print_m / writer.length(files, expected)?;
         let ratio = expected / size;
         let is_kept = (arguments.error.is_none() || ratio >= 1.0 - ROUNDING)
             && (arguments.solid.is_none() || (ratio - 1.0).abs() <= ROUNDING);
         if is_kept {
-            return making.all_written(files, staged, [expected, size]);
+            return writer.all_written(files, staged, [expected, size]);
         }
         expected = size;
     }
@@ -118,26 +118,26 @@ pub fn write(
 
 /// Storage of a mesh.
 #[derive(Clone, Copy)]
-struct Stored {
+struct MeshStorage {
     quantization: Option<Quantization>,
     standing: Standing,
 }
 
-impl Stored {
+impl MeshStorage {
     /// Returns the storage in a GLB.
     fn of(quantization: Option<Quantization>) -> Self {
         Self { quantization, standing: Standing::usual(MeshFormat::Gltf) }
     }
 }
 
-struct Making<'a> {
+struct MeshWriter<'a> {
     arguments: &'a Arguments,
     source: &'a Source<'a>,
     format: MeshFormat,
     cancel: &'a AtomicBool,
 }
 
-impl Making<'_> {
+impl MeshWriter<'_> {
     /// Counts a part of the mesh. A tolerance is a length of a mesh that is larger by `size`.
     fn mesher(&self, file: &PartFile, size: f64) -> Result<Mesher, Failure> {
         let mesher = self.level(file, size, &[])?;
@@ -202,14 +202,14 @@ impl Making<'_> {
         if let [file] = files {
             let meshers = self.meshers(file, expected)?;
             let bounds = self.bounds(&meshers, size)?;
-            let how = Stored::of(quantizations(&[bounds], bits)?.pop());
+            let how = MeshStorage::of(quantizations(&[bounds], bits)?.pop());
             return Ok(vec![self.written(file, &meshers, how, staged, size)?]);
         }
         let bounds = files.iter().map(|file| self.bounds(&self.meshers(file, expected)?, size));
         let quantizations = quantizations(&bounds.collect::<Result<Vec<_>, _>>()?, bits)?;
         let of_parts = files.iter().zip(quantizations);
         let written = |(file, how)| {
-            self.written(file, &self.meshers(file, expected)?, Stored::of(Some(how)), staged, size)
+            self.written(file, &self.meshers(file, expected)?, MeshStorage::of(Some(how)), staged, size)
         };
         of_parts.map(written).collect()
     }
@@ -235,7 +235,7 @@ impl Making<'_> {
             }
             standing.base_m = base_m;
         }
-        let how = Stored { quantization: None, standing };
+        let how = MeshStorage { quantization: None, standing };
         if let (Some(meshers), [file]) = (counted, files) {
             return Ok(vec![self.written(file, &meshers, how, staged, size)?]);
         }
@@ -250,7 +250,7 @@ impl Making<'_> {
         &self,
         file: &PartFile,
         meshers: &[Mesher],
-        Stored { quantization, standing }: Stored,
+        MeshStorage { quantization, standing }: MeshStorage,
         staged: &mut Staged,
         size: f64,
     ) -> Result<WrittenPart, Failure> {

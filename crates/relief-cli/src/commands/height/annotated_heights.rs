@@ -10,7 +10,7 @@ use crate::failure::Failure;
 pub const SURVEYED: &str = "Szirmay-Kalos and Umenhoffer 2008 2.2";
 
 /// Heights on the way to a file, with their metadata.
-pub struct Described {
+pub struct AnnotatedHeights {
     /// Columns and rows.
     pub size: [u32; 2],
     /// Heights, row by row.
@@ -27,7 +27,7 @@ pub struct Described {
     pub more: Vec<(&'static str, String)>,
 }
 
-impl Described {
+impl AnnotatedHeights {
     /// Returns the content of a file of the output's format.
     pub fn content(self, output: &Output) -> Result<Content, Failure> {
         let Self { size, texels, wrap, note, origin, published, guarantee, more } = self;
