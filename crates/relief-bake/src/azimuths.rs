@@ -1,6 +1,7 @@
 //! Azimuths of baked maps: their parameters, their directions, and the notes in textures.
 //!
-//! The kinds `horizon`, `occlusion`, `bent-normal`, `visibility`, `bounce` and `seen-normal` use them.
+//! The kinds `horizon`, `occlusion`, `bent-normal`, `visibility`, `bounce` and `seen-normal` use
+//! them.
 
 use relief_core::registry::Param;
 

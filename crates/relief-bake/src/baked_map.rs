@@ -13,7 +13,7 @@ use crate::{BakeError, Channel, Kind, Settings, Shape, Sink, SinkError, Texture,
 pub struct WantedMap<'a> {
     /// The kind.
     pub kind: &'a Kind,
-    /// Name of the texture among those of the kind; empty for the only one.
+    /// Name of one of the kind's textures; empty for the only one.
     pub texture: &'a str,
     /// The kind's settings.
     pub settings: Settings,
@@ -332,7 +332,7 @@ mod tests {
         all.textures.into_iter().find(|found| found.texture.name == wanted.texture).expect("the texture")
     }
 
-    /// Every value of the map beside that of the bake, with the channel's rounding.
+    /// Compares every value of the map with the bake's value, with the channel's rounding.
     fn compare(map: &HeightMap, wanted: &WantedMap, each: impl Fn(f32, f32, Rounding)) {
         let baked = baked_map(map, wanted, &Watch::none()).expect("a bake");
         let found = collected(map, wanted);

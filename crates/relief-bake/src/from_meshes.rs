@@ -151,8 +151,8 @@ impl MeshPair {
 pub struct PairedHeights {
     /// Columns and rows.
     pub size: [u32; 2],
-    /// Displacements along the interpolated normals in metres, row by row from the top. NaN beyond the
-    /// gutter, and nowhere without one.
+    /// Displacements along the interpolated normals in metres, row by row from the top. NaN beyond
+    /// the gutter, and nowhere without one.
     pub metres: Vec<f32>,
     /// Greatest distance of a hit, in metres.
     pub cage_m: f64,

@@ -77,7 +77,8 @@ pub use self::slopes::{NormalFaults, NormalSlopes, UNIT_TOLERANCE};
 ///
 /// # Errors
 ///
-/// When sizes do not fit together, a value is not finite, a number is out of range, or it is cancelled.
+/// When sizes do not fit together, a value is not finite, a number is out of range, or it is
+/// cancelled.
 pub fn heights_from_normals(
     size: [u32; 2],
     normals: [&[f32]; 3],

@@ -1,7 +1,7 @@
 //! Normals and albedo from photographs under known lights.
 //!
-//! Woodham 1980, *Photometric Method for Determining Surface Orientation from Multiple Images*; Szirmay-Kalos
-//! and Umenhoffer 2008, section 2.2, name it as a source of height maps.
+//! Woodham 1980, *Photometric Method for Determining Surface Orientation from Multiple Images*;
+//! Szirmay-Kalos and Umenhoffer 2008, section 2.2, name it as a source of height maps.
 //! [`from_normals`](crate::from_normals) makes the heights.
 //!
 //! One camera looks straight down at a matt (Lambertian) surface, lit by one distant light after

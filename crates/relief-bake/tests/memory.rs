@@ -1,4 +1,5 @@
-//! The memory that bakes take, counted by the allocator. One test, so that nothing else allocates meanwhile.
+//! Memory of bakes, counted by the allocator. It is a single test, so that nothing else allocates
+//! meanwhile.
 
 use std::alloc::System;
 
@@ -10,19 +11,19 @@ use relief_testing::maps::fractal;
 #[global_allocator]
 static ALLOCATOR: PeakMemAlloc<System> = PeakMemAlloc::system();
 
-/// Columns of the map, and rows.
+/// Columns and rows of the map.
 const SIZE: [u32; 2] = [512, 448];
 
-/// Threads, each of which takes a few lines of the map.
+/// Threads; each takes a few lines of the map.
 const THREADS: usize = 2;
 
-/// The most memory of a 2-D kind, input and output included, over these.
+/// Most memory of a 2-D kind, input and output included, over the two.
 const MOST: f64 = 1.5;
 
-/// The 2-D kind that looks along many rays, and takes more.
+/// The 2-D kind that traces many rays and takes more memory.
 const MANY_RAYS: &str = "bounce";
 
-/// Forgets what it gets, but for its size.
+/// Sink that keeps only sizes.
 #[derive(Default)]
 struct Counted {
     values: u64,
@@ -41,8 +42,8 @@ impl Sink for Counted {
     }
 }
 
-/// What a bake of a map that is not needed afterwards allocates at most besides it, in maps, and what came
-/// out.
+/// Returns the most memory that a bake of a map taken over allocates besides it, in maps, and the
+/// counted output.
 fn measure(kind: &Kind, map: HeightMap, bits: u32) -> (f64, Counted) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(THREADS).build().expect("threads");
     let mut settings = kind.defaults();
@@ -69,7 +70,7 @@ fn bakes_take_no_more_memory_than_is_said() {
             let (maps, sink) = measure(kind, map, bits);
             let output = sink.values as f64 / texels.len() as f64;
             let working = f64::from((kind.working_maps)(&kind.defaults()));
-            // A volume is handed out slice by slice; the textures of others are at hand, too.
+            // A volume is handed out slice by slice; other kinds have all their textures in memory.
             let most = if sink.is_volume { working } else { working + output };
             println!("{} with {bits} bits: {maps:.2} maps of {most:.2} for {output:.2} of output", kind.name);
             let is_larger = !sink.is_volume && kind.name != MANY_RAYS && (1.0 + maps) / (1.0 + output) > MOST;

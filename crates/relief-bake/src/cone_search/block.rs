@@ -62,7 +62,8 @@ impl Block {
         let mut heights = [*centre; APEXES];
         if region == Region::Footprint {
             for (heights, [column, row]) in heights.iter_mut().zip(RIM) {
-                // Halfway to the neighbours along one axis or both; without a step they are the centre.
+                // Halfway to the neighbours along one axis or both; without a step they are the
+                // centre.
                 let place = |column: i8, row: i8| vertex_at(isize::from(column), isize::from(row));
                 let [aside, ahead] = [place(column, 0), place(0, row)].map(|vertex| &self.vertices[vertex]);
                 let beyond = &self.vertices[place(column, row)];

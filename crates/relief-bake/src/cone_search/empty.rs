@@ -41,7 +41,8 @@ impl ConeType for Empty {
             search.walk.lower(group, lane, apexes);
             search.walk.raise_bar(group, lane, *best);
         }
-        // Distances along the axes are independent: the nearest image is in a tile beside the apex's.
+        // Distances along the axes are independent: the nearest image is in a tile beside the
+        // apex's.
         let tiles = if search.field.map.wrap() == Wrap::Repeat { [1; 2] } else { [0; 2] };
         search.walk.walk(
             simd,
@@ -163,7 +164,7 @@ mod tests {
     use super::super::search::{Above, Row};
     use super::*;
 
-    /// The ratios without any vectors.
+    /// Returns the ratios without any vectors.
     fn scalar_ratios(search: &Search) -> Vec<f32> {
         let (width, height) = (search.field.map.width() as usize, i64::from(search.field.map.height()));
         let mut near = [NearRow::new(width), NearRow::new(width)];

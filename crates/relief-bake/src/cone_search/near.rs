@@ -26,7 +26,7 @@ pub(crate) struct NearRow {
 }
 
 impl NearRow {
-    /// Makes room for `width` texels.
+    /// Allocates a row of `width` texels.
     pub fn new(width: usize) -> Self {
         let places = (width + 1).next_multiple_of(LANES) + LANES;
         Self {

@@ -26,7 +26,7 @@ pub(super) struct ToVertex {
     pub closeness2: f64,
 }
 
-/// Slope to an edge between two vertices. Or slope from a piece of the rim to a vertex, seen from
+/// Slope to an edge between two vertices; or slope from a piece of the rim to a vertex, seen from
 /// the vertex.
 pub(super) struct ToEdge {
     /// Vertices, or the piece's ends among the point's apexes.

@@ -41,7 +41,8 @@ pub(crate) fn inside_segment(rise: [f64; 2], from: f64, to: f64, beside: f64) ->
 /// opposite. `per_side` is one over the sides.
 #[inline(always)]
 pub(crate) fn steepest_in_quarter([h, aside, ahead, beyond]: [f64; 4], per_side: [f64; 2]) -> f64 {
-    // The slopes along an axis are linear along the other: greatest at the corner or half a side away.
+    // The slopes along an axis are linear along the other: greatest at the corner or half a side
+    // away.
     let (along_x, along_y) = ((aside - h) * per_side[0], (ahead - h) * per_side[1]);
     let half_x = 0.5 * (along_x + (beyond - ahead) * per_side[0]);
     let half_y = 0.5 * (along_y + (beyond - aside) * per_side[1]);
@@ -147,9 +148,10 @@ fn most_on_lines([a, b, c, d]: [f64; 4], [from, to]: [f64; 2]) -> f64 {
 }
 
 /// Returns whether patches may have a critical point inside that is steeper than `best`, for as
-/// many patches as a vector has lanes. Where they may not, [`Patch::inside`] finds none. Parameters
-/// are the heights of corners and apexes, the place of corner `h00` in metres from the apexes, one
-/// over the sides of a texel, the squared distances from the apexes, and the best squared slopes.
+/// many patches as a vector has lanes. Where they may not, [`Patch::inside`] finds none. The arrays
+/// are the heights of the corners, the place of corner `h00` in metres from the apexes, and one
+/// over the sides of a texel. `apex` are the heights of the apexes, `gap2` the squared distances
+/// from them, and `best` the best squared slopes.
 #[inline(always)]
 pub(super) fn may_peak_inside<S: Simd>(
     simd: S,
@@ -173,7 +175,8 @@ pub(super) fn may_peak_inside<S: Simd>(
         simd.sub_f64s(simd.sub_f64s(h00, apex), simd.mul_f64s(along_x, x)),
         simd.sub_f64s(bent, simd.mul_f64s(along_y, y)),
     );
-    // Critical points lie on the hyperbola D x y = A, which must cross the patch; maxima only for A < 0.
+    // Critical points lie on the hyperbola D x y = A, which must cross the patch; maxima only for A
+    // < 0.
     let p = simd.mul_f64s(twist, simd.mul_f64s(right, y));
     let q = simd.mul_f64s(twist, simd.mul_f64s(x, down));
     let r = simd.mul_f64s(twist, simd.mul_f64s(right, down));

@@ -8,7 +8,7 @@ pub(super) const MARGIN: f64 = 1.0 + 1e-9;
 const TIE: f64 = 1.0 + 1.0 / (1u64 << 16) as f64;
 
 /// Further amount by which slopes are raised, in heights a texel. It covers the rounding to 32 bits
-/// of two equal slopes. Each is a slope from one height to another, and below 1.
+/// of two equal slopes. Each is a slope from one height to another, and heights are at most 1.
 const STEP: f64 = 1.0 / (1u64 << 23) as f64;
 
 /// Returns the steepest slope that counts as equal to one with that square. A level slope equals no

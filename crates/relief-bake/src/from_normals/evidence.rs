@@ -1,4 +1,4 @@
-//! Measurements of a picture that tell other images from tangent-space normal maps.
+//! Measurements of a picture that distinguish tangent-space normal maps from other images.
 
 use std::fmt;
 

@@ -67,7 +67,8 @@ impl IntegratedHeights {
 ///
 /// # Errors
 ///
-/// When sizes do not fit together, a value is not finite, a number is out of range, or it is cancelled.
+/// When sizes do not fit together, a value is not finite, a number is out of range, or it is
+/// cancelled.
 pub fn heights_from_slopes(
     size: [u32; 2],
     slopes: [&[f32]; 2],

@@ -48,7 +48,8 @@ impl NormalFaults {
 pub struct NormalSlopes {
     /// Columns and rows.
     pub size: [u32; 2],
-    /// Slopes along `u` and along `v` (down in the picture), in metres a metre, row by row from the top.
+    /// Slopes along `u` and along `v` (down in the picture), in metres a metre, row by row from the
+    /// top.
     pub along: [Vec<f32>; 2],
     /// Texels that hold a normal; none where all do. Slopes of the others were filled in.
     pub known: Option<Vec<bool>>,

@@ -101,11 +101,12 @@ impl LineTransform {
             line[k] = scale * (wave.re - wave.im);
             line[(self.length - k) % self.length] = scale * (wave.re + wave.im);
         }
-        // The constant and the alternating wave have no imaginary part, so that both assignments agree.
+        // The constant and the alternating wave have no imaginary part, so that both assignments
+        // agree.
     }
 
-    /// `C[k] = Σ x[n] cos(πk(2n+1)/2N)`, from an FFT of the even samples and then the odd ones backwards
-    /// (Makhoul 1980).
+    /// `C[k] = Σ x[n] cos(πk(2n+1)/2N)`, from an FFT of the even samples and then the odd ones
+    /// backwards (Makhoul 1980).
     fn cosines(&self, line: &mut [f64], buffers: &mut LineBuffers) {
         for (n, &x) in line.iter().enumerate() {
             let place = if n % 2 == 0 { n / 2 } else { self.length - 1 - n / 2 };

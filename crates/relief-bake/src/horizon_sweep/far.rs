@@ -12,7 +12,8 @@ use crate::sheared_lines::{Lines, SKEW, Slab, Stretch};
 struct Vertex {
     position: f32,
     height: f32,
-    /// Slope towards the next farther vertex; less than that of any nearer vertex. `-∞` at the last.
+    /// Slope towards the next farther vertex, less than the slope of any nearer vertex. `-∞` at the
+    /// last.
     slope: f32,
 }
 

@@ -1,7 +1,7 @@
 //! Bent normals, from horizons in closed form.
 //!
-//! Landis 2002, *Production-ready global illumination*; the integrals over horizons as in Max 1988 and
-//! Timonen and Westerholm 2010.
+//! Landis 2002, *Production-ready global illumination*; the integrals over horizons as in Max 1988
+//! and Timonen and Westerholm 2010.
 //!
 //! # What is stored
 //!
@@ -11,7 +11,8 @@
 //! `[-1, 1]`. Where no sky is seen it is the base normal. The sky of the azimuth `φ` above the
 //! horizon `H` adds
 //!
-//! * along the base, in the direction of `φ`: `∫ from H to π/2 of cos² e de = (π/2 - H - sin H cos H) / 2`,
+//! * along the base, in the direction of `φ`:
+//!   `∫ from H to π/2 of cos² e de = (π/2 - H - sin H cos H) / 2`,
 //! * upward: `∫ from H to π/2 of sin e cos e de = cos² H / 2`.
 //!
 //! With `scaled`, the map holds the integral over π instead of a unit vector. Its `z` is the

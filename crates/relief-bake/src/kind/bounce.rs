@@ -171,13 +171,13 @@ mod tests {
 
     /// Returns the light, and the number of progress reports.
     fn of(map: &HeightMap, albedo: f32, bounces: u32) -> (Vec<f32>, usize) {
-        let (told, cancel) = (AtomicUsize::new(0), AtomicBool::new(false));
+        let (reports, cancel) = (AtomicUsize::new(0), AtomicBool::new(false));
         let report = |_: &str, _: f32| {
-            told.fetch_add(1, Ordering::Relaxed);
+            reports.fetch_add(1, Ordering::Relaxed);
         };
         let watch = Watch::new(&report, &cancel);
         let light = light(map, Metric::UNIT, [8, 2], 1, (albedo, bounces), &watch);
-        (light.expect("memory"), told.into_inner())
+        (light.expect("memory"), reports.into_inner())
     }
 
     #[test]
@@ -200,8 +200,8 @@ mod tests {
     fn bounces_that_change_nothing_are_not_made() {
         let map = pits(16);
         for albedo in [0.0, 0.25, 0.5] {
-            let [(once, one), (many, told)] = [0, 256].map(|bounces| of(&map, albedo, bounces));
-            assert!(told < 60 * one, "{told} reports with albedo {albedo}, {one} for a bounce");
+            let [(once, one), (many, reports)] = [0, 256].map(|bounces| of(&map, albedo, bounces));
+            assert!(reports < 60 * one, "{reports} reports with albedo {albedo}, {one} for a bounce");
             assert!(many.iter().zip(&once).all(|(many, once)| many >= once));
             // The bounces left out would have changed nothing.
             assert_eq!(many, of(&map, albedo, 250).0);

@@ -1,7 +1,8 @@
 //! Cone maps: the widest empty cone over every texel.
 //!
 //! * Dummer, *Cone Step Mapping: An Iterative Ray-Heightfield Intersection Algorithm*, 2006.
-//! * Szirmay-Kalos and Umenhoffer, *Displacement Mapping on the GPU: State of the Art*, 2008, section 4.3.5.
+//! * Szirmay-Kalos and Umenhoffer, *Displacement Mapping on the GPU: State of the Art*, 2008,
+//!   section 4.3.5.
 //!
 //! Published cone maps bound the texels, not the bilinear surface between them. They are made for
 //! texel centres, but searches move them to the ray. The cones here hold nothing of the bilinear
@@ -31,8 +32,8 @@ pub enum ConeApex {
     /// cones from the centres: on natural ground by a tenth, where walls are a texel wide by up to
     /// a third.
     Footprint,
-    /// From the surface at any place of the squares of the texel and its eight neighbours: for searches that
-    /// move the apex and fetch through a bilinear filter.
+    /// From the surface at any place of the squares of the texel and its eight neighbours: for
+    /// searches that move the apex and fetch through a bilinear filter.
     Filtered,
 }
 
@@ -104,15 +105,16 @@ pub const KIND: Kind = Kind {
 ///    behind the point at which the segment leaves `R`. The first is at most the greatest `|∇f|` in
 ///    `R`. The square of `|∇f|` is convex in each of the four patches, so it is greatest at a
 ///    corner of the patch's part in `R`. So `p` may be taken on the rim.
-/// 2. *`p` is one of eight ends, or `q` is a vertex.* Move `p` along one of the eight pieces of the
-///    rim that lie within one patch, say along `y`, and `q` with it. `f(p)` is linear, `f(q)` is
-///    linear while `q` stays between two lines of vertices, and their distance is fixed. So the
-///    slope is greatest where `p` is an end of its piece or `q` is on an edge along `x`. On the
-///    edge the rise is affine in `q.x` and `p.y`, and the distance is a norm of
+/// 2. *`p` is one of eight ends, or `q` is a vertex.* The rim has eight pieces that lie within one
+///    patch each. Move `p` along one of them, say along `y`, and `q` with it. `f(p)` is linear,
+///    `f(q)` is linear while `q` stays between two lines of vertices, and their distance is fixed.
+///    So the slope is greatest where `p` is an end of its piece or `q` is on an edge along `x`. On
+///    the edge the rise is affine in `q.x` and `p.y`, and the distance is a norm of
 ///    `(q.x - p.x, q.y - p.y)`. The slope is stationary inside only where the rise is linear in
 ///    that vector; then it is the same towards the rim of the domain.
-/// 3. *Closed forms.* From an end the supremum over a cell is at a vertex, on an edge, or at a stationary
-///    point inside. For a vertex it is inside a piece of the rim, or at its end. All have closed forms.
+/// 3. *Closed forms.* From an end the supremum over a cell is at a vertex, on an edge, or at a
+///    stationary point inside. For a vertex it is inside a piece of the rim, or at its end. All
+///    have closed forms.
 /// 4. *Skipped nodes.* A node of the maximum pyramid is skipped in two cases only. First, its
 ///    highest point is placed over the lowest apex at their least distance. The resulting slope is
 ///    below the best slope by more than a cell can exceed its corners. Second, a plane above the

@@ -1,15 +1,17 @@
 //! Dilation and erosion: the greatest and the least height around every dual cell.
 //!
-//! * Kolb and Rezk-Salama 2005, "Efficient empty space skipping for per-pixel displacement mapping".
-//! * Szirmay-Kalos and Umenhoffer 2008, "Displacement mapping on the GPU: state of the art", section 4.3.2.
-//! * van Herk 1992, "A fast algorithm for local minimum and maximum filters on rectangular and octagonal
-//!   kernels", and Gil and Werman 1993, "Computing 2-D min, median, and max filters": three comparisons a
-//!   texel and axis at any radius.
+//! * Kolb and Rezk-Salama 2005, "Efficient empty space skipping for per-pixel displacement
+//!   mapping".
+//! * Szirmay-Kalos and Umenhoffer 2008, "Displacement mapping on the GPU: state of the art",
+//!   section 4.3.2.
+//! * van Herk 1992, "A fast algorithm for local minimum and maximum filters on rectangular and
+//!   octagonal kernels", and Gil and Werman 1993, "Computing 2-D min, median, and max filters":
+//!   three comparisons a texel and axis at any radius.
 //!
 //! # Guarantee
 //!
-//! *From anywhere over dual cell `(i, j)`, the surface at most `radius` texels away along both axes is
-//! nowhere below the cell's `erosion` and nowhere above its `dilation`; both are attained.*
+//! *From anywhere over dual cell `(i, j)`, the surface at most `radius` texels away along both axes
+//! is nowhere below the cell's `erosion` and nowhere above its `dilation`; both are attained.*
 //!
 //! Proof. These places make up the square of cells `i - radius ..= i + radius` by
 //! `j - radius ..= j + radius`. A bilinear patch is a mean of its corners with weights that are not

@@ -14,12 +14,13 @@
 //!
 //! # Guarantee
 //!
-//! For every point `q` with a height of at least 0 (under `clamp` also outside of the footprint), the
-//! trilinear fetch at `q` is at most the distance from `q` to the bilinear surface, and not positive below
-//! it.
+//! Let `q` be a point with a height of at least 0 (under `clamp` also outside of the footprint).
+//! The trilinear fetch at `q` is at most the distance from `q` to the bilinear surface, and not
+//! positive below it.
 //!
-//! *Proof.* Let `S` be the closed set on and below the bilinear surface, `d` the distance to it, `c` the
-//! eight voxel centres around `q` and `w` their trilinear weights, so that `q = Σ w c`.
+//! *Proof.* Let `S` be the closed set on and below the bilinear surface, and `d` the distance to
+//! it. Let `c` be the eight voxel centres around `q` and `w` their trilinear weights, so that
+//! `q = Σ w c`.
 //!
 //! 1. *At a voxel centre* the transform gives the distance `b` to the union of boxes that stand on
 //!    dual cells and reach up to the highest of their four corners. A patch never rises above its

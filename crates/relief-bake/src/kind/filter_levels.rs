@@ -1,7 +1,7 @@
 //! Filter levels: a chain of coarser height maps, each of them a bilinear surface of its own.
 //!
-//! * Gumhold and Hüttner 1999, "Multiresolution Rendering With Displacement Mapping": section 4.2 for levels
-//!   of the least difference volume, section 4.1 for maxima and minima.
+//! * Gumhold and Hüttner 1999, "Multiresolution Rendering With Displacement Mapping": section 4.2
+//!   for levels of the least difference volume, section 4.1 for maxima and minima.
 //!
 //! Sides halve, rounded down, until a level is a single texel. Level 0 is the map. Every level but
 //! an average is computed from it, not from the previous level. A level's surface lies over the
@@ -18,13 +18,14 @@
 //!   to the centres of the texels around it. A point of the level lies in one cell, and the cell in
 //!   the supports of its four corners. So each of the four heights is at least as high as the map's
 //!   surface at that point. The level's surface there is their mean, with weights that are not
-//!   negative and sum to 1, so it is at least as high, too. Beyond the outermost centres of a map that
-//!   is not tiled, both surfaces are as high as at these centres. The extreme of a bilinear surface
-//!   over a rectangle lies at a corner of one of the pieces into which the cells cut it. Such a corner
-//!   is a texel, or a point where an end of the support crosses a line between texels or another end.
-//!   All of these are visited, so the bound is attained, to a rounding. Heights between texels are
-//!   raised by more than the rounding of `f64` (never above their neighbours), and rounded up to `f32`
-//!   and to codes. The usual maximum over the texel's own area holds only at its centre.
+//!   negative and sum to 1, so it is at least as high, too. Beyond the outermost centres of a map
+//!   that is not tiled, both surfaces are as high as at these centres. The extreme of a bilinear
+//!   surface over a rectangle lies at a corner of one of the pieces into which the cells cut it.
+//!   Such a corner is a texel, or a point where an end of the support crosses a line between texels
+//!   or another end. All of these are visited, so the bound is attained, to a rounding. Heights
+//!   between texels are raised by more than the rounding of `f64` (never above their neighbours),
+//!   and rounded up to `f32` and to codes. The usual maximum over the texel's own area holds only
+//!   at its centre.
 //! * `least-squares`: of all heights from 0 to 1, these have the least integral of the squared
 //!   difference of the surfaces. The integrals of products of hats are exact, also where sides are
 //!   odd.

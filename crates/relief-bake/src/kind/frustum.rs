@@ -1,4 +1,5 @@
-//! The quadrant frustum map: for every dual cell the widest empty frustum in each of four quadrants.
+//! The quadrant frustum map: for every dual cell the widest empty frustum in each of four
+//! quadrants.
 //!
 //! Published here first. It stands between pyramids (boxes of empty space; Tevs, Ihrke and Seidel
 //! 2008) and cone maps (Dummer 2006). A frustum is as wide as a cone, and depends on the direction
@@ -37,13 +38,13 @@
 //!
 //! # Guarantee
 //!
-//! *The inequality holds everywhere on the bilinear surface, in any wrap, for the values stored. In floats,
-//! `S` exceeds the least such slope by less than 2⁻¹⁶ of it, and two of its last bits; in `bits`, by a step
-//! more.*
+//! *The inequality holds everywhere on the bilinear surface, in any wrap, for the values stored. In
+//! floats, `S` exceeds the least such slope by less than 2⁻¹⁶ of it, and two of its last bits; in
+//! `bits`, by a step more.*
 //!
-//! Proof, for the quadrant forward along both axes; the others are its mirror images. Let `p, q` count
-//! columns and rows of texels from the cell's near corner, `d(p, q) = max(p, q, 1) - 1`, and call
-//! `h - z ≤ S d` the demand of a texel.
+//! Proof, for the quadrant forward along both axes; the others are its mirror images. Let `p, q`
+//! count columns and rows of texels from the cell's near corner, `d(p, q) = max(p, q, 1) - 1`, and
+//! call `h - z ≤ S d` the demand of a texel.
 //!
 //! 1. *Off the diagonal.* Over the cell `[p, p+1] x [q, q+1]` with `p > q`, `d` is `x - i - 1`, and
 //!    with `p < q` it is `y - j - 1`: linear over the cell. `f - z - S d` is then bilinear, so it

@@ -101,7 +101,7 @@ pub type Take<'a> = dyn FnMut(u32, &mut [f32]) -> Result<(), BakeError> + 'a;
 ///
 /// # Errors
 ///
-/// When the bake is cancelled, and what `take` returns.
+/// When the bake is cancelled, or `take` fails.
 pub fn horizons(
     map: &HeightMap,
     metric: Metric,

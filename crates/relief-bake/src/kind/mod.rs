@@ -36,9 +36,9 @@ pub enum Reach {
 pub struct Kind {
     /// Name on the command line.
     pub name: &'static str,
-    /// Its content in one line.
+    /// Content in one line.
     pub summary: &'static str,
-    /// Revision of the values, raised with every change of them. Cached maps of older revisions are
+    /// Revision of the values, raised with every change of them. Cached maps of other revisions are
     /// not used.
     pub revision: u32,
     /// Source of the method.

@@ -1,6 +1,7 @@
 //! Normal maps, with moments of the slope for filtering.
 //!
-//! Szirmay-Kalos and Umenhoffer 2008, sections 2.1 and 2.2, eq. 9; for mip levels Dupuy et al. 2013 (LEADR).
+//! Szirmay-Kalos and Umenhoffer 2008, sections 2.1 and 2.2, eq. 9; for mip levels Dupuy et al. 2013
+//! (LEADR).
 //!
 //! # What is stored
 //!

@@ -1,9 +1,11 @@
 //! Pyramid of least and greatest heights.
 //!
-//! * Oh, Ki and Lee 2006, "Pyramidal displacement mapping": a quadtree of the empty space above the surface.
-//! * Tevs, Ihrke and Seidel 2008, "Maximum mipmaps for fast, accurate, and scalable dynamic height field
-//!   rendering": the maxima of texels, with bilinear patches between them.
-//! * Szirmay-Kalos and Umenhoffer 2008, "Displacement mapping on the GPU: state of the art", section 4.3.3.
+//! * Oh, Ki and Lee 2006, "Pyramidal displacement mapping": a quadtree of the empty space above the
+//!   surface.
+//! * Tevs, Ihrke and Seidel 2008, "Maximum mipmaps for fast, accurate, and scalable dynamic height
+//!   field rendering": the maxima of texels, with bilinear patches between them.
+//! * Szirmay-Kalos and Umenhoffer 2008, "Displacement mapping on the GPU: state of the art",
+//!   section 4.3.3.
 //!
 //! These papers take the extremes of *texels*, which does not bound the surface between texel
 //! centres. Level 0 here is taken over dual cells, unless the parameter `over` asks for the
@@ -13,8 +15,8 @@
 //!
 //! # Guarantee
 //!
-//! *At every level the surface over the cells of a node is nowhere below its `min` and nowhere above its
-//! `max`.*
+//! *At every level the surface over the cells of a node is nowhere below its `min` and nowhere
+//! above its `max`.*
 //!
 //! Proof. A patch is `(1-x)(1-y) h00 + x(1-y) h10 + (1-x)y h01 + xy h11` with `x, y` in `[0, 1]`.
 //! The four weights are not negative and sum to 1, so it lies between the least and the greatest

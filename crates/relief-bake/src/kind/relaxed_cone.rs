@@ -1,7 +1,9 @@
 //! Relaxed cone maps: cones that a view ray leaves after at most one entry into the surface.
 //!
-//! * Policarpo and Oliveira, *Relaxed Cone Stepping for Relief Mapping*, GPU Gems 3, chapter 18, 2007.
-//! * Szirmay-Kalos and Umenhoffer, *Displacement Mapping on the GPU: State of the Art*, 2008, section 4.4.3.
+//! * Policarpo and Oliveira, *Relaxed Cone Stepping for Relief Mapping*, GPU Gems 3, chapter 18,
+//!   2007.
+//! * Szirmay-Kalos and Umenhoffer, *Displacement Mapping on the GPU: State of the Art*, 2008,
+//!   section 4.4.3.
 //!
 //! The published bake marches rays between pairs of texels, which misses the surface between the
 //! samples. Here only falling patches limit a cone, and the bounds hold for the bilinear surface.
@@ -28,8 +30,8 @@ use crate::{BakeError, BakeInput, Settings, Shape, Sink};
 pub enum RelaxedApex {
     /// From the surface at the texel's centre, as published.
     Centre,
-    /// From the surface at any place of the texel's square: for searches that move the apex to the ray and
-    /// fetch the nearest texel.
+    /// From the surface at any place of the texel's square: for searches that move the apex to the
+    /// ray and fetch the nearest texel.
     Footprint,
 }
 

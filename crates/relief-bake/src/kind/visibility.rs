@@ -197,7 +197,7 @@ pub fn views(
     Ok(())
 }
 
-/// The working set is two maps, one for each elevation, and three more for the sink.
+/// The working set is two maps, one more for each elevation, and three for the sink.
 fn bake(
     source: &BakeInput,
     settings: &Settings,

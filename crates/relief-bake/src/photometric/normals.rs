@@ -19,7 +19,8 @@ const ROWS: usize = 4;
 pub struct Photo<'a> {
     /// Brightness of each pixel, row by row from the top, linear (not sRGB), 0 for black.
     pub pixels: &'a [f32],
-    /// Direction to the light: right in the picture, up in the picture, towards the camera. Of any length.
+    /// Direction to the light: right in the picture, up in the picture, towards the camera. Of any
+    /// length.
     pub to_light: [f64; 3],
     /// Brightness of a white surface that faces the light.
     pub intensity: f64,

@@ -1,4 +1,5 @@
-//! Sheared lines: a family of parallel lines that visits every texel once (Timonen and Westerholm 2010).
+//! Sheared lines: a family of parallel lines that visits every texel once (Timonen and Westerholm
+//! 2010).
 
 use std::ops::Range;
 
@@ -101,7 +102,8 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// Rows around a line that are read: a ray strays half a row from its line and moves at most a row a step.
+/// Rows around a line that are read: a ray strays half a row from its line and moves at most a row
+/// a step.
 const MARGIN: i64 = 3;
 
 /// Least reach in texels: small tiles are repeated many times.
@@ -110,8 +112,8 @@ pub(crate) const MIN_REACH: usize = 64;
 /// Lines of one direction. Positions `p` count texels along the major axis in the direction of the
 /// lines. Line `b` is at row `b + slope p`, where rows count texels along the other axis.
 ///
-/// The texel at position `p` and row `y` belongs to the line `y - shift(p)`, `shift(p) = floor(slope p + ½)`,
-/// which passes it at most half a row away.
+/// The texel at position `p` and row `y` belongs to the line `y - shift(p)`,
+/// `shift(p) = floor(slope p + ½)`, which passes it at most half a row away.
 pub(crate) struct Lines<'a> {
     texels: &'a [f32],
     /// Distances in memory between texels, along the lines and across them.
@@ -288,7 +290,8 @@ impl Lines<'_> {
         });
     }
 
-    /// Fills lanes of `stride` values from their positions, in the order of the map's texels in memory.
+    /// Fills lanes of `stride` values from their positions, in the order of the map's texels in
+    /// memory.
     #[inline(always)]
     fn each(
         &self,

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use super::lines::Lines;
 
-/// Texels by which rows of a block are longer than what they hold. Without them, rows of a power of two would
-/// all fall into the same cache lines.
+/// Texels by which the rows of a block exceed their content. Without them, rows of a power of two
+/// would all fall into the same cache lines.
 pub(crate) const SKEW: usize = 16;
 
 /// Neighbouring slots of a sheared map, `stride` values each.

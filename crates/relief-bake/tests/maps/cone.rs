@@ -1,4 +1,4 @@
-//! The kind `cone`: equal to brute force, safe under attack, tight, and what its cones cost a search.
+//! The kind `cone`: equal to brute force, safe under attack, tight, and its cost in a search.
 
 use std::sync::atomic::AtomicBool;
 
@@ -17,11 +17,11 @@ use relief_tests::probes::{run, stored};
 /// Probes of each map in each form.
 const PROBES: usize = 100_000;
 
-/// Texels of each map, in each wrap and from each sort of apex, that brute force is run on.
+/// Texels of each map tested by brute force, in each wrap and for each type of apex.
 const TEXELS: usize = 12;
 
-/// What the slope of a cone may be more than the steepest, in heights a texel: for what rounding makes of
-/// ground that is equally steep.
+/// Excess of a cone's slope over the steepest, in heights a texel, by the rounding of equally steep
+/// ground.
 const STEP: f64 = 1.0 / (1u64 << 23) as f64;
 
 fn metric(k: usize) -> Metric {
@@ -96,7 +96,7 @@ fn a_map_loosened_by_one_step_is_caught() {
     });
 }
 
-/// What a bilinear filter makes of four stored values.
+/// Bilinear filter of four stored values.
 fn filtered(
     map: &HeightMap,
     values: &[f64],
@@ -138,17 +138,18 @@ fn the_filtered_variant_may_be_filtered_and_the_centres_may_not() {
     }
 }
 
-/// How a search uses the cones.
+/// Use of the cones by a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Fetch {
     /// The apex moves to the ray.
     Moved,
-    /// The apex stays at the nearest texel's centre; a ray outside of the cone goes on to the next texel.
+    /// The apex stays at the nearest texel's centre; a ray outside of the cone proceeds to the next
+    /// texel.
     Fixed,
 }
 
-/// Steps of a cone-stepping search until it is within a thousandth of a texel of the surface or has left the
-/// relief, and whether it has stepped past a hit.
+/// Returns the steps of a cone-stepping search, and whether it has stepped past a hit. The search
+/// ends within a thousandth of a texel of the surface, or where it leaves the relief.
 fn search(
     map: &HeightMap,
     ratios: &[f32],
@@ -225,8 +226,8 @@ fn any_start_in_the_texel_is_safe_and_costs_no_step() {
     let ground = |roughness| {
         HeightMap::new(128, 128, fractal(7, 128, 128, roughness), Wrap::Repeat).expect("a valid map")
     };
-    // What cones cost that may be moved to the ray: little where maps are smooth from texel to texel, more at
-    // walls of a texel's width.
+    // Cost of cones that may be moved to the ray: little where maps are smooth from texel to texel,
+    // more at walls of a texel's width.
     let mut cases =
         vec![("smooth ground", ground(0.4), 1.10, 1.15), ("rough ground", ground(0.5), 1.15, 1.15)];
     for (name, most_slope, most_steps) in [("jacksboro", 1.3, 1.3), ("cobbles", 1.5, 1.5)] {

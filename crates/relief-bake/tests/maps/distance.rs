@@ -29,7 +29,8 @@ fn baked(map: &HeightMap, metric: Metric, slices: u32, bits: u32) -> Vec<f32> {
     values
 }
 
-/// Whether a value is right for a distance to the boxes: below the bound by no more than rounding takes.
+/// Returns whether a value is right for a distance to the boxes: below the bound by no more than
+/// rounding.
 fn is_bound(value: f32, distance: f64, half_diagonal: f64) -> bool {
     let over = distance * distance - half_diagonal * half_diagonal;
     let most = if over <= half_diagonal * half_diagonal { over / half_diagonal } else { over.sqrt() };
@@ -97,7 +98,8 @@ fn a_field_looser_than_its_tightest_contact_is_caught() {
 
 #[test]
 fn what_was_given_away_is_known() {
-    // Leaving out the dilation, or storing distances as they are, breaks the bound, and the probes find it.
+    // Leaving out the dilation, or storing distances as they are, breaks the bound, and the probes
+    // find it.
     let map = maps::ALL[0].build(Wrap::Repeat);
     let metric = metrics()[0];
     let undiminished: Vec<f32> = (0..24)

@@ -1,4 +1,4 @@
-//! Filter levels against the map's surface, by sums and samples of their own.
+//! Filter levels against the map's surface, by separate sums and samples.
 
 use std::sync::atomic::AtomicBool;
 
@@ -9,13 +9,13 @@ use relief_core::{HeightMap, Metric, Rounding, Watch, Wrap};
 use relief_testing::maps;
 use relief_tests::probes::stored;
 
-/// Points at which a level is compared with the map, of each map, wrap and level.
+/// Points compared for each map, wrap and level.
 const POINTS: usize = 4_000;
 
-/// How far a point may lie below a bound in `f64`, by the rounding of both surfaces.
+/// Distance by which a point may lie below a bound in `f64`, by the rounding of both surfaces.
 const ROUNDED: f64 = 1e-13;
 
-/// The levels of a map, made with no settings but the filter.
+/// Returns the levels of a map, with the default settings besides the filter.
 fn levels(map: &HeightMap, filter: Filter) -> Vec<HeightMap> {
     filter_levels(map, filter, &Watch::none()).expect("not cancelled")
 }
@@ -30,8 +30,8 @@ fn all() -> impl Iterator<Item = (String, HeightMap)> {
     named.map(|(named, wrap)| (format!("{} {wrap}", named.name), named.build(wrap)))
 }
 
-/// Points of the square and beyond its edges: anywhere, and near lines through centres of either grid, where
-/// supports end.
+/// Points of the square and beyond its edges: anywhere, and near lines through centres of either
+/// grid, where supports end.
 fn points(map: &HeightMap, level: &HeightMap, count: usize, seed: u64) -> Vec<[f64; 2]> {
     let mut rng = Rng::new(seed);
     let sides = [[map.width(), level.width()], [map.height(), level.height()]];
@@ -46,7 +46,7 @@ fn points(map: &HeightMap, level: &HeightMap, count: usize, seed: u64) -> Vec<[f
     (0..count).map(|_| sides.map(&mut along)).collect()
 }
 
-/// The farthest that the level lies on the wrong side of the map.
+/// Returns the greatest distance of the level on the wrong side of the map.
 fn trespass(map: &HeightMap, level: &HeightMap, filter: Filter, seed: u64) -> f64 {
     let apart = points(map, level, POINTS, seed).into_iter().map(|[u, v]| {
         let above = level.height_at(u, v) - map.height_at(u, v);
@@ -55,7 +55,7 @@ fn trespass(map: &HeightMap, level: &HeightMap, filter: Filter, seed: u64) -> f6
     apart.fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// The level of the greatest texels of blocks, as mip chains usually have it.
+/// Returns the level of the greatest texels of blocks, as usual in mip chains.
 fn block_maximum(map: &HeightMap) -> HeightMap {
     let [width, height] = [map.width() / 2, map.height() / 2];
     let texel = |i: u32, j: u32| {
@@ -126,7 +126,8 @@ fn blocks_of_texels_bound_nothing_between_them() {
 
 #[test]
 fn bounds_are_attained_where_supports_are_cut() {
-    // The support of the first of four texels is cut at 2.5 along both axes: its highest point is there.
+    // The support of the first of four texels is cut at 2.5 along both axes: its highest point is
+    // there.
     let map = HeightMap::from_fn(4, 4, Wrap::Clamp, |i, j| if [i, j] == [3, 3] { 1.0 } else { 0.0 });
     let map = map.expect("a valid map");
     let found = level(&map, 1, Filter::Max);
@@ -160,7 +161,7 @@ fn bounds_hold_in_any_bits() {
     }
 }
 
-/// The hat of a texel of a level, at a point of the square.
+/// Returns the hat of a texel of a level, at a point of the square.
 fn hat(level: &HeightMap, [i, j]: [u32; 2], [u, v]: [f64; 2]) -> f64 {
     let along = |at: f64, texel: u32, side: u32| {
         let place = at * f64::from(side) - 0.5;
@@ -171,8 +172,9 @@ fn hat(level: &HeightMap, [i, j]: [u32; 2], [u, v]: [f64; 2]) -> f64 {
     along(u, i, level.width()) * along(v, j, level.height())
 }
 
-/// The integral over the square of what is at most of the second degree along either axis between the lines
-/// through the centres of both grids, such as products of two of their surfaces: exactly, by Simpson's rule.
+/// Returns the exact integral over the square of a function, by Simpson's rule. Between the lines
+/// through the centres of both grids, the function must be at most of the second degree along
+/// either axis, such as products of two of their surfaces.
 fn integral(map: &HeightMap, level: &HeightMap, value: impl Fn([f64; 2]) -> f64) -> f64 {
     let [across, down] = [[map.width(), level.width()], [map.height(), level.height()]].map(|sides| {
         let centres = sides
@@ -217,7 +219,7 @@ fn the_residual_of_least_squares_is_orthogonal_to_every_hat() {
                     let size = integral(&map, &found, |at| hat(&found, texel, at));
                     let mean = integral(&map, &found, product) / size;
                     let height = found.texel(i64::from(texel[0]), i64::from(texel[1]));
-                    // Where a height is as low or as high as it may be, it would go on.
+                    // A height at its limit would go further.
                     let is_right = match height {
                         0.0 => mean > -1e-6,
                         1.0 => mean < 1e-6,
@@ -232,13 +234,13 @@ fn the_residual_of_least_squares_is_orthogonal_to_every_hat() {
     assert!(at_bounds > 0, "no height is at a bound");
 }
 
-/// A map of white noise between those heights.
+/// Returns a map of white noise between those heights.
 fn noise(size: [u32; 2], wrap: Wrap, seed: u64, [low, high]: [f64; 2]) -> HeightMap {
     let mut rng = Rng::new(seed);
     HeightMap::from_fn(size[0], size[1], wrap, |_, _| rng.between(low, high) as f32).expect("a valid map")
 }
 
-/// The level with a texel moved by so much, if it may go there.
+/// Returns the level with a texel moved by `by`, if this stays in range.
 fn moved(level: &HeightMap, at: usize, by: f32) -> Option<HeightMap> {
     let mut texels = level.texels().to_vec();
     texels[at] += by;
@@ -275,7 +277,8 @@ fn any_small_change_of_a_texel_raises_the_squared_error() {
     assert!(at_bounds > 0, "no height is at a bound");
 }
 
-/// The volume between the surfaces, by so many points a texel of the map along either axis.
+/// Returns the volume between the surfaces, by `points` points a texel of the map along either
+/// axis.
 fn volume(map: &HeightMap, level: &HeightMap, points: u32) -> f64 {
     let [columns, rows] = [map.width() * points, map.height() * points];
     let mut sum = 0.0;
@@ -302,7 +305,7 @@ fn the_variational_volume_is_the_least_of_all() {
                 [Filter::Average, Filter::LeastSquares, Filter::Variational].map(of);
             for other in [average, squares] {
                 assert!(variational[1] <= other[1], "{name}, level {number}: {variational:?}, {other:?}");
-                // By other points it is as much as the two sums differ.
+                // By other points it differs by as much as the two sums differ.
                 let off = (other[0] - other[1]).abs() + 1e-7;
                 assert!(
                     variational[0] <= other[0] + off,

@@ -14,8 +14,8 @@ fn metric(tile_m: [f64; 2], scale_m: f64) -> Metric {
     Metric::new(tile_m, scale_m).expect("positive lengths")
 }
 
-/// The heights of a map in metres, without what central differences do not see: the mean and, in a tiled map
-/// of even size, the waves that change sign from texel to texel.
+/// Returns the heights of a map in metres, without the parts that central differences miss: the
+/// mean and, in a tiled map of even size, the waves that change sign from texel to texel.
 fn visible(map: &HeightMap, metric: Metric) -> Vec<f64> {
     let [width, height] = [map.width() as usize, map.height() as usize];
     let mut heights: Vec<f64> = map.texels().iter().map(|&h| f64::from(h) * metric.scale_m).collect();
@@ -46,7 +46,8 @@ fn integration(map: &HeightMap, metric: Metric) -> Integration {
     Integration { texel_m: metric.texel_m(map), wrap: map.wrap(), steepest: 1e6, ..Integration::default() }
 }
 
-/// Root mean square error of the round trip in parts of the relief, with normals stored in so many bits.
+/// Returns the root mean square error of the round trip as a part of the relief, with normals
+/// stored in `bits` bits.
 fn round_trip(map: &HeightMap, metric: Metric, axes: Axes, bits: u32) -> f64 {
     let (planes, _) =
         normals(map, metric, Derivative::Central, axes, &Watch::none()).expect("nobody cancels");
@@ -105,7 +106,7 @@ fn ground_comes_back_from_stored_normals_too() {
 
 #[test]
 fn slopes_that_fit_no_relief_give_the_nearest() {
-    // What is minimised is convex: where no step in any texel lowers it, it is least.
+    // The minimised sum is convex: where no step in any texel lowers it, it is least.
     let mut rng = relief_core::rng::Rng::new(4);
     for [width, height] in [[5u32, 4u32], [6, 8], [1, 7], [9, 1]] {
         for wrap in Wrap::ALL {
@@ -140,7 +141,7 @@ fn slopes_that_fit_no_relief_give_the_nearest() {
     }
 }
 
-/// What is minimised, summed directly.
+/// Returns the minimised sum, added up directly.
 fn cost(heights: &[f64], size: [u32; 2], slopes: &[Vec<f32>; 2], how: &Integration) -> f64 {
     let at = |i: i64, j: i64| {
         heights[(how.wrap.index(j, size[1]) * size[0] + how.wrap.index(i, size[0])) as usize]
@@ -152,7 +153,7 @@ fn cost(heights: &[f64], size: [u32; 2], slopes: &[Vec<f32>; 2], how: &Integrati
             for (axis, [di, dj]) in [[1, 0], [0, 1]].into_iter().enumerate() {
                 let (before, here, after) = (at(i - di, j - dj), at(i, j), at(i + di, j + dj));
                 let slope = (after - before) / (2.0 * how.texel_m[axis]);
-                // At a clamped edge the difference is over one texel, and what is off counts half.
+                // At a clamped edge the difference is over one texel, and errors count half.
                 let (place, side) = ([i, j][axis], i64::from(size[axis]));
                 let is_edge = how.wrap == Wrap::Clamp && (place == 0 || place + 1 == side);
                 let weight = if is_edge { 0.5 } else { 1.0 };
@@ -207,20 +208,20 @@ fn what_is_no_normal_map_is_refused_or_counted() {
     assert!(matches!(cancelled, Err(FromNormalsError::Cancelled(_))));
 }
 
-/// The normals of a map, one vector a texel.
+/// Returns the normals of a map, one vector a texel.
 fn vectors(map: &HeightMap, metric: Metric, axes: Axes) -> Vec<[f32; 3]> {
     let ([x, y, z], _) =
         normals(map, metric, Derivative::Central, axes, &Watch::none()).expect("nobody cancels");
     x.iter().zip(&y).zip(&z).map(|((&x, &y), &z)| [x, y, z]).collect()
 }
 
-/// Heights from normals whose green nobody knows, and what was found of it.
+/// Returns heights from normals with unknown green, and the fit of green.
 fn of_either_green(map: &HeightMap, normals: &[[f32; 3]], metric: Metric) -> (Vec<f32>, GreenFit) {
     let size = [map.width(), map.height()];
     let slopes = NormalSlopes::of_normals(size, normals, Axes::Tangent, 1e6).expect("they have directions");
     let (heights, slopes, fit) =
         heights_from_either_green(slopes, &integration(map, metric), &Watch::none()).expect("slopes");
-    // The slopes that come back are those that the heights were made of.
+    // The returned slopes are the ones that were integrated.
     let planes = [&slopes.along[0][..], &slopes.along[1]];
     let again = heights_from_slopes(size, planes, &integration(map, metric), &Watch::none()).expect("slopes");
     assert_eq!(again.heights_m, heights.heights_m);
@@ -239,7 +240,7 @@ fn natural_maps_say_which_way_green_points() {
                 assert!(fit.is_sure() && fit.is_down == is_down, "{} {wrap} {axes:?}: {fit:?}", named.name);
                 assert!(fit.confidence > 0.9);
                 assert!(root_mean_square(&heights, &visible(&map, metric)) < 1e-6);
-                // Coarse normals say it, too.
+                // Coarse normals show it, too.
                 normals.iter_mut().flatten().for_each(|n| *n = (*n * 31.0).round() / 31.0);
                 let (_, fit) = of_either_green(&map, &normals, metric);
                 assert!(fit.is_sure() && fit.is_down == is_down, "{} {wrap} {axes:?}: {fit:?}", named.name);

@@ -1,4 +1,5 @@
-//! The quadrant frustum map against brute force, against the surface, and in use against the exact first hit.
+//! The quadrant frustum map against brute force, against the surface, and in use against the exact
+//! first hit.
 
 use std::sync::atomic::AtomicBool;
 
@@ -20,15 +21,15 @@ use relief_tests::probes::{run, stored};
 /// Probes of each map, and rays through it, in each number of bits.
 const PROBES: usize = 100_000;
 
-/// What a slope may be more than the least.
+/// Factor by which a slope may exceed the least.
 const TIE: f32 = 1.0 + 1.0 / 65536.0;
 
-/// The height residual up to which a search's answer counts as exact: that of the exact tracers.
+/// Height residual up to which a search's answer counts as exact, as for the exact tracers.
 const TOLERANCE: f64 = 2e-12;
 
 const QUADRANTS: [[bool; 2]; 4] = [[true, true], [false, true], [true, false], [false, false]];
 
-/// The map of what is stored in so many bits.
+/// Returns the map as stored in `bits` bits.
 fn baked(map: &HeightMap, bits: u32) -> FrustumMap {
     let metric = Metric::new([2.0, 0.5], 0.1).expect("lengths");
     let textures = stored::textures(&KIND, map, metric, &[("bits", f64::from(bits))]).expect("a bake");
@@ -147,8 +148,9 @@ fn rays_catch_a_map_that_is_too_low() {
     assert!(wrong);
 }
 
-/// Steps a ray of the frustum search, the quadtree search and the cell walk: mean over rays from the top of a
-/// relief a tenth of the tile deep, at elevations from 5 to 85 degrees.
+/// Returns the steps a ray of the frustum search, the quadtree search and the cell walk. They are
+/// means over rays from the top of a relief a tenth of the tile deep, at elevations from 5 to 85
+/// degrees.
 fn steps(map: &HeightMap) -> [f64; 3] {
     let frusta = frustum_map(map, &Watch::none()).expect("not cancelled");
     let pyramid = MaxPyramid::new(map);

@@ -9,17 +9,18 @@ use relief_core::{HeightMap, Metric, Watch, Wrap};
 use relief_testing::brute::horizon as brute;
 use relief_testing::maps;
 
-/// Every so many texels are judged on each map.
+/// Distance of the judged texels of each map.
 const STRIDE: usize = 5;
 
-/// Not a multiple of four, so that most azimuths are along no axis and no diagonal.
+/// Number of azimuths. It is no multiple of four, so that most azimuths are along no axis and no
+/// diagonal.
 const AZIMUTHS: u32 = 10;
 
 fn metrics() -> [Metric; 2] {
     [Metric::unit_tile(0.1).expect("a valid metric"), Metric::new([2.0, 0.7], 0.4).expect("a valid metric")]
 }
 
-/// The greatest difference of neighbouring texels along an axis.
+/// Returns the greatest difference of neighbouring texels along an axis.
 fn steepest(map: &HeightMap, axis: usize) -> f64 {
     let sides = [i64::from(map.width()), i64::from(map.height())];
     let places = (0..sides[1]).flat_map(|j| (0..sides[0]).map(move |i| [i, j]));
@@ -31,14 +32,14 @@ fn steepest(map: &HeightMap, axis: usize) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// How a stored slope may be.
+/// Bounds of a stored slope.
 struct Bounds {
     least: f64,
     most: f64,
 }
 
-/// Calls `judge` with the stored slope, the one of each judged texel's ray over all tiles that matter, and
-/// the bounds of the kind.
+/// Calls `judge` with the stored slope, the slope of each judged texel's ray over all tiles that
+/// matter, and the bounds of the kind.
 fn each_horizon(map: &HeightMap, metric: Metric, mut judge: impl FnMut(u32, f64, f64, Bounds)) {
     let highest = f64::from(map.texels().iter().copied().fold(0.0, f32::max));
     horizons(map, metric, AZIMUTHS, 1, &Watch::none(), &mut |azimuth, sines| {
@@ -54,7 +55,7 @@ fn each_horizon(map: &HeightMap, metric: Metric, mut judge: impl FnMut(u32, f64,
             let exact = |reach: f64| metres * brute::slope(map, place, &ray, reach, highest).max(0.0);
             let sine = f64::from(sines[texel]);
             let slope = sine / (1.0 - sine * sine).sqrt();
-            // What rounding the sine to f32 does to a slope.
+            // Effect of rounding the sine to `f32` on a slope.
             let rounding = slack + 1e-6 * (1.0 + slope * slope) * slope.max(1.0);
             let bounds = Bounds { least: exact(reach) - rounding, most: exact(2.0 * reach) + rounding };
             judge(azimuth, slope, exact(4.0 * reach), bounds);
@@ -121,13 +122,13 @@ fn an_even_slope_has_its_own_horizon_in_every_azimuth() {
                 if place.iter().any(|&along| !(28..SIDE - 28).contains(&along)) {
                     continue;
                 }
-                // Lines are looked at up to twice the reach.
+                // Lines are searched up to twice the reach.
                 let [expected, farther] = [1.0, 2.0].map(|times| {
                     let slope = brute::slope(&map, place, &ray, times * f64::from(SIDE), highest);
                     (256.0 / ray.step_m * slope).max(0.0).atan().to_degrees()
                 });
                 let even = (x * angle.cos() + y * angle.sin()).max(0.0).atan().to_degrees();
-                // Where the ground beyond the edges is what is seen, the slope is not even.
+                // Where the ground beyond the edges decides the horizon, the slope is not even.
                 if (expected - even).abs().max((farther - even).abs()) > 0.01 {
                     continue;
                 }

@@ -1,4 +1,4 @@
-//! Baked maps beside brute force, and heights made of normals and photographs.
+//! Baked maps against brute force, and heights from normals and photographs.
 
 mod cone;
 mod dilation_erosion;

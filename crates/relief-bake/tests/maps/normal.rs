@@ -1,4 +1,5 @@
-//! Normal maps against slopes in `f64`, against surfaces whose normals are known, and their filtered moments.
+//! Normal maps against slopes in `f64`, against surfaces whose normals are known, and their
+//! filtered moments.
 
 use std::f64::consts::TAU;
 
@@ -56,7 +57,8 @@ fn normals_are_those_of_the_slopes() {
                     let [x, y, z] = at(&central.levels[0], texel);
                     flipped = flipped.max(brute::angle([x, -y, z], expected));
                 }
-                // The other sign of green would be noticed. (Central differences skip a checkerboard.)
+                // The other sign of green would be noticed. (Central differences skip a
+                // checkerboard.)
                 let level = ["constant", "checkerboard"].iter().any(|name| named.name.contains(name))
                     || map.height() == 1;
                 assert!(level || flipped > 1e-3, "{} {wrap}: green down was not noticed", named.name);
@@ -125,7 +127,7 @@ fn axes_follow_the_conventions() {
     }
 }
 
-/// Waves on a tile: height in `[0, 1]` and slopes by texture unit at `(u, v)`.
+/// Waves on a tile: returns the height in `[0, 1]` and the slopes by texture unit at `(u, v)`.
 fn waves(u: f64, v: f64) -> (f64, [f64; 2]) {
     let (a, b) = (TAU * u, TAU * 2.0 * v);
     (0.5 + 0.3 * a.sin() * b.cos(), [TAU * 0.3 * a.cos() * b.cos(), -TAU * 0.6 * a.sin() * b.sin()])
@@ -240,7 +242,8 @@ fn mip_levels_hold_mean_and_moments_of_what_they_cover() {
     }
 }
 
-/// The texels of level 0 that a texel of a level covers, and their shares: halved by area, level by level.
+/// Returns the texels of level 0 that a texel of a level covers, and their shares: halved by area,
+/// level by level.
 fn covered(map: &HeightMap, level: usize, place: [usize; 2]) -> Vec<(usize, f64)> {
     let width = map.width() as usize;
     let along = |side: u32, place: usize| {

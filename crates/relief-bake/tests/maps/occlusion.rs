@@ -10,14 +10,15 @@ use relief_core::{HeightMap, Metric, Path, Watch, Wrap};
 use relief_testing::brute::sky::Sky;
 use relief_testing::maps;
 
-/// Rays a texel: so many azimuths, and elevations in each.
+/// Rays a texel: the azimuths, and the elevations in each.
 const RAYS: [u32; 2] = [64, 16];
 
 fn metric() -> Metric {
     Metric::new([1.0, 1.3], 0.15).expect("a valid metric")
 }
 
-/// What exact rays see from a texel: the visibility about the base normal, and the mean open direction.
+/// Returns the visibility about the base normal and the mean open direction of a texel, by exact
+/// rays.
 fn exact(map: &HeightMap, texel: usize) -> (f64, [f64; 3]) {
     let Metric { tile_m, scale_m } = metric();
     let (width, height) = (f64::from(map.width()), f64::from(map.height()));
@@ -45,7 +46,7 @@ fn exact(map: &HeightMap, texel: usize) -> (f64, [f64; 3]) {
     (open * 2.0 / f64::from(RAYS[0] * RAYS[1]), sum.map(|x| x / length))
 }
 
-/// Maps small enough for a thousand rays a texel.
+/// Returns maps small enough for a thousand rays a texel.
 fn small_maps() -> Vec<HeightMap> {
     let ground = |wrap| HeightMap::new(24, 20, maps::fractal(9, 24, 20, 0.5), wrap).expect("a valid map");
     let mut all: Vec<HeightMap> = Wrap::ALL.into_iter().map(ground).collect();
@@ -55,7 +56,7 @@ fn small_maps() -> Vec<HeightMap> {
     all
 }
 
-/// Root mean square errors of the visibility and of the bent normal's angle in degrees.
+/// Returns the root mean square errors of the visibility and of the bent normal's angle in degrees.
 fn errors(map: &HeightMap, open: &[f32], normals: &[Vec<f32>; 3]) -> [f64; 2] {
     let squares: Vec<[f64; 2]> = (0..map.texels().len())
         .into_par_iter()
@@ -77,7 +78,7 @@ fn closed_forms_agree_with_a_thousand_rays() {
         let [visibility, degrees] = errors(&map, &open, &normals);
         println!("{}x{} {}: {visibility}, {degrees} degrees", map.width(), map.height(), map.wrap());
         assert!(visibility < 0.02 && degrees < 1.5, "{visibility}, {degrees} degrees");
-        // The wrong green, or a visibility that forgets the cosine, would not pass.
+        // The wrong green, or a visibility without the cosine, would not pass.
         if map.height() == 20 {
             let [x, y, z] = &normals;
             let flipped = [x.clone(), y.iter().map(|y| -y).collect(), z.clone()];
@@ -106,7 +107,7 @@ fn a_sum_over_the_same_horizons_is_the_same() {
             let apart = (0..3).map(|k| (bent[k] - f64::from(normals[k][texel])).powi(2)).sum::<f64>();
             turned = turned.max(apart.sqrt());
         }
-        // What the horizons themselves may be off.
+        // Error of the horizons themselves.
         assert!(off < 0.01 && turned < 0.02, "{off} and {turned}");
     }
 }

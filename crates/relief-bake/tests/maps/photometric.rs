@@ -18,7 +18,7 @@ struct Scene {
 }
 
 impl Scene {
-    /// Ground under a ring of lights, one stronger than the other.
+    /// Creates ground under a ring of lights, each stronger than the previous one.
     fn ring(lights: usize, elevation: f64, scale_m: f64) -> Self {
         let map = HeightMap::new(SIDE, SIDE, fractal(9, SIDE, SIDE, 0.5), Wrap::Repeat).expect("a valid map");
         let lights = (0..lights)
@@ -44,7 +44,7 @@ impl Scene {
         0.4 + 0.3 * ((i / 9 + j / 7) % 3) as f64
     }
 
-    /// Whether a texel is in another's shadow, by small steps towards the light.
+    /// Returns whether a texel is in another's shadow, by small steps towards the light.
     fn is_shadowed(&self, [i, j]: [i64; 2], to_light: [f64; 3]) -> bool {
         let side = f64::from(SIDE);
         let from = [(i as f64 + 0.5) / side, (j as f64 + 0.5) / side];
@@ -107,7 +107,7 @@ fn normals_and_albedo_come_back_where_three_lights_reach() {
         }
     }
     assert!(found.misfit < 1e-6);
-    // Shadows that are taken for dark ground spoil the fit: the threshold is what keeps them out.
+    // Shadows that are taken for dark ground spoil the fit: only the threshold excludes them.
     let all = Exposure { shadow: -1.0, ..EXPOSURE };
     let spoilt = normals_from_photos([SIDE; 2], &scene.with_lights(&pixels), all, &Watch::none())
         .expect("there are known pixels");
@@ -140,7 +140,8 @@ fn colours_come_back_without_light_and_shadow() {
     let pixels = scene.photos();
     let photos = scene.with_lights(&pixels);
     let found = normals_from_photos([SIDE; 2], &photos, EXPOSURE, &Watch::none()).expect("good photographs");
-    // Red reflects as much as the brightness says, green half of it, blue none; the last is opacity.
+    // Red reflects as much as the brightness, green half of it, blue nothing; the last channel is
+    // opacity.
     let coloured =
         |pixels: &[f32]| -> Vec<[f32; 4]> { pixels.iter().map(|&p| [p, 0.5 * p, 0.0, 1.0]).collect() };
     let albedo = |exposure: Exposure| {
@@ -204,7 +205,7 @@ fn what_cannot_be_solved_is_refused() {
         photo.to_light = [x, 0.0, 1.0];
     }
     assert!(matches!(run(&photos), Err(PhotometricError::LightsInAPlane)));
-    // Lights are judged without their photographs, too.
+    // Lights are checked without their photographs, too.
     let lights =
         |photos: &[Photo]| photos.iter().map(|photo| (photo.to_light, photo.intensity)).collect::<Vec<_>>();
     assert!(matches!(check_lights(&lights(&photos)), Err(PhotometricError::LightsInAPlane)));

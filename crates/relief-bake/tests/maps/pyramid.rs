@@ -27,7 +27,7 @@ fn baked(map: &HeightMap, bits: u32) -> CollectedTexture {
     baked_with(map, ("bits", bits))
 }
 
-/// All nodes of a level, row by row.
+/// Returns all nodes of a level, row by row.
 fn nodes(texture: &CollectedTexture, level: usize) -> Vec<[f32; 2]> {
     let [width, height, _] = texture.texture.level_size(level);
     let places = (0..height).flat_map(|row| (0..width).map(move |column| (column, row)));

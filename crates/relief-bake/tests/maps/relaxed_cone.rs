@@ -1,4 +1,5 @@
-//! The kind `relaxed-cone`: no falling ray comes out inside a cone, and cones are wider than those of `cone`.
+//! The kind `relaxed-cone`: no falling ray comes out inside a cone, and its cones are wider than
+//! `cone`'s.
 
 use rayon::prelude::*;
 use relief_bake::kind::cone::{ConeApex, cone_ratios};
@@ -14,13 +15,14 @@ use relief_tests::probes::{run, stored};
 /// Probes of each map in each form.
 const PROBES: usize = 100_000;
 
-/// Texels of each map, in each wrap, that brute force is run on.
+/// Texels of each map tested by brute force, in each wrap.
 const TEXELS: usize = 12;
 
-/// Samples along the side of a patch, and how many times finer they are on its edges.
+/// Samples along the side of a patch, and the factor by which they are finer on its edges.
 const SAMPLES: [usize; 2] = [16, 1];
 
-/// The same beside level ground, where the supremum is mostly at a place between these, often on an edge.
+/// Samples beside level ground, where the supremum is mostly at a place between the others, often
+/// on an edge.
 const FINE_SAMPLES: [usize; 2] = [32, 5];
 
 fn metric(k: usize) -> Metric {
@@ -35,8 +37,8 @@ fn slope(ratios: &[f32], place: usize) -> f64 {
     1.0 / f64::from(ratios[place])
 }
 
-/// The slopes that brute force asks for, from apexes of texels of a map, beside those of relaxed cones and of
-/// cones. Sampling patches misses some of a supremum, never finds more.
+/// Compares the slopes required by brute force, from apexes of texels of a map, with relaxed cones
+/// and cones. Sampling patches misses some of a supremum, and never exceeds it.
 fn compare(name: &str, map: &HeightMap, metric: &Metric, seed: u64, samples: [usize; 2]) {
     let name = &format!("{name} {}", map.wrap());
     let texel_m = metric.texel_m(map);
@@ -45,7 +47,7 @@ fn compare(name: &str, map: &HeightMap, metric: &Metric, seed: u64, samples: [us
     let find = |texel: [i64; 2], apex: [f64; 2], samples: [usize; 2]| {
         brute::slope(map, texel_m, texel, apex, samples, highest, most)
     };
-    // What an error of a few 1e-15 heights makes of slopes that are 0.
+    // Effect of an error of a few 1e-15 heights on slopes that are 0.
     let least = 1e-11 / texel_m[0].min(texel_m[1]);
     let from_centre = relaxed(map, metric, RelaxedApex::Centre);
     let from_square = relaxed(map, metric, RelaxedApex::Footprint);
@@ -92,11 +94,11 @@ fn is_between_brute_force_and_the_cone_and_from_centres_equal_to_brute_force() {
     });
 }
 
-/// The number of a level at a column and a row.
+/// Returns the number of a level at a column and a row.
 type Level = fn(u32, u32) -> u32;
 
-/// Maps with level ground, sizes and heights of them: terraces that run along an axis and askew, whose steps
-/// are as wide as they like, plateaus, and natural ground of few heights.
+/// Maps with level ground, with their sizes and heights: terraces along an axis and askew, with
+/// steps of any width, plateaus, and natural ground of few heights.
 const LEVEL: [(&str, [u32; 2], Level); 9] = [
     ("row with a plateau", [8, 1], |i, _| u32::from((2..6).contains(&i))),
     ("column of terraces", [1, 31], |_, j| j / 4),
@@ -127,7 +129,8 @@ fn level_ground_limits_no_cone_but_where_it_falls_off() {
     // From the foot to the far edge of the level ground.
     assert!((ratios[1] - 4.0).abs() < 1e-4 && (ratios[0] - 5.0).abs() < 1e-4, "{ratios:?}");
     assert!(ratios[2..6].iter().all(|ratio| *ratio > 1e9), "{ratios:?}");
-    // From the square of the texel at the foot half a texel less lies before that edge, and half of the rise.
+    // From the square of the texel at the foot, the way to that edge is half a texel shorter, and
+    // the rise is half.
     let ratios = relaxed(&row, &metric, RelaxedApex::Footprint);
     assert!(ratios[1] > 3.4 && ratios[2] > 4.9, "{ratios:?}");
 }

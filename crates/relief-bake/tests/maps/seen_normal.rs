@@ -10,12 +10,12 @@ use relief_tests::probes::stored;
 const AZIMUTHS: u32 = 5;
 const ELEVATIONS: u32 = 3;
 
-/// The unit normal at a point, `y` along falling `v`.
+/// Returns the unit normal at a point, `y` along falling `v`.
 fn normal(map: &HeightMap, metric: Metric, [u, v]: [f64; 2]) -> [f64; 3] {
     let [du, dv] = [1.0 / f64::from(map.width()), 1.0 / f64::from(map.height())];
     let slope_u = (map.height_at(u + du, v) - map.height_at(u - du, v)) * metric.scale_m;
     let slope_v = (map.height_at(u, v + dv) - map.height_at(u, v - dv)) * metric.scale_m;
-    // Of a clamped map heights change between the outermost centres alone.
+    // In a clamped map, heights change between the outermost centres alone.
     let width = |at: f64, step: f64| {
         let inside =
             |at: f64| if map.wrap() == Wrap::Clamp { at.clamp(0.5 * step, 1.0 - 0.5 * step) } else { at };
@@ -26,8 +26,8 @@ fn normal(map: &HeightMap, metric: Metric, [u, v]: [f64; 2]) -> [f64; 3] {
     n.map(|part| part / length)
 }
 
-/// What an eye sees through the point of the plane at the mean height that lies over a texel's centre, from
-/// an azimuth in turns and a sine of the elevation.
+/// Returns the means that an eye sees through a point of the plane at the mean height. The point
+/// lies over a texel's centre. The eye is at an azimuth in turns and a sine of the elevation.
 fn seen(map: &HeightMap, metric: Metric, at: [u32; 2], turn: f64, sine: f64) -> [f64; 8] {
     let uv = [0, 1].map(|axis| (f64::from(at[axis]) + 0.5) / f64::from([map.width(), map.height()][axis]));
     let mean = map.texels().iter().map(|h| f64::from(*h)).sum::<f64>() / map.texels().len() as f64;
@@ -50,8 +50,8 @@ fn seen(map: &HeightMap, metric: Metric, at: [u32; 2], turn: f64, sine: f64) -> 
     [x, y, z, x * x, x * y, y * y, x * z, y * z]
 }
 
-/// The texels of a row of `from` that lie in a texel of the same row in `to`, and the part of it that each
-/// is.
+/// Returns the texels that one texel covers when a row of `from` texels becomes a row of `to`
+/// texels, and the share of each.
 fn parts(texel: u32, from: u32, to: u32) -> Vec<(u32, f64)> {
     let [from_f, to_f] = [from, to].map(f64::from);
     let edge = |texel: u32| f64::from(texel) / to_f * from_f;
@@ -60,7 +60,7 @@ fn parts(texel: u32, from: u32, to: u32) -> Vec<(u32, f64)> {
     (0..from).map(|at| (at, part(at))).filter(|(_, part)| *part > 0.0).collect()
 }
 
-/// The means over a level of half the sides, rounded down but at least 1, and its size.
+/// Returns the means over a level of half the sides, rounded down but at least 1, and its size.
 fn halved(values: &[[f64; 8]], [width, height]: [u32; 2]) -> (Vec<[f64; 8]>, [u32; 2]) {
     let half = [width, height].map(|side| (side / 2).max(1));
     let mean = |texel: u32| {
@@ -76,8 +76,8 @@ fn halved(values: &[[f64; 8]], [width, height]: [u32; 2]) -> (Vec<[f64; 8]>, [u3
     ((0..half[0] * half[1]).map(mean).collect(), half)
 }
 
-/// Of all stored values of a map the part that is off by more than rounding from the means of rays from
-/// azimuths so many turns aside.
+/// Returns the part of a map's stored values that differ by more than rounding from the means of
+/// rays. The rays come from azimuths `aside` turns away.
 fn off(map: &HeightMap, aside: f64) -> f64 {
     let metric = Metric::new([2.0, 0.7], 0.25).expect("lengths");
     let settings = [("azimuths", f64::from(AZIMUTHS)), ("elevations", f64::from(ELEVATIONS))];
@@ -117,7 +117,7 @@ fn means_are_those_of_exact_rays() {
         for wrap in Wrap::ALL {
             let off = off(&named.build(wrap), 0.0);
             println!("{} {wrap}: {off:.5} off", named.name);
-            // A ray that grazes an edge may go past it by a rounding, and sees another normal then.
+            // A ray that grazes an edge may pass it by a rounding, and then sees another normal.
             assert!(off < 0.01, "{} {wrap}: {off} of the values are off", named.name);
         }
     }

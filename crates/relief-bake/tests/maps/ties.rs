@@ -1,5 +1,5 @@
-//! Cones and frusta of ground where much is equally steep, against brute force: searches pass over most of
-//! it.
+//! Cones and frusta of ground where much is equally steep, against brute force: searches skip most
+//! of it.
 
 use rayon::prelude::*;
 use relief_bake::kind::cone::{ConeApex, cone_ratios};
@@ -8,23 +8,23 @@ use relief_core::rng::Rng;
 use relief_core::{HeightMap, Metric, Watch, Wrap};
 use relief_testing::brute;
 
-/// Texels of each map that brute force is run on.
+/// Texels of each map tested by brute force.
 const TEXELS: usize = 8;
 
 /// Columns and rows: no whole number of any node but the smallest.
 const SIZE: [u32; 2] = [83, 70];
 
-/// What the slope of a cone may be more than the steepest, in heights a texel: for what rounding makes of
-/// ground that is equally steep.
+/// Excess of a cone's slope over the steepest, in heights a texel, by the rounding of equally steep
+/// ground.
 const STEP: f64 = 1.0 / (1u64 << 23) as f64;
 
-/// What the slope of a frustum may be more than the least.
+/// Factor by which the slope of a frustum may exceed the least.
 const TIE: f32 = 1.0 + 1.0 / 65536.0;
 
-/// A height over a column and a row, from 0 to 1.
+/// Height over a column and a row, from 0 to 1.
 type Ground = fn(f64, f64) -> f64;
 
-/// Ground of which much ties, exactly or up to the last bits of its heights.
+/// Ground where many slopes tie, exactly or up to the last bits of its heights.
 const GROUND: [(&str, Ground); 10] = [
     ("a ramp of exact heights", |x, _| x / 128.0),
     ("a ramp", |x, _| x / 82.0),

@@ -1,4 +1,4 @@
-//! Precomputed visibility against the exact tracer, and light that bounces through it.
+//! Precomputed visibility against the exact tracer, and bounced light computed with it.
 
 use relief_bake::kind::visibility::{KIND, Visibility, views};
 use relief_bake::{Collected, bake};
@@ -6,7 +6,7 @@ use relief_core::{HeightMap, Metric, Watch, Wrap};
 use relief_testing::brute::visibility as brute;
 use relief_testing::maps;
 
-/// Every so many texels are judged on each map.
+/// Distance of the judged texels of each map.
 const STRIDE: usize = 7;
 
 fn metrics() -> [Metric; 2] {
@@ -20,7 +20,7 @@ fn each_ray(map: &HeightMap, metric: Metric, mut judge: impl FnMut(&relief_core:
         assert!((x * x + y * y + z * z - 1.0).abs() < 1e-12);
         let step = [0, 1].map(|axis| view.step_uv[axis] * metric.tile_m[axis]);
         let slope = z / x.hypot(y) * step[0].hypot(step[1]) / metric.scale_m;
-        // As far as is promised: until it is above the map, or four tiles.
+        // Length of the promised ray: until it is above the map, or four tiles.
         let along_u = view.step_uv[0].abs() * f64::from(map.width()) > 1.0 - 1e-12;
         let side = f64::from(if along_u { map.width() } else { map.height() });
         let reach = (1.0 / slope).min((4.0 * side).max(64.0));
@@ -44,7 +44,8 @@ fn every_hit_is_the_first() {
                 each_ray(&map, metric, |path, steps| {
                     rays += 1;
                     hits += usize::from(steps.is_some());
-                    // A distance in f32 is off by 2⁻²⁴; ray and surface part by a few heights a step.
+                    // A distance in f32 is off by 2⁻²⁴; ray and surface part by a few heights a
+                    // step.
                     let slack = 1e-6 * (1.0 + steps.unwrap_or(0.0) * 0.1) * (1.0 + path.h[1]);
                     let within = steps.is_none_or(|steps| steps <= path.exit);
                     assert!(

@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn inclined_ground_is_looked_at_near_by_only() {
+    fn only_near_vertices_of_inclined_ground_are_visited() {
         for side in [128u32, 512] {
             let ground = |height: &dyn Fn(f64, f64) -> f64| {
                 let height = |i: u32, j: u32| height(f64::from(i), f64::from(j)) as f32;
@@ -130,7 +130,7 @@ mod tests {
             let last = f64::from(side - 1);
             let cases: [(HeightMap, Slope); 4] = [
                 (ground(&|x, _| x / 1024.0), |_| 1.0 / 1024.0),
-                // Heights are rounded, so what is near by may be a little steeper.
+                // Heights are rounded, so vertices near by may be a little steeper.
                 (ground(&|x, y| (0.6 * x + 0.8 * y) / 1024.0), |_| 1.0 / 1024.0),
                 (ground(&|x, _| (x / 4.0).floor() / 256.0), |i| 1.0 / (256.0 * (4 - i % 4) as f64)),
                 (ground(&|x, y| 1.0 - (x - last).abs().max((y - 0.5 * last).abs()) / 1024.0), |_| {

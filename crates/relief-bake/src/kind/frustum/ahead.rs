@@ -77,7 +77,8 @@ mod tests {
                             nearest[image as usize] = nearest[image as usize].min(ahead);
                         }
                     }
-                    // The cell's own two columns are equally near: texels 0 and 1 ahead make no difference.
+                    // The cell's own two columns are equally near: texels 0 and 1 ahead make no
+                    // difference.
                     for ahead in 0..3 * i64::from(size) {
                         let image = wrap.index(texel(cell, forward, ahead), size) as usize;
                         let found = nearest[image].max(1);

@@ -44,7 +44,7 @@ mod tests {
     use super::*;
     use relief_core::rng::Rng;
 
-    /// The greatest gap by which the diagonal passes a frustum, and where.
+    /// Returns the greatest gap by which the diagonal exceeds a frustum, and where.
     fn excess(slope: f64, k: i64, near: f64, mean: f64, far: f64) -> f64 {
         let at = |s: f64| {
             let surface = (1.0 - s) * (1.0 - s) * near + 2.0 * s * (1.0 - s) * mean + s * s * far;
@@ -66,7 +66,7 @@ mod tests {
             let corners = (near / (k as f64 - 1.0).max(1e-300)).max(far / k as f64).max(0.0);
             let found = slope(k, near, mean, far).max(corners);
             assert!(excess(found, k, near, mean, far) < 2e-15, "{k} {near} {mean} {far}: {found}");
-            // Lower by a millionth it is passed, unless a corner is what holds it.
+            // Lowered by a millionth it is exceeded, unless a corner decides.
             if found > corners * 1.001 {
                 let lower = found * (1.0 - 1e-6);
                 assert!(excess(lower, k, near, mean, far) > 0.0, "{k} {near} {mean} {far}: {found}");

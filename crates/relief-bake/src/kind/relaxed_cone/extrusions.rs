@@ -118,9 +118,9 @@ impl ExtrudedNode {
     /// Returns the lanes, a bit each, for which a cell of the node may be steeper than their best
     /// slope. For the other lanes no cell of it changes a bit.
     ///
-    /// Such a cell has the slope `b` across and no twist. Let the cell fall from an apex `p`,
-    /// whatever the row. Then `p` is at most as far below the cell as the cell, extended over `p`,
-    /// is above `p`. So the cell matters less, the farther away it is.
+    /// Such a cell has the slope `b` across and no twist. Let the cell fall from an apex `p`. Then
+    /// `p` is at most as far below the cell as the cell, extended over `p`, is above `p`. This
+    /// bound is the same in every row, so the cell matters less, the farther away it is.
     pub fn may_matter(&self, search: &Search, group: &GroupSlopes, lanes: u64) -> u64 {
         let Self { across, spans } = *self;
         let (along, first) = (1 - across, group.apexes[0].texel);
@@ -226,11 +226,12 @@ mod tests {
     use pulp::Scalar;
     use relief_core::Wrap;
 
-    use super::super::search::{Relaxed, looks};
+    use super::super::search::{Relaxed, visits};
     use super::*;
     use crate::cone_search::{ConeType, Group, State};
 
-    /// Ground that is alike along an axis, by the place along the other one, and its name.
+    /// Name of ground that is alike along an axis, and its height by the place along the other
+    /// axis.
     type Ground = (&'static str, fn(u32, u32) -> f32);
 
     /// Heights of 16 bits, which no `f32` holds exactly, in parts of the side.
@@ -280,32 +281,33 @@ mod tests {
     }
 
     /// Counts the vertices that are visited for some texels.
-    fn looked_at(relaxed: &Relaxed, map: &HeightMap, texel_m: [f64; 2]) -> u64 {
+    fn visited(relaxed: &Relaxed, map: &HeightMap, texel_m: [f64; 2]) -> u64 {
         let search = Search::new(map, texel_m, Region::Footprint);
         let side = map.width();
         let mut state = State { group: Group::new(), seeds: vec![None; side as usize] };
-        let before = looks();
+        let before = visits();
         for row in (1..8).map(|part| part * side / 8) {
             for column in (0..side).step_by(side as usize / 8) {
                 let texel = [i64::from(column), i64::from(row)];
                 relaxed.slopes2(Scalar::new(), &search, texel, LANES, [0.0; LANES], &mut state);
             }
         }
-        looks() - before
+        visits() - before
     }
 
     #[test]
-    fn few_vertices_of_ground_that_is_alike_are_looked_at_however_far_it_goes() {
+    fn few_vertices_of_extruded_ground_are_visited_at_any_size() {
         for named in GROUNDS {
             for axis in [0, 1] {
-                let looked = [256, 512].map(|side| {
+                let counts = [256, 512].map(|side| {
                     let map = ground(named, side, axis, Wrap::Clamp);
                     let texel_m = [1.0 / f64::from(side); 2];
-                    looked_at(&Relaxed::new(&map, texel_m).expect("few images"), &map, texel_m)
+                    visited(&Relaxed::new(&map, texel_m).expect("few images"), &map, texel_m)
                 });
-                println!("{} along {axis}: {looked:?}", named.0);
-                // Without, they are several times as many, and twice as many at the larger side.
-                assert!(looked[1] < 2 * looked[0].max(1000) && looked[0] < 25_000, "{} {looked:?}", named.0);
+                println!("{} along {axis}: {counts:?}", named.0);
+                // Without extrusions they are several times as many, and twice as many at the
+                // larger side.
+                assert!(counts[1] < 2 * counts[0].max(1000) && counts[0] < 25_000, "{} {counts:?}", named.0);
             }
         }
     }

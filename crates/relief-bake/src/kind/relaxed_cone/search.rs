@@ -46,8 +46,8 @@ impl Relaxed {
         if map.wrap() == Wrap::Clamp {
             return Some(of([0; 2]));
         }
-        // Some image of the highest point is in the tile around an apex, and so not farther than a tile's
-        // diagonal. A patch that rises in the nearest image may fall in another.
+        // Some image of the highest point is in the tile around an apex, and so not farther than a
+        // tile's diagonal. A patch that rises in the nearest image may fall in another.
         let tile_m = [texel_m[0] * f64::from(map.width()), texel_m[1] * f64::from(map.height())];
         let diagonal = tile_m[0].hypot(tile_m[1]);
         let tiles = tile_m.map(|side| ((diagonal / side).ceil() + 1.0).min(1e6) as i64);
@@ -207,13 +207,13 @@ impl ConeType for Relaxed {
 
 #[cfg(test)]
 thread_local! {
-    static LOOKS: std::cell::Cell<u64> = const { std::cell::Cell::new(0) };
+    static VISITS: std::cell::Cell<u64> = const { std::cell::Cell::new(0) };
 }
 
 /// Returns the number of vertices that this thread has visited.
 #[cfg(test)]
-pub(super) fn looks() -> u64 {
-    LOOKS.get()
+pub(super) fn visits() -> u64 {
+    VISITS.get()
 }
 
 /// Visitor that finds the steepest falling point for each lane.
@@ -318,7 +318,7 @@ impl VertexVisitor for Falling<'_, '_> {
         height: f64,
     ) {
         #[cfg(test)]
-        LOOKS.set(LOOKS.get() + 1);
+        VISITS.set(VISITS.get() + 1);
         let first = self.apexes[0].texel;
         let by = [vertex[0] - first[0], vertex[1] - first[1]];
         let wanted =

@@ -80,7 +80,8 @@ impl Visibility {
         if sky.len() != self.directions.len() || texels.len() != self.texels {
             return None;
         }
-        /// Texels that one task gathers for, direction by direction, so that the hits are read in order.
+        /// Texels that one task gathers for, direction by direction, so that the hits are read in
+        /// order.
         const BLOCK: usize = 4096;
         let mut received = vec![0.0f32; self.texels];
         received.par_chunks_mut(BLOCK).enumerate().for_each(|(block, received)| {

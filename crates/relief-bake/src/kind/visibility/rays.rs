@@ -223,7 +223,8 @@ fn first_root(c0: f64, c1: f64, c2: f64, length: f64) -> Option<f64> {
     if disc < 0.0 {
         return (!ends_above).then_some(length);
     }
-    // With c0 positive the first positive root is this one for any c2; where c1 is negative nothing cancels.
+    // With c0 positive the first positive root is this one for any c2; where c1 is negative nothing
+    // cancels.
     let root = if c1 <= 0.0 { 2.0 * c0 / (disc.sqrt() - c1) } else { -0.5 * (c1 + disc.sqrt()) / c2 };
     Some(root.clamp(0.0, length))
 }
