@@ -18,7 +18,7 @@ const SETTINGS: &str = "surface_settings";
 const CHOICES: (&str, &str) = ("SurfaceSettings", "choices");
 const PARAMS: (&str, &str) = ("Choice", "params");
 
-/// All of it but the files.
+/// Makes the manifest, without the files.
 pub fn manifest(selection: &Selection, program: &Program, name: &str, options: &Options) -> Manifest {
     let mut structs = BTreeMap::new();
     for binding in &program.parts.bindings {
@@ -76,7 +76,7 @@ fn bound(program: &Program, binding: &Binding, needs: &[MapNeed], options: &Opti
     }
 }
 
-/// The stages that are run, with their parameters where the shader reads them.
+/// The stages that are run, with the parameters that the shader reads.
 fn stages(selection: &Selection, program: &Program, structs: &BTreeMap<String, Struct>) -> Vec<ChosenStage> {
     let member = |(structure, name): (&str, &str)| {
         structs.get(structure)?.members.iter().find(|member| member.name == name)

@@ -1,27 +1,27 @@
-//! Why there is no export.
+//! Errors of an export.
 
 use relief_shaders::surface::Shown;
 use relief_shaders::{SURFACE, SelectionError, Variants};
 
 use crate::Target;
 
-/// Why a selection cannot be exported.
+/// Reason why a selection cannot be exported.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ExportError {
-    /// The stages make no sense together.
+    /// The stages do not go together.
     #[error(transparent)]
     Selection(#[from] SelectionError),
     /// The selection shows displaced triangles, which no shader of these stages makes.
     #[error(
         "the geometry '{geometry}' shows triangles that no shader of these stages makes or counts, so there \
-         is none to export: displaced ones are those of a mesh, which the surface {} shades",
+         is none to export: export a displaced mesh, which the surface {} shades",
         Variants::of(SURFACE, |entry| entry.paths().shown == Shown::Triangles).or()
     )]
     Displaced {
         /// The geometry.
         geometry: &'static str,
     },
-    /// A variant that runs on CPUs alone.
+    /// A variant that runs only on CPUs.
     #[error("the {stage} '{entry}' sends rays through the whole scene, on the CPU: choose another {stage}")]
     OnlyCpu {
         /// The stage's title.
@@ -29,27 +29,27 @@ pub enum ExportError {
         /// The chosen variant.
         entry: &'static str,
     },
-    /// No target is asked for.
+    /// No target was given.
     #[error("there is nothing to write: choose a target")]
     NoTarget,
-    /// The name is none for files.
+    /// The name is not usable for files.
     #[error(
-        "'{0}' is no name for files: letters, digits, '-', '_' and '.' are, not with '.' at the beginning"
+        "'{0}' is not a name for files: use letters, digits, '-', '_' and '.', and no '.' at the beginning"
     )]
     Name(String),
     /// Two files would have the same name.
     #[error("{0} would be written twice: choose each target once, with one profile")]
     SameFile(String),
-    /// A bind group, a binding, a register or a slot is beyond what the target has.
+    /// A bind group, a binding, a register or a slot is beyond the target's limit.
     #[error("{target} has no {what} {given}: the last is {most}")]
     Placement {
         /// The target.
         target: Target,
-        /// What is counted.
+        /// The counted thing, such as `binding`.
         what: &'static str,
         /// The number that is needed.
         given: u32,
-        /// The greatest that there is.
+        /// The greatest number.
         most: u32,
     },
     /// The target cannot express a function.
@@ -59,10 +59,10 @@ pub enum ExportError {
         target: Target,
         /// The function.
         function: String,
-        /// Why.
+        /// The reason.
         reason: String,
     },
-    /// The assembled shader is not valid: a mistake of this library.
-    #[error("the assembled shader is not valid, which is a mistake of relief: {0}")]
+    /// The assembled shader is not valid: a mistake in this library.
+    #[error("the assembled shader is not valid, which is a mistake in relief: {0}")]
     Invalid(String),
 }

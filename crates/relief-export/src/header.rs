@@ -1,12 +1,12 @@
-//! The comment at the head of a shader's file: the manifest, for people.
+//! The comment at the head of a shader's file: the manifest in words.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use crate::Profile;
-use crate::manifest::{At, Bound, Draw, Manifest, Renamed, ShaderFile, Struct};
+use crate::manifest::{BindingPoint, Bound, Draw, FileBinding, Manifest, ShaderFile, Struct};
 
-/// The comment, after what is said of the choices.
+/// Returns the comment: `choices`, then the manifest's content for that file.
 pub fn head(choices: &str, manifest: &Manifest, profile: Profile, file: &ShaderFile) -> String {
     let mut text = choices.to_owned();
     let _ = writeln!(text, "//\n// {}.", profile.title());
@@ -38,7 +38,7 @@ pub fn head(choices: &str, manifest: &Manifest, profile: Profile, file: &ShaderF
     if let Some(sizes) = &file.sizes {
         let _ = writeln!(
             text,
-            "//   buffer {}: 32-bit numbers, the bytes that are bound of {}",
+            "//   buffer {}: 32-bit numbers, the bound bytes of {}",
             sizes.buffer,
             sizes.of.join(", ")
         );
@@ -55,7 +55,7 @@ pub fn head(choices: &str, manifest: &Manifest, profile: Profile, file: &ShaderF
     text
 }
 
-/// Notes a struct and those that it is made of.
+/// Collects a struct and the structs of its members.
 fn hold<'a>(manifest: &'a Manifest, name: &str, held: &mut BTreeSet<&'a str>) {
     if let Some((name, structure)) = manifest.structs.get_key_value(name)
         && held.insert(name)
@@ -64,21 +64,21 @@ fn hold<'a>(manifest: &'a Manifest, name: &str, held: &mut BTreeSet<&'a str>) {
     }
 }
 
-/// How it is drawn.
+/// The draw call in words.
 fn drawn(draw: &Draw) -> String {
     let Draw { vertices_per_triangle, instances, cull, front_face, depth } = draw;
     let depth = if *depth { "Fragments write depth" } else { "Fragments leave depth to the triangles" };
     format!(
         "// Drawn without vertex buffers: {vertices_per_triangle} vertices for each triangle; \
          instances: {instances}.\n\
-         // Culled: {cull}; front faces are {front_face} as they are seen. {depth}.\n\
-         // Fragments hold linear colours. The clip space is that of frame.view_projection; rays are made\n\
-         // from the fragment's position, and from frame.corner, where that is (0, 0), frame.right and\n\
+         // Culled: {cull}; front faces are {front_face} in the picture. {depth}.\n\
+         // Fragments hold linear colours. frame.view_projection gives the clip space. Rays are made from\n\
+         // the fragment's position, by frame.corner, which belongs to (0, 0), frame.right and\n\
          // frame.down.\n"
     )
 }
 
-fn binding(text: &mut String, bound: &Bound, renamed: &Renamed, manifest: &Manifest) {
+fn binding(text: &mut String, bound: &Bound, renamed: &FileBinding, manifest: &Manifest) {
     let called = if renamed.here == bound.name {
         bound.name.to_owned()
     } else {
@@ -110,16 +110,16 @@ fn binding(text: &mut String, bound: &Bound, renamed: &Renamed, manifest: &Manif
     }
 }
 
-/// Where something is bound.
-fn at(at: &At) -> String {
+/// A binding point in words.
+fn at(at: &BindingPoint) -> String {
     match at {
-        At::Group { group, binding } => format!("group {group}, binding {binding}"),
-        At::Set { set, binding } => format!("set {set}, binding {binding}"),
-        At::Binding { binding } => format!("binding {binding}"),
-        At::Register { register, space } => format!("register {register}, space {space}"),
-        At::Buffer { buffer } => format!("buffer {buffer}"),
-        At::Texture { texture } => format!("texture {texture}"),
-        At::Sampler { sampler_state } => format!("sampler {sampler_state}"),
+        BindingPoint::Group { group, binding } => format!("group {group}, binding {binding}"),
+        BindingPoint::Set { set, binding } => format!("set {set}, binding {binding}"),
+        BindingPoint::Binding { binding } => format!("binding {binding}"),
+        BindingPoint::Register { register, space } => format!("register {register}, space {space}"),
+        BindingPoint::Buffer { buffer } => format!("buffer {buffer}"),
+        BindingPoint::Texture { texture } => format!("texture {texture}"),
+        BindingPoint::Sampler { sampler_state } => format!("sampler {sampler_state}"),
     }
 }
 

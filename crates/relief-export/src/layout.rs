@@ -1,12 +1,12 @@
-//! The structs of buffers: members, offsets and sizes, from the module itself.
+//! Structs of buffers: members, offsets and sizes, from the module itself.
 
 use std::collections::BTreeMap;
 
 use naga::{ArraySize, Handle, Module, ScalarKind, Type, TypeInner, VectorSize};
 
-use crate::manifest::{Member, Repeated, Struct};
+use crate::manifest::{ArrayLayout, Member, Struct};
 
-/// All structs that a type holds, by name, added to those that are known.
+/// Adds all structs that a type holds to `structs`, by name.
 pub fn collect(module: &Module, ty: Handle<Type>, structs: &mut BTreeMap<String, Struct>) {
     match &module.types[ty].inner {
         TypeInner::Array { base, .. } => collect(module, *base, structs),
@@ -29,7 +29,7 @@ fn member_of(module: &Module, member: &naga::StructMember) -> Member {
     let inner = &module.types[member.ty].inner;
     let (of, array) = match inner {
         TypeInner::Array { base, size: ArraySize::Constant(count), stride } => {
-            (*base, Some(Repeated { count: count.get(), stride: *stride }))
+            (*base, Some(ArrayLayout { count: count.get(), stride: *stride }))
         }
         _ => (member.ty, None),
     };
@@ -42,7 +42,7 @@ fn member_of(module: &Module, member: &naga::StructMember) -> Member {
     }
 }
 
-/// A type as WGSL writes it.
+/// Returns a type as WGSL writes it.
 pub fn name(module: &Module, ty: Handle<Type>) -> String {
     let ty = &module.types[ty];
     let letter = |kind: ScalarKind| match kind {
@@ -92,6 +92,6 @@ mod tests {
             [("first", 0, 8, "vec2f"), ("inner", 16, 96, "Inner"), ("last", 112, 12, "vec3i")]
         );
         let array = structs["Outer"].members[1].array;
-        assert_eq!(array, Some(Repeated { count: 3, stride: 32 }));
+        assert_eq!(array, Some(ArrayLayout { count: 3, stride: 32 }));
     }
 }

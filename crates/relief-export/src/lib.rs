@@ -1,13 +1,14 @@
-//! Displacement methods as shaders for any engine: in WGSL, GLSL, HLSL, MSL and SPIR-V, with a manifest that
-//! says what is bound where.
+//! Displacement methods as shaders for any engine: in WGSL, GLSL, HLSL, MSL and SPIR-V, with a
+//! manifest of their bindings.
 //!
-//! [`export`] makes everything in memory: a selection of stages becomes one shader that rasterises a base
-//! mesh, traces each fragment's ray and shades what it meets, with its example entry points, and holds no
-//! function that these do not call. Parameters, sizes and wrap stay in uniform buffers.
+//! [`export`] makes everything in memory. A selection of stages becomes one shader, which
+//! rasterises a base mesh, traces each fragment's ray and shades its hit. It has example entry
+//! points, and no function that these do not call. Parameters, sizes and wrap stay in uniform
+//! buffers.
 //!
-//! The WGSL is what `relief-shaders` assembles, with its comments; all other languages are written from that
-//! by naga. The manifest, [`Manifest`], is written beside them as JSON: it names what is bound, the layout of
-//! the buffers and what each language calls them, and suffices to bind and fill everything.
+//! The WGSL is assembled by `relief-shaders`, with its comments; naga writes all other languages
+//! from it. The [`Manifest`] is written beside them as JSON. It has the bindings, the layout of the
+//! buffers and their names in each language: all that is needed to bind and fill everything.
 //!
 //! # Examples
 //!
@@ -31,13 +32,13 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod binding_points;
 mod describe;
 mod error;
 mod header;
 mod layout;
 pub mod manifest;
 mod options;
-mod places;
 mod program;
 mod target;
 mod textures;
@@ -50,7 +51,7 @@ pub use manifest::Manifest;
 pub use options::{Options, Placement};
 pub use target::{Profile, Target};
 
-use crate::manifest::Written;
+use crate::manifest::TargetFiles;
 use crate::program::Program;
 use crate::writers::{Body, Text};
 
@@ -59,25 +60,26 @@ use crate::writers::{Body, Text};
 pub struct Exported {
     /// The shaders, target by target, and last the manifest as JSON.
     pub files: Vec<File>,
-    /// What the last of the files says.
+    /// The content of the last file.
     pub manifest: Manifest,
 }
 
 /// A file to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct File {
-    /// Its name.
+    /// The file's name.
     pub name: String,
-    /// What it holds.
+    /// The file's content.
     pub bytes: Vec<u8>,
 }
 
-/// Writes the shader of a selection in every profile that is asked for. The same bytes on every run.
+/// Writes the shader of a selection in every profile of the options. The bytes are the same on
+/// every run.
 ///
 /// # Errors
 ///
-/// When the stages make no sense together, when no shader runs them, when a target cannot express them or
-/// bind as much, or when two files would have the same name.
+/// When the stages do not go together, when no shader runs them, when a target cannot express them
+/// or bind as much, or when two files would have the same name.
 pub fn export(selection: &Selection, options: &Options) -> Result<Exported, ExportError> {
     check(selection)?;
     if options.profiles.is_empty() {
@@ -109,7 +111,7 @@ pub fn export(selection: &Selection, options: &Options) -> Result<Exported, Expo
             written.push(file);
         }
         let (target, profile) = (profile.target().name(), profile.name());
-        manifest.targets.push(Written { target, profile, files: written });
+        manifest.targets.push(TargetFiles { target, profile, files: written });
     }
     let json = serde_json::to_string_pretty(&manifest);
     let json = json.map_err(|error| ExportError::Invalid(error.to_string()))?;
@@ -117,7 +119,7 @@ pub fn export(selection: &Selection, options: &Options) -> Result<Exported, Expo
     Ok(Exported { files, manifest })
 }
 
-/// Whether shaders can run all stages of a selection, together.
+/// Checks that shaders can run all stages of a selection together.
 fn check(selection: &Selection) -> Result<(), ExportError> {
     let geometry = selection.choices[GEOMETRY].entry;
     let is_sliced = geometry.geometry().shown.is_sliced() && !selection.counts_in_stencil();

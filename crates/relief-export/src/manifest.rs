@@ -1,4 +1,4 @@
-//! What an export says of itself to programs: the same as its heads say to people.
+//! The manifest of an export: the content of the files' heads for programs.
 
 use std::collections::BTreeMap;
 
@@ -7,34 +7,34 @@ use serde::Serialize;
 /// An export. Its JSON is `NAME.json`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Manifest {
-    /// What the files are called before their endings.
+    /// The files' name before their endings.
     pub name: String,
     /// The version of relief that wrote it.
     pub relief: String,
-    /// How textures are read: `exact` or `fast`.
+    /// The way in which textures are read: `exact` or `fast`.
     pub sampling: &'static str,
-    /// How it is drawn.
+    /// The draw call.
     pub draw: Draw,
-    /// What is run, stage by stage.
+    /// The variants that are run, stage by stage.
     pub stages: Vec<ChosenStage>,
-    /// What is bound, under the names of the WGSL source.
+    /// The bindings, under the names of the WGSL source.
     pub bindings: Vec<Bound>,
     /// The structs of the buffers, by name.
     pub structs: BTreeMap<String, Struct>,
     /// The files, target by target.
-    pub targets: Vec<Written>,
+    pub targets: Vec<TargetFiles>,
 }
 
-/// How the entry points are drawn: triangles without vertex buffers.
+/// The draw call of the entry points: triangles without vertex buffers.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Draw {
     /// Vertices for each triangle of the mesh.
     pub vertices_per_triangle: u32,
-    /// 1; 2 also draws the backs of a two-sided mesh.
+    /// Number of instances: 1; for boxes around shells, 2 also draws the backs of a two-sided mesh.
     pub instances: &'static str,
-    /// Which faces are culled: `back`, of a two-sided mesh none; `front`; or `none`.
+    /// Culled faces: `back`, for a two-sided mesh none; `front`; or `none`.
     pub cull: &'static str,
-    /// The winding of front faces, as they are seen in the picture.
+    /// The winding of front faces as seen in the picture.
     pub front_face: &'static str,
     /// Whether fragments write depth.
     pub depth: bool,
@@ -47,22 +47,22 @@ pub struct ChosenStage {
     pub stage: &'static str,
     /// The variant.
     pub name: &'static str,
-    /// What it does.
+    /// A line that says what it does.
     pub summary: &'static str,
     /// Where it was published.
     pub published: String,
-    /// Its parameters, each a number in a uniform buffer.
+    /// The parameters, each a number in a uniform buffer.
     pub params: Vec<ParamPlace>,
 }
 
 /// A parameter of a variant.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ParamPlace {
-    /// Its name.
+    /// The parameter's name.
     pub name: &'static str,
-    /// What it does.
+    /// A line that says what it does.
     pub summary: &'static str,
-    /// Its unit; empty for plain numbers.
+    /// The unit; empty for plain numbers.
     pub unit: &'static str,
     /// The value to begin with.
     pub value: f32,
@@ -76,37 +76,37 @@ pub struct ParamPlace {
     pub uniform: &'static str,
     /// The member of its struct.
     pub member: String,
-    /// Where it lies in the buffer, in bytes; a 32-bit float.
+    /// Offset in the buffer, in bytes, of a 32-bit float.
     pub offset: u32,
 }
 
-/// Something bound.
+/// A bound resource.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Bound {
     /// The variable of the WGSL source.
     pub name: &'static str,
-    /// Its bind group.
+    /// The bind group.
     pub group: u32,
-    /// Its number there.
+    /// The number in the bind group.
     pub binding: u32,
-    /// What it is: `uniform`, `storage`, `texture` or `sampler`.
+    /// The kind: `uniform`, `storage`, `texture` or `sampler`.
     pub kind: &'static str,
-    /// Its type in WGSL.
+    /// The type in WGSL.
     #[serde(rename = "type")]
     pub of: String,
-    /// What it holds, for people.
+    /// The content, in words.
     pub holds: &'static str,
     /// The stages that read it: `vertex`, `fragment`.
     pub stages: Vec<&'static str>,
-    /// Of a texture, what is known of its texels.
+    /// For a texture, requirements on its texels.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub texture: Option<TextureNeed>,
-    /// Of a buffer, the struct or its elements.
+    /// For a buffer, its struct or the struct of its elements.
     #[serde(rename = "struct", skip_serializing_if = "Option::is_none")]
     pub structure: Option<String>,
 }
 
-/// What a texture must be.
+/// Requirements on a texture.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TextureNeed {
     /// `2d` or `2d-array`.
@@ -115,9 +115,9 @@ pub struct TextureNeed {
     pub formats: &'static [&'static str],
     /// Whether a sampler filters it.
     pub filtered: bool,
-    /// How many levels it has.
+    /// Number of levels, as a number, an expression over the settings, or a sentence.
     pub levels: String,
-    /// How many layers it has.
+    /// Number of layers, as a number, an expression over the settings, or a sentence.
     pub layers: String,
     /// The baked map that fills it.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -129,17 +129,17 @@ pub struct TextureNeed {
 pub struct Bake {
     /// The kind of map.
     pub kind: &'static str,
-    /// Its texture among those of the kind; empty for the only one.
+    /// The texture's name among the kind's; empty for its only one.
     pub texture: &'static str,
-    /// The kind's settings that it needs.
+    /// The kind's settings that are required.
     pub settings: BTreeMap<&'static str, f32>,
-    /// The most texels of the longer side of the height map's level that it is baked from: of the finest such
-    /// level. None: it is baked from the height map itself.
+    /// The most texels of the longer side of the height map's level that it is baked from; the
+    /// finest such level is taken. None: it is baked from the height map itself.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub side: Option<u32>,
-    /// In what it is baked: `texture` units, or the metres of the surface.
+    /// The unit of lengths: `texture` units, or the metres of the surface.
     pub metric: &'static str,
-    /// How it is baked, in the words of the program that exported.
+    /// Instructions for baking, in the words of the program that exported.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub how: Option<String>,
 }
@@ -147,64 +147,64 @@ pub struct Bake {
 /// A struct in a buffer.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Struct {
-    /// Its bytes, and those from one to the next in an array.
+    /// Size in bytes, which is also the stride in an array.
     pub size: u32,
-    /// Its members, in order.
+    /// The members, in order.
     pub members: Vec<Member>,
 }
 
 /// A member of a struct.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Member {
-    /// Its name.
+    /// The member's name.
     pub name: String,
-    /// Where it begins, in bytes from the struct.
+    /// Offset from the beginning of the struct, in bytes.
     pub offset: u32,
-    /// Its bytes.
+    /// Size in bytes.
     pub size: u32,
-    /// Its type in WGSL: of an array that of its elements.
+    /// The type in WGSL; for an array the type of its elements.
     #[serde(rename = "type")]
     pub of: String,
-    /// Of an array how many elements, and the bytes from one to the next.
+    /// For an array, the number of elements and their stride.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub array: Option<Repeated>,
+    pub array: Option<ArrayLayout>,
 }
 
-/// An array in a struct.
+/// The layout of an array in a struct.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct Repeated {
-    /// How many elements.
+pub struct ArrayLayout {
+    /// Number of elements.
     pub count: u32,
-    /// The bytes from one to the next.
+    /// Bytes from one element to the next.
     pub stride: u32,
 }
 
-/// What was written for a target.
+/// The files of a target.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Written {
+pub struct TargetFiles {
     /// The target.
     pub target: &'static str,
     /// The profile.
     pub profile: &'static str,
-    /// Its files.
+    /// The files.
     pub files: Vec<ShaderFile>,
 }
 
 /// A file of a shader.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ShaderFile {
-    /// Its name.
+    /// The file's name.
     pub file: String,
-    /// The functions that a pipeline begins with, under their names in this file.
+    /// The entry points of a pipeline, under their names in this file.
     pub entry_points: Vec<EntryPoint>,
-    /// What is bound, under its name in this file.
-    pub bindings: Vec<Renamed>,
-    /// The buffer that Metal shaders take the sizes of other buffers from.
+    /// The bindings, under their names in this file.
+    pub bindings: Vec<FileBinding>,
+    /// The buffer from which Metal shaders read the sizes of other buffers.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sizes: Option<SizesBuffer>,
 }
 
-/// Where a pipeline begins.
+/// An entry point of a pipeline.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct EntryPoint {
     /// `vertex` or `fragment`.
@@ -213,26 +213,26 @@ pub struct EntryPoint {
     pub name: String,
 }
 
-/// A binding as a file has it.
+/// A binding in a file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Renamed {
+pub struct FileBinding {
     /// The variable of the WGSL source.
     pub name: &'static str,
-    /// What it is called here.
+    /// The name in this file.
     #[serde(rename = "as")]
     pub here: String,
-    /// Where it is bound.
+    /// The binding point.
     #[serde(flatten)]
-    pub at: At,
-    /// In GLSL, the sampler whose wrap and filter the texture is to have.
+    pub at: BindingPoint,
+    /// In GLSL, the sampler whose wrap and filter the texture must have.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sampler: Option<&'static str>,
 }
 
-/// Where something is bound.
+/// A binding point, in a target's terms.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(untagged)]
-pub enum At {
+pub enum BindingPoint {
     /// WGSL.
     Group {
         /// The bind group.
@@ -247,7 +247,7 @@ pub enum At {
         /// The number in it.
         binding: u32,
     },
-    /// GLSL: each kind is counted by OpenGL for itself, but no number stands twice.
+    /// GLSL. OpenGL counts each kind by itself, but no number stands twice.
     Binding {
         /// The number.
         binding: u32,
@@ -256,31 +256,31 @@ pub enum At {
     Register {
         /// The register, as in `t3`.
         register: String,
-        /// Its space.
+        /// The register space.
         space: u32,
     },
     /// MSL: a buffer.
     Buffer {
-        /// Its index.
+        /// The buffer's index.
         buffer: u32,
     },
     /// MSL: a texture.
     Texture {
-        /// Its index.
+        /// The texture's index.
         texture: u32,
     },
     /// MSL: a sampler.
     Sampler {
-        /// Its index.
+        /// The sampler's index.
         sampler_state: u32,
     },
 }
 
-/// A buffer of 32-bit numbers: the bytes of other buffers, as far as they are bound.
+/// A buffer of 32-bit numbers: the sizes in bytes of other buffers, as bound.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct SizesBuffer {
-    /// Its index.
+    /// The buffer's index.
     pub buffer: u32,
-    /// Of which buffers, in order.
+    /// The buffers whose sizes it holds, in order.
     pub of: Vec<&'static str>,
 }

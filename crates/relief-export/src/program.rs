@@ -8,13 +8,13 @@ use relief_shaders::bindings::Binding;
 use relief_shaders::surface::{Paths, Proposal, Shown};
 use relief_shaders::wgsl::{Parts, Root};
 
-use crate::{ExportError, Options, Placement, Target, places};
+use crate::{ExportError, Options, Placement, Target, binding_points};
 
 /// A shader, parsed.
 pub struct Program {
-    /// Its parts, with the bindings where they are to be.
+    /// The shader's parts, with the final numbers of the bindings.
     pub parts: Parts,
-    /// Where the relief may be seen.
+    /// The place where the relief may be seen.
     pub proposal: Proposal,
     /// Whether fragments write depth.
     pub depth: bool,
@@ -32,7 +32,7 @@ pub struct Checked {
 }
 
 impl Program {
-    /// The shader that draws what a selection shows.
+    /// Assembles the shader that draws a selection.
     pub fn new(selection: &Selection, options: &Options) -> Result<Self, ExportError> {
         let Paths { proposal, shown, .. } = *selection.paths();
         let (root, depth) = match proposal {
@@ -47,9 +47,9 @@ impl Program {
                 (binding.group, binding.number) = (group, first_binding.saturating_add(place));
             }
         }
-        // What no target has is told as that, not as a shader that is not valid.
+        // A target that lacks a function is named as the fault, not the shader.
         for profile in &options.profiles {
-            places::places(profile.target(), &parts.bindings, options)?;
+            binding_points::points(profile.target(), &parts.bindings, options)?;
         }
         let code = parts.code();
         let parsed = naga::front::wgsl::parse_str(&code);
@@ -73,13 +73,13 @@ impl Checked {
         Ok(Self { module, info })
     }
 
-    /// The name of a stage's function, and its place among all of them.
+    /// Returns the name of a stage's function, and its place among all of them.
     pub fn entry(&self, stage: ShaderStage) -> Option<(&str, usize)> {
         let mut entries = self.module.entry_points.iter().enumerate();
         entries.find(|(_, entry)| entry.stage == stage).map(|(place, entry)| (entry.name.as_str(), place))
     }
 
-    /// The same with one stage alone, and nothing that it does not call.
+    /// Returns the program with one stage alone, and only with what it calls.
     pub fn of_stage(&self, stage: ShaderStage) -> Result<Self, ExportError> {
         let mut module = self.module.clone();
         module.entry_points.retain(|entry| entry.stage == stage);
@@ -87,7 +87,7 @@ impl Checked {
         Self::of(module)
     }
 
-    /// The variable of a binding.
+    /// Returns the variable of a binding.
     pub fn variable(&self, binding: &Binding) -> Option<(Handle<GlobalVariable>, &GlobalVariable)> {
         let is_it = |variable: &GlobalVariable| {
             variable.binding.is_some_and(|at| (at.group, at.binding) == (binding.group, binding.number))
@@ -95,7 +95,7 @@ impl Checked {
         self.module.global_variables.iter().find(|(_, variable)| is_it(variable))
     }
 
-    /// Whether a stage reads what is bound.
+    /// Whether a stage reads a binding.
     pub fn reads(&self, stage: ShaderStage, binding: &Binding) -> bool {
         let place = self.entry(stage).map(|(_, place)| place);
         place
@@ -103,8 +103,8 @@ impl Checked {
             .is_some_and(|(place, (variable, _))| !self.info.get_entry_point(place)[variable].is_empty())
     }
 
-    /// The error of a writer that refused this module, with the function at fault: the one that it refuses
-    /// with all others empty.
+    /// Returns the error of a writer that refused this module, with the function at fault: the
+    /// writer refuses that function with all others empty.
     pub fn refused<T>(
         &self,
         target: Target,

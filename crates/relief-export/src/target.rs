@@ -1,4 +1,4 @@
-//! The shading languages that are written, and their versions.
+//! Shading languages and their versions.
 
 use std::fmt;
 use std::str::FromStr;
@@ -24,7 +24,7 @@ impl Target {
     /// Every target, in the order in which help lists them.
     pub const ALL: [Target; 5] = [Target::Wgsl, Target::Glsl, Target::Hlsl, Target::Msl, Target::Spirv];
 
-    /// Its name on the command line and in manifests.
+    /// Returns the name on the command line and in manifests.
     pub const fn name(self) -> &'static str {
         match self {
             Target::Wgsl => "wgsl",
@@ -35,7 +35,7 @@ impl Target {
         }
     }
 
-    /// Its versions; the first is the one to take where nobody chooses.
+    /// Returns the versions; the first is the default.
     pub const fn profiles(self) -> &'static [Profile] {
         match self {
             Target::Wgsl => &[Profile::Wgsl],
@@ -93,7 +93,7 @@ impl Profile {
         Profile::Spirv13,
     ];
 
-    /// Its name on the command line and in manifests.
+    /// Returns the name on the command line and in manifests.
     pub const fn name(self) -> &'static str {
         match self {
             Profile::Wgsl => "wgsl",
@@ -106,7 +106,7 @@ impl Profile {
         }
     }
 
-    /// What it is called in full.
+    /// Returns the full title.
     pub const fn title(self) -> &'static str {
         match self {
             Profile::Wgsl => "WGSL",
@@ -119,7 +119,7 @@ impl Profile {
         }
     }
 
-    /// The language that it is a version of.
+    /// Returns the language of this version.
     pub const fn target(self) -> Target {
         match self {
             Profile::Wgsl => Target::Wgsl,
@@ -130,12 +130,13 @@ impl Profile {
         }
     }
 
-    /// The profiles of some targets: those of these names, and for targets of which none is named their
-    /// first.
+    /// Returns the profiles of `targets` with the given names, and the first profile of each target
+    /// without a named one.
     ///
     /// # Errors
     ///
-    /// When no profile of these targets has such a name; the error names the nearest, and all of theirs.
+    /// When no profile of these targets has such a name; the error names the nearest, and all of
+    /// theirs.
     pub fn of_names<N: AsRef<str>>(targets: &[Target], names: &[N]) -> Result<Vec<Profile>, UnknownName> {
         let known = || targets.iter().flat_map(|target| target.profiles()).copied();
         let named = names.iter().map(|name| {

@@ -1,4 +1,4 @@
-//! What textures must be, and the bakes that fill them.
+//! Requirements on textures, and the bakes that fill them.
 
 use relief_core::registry::{MapLevels, MapMetric};
 use relief_shaders::bindings::{Binding, BindingKind};
@@ -11,14 +11,14 @@ use crate::manifest::{Bake, TextureNeed};
 /// Formats of heights.
 const HEIGHTS: &[&str] = &["r32float", "r16float", "r16unorm"];
 
-/// Formats of colours and normals. What is filtered may have 16 bits, which every GPU filters.
+/// Formats of colours and normals. Filtered ones may have 16 bits, which every GPU filters.
 const PICTURES: &[&str] = &["rgba32float", "rgba16float"];
 
 /// Formats of masks.
 const MASKS: &[&str] = &["r8unorm"];
 
-/// Formats of baked maps, of as many channels as they have: floats, or codes of 8 bits that the settings say
-/// how to read.
+/// Formats of baked maps, by their number of channels: floats, or codes of 8 bits that the settings
+/// decode.
 const BAKED: &[&str] = &[
     "r32float",
     "rg32float",
@@ -31,13 +31,13 @@ const BAKED: &[&str] = &[
     "rgba8unorm",
 ];
 
-/// Formats of how images look at an object: places in the world.
+/// Formats of the views of an object's images: places in the world.
 const PLACES: &[&str] = &["rgba32float"];
 
-/// Formats of what lights see.
+/// Formats of shadow maps.
 const KEYS: &[&str] = &["r32float"];
 
-/// What the texture of a binding must be; none for bindings of another kind.
+/// Returns the requirements on the texture of a binding; none for other kinds of bindings.
 pub fn need(binding: &Binding, needs: &[MapNeed], options: &Options) -> Option<TextureNeed> {
     let BindingKind::Texture { layers: has_layers, filtered } = binding.kind else { return None };
     let dimension = if has_layers { "2d-array" } else { "2d" };
@@ -49,10 +49,10 @@ pub fn need(binding: &Binding, needs: &[MapNeed], options: &Options) -> Option<T
         ("height_map", _) => (HEIGHTS, text("surface_settings.height_levels", "1")),
         ("color_map", _) => (PICTURES, text("surface_settings.color_levels", "1")),
         ("normal_map", _) => {
-            (PICTURES, text("surface_settings.normal_levels", "1; 2 where there is more than one level"))
+            (PICTURES, text("surface_settings.normal_levels", "1; 2 if there is more than one level"))
         }
         (_, Some(MapSlot::Environment)) => (PICTURES, text("surface_settings.environment_levels", "6")),
-        (_, Some(MapSlot::Lights)) => (KEYS, text("1", "one for each of the lights' views")),
+        (_, Some(MapSlot::Lights)) => (KEYS, text("1", "one for each shadow map")),
         (_, Some(MapSlot::Object)) => (PLACES, text("1", "1")),
         (_, Some(slot)) => {
             let layers = format!("surface_settings.maps[{}].layers", slot as u32);
@@ -68,7 +68,7 @@ fn levels_of(need: &MapNeed) -> String {
     let levels = match need.input.levels {
         MapLevels::One => "1".to_owned(),
         MapLevels::ChainFrom(first) => {
-            format!("those of the bake from level {first} on, each padded to half the size of the one before")
+            format!("the bake's levels from {first} on, each padded to half the size of the one before")
         }
         MapLevels::MeansFrom(_) => "all of the bake".to_owned(),
         MapLevels::EachDetail => {
@@ -77,7 +77,7 @@ fn levels_of(need: &MapNeed) -> String {
     };
     match need.side {
         Some(side) => format!(
-            "{levels}; the finest is of the height map's finest level of at most {side} texels a side, whose \
+            "{levels}; they begin at the height map's finest level of at most {side} texels a side, whose \
              number is surface_settings.maps[{}].first_level",
             need.slot as u32
         ),
@@ -117,7 +117,7 @@ mod tests {
                 "{}",
                 binding.name
             );
-            // Masks alone are of 8 bits.
+            // Only masks have 8 bits.
             let is_mask = need.is_some_and(|need| need.formats == MASKS);
             assert_eq!(is_mask, binding.name == "hole_map", "{}", binding.name);
         }

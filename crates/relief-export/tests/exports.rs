@@ -1,4 +1,4 @@
-//! What exports hold and say, whatever compiles them.
+//! Tests of the content of exports, without their compilers.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -35,8 +35,8 @@ fn names(text: &str) -> impl Iterator<Item = &str> {
     text.split(|letter: char| !letter.is_ascii_alphanumeric() && letter != '_')
 }
 
-/// The functions that a text defines: what stands before the first `(` of a line that begins at the margin,
-/// where a body follows.
+/// The functions that a text defines: the word before the first `(` of a line that begins at the
+/// margin, if a body follows.
 fn defined(text: &str) -> Vec<&str> {
     let lines: Vec<&str> = text.lines().collect();
     let mut found = Vec::new();
@@ -55,7 +55,7 @@ fn defined(text: &str) -> Vec<&str> {
     found
 }
 
-/// Functions that a text defines and nothing calls.
+/// Functions that a text defines but nothing calls.
 fn uncalled<'a>(text: &'a str, entry_points: &BTreeSet<&str>) -> Vec<&'a str> {
     let mut counts = HashMap::new();
     for name in names(text) {
@@ -94,7 +94,7 @@ fn no_export_holds_a_function_that_it_does_not_call() {
             functions
         })
         .collect();
-    // The vertex stage alone has two, and a fragment stage dozens.
+    // The vertex stage has two, and a fragment stage dozens.
     assert!(counted.iter().all(|count| *count > 100), "{counted:?}");
 }
 

@@ -8,13 +8,14 @@ use crate::cpu::runtime::{Convert as _, SquareRoot as _};
 /// A ray over a quadric: along it and across it the changes of the texture coordinates and of the quadric.
 pub struct Across {
     pub duv: rt::Vec2<f32>,
-    /// Metres that it comes down with a metre.
+    /// The ray's descent per metre.
     pub descent: f32,
-    /// The quadric's height at the end of a metre along the ray, of one across it, and what both together add.
+    /// The quadric's height at the end of a metre along the ray, of one across it, and the sum's
+    /// mixed term.
     pub along: f32,
     pub across: f32,
     pub mixed: f32,
-    /// What a metre across the ray rises.
+    /// The rise of a metre across the ray.
     pub sine: f32,
 }
 impl Across {
@@ -49,14 +50,14 @@ impl Around {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// A point of the base, and what is known there.
+/// A point of the base, with its data.
 pub struct BaseSite {
     pub position: rt::Vec3<f32>,
     pub direction: rt::Vec3<f32>,
-    /// Where the map says how far it is displaced, and where it lies itself.
+    /// The place on the map that gives the displacement, and the point's own place on the map.
     pub seen_uv: rt::Vec2<f32>,
     pub uv: rt::Vec2<f32>,
-    /// Texels of the map in a metre, and the depth, of whose product the level of the map follows.
+    /// Texels of the map per metre, and the depth. Their product gives the level of the map.
     pub texels_per_m: f32,
     pub depth: f32,
     pub normal: rt::Vec3<f32>,
@@ -87,11 +88,11 @@ impl BaseSite {
 /// A vertex of the base.
 pub struct BaseVertex {
     pub position: rt::Vec3<f32>,
-    /// The vertex whose place on the map says how far it is displaced: one for each position.
+    /// The vertex whose place on the map gives the displacement: one for each position.
     pub seen: u32,
-    /// Along what it is displaced, of any length: the same for all vertices at a position.
+    /// The direction of displacement, of any length: the same for all vertices at a position.
     pub direction: rt::Vec3<f32>,
-    /// Texels of the map in a metre around it.
+    /// Texels of the map per metre around it.
     pub texels_per_m: f32,
     pub normal: rt::Vec3<f32>,
     pub tangent: rt::Vec3<f32>,
@@ -119,9 +120,9 @@ impl BaseVertex {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// What a stage runs.
+/// The chosen variant of a stage.
 pub struct Choice {
-    /// The place of its variant in the stage's list.
+    /// The variant's place in the stage's list.
     pub number: u32,
     /// The variant's parameters, in the order of its registry entry.
     pub params: rt::Vec4<f32>,
@@ -136,16 +137,18 @@ impl Choice {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// A corner of a base triangle, in the world. Tangent and bitangent carry the world length of one tile.
+/// A corner of a base triangle, in the world. Tangent and bitangent are as long as one tile in the
+/// world.
 pub struct Corner {
     pub position: rt::Vec3<f32>,
     pub normal: rt::Vec3<f32>,
     pub tangent: rt::Vec3<f32>,
     pub bitangent: rt::Vec3<f32>,
     pub uv: rt::Vec2<f32>,
-    /// What the surface stage alone knows of it, zeros elsewhere. Of quadrics the one that the base follows
-    /// around the corner: of q(du, dv) = x du² + y du dv + z dv², in metres a tile squared, positive along
-    /// the normal. Of slices the height that they have there, how far apart they are along an axis, and which:
+    /// Data for the surface stage alone; zeros for surfaces without any. Quadrics: x, y and z are
+    /// the coefficients of q(du, dv) = x du² + y du dv + z dv², which the base follows around the
+    /// corner. It is in metres a tile squared, positive along the normal. Slices: their height at
+    /// the corner, the distance between neighbours along an axis, and that axis, one of
     /// SLICES_ALONG_*.
     pub of_surface: rt::Vec3<f32>,
 }
@@ -163,11 +166,11 @@ impl Corner {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// In how much detail a pixel is seen.
+/// The level of detail of a pixel.
 pub struct Detail {
     /// The level of the maps that are traced.
     pub level: u32,
-    /// As in `Entered`.
+    /// See `Entered`.
     pub footprint: f32,
     pub fade: f32,
 }
@@ -199,11 +202,11 @@ impl DicePlace {
 #[repr(C)]
 /// A point of a triangle.
 pub struct DicePoint {
-    /// Of the triangle's sides the one that it lies on, and how many parts lie before it there, fewer than there
-    /// are; or `INSIDE`, and its number among those inside.
+    /// The triangle's side that the point lies on, and the number of parts before it there, fewer
+    /// than the side has; or `INSIDE`, and its number among the points inside.
     pub side: u32,
     pub at: u32,
-    /// The weights of the triangle's corners; of a point on a side they are not set.
+    /// The weights of the triangle's corners; not set for a point on a side.
     pub weights: rt::Vec3<f32>,
 }
 impl DicePoint {
@@ -219,10 +222,11 @@ impl DicePoint {
 #[repr(C)]
 /// A triangle seen from the corner where its two longer sides meet.
 pub struct DiceRows {
-    /// The side from that corner onward, that of fewest parts, and the one back to it; and their parts.
+    /// The side from that corner onward, the side of fewest parts, and the side back to the corner;
+    /// then the parts of each.
     pub sides: rt::Vec3<u32>,
     pub parts: rt::Vec3<u32>,
-    /// How many rows there are after the corner.
+    /// Number of rows after the corner.
     pub count: u32,
 }
 impl DiceRows {
@@ -236,7 +240,7 @@ impl DiceRows {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// A triangle of the pattern, in the sense of rotation of the whole one.
+/// A triangle of the pattern, with the winding of the whole one.
 pub struct DiceTriangle {
     pub a: DicePlace,
     pub b: DicePlace,
@@ -253,9 +257,10 @@ impl DiceTriangle {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// Where a ray is on a surface: at first on its base; on the displaced surface when a hit has been placed.
+/// A ray's place on a surface: at first on its base; on the displaced surface after a hit has been
+/// placed.
 pub struct Entered {
-    /// How many segments the way through the relief has; 0 when the ray never enters it.
+    /// Number of segments of the way through the relief; 0 if the ray never enters it.
     pub segments: u32,
     /// The point, in the world and in texture space, and the frame there.
     pub point: rt::Vec3<f32>,
@@ -263,23 +268,24 @@ pub struct Entered {
     pub tangent: rt::Vec3<f32>,
     pub bitangent: rt::Vec3<f32>,
     pub normal: rt::Vec3<f32>,
-    /// As in `Path`.
+    /// See `Path`.
     pub metric: rt::Vec4<f32>,
     pub level: u32,
     /// The normal, of any length, of the plane in which footprints of pixels are measured.
     pub facing: rt::Vec3<f32>,
-    /// Where the ray may be in a shell: metres from the place where it comes nearest to the triangle.
+    /// The extent of the ray in a shell: metres from its nearest place to the triangle.
     pub span: rt::Vec2<f32>,
-    /// As in `Corner`, at the point. Of quadrics positive toward the ray's side, and after that the height
-    /// that the point has in the relief.
+    /// `Corner.of_surface` at the point. For quadrics positive toward the ray's side; the fourth
+    /// number is the height of the point in the relief.
     pub of_surface: rt::Vec4<f32>,
-    /// How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
-    /// the finest level.
+    /// Width of the pixel's footprint in texels of the height map's finest level; 0 if everything is
+    /// seen in the finest level.
     pub footprint: f32,
-    /// The part, below 1, by which the traced relief is flatter than it is: its heights are drawn toward their
-    /// mean.
+    /// The part, below 1, by which the traced relief is flattened: its heights are drawn toward
+    /// their mean.
     pub fade: f32,
-    /// Of a placed hit: metres along the view axis, from where the ray begins to the hit on the ray.
+    /// For a placed hit: metres along the view axis, from the origin of the ray to the hit on the
+    /// ray.
     pub depth: f32,
 }
 impl Entered {
@@ -319,7 +325,7 @@ impl FacePlace {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// Where the path ends. `uv` is not derived from t: offset limiting lands beside the ray.
+/// The end of a path. `uv` is not derived from t: offset limiting lands beside the ray.
 pub struct Hit {
     pub found: u32,
     pub exhausted: u32,
@@ -343,13 +349,13 @@ impl Hit {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// What a pixel's ray first meets of a triangle's relief.
+/// The first hit of a pixel's ray with a triangle's relief.
 pub struct FirstHit {
     pub hit: Hit,
-    /// The segment that it lies on.
+    /// The number of its segment.
     pub segment: u32,
-    /// Orders the hits of a pixel's ray: the greater, the nearer. From 0, infinitely far away, to 1 at the
-    /// eye.
+    /// Orders the hits of a pixel's ray: the greater, the nearer. From 0, infinitely far away, to 1
+    /// at the eye.
     pub key: f32,
 }
 impl FirstHit {
@@ -363,38 +369,15 @@ impl FirstHit {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// What a search knows. `status` is one of FOUND_*.
-pub struct Found {
-    pub status: u32,
-    pub near: f32,
-    pub far: f32,
-    pub near_gap: f32,
-    pub far_gap: f32,
-    /// As in `Hit`.
-    pub cost: rt::Vec3<u32>,
-}
-impl Found {
-    pub fn new(
-        status: impl rt::Into<u32>,
-        near: impl rt::Into<f32>,
-        far: impl rt::Into<f32>,
-        near_gap: impl rt::Into<f32>,
-        far_gap: impl rt::Into<f32>,
-        cost: impl rt::Into<rt::Vec3<u32>>,
-    ) -> Self {
-        Self { status: rt::into(status), near: rt::into(near), far: rt::into(far), near_gap: rt::into(near_gap), far_gap: rt::into(far_gap), cost: rt::into(cost) }
-    }
-}
-#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
-#[repr(C)]
 /// A light: infinitely far away, or at a point.
 pub struct Light {
     /// Direction toward the light (w = 0), or its position (w = 1).
     pub place: rt::Vec4<f32>,
-    /// Linear RGB: irradiance of a directional light, intensity of a point light. The fourth part is how large
-    /// its disc is: the tangent of half the angle under which it is seen, or its radius in metres.
+    /// Linear RGB: irradiance of a directional light, intensity of a point light. The fourth part is
+    /// the size of the light's disc: the tangent of half its angular diameter for a directional
+    /// light, its radius in metres for a point light.
     pub color: rt::Vec4<f32>,
-    /// Which of the frame's views of lights are its own, and how many.
+    /// The first of the light's shadow maps among the frame's views, and their number.
     pub first_view: u32,
     pub views: u32,
 }
@@ -410,24 +393,24 @@ impl Light {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// A picture that a light sees: square, of parallel rays, or of rays from a point.
+/// A shadow map's camera: square, with parallel rays, or with rays from a point.
 pub struct LightView {
-    /// Of a point of the world: column and row in texels, and metres along the view axis. Columns and rows of
-    /// rays from a point are to be divided by the latter.
+    /// Rows that give column and row in texels, and metres along the view axis, of a point of the
+    /// world. For rays from a point, divide column and row by the latter.
     pub column: rt::Vec4<f32>,
     pub row: rt::Vec4<f32>,
     pub depth: rt::Vec4<f32>,
-    /// Where the ray through the upper left corner begins; for rays from a point its direction. Its change per
-    /// texel to the right and downward, and where rays from a point begin.
+    /// Origin of the ray through the upper left corner; for rays from a point its direction. Then
+    /// its change per texel to the right and downward, and the origin of rays from a point.
     pub corner: rt::Vec4<f32>,
     pub across: rt::Vec4<f32>,
     pub along: rt::Vec4<f32>,
     pub eye: rt::Vec4<f32>,
-    /// As in `Frame`.
+    /// See `Frame`.
     pub near: f32,
-    /// Metres that a texel is wide; 1 m away for rays from a point.
+    /// Width of a texel in metres; at a distance of 1 m for rays from a point.
     pub texel_m: f32,
-    /// 1 where rays begin in a point.
+    /// 1 if all rays begin in one point.
     pub from_point: u32,
     /// Texels of a side.
     pub size: u32,
@@ -451,12 +434,12 @@ impl LightView {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// What changes from frame to frame.
+/// Data that changes from frame to frame.
 pub struct Frame {
     /// The columns of the matrix from the world to clip space.
     pub view_projection: [rt::Vec4<f32>; 4],
-    /// Where the ray through the picture's top-left corner begins, and its change per pixel to the right and
-    /// downward: none where all rays begin in one eye.
+    /// Origin of the ray through the picture's top-left corner, and its change per pixel to the
+    /// right and downward. The change is zero if all rays begin in one eye.
     pub eye: rt::Vec4<f32>,
     pub eye_right: rt::Vec4<f32>,
     pub eye_down: rt::Vec4<f32>,
@@ -469,17 +452,17 @@ pub struct Frame {
     pub ambient: rt::Vec4<f32>,
     /// The part of a pixel's width that a sample stands for.
     pub sample_width: f32,
-    /// The depth in metres before which hits are ordered less finely than beyond it.
+    /// Depth in metres; nearer hits are ordered less finely than farther ones.
     pub near: f32,
-    /// What a depth buffer holds for a depth d is x + y / d + z d.
+    /// The depth buffer's value for a depth d is x + y / d + z d.
     pub clip: rt::Vec4<f32>,
-    /// Linear RGB of what is beside the surfaces, at the picture's upper and at its lower edge. Where the
-    /// fourth part is above 0 the surroundings are seen there instead, times that part.
+    /// Linear RGB of the background, at the picture's upper and lower edge. If the fourth part is
+    /// above 0, the environment map is seen there instead, times that part.
     pub background: rt::Vec4<f32>,
     pub background_below: rt::Vec4<f32>,
     pub lights: [Light; 8],
     pub light_count: u32,
-    /// What lights see, as far as shadows are looked up there.
+    /// The shadow maps' cameras.
     pub light_views: [LightView; 48],
 }
 impl Frame {
@@ -507,7 +490,8 @@ impl Frame {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// Their numbers, and the weight of each: barycentric coordinates of the direction between them.
+/// The numbers of the frames, and the weight of each: barycentric coordinates of the direction
+/// between them.
 pub struct Frames {
     pub numbers: rt::Vec3<u32>,
     pub weights: rt::Vec3<f32>,
@@ -537,10 +521,11 @@ impl Grid {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// An image: what a point's texture coordinates and its height in it are, each times its depth, and that
-/// depth, by products with (x, y, z, 1), the depth being 1 by parallel rays; where it lies among the others
-/// (its first corner and its extent, in texture coordinates of all); the unit direction against which it
-/// looks; and whether it looks from an eye, where that is, and at which depth it begins to see.
+/// An image: the rows that give a point's texture coordinates, its height and its depth, by products
+/// with (x, y, z, 1). Texture coordinates and height come multiplied by the depth, which is 1 for
+/// parallel rays. Then its place among the images (first corner and extent, in texture coordinates
+/// of all); the unit direction against which it looks; and whether it looks from an eye, that eye,
+/// and the depth at which its view begins.
 pub struct Image {
     pub u: rt::Vec4<f32>,
     pub v: rt::Vec4<f32>,
@@ -571,14 +556,14 @@ impl Image {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// A point of a surface in a light's view, and the square around it in which texels count.
+/// A point of a surface in a light's view, and the square around it whose texels count.
 pub struct InView {
     pub number: u32,
     pub point: rt::Vec3<f32>,
     pub normal: rt::Vec3<f32>,
     pub low: rt::Vec2<f32>,
     pub high: rt::Vec2<f32>,
-    /// How deep planes may be.
+    /// The least and the greatest depth of planes.
     pub least_depth: f32,
     pub most_depth: f32,
 }
@@ -597,11 +582,11 @@ impl InView {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// Two levels of a map between which a footprint lies.
+/// The two levels of a map between which a footprint lies.
 pub struct Levels {
     /// The finer one.
     pub fine: u32,
-    /// The part of the next one in what is seen, below 1.
+    /// The weight of the next level, below 1.
     pub part: f32,
 }
 impl Levels {
@@ -614,29 +599,29 @@ impl Levels {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// A ray segment in texture space: (u, v) is linear in t, the normalised height is h.x + h.y t + h.z t².
-/// t is in metres along the ray, 0 at the entry, but for `bend`; `base` is where the ray crosses the base
-/// surface.
+/// A ray segment in texture space: (u, v) is linear in t, the normalised height is h.x + h.y t + h.z
+/// t². t is in metres along the ray, 0 at the entry (but see `bend`).
 pub struct Path {
     pub uv: rt::Vec2<f32>,
     pub duv: rt::Vec2<f32>,
     pub h: rt::Vec3<f32>,
     pub exit: f32,
-    /// Of an object's image its number, in place of that.
+    /// The parameter t where the ray crosses the base surface. For an object's image: the image's
+    /// number.
     pub base: f32,
     /// T·T, T·B, B·B in square metres per tile, and the displacement scale in metres.
     pub metric: rt::Vec4<f32>,
-    /// What the ray is for: RAY_VIEW or RAY_SHADOW.
+    /// Purpose of the ray: RAY_VIEW or RAY_SHADOW.
     pub ray: u32,
     /// The level of detail of the maps that are read.
     pub level: u32,
     /// Metres along the pixel's ray, from its origin, to the entry.
     pub start: f32,
-    /// The part of the ray's whole way through the relief that this segment is: searches that spread a number
-    /// of steps over the whole take as many of them.
+    /// The part of the ray's whole way through the relief that this segment is. Searches that spread
+    /// a number of steps over the whole way take that part of them.
     pub share: f32,
-    /// Of an image from an eye: metres along the ray are t / (1 - bend t), and not t. In such an image rays
-    /// are straight, and what is farther away is smaller.
+    /// Curvature of the parameter for an image with perspective: metres along the ray are t / (1 -
+    /// bend t). In such an image rays are straight, and farther things look smaller. 0 otherwise.
     pub bend: f32,
 }
 impl Path {
@@ -662,7 +647,7 @@ impl Path {
 pub struct LightRay {
     /// One of LIGHT_RAY_*.
     pub state: u32,
-    /// For an open one, the way that is to be searched.
+    /// The path to search, for an open ray.
     pub path: Path,
 }
 impl LightRay {
@@ -675,7 +660,7 @@ impl LightRay {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// What is known of a baked map.
+/// Settings of a baked map.
 pub struct MapSettings {
     /// 1 where its texels are codes of 8 bits: the value of code c is low + step c.
     pub coded: u32,
@@ -722,7 +707,8 @@ impl Normals {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// A point as an image sees it: the texture coordinates, what is compared with the map, and the map.
+/// A point as an image sees it: the texture coordinates, the value that is compared with the map,
+/// and the map.
 pub struct OnImage {
     pub uv: rt::Vec2<f32>,
     pub height: f32,
@@ -742,13 +728,13 @@ impl OnImage {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// A point of a slice in the image of which the surface is nearest to it.
+/// A point of a slice in the image whose surface is nearest to it.
 pub struct OnSlice {
     /// Whether it is in the solids of all images.
     pub passes: bool,
     pub number: u32,
     pub nearest: OnImage,
-    /// How far that surface is above it.
+    /// Height of that surface above the point.
     pub over: f32,
 }
 impl OnSlice {
@@ -763,15 +749,16 @@ impl OnSlice {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// The space that the relief of a base triangle may take, between its corners moved along their normals.
+/// The space that the relief of a base triangle may fill, between its corners moved along their
+/// normals.
 pub struct Shell {
     /// The least and the greatest height under the triangle.
     pub heights: rt::Vec2<f32>,
-    /// The places of the corners, 0 to 2, in an order that all triangles at an edge agree on: two bits for
-    /// each, the first lowest. Above these SHELL_FOLDED, where the shell overlaps itself.
+    /// The places of the corners, 0 to 2, in an order that all triangles at an edge agree on: two
+    /// bits for each, the first lowest. SHELL_FOLDED is added if the shell overlaps itself.
     pub order: u32,
-    /// Metres by which the smooth base is higher than the triangle: of each edge, opposite to the corners in
-    /// that order, the number that is multiplied by the weights of its ends.
+    /// The height of the smooth base above the triangle, in metres. Each number belongs to the edge
+    /// opposite to a corner, in that order, and is multiplied by the weights of the edge's ends.
     pub lift: rt::Vec3<f32>,
 }
 impl Shell {
@@ -811,13 +798,13 @@ impl PixelIn {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// Everything that is known of a pixel. Zeros where `hit` is 0.
+/// The result for a pixel. Zeros if `hit` is 0.
 pub struct PixelOut {
     /// Linear RGB, and 1.
     pub color: rt::Vec4<f32>,
-    /// 1 where the pixel shows the surface.
+    /// 1 if the pixel shows the surface.
     pub hit: u32,
-    /// 1 where the search ran out of steps: the hit is the last point that it reached.
+    /// 1 if the search ran out of steps: the hit is the last point that it reached.
     pub exhausted: u32,
     /// Texture coordinates and normalised height of the hit, and its parameter on the path.
     pub uv: rt::Vec2<f32>,
@@ -830,19 +817,19 @@ pub struct PixelOut {
     pub t: f32,
     /// Column and row of the first texel of the dual cell that the hit lies in.
     pub cell: rt::Vec2<i32>,
-    /// How often the search and the refinement read: a cell, a place between texels, a texel or a node each
-    /// time.
+    /// Reads of the search and the refinement: of a cell, a place between texels, a texel or a node
+    /// each.
     pub reads: u32,
-    /// Turns of the loops of the search and the refinement.
+    /// Steps of the search and the refinement.
     pub steps: u32,
-    /// What the reads fetched, caches aside.
+    /// Bytes that the reads fetched, caches aside.
     pub bytes: u32,
     /// The part of the first light that arrives, from 0 to 1, whichever way the surface faces; 0 without
     /// lights.
     pub lit: f32,
     /// The level of detail that was traced.
     pub level: u32,
-    /// What a depth buffer of the frame's clip space holds for the hit, from 0 to 1.
+    /// The hit's value in a depth buffer of the frame's clip space, from 0 to 1.
     pub z: f32,
     /// The surface's number in the scene.
     pub surface: u32,
@@ -872,8 +859,8 @@ impl PixelOut {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// A shell, seen from the place of the ray that is nearest to the triangle: corners, their normals, and the
-/// numbers of the smooth base.
+/// A shell, seen from the place of the ray that is nearest to the triangle: corners, their normals,
+/// and the coefficients of the smooth base.
 pub struct Prism {
     pub p0_: rt::Vec3<f32>,
     pub p1_: rt::Vec3<f32>,
@@ -898,7 +885,32 @@ impl Prism {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// Means of the normals that are seen, in tangent space, and of the products of their parts.
+/// The result of a search. `status` is one of FOUND_*. `near` and `far` are parameters of the path,
+/// and the gaps are its heights above the surface there.
+pub struct SearchResult {
+    pub status: u32,
+    pub near: f32,
+    pub far: f32,
+    pub near_gap: f32,
+    pub far_gap: f32,
+    /// Reads, steps and bytes of the search.
+    pub cost: rt::Vec3<u32>,
+}
+impl SearchResult {
+    pub fn new(
+        status: impl rt::Into<u32>,
+        near: impl rt::Into<f32>,
+        far: impl rt::Into<f32>,
+        near_gap: impl rt::Into<f32>,
+        far_gap: impl rt::Into<f32>,
+        cost: impl rt::Into<rt::Vec3<u32>>,
+    ) -> Self {
+        Self { status: rt::into(status), near: rt::into(near), far: rt::into(far), near_gap: rt::into(near_gap), far_gap: rt::into(far_gap), cost: rt::into(cost) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// Means of the visible normals, in tangent space, and of the products of their parts.
 pub struct SeenTable {
     pub mean: rt::Vec3<f32>,
     /// x², y², z²
@@ -919,14 +931,14 @@ impl SeenTable {
 #[repr(C)]
 /// The normals within a footprint as an eye sees them.
 pub struct SeenNormals {
-    /// The direction of their mean, in the world.
+    /// The direction of the mean normal, in the world.
     pub normal: rt::Vec3<f32>,
-    /// The length of their mean: 1 where all are the same.
+    /// The length of the mean normal: 1 where all are the same.
     pub length: f32,
-    /// 1 where they differ. What follows is known only then, in tangent space.
+    /// 1 where the normals differ. The members below are known only then, in tangent space.
     pub differ: u32,
-    /// The one in the middle and its slope, and how normals and slopes change in a deviation along two axes:
-    /// the others are APART of them beside it, two on each axis.
+    /// The normal in the middle and its slope, and the change of normals and slopes in a deviation
+    /// along two axes. The others are APART of these changes beside it, two on each axis.
     pub middle: rt::Vec3<f32>,
     pub along: rt::Vec3<f32>,
     pub across: rt::Vec3<f32>,
@@ -935,10 +947,10 @@ pub struct SeenNormals {
     pub slope_across: rt::Vec2<f32>,
     /// The squared cosine between the base's normal and the view.
     pub upright: f32,
-    /// What is seen of a slope for each of them, beside what is seen of all.
+    /// The visible part of a slope for each of the five, relative to all of them.
     pub middle_seen: f32,
     pub others_seen: rt::Vec4<f32>,
-    /// The part in which the table of directions is told in place of them, and what it holds.
+    /// The weight of the table of directions in place of the five normals, and the table's values.
     pub table_part: f32,
     pub table: SeenTable,
 }
@@ -996,7 +1008,7 @@ impl ShellPoint {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// What belongs to a surface: its maps, displacement, material and method.
+/// Settings of a surface: its maps, displacement, material and method.
 pub struct SurfaceSettings {
     /// For each stage, in the order in which a pixel goes through them.
     pub choices: [Choice; 11],
@@ -1004,62 +1016,66 @@ pub struct SurfaceSettings {
     pub maps: [MapSettings; 8],
     pub diffuse: rt::Vec4<f32>,
     pub specular: rt::Vec4<f32>,
-    /// What makes the colour map's coordinates of texture coordinates (u, v): x u + y v + z each.
+    /// Rows that turn texture coordinates (u, v) into the colour map's coordinates: x u + y v + z
+    /// each.
     pub color_u: rt::Vec4<f32>,
     pub color_v: rt::Vec4<f32>,
     /// Columns and rows of the height map, the colour map and the normal map.
     pub height_size: rt::Vec2<u32>,
     pub color_size: rt::Vec2<u32>,
     pub normal_size: rt::Vec2<u32>,
-    /// Levels of detail of each, at least 1. Normals that are derived from heights are in the map from level 1
-    /// on, which is the map's finest.
+    /// Levels of detail of each, at least 1. Normals derived from heights begin at level 1 of the
+    /// height map, which is the finest level of the normal map.
     pub height_levels: u32,
     pub color_levels: u32,
     pub normal_levels: u32,
-    /// Texels of the colour map and of the normal map beside one of the height map.
+    /// Texels of the colour map and of the normal map per texel of the height map.
     pub color_texels: f32,
     pub normal_texels: f32,
     /// Metres of a tile along u and v for which normals were derived.
     pub normal_tile_m: rt::Vec2<f32>,
-    /// How the height map and the normal map go on beyond their sides, and the colour map along both of its
-    /// axes.
+    /// Wrap of the height map and the normal map, then of the colour map along both of its axes.
     pub wrap: u32,
     pub color_wrap_u: u32,
     pub color_wrap_v: u32,
     pub shininess: u32,
     pub has_color: u32,
     pub has_normal: u32,
-    /// 1 where hits in holes of the height map are none, 2 where those are none at which the colour map's
-    /// opacity is below the cut-off, 3 for both.
+    /// 1 if hits in holes of the height map are misses; 2 if hits where the colour map's opacity is
+    /// below the cut-off are; 3 for both.
     pub has_holes: u32,
-    /// 1 where normals that are derived from heights are not taken across creases.
+    /// 1 if normals that are derived from heights are not taken across creases.
     pub has_creases: u32,
-    /// 1 where normals are those of the triangles' vertices.
+    /// 1 if the vertices of the triangles give the normals.
     pub has_vertex_normals: u32,
-    /// 0 where the relief casts no shadows.
+    /// 0 if the relief casts no shadows.
     pub has_shadows: u32,
     pub scale_m: f32,
     pub bias_m: f32,
-    /// Metres along the normals at which the heights 0 and 1 lie in shells, which have a thickness always.
+    /// Metres along the normals at which heights 0 and 1 lie in shells. Shells always have a
+    /// thickness.
     pub shell_m: rt::Vec2<f32>,
-    /// The mean of the height map, where pixels are seen in levels of detail.
+    /// The mean of the height map, if pixels have levels of detail.
     pub mean_height: f32,
     /// The part of the light that is refracted where it enters the surface, not scattered, and the index of
     /// refraction.
     pub transmission: f32,
     pub ior: f32,
-    /// Its number among the surfaces that are drawn: a surface of several materials is drawn as one for each.
+    /// Number among the surfaces that are drawn: a surface of several materials is drawn as one for
+    /// each.
     pub number: u32,
-    /// Texels of a face's side in the finest level of the surroundings, and their levels, at least 1 each.
+    /// Texels of a face's side in the finest level of the environment map, and its levels; at least
+    /// 1 each.
     pub environment_side: u32,
     pub environment_levels: u32,
-    /// Images of an object, and how many of these, the first ones, say what is solid; 0 of a relief.
+    /// Images of an object, and the number of the first ones among them that define the solid; 0 for
+    /// a relief.
     pub images: u32,
     pub solids: u32,
     /// One of CELLS_*, and the difference of heights beyond which a cell of an image jumps.
     pub cells: u32,
     pub jump: f32,
-    /// The least opacity of the colour map that is seen.
+    /// Opacities of the colour map below this are holes.
     pub cutoff: f32,
 }
 impl SurfaceSettings {
@@ -1109,8 +1125,8 @@ impl SurfaceSettings {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// A triangle as it is swept. Coordinates are those along the sweep and along the side, counted from the first
-/// end of the primary edge, and such that the third corner lies above it.
+/// A triangle as it is swept. Coordinates run along the sweep and across it. They count from the
+/// first end of the primary edge, and the third corner lies above it.
 pub struct Sweep {
     /// The ends of the primary edge and the third corner, as numbers of the triangle's corners.
     pub corners: rt::Vec3<u32>,
@@ -1137,14 +1153,15 @@ impl Sweep {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// A column of points: that of the primary edge, those inside from below, those of the top along the sweep.
+/// A column of points: the point of the primary edge, the points inside from below, the points of
+/// the top along the sweep.
 pub struct SweptColumn {
     pub column: i32,
-    /// The lowest point inside, how many there are, and the number of the first.
+    /// The lowest point inside, their number, and the number of the first.
     pub inside: i32,
     pub inner: i32,
     pub first: u32,
-    /// The first point of the top, how many there are, and what they are zipped with.
+    /// The first point of the top, their number, and their partner.
     pub from_top: i32,
     pub of_top: i32,
     pub top: u32,
@@ -1167,7 +1184,7 @@ impl SweptColumn {
 /// Some of a column's points, from below.
 pub struct SweptChain {
     pub column: SweptColumn,
-    /// What they are zipped with.
+    /// The partner of these points.
     pub way: u32,
     pub count: i32,
 }
@@ -1184,15 +1201,15 @@ impl SweptChain {
 #[repr(C)]
 /// A point of a triangle.
 pub struct SweptPoint {
-    /// Of the triangle's sides the one that it lies on, and how many parts lie before it there, fewer than
-    /// there are; or `INSIDE`, and its number among those inside.
+    /// The triangle's side that the point lies on, and the number of parts before it there, fewer
+    /// than the side has; or `INSIDE`, and its number among the points inside.
     pub side: u32,
     pub at: u32,
-    /// It lies at (x / w, y / w).
+    /// The point is (x / w, y / w).
     pub x: i32,
     pub y: i32,
     pub w: i32,
-    /// The sides that it lies on.
+    /// The sides that the point lies on.
     pub sides: u32,
 }
 impl SweptPoint {
@@ -1209,14 +1226,14 @@ impl SweptPoint {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// What is the same for all of a tessellated base: the view, and how much there is.
+/// Settings of a tessellated base: the view, and the sizes of the base.
 pub struct Tessellation {
     /// The eye, and unit vectors of the camera.
     pub eye: rt::Vec4<f32>,
     pub right: rt::Vec4<f32>,
     pub up: rt::Vec4<f32>,
     pub forward: rt::Vec4<f32>,
-    /// What lies before one of these planes is not made: a position p where dot(plane, (p, 1)) > 0.
+    /// Planes that cull: nothing is made at a position p where dot(plane, (p, 1)) > 0.
     pub planes: [rt::Vec4<f32>; 5],
     /// The middle of the picture, in voxels.
     pub middle: rt::Vec2<f32>,
@@ -1224,7 +1241,7 @@ pub struct Tessellation {
     pub per_m: f32,
     /// Voxels along the view axis from a depth to twice that.
     pub per_doubling: f32,
-    /// The depth before which everything is divided as if it were there.
+    /// The least depth; nearer sides are divided as if they were there.
     pub near_m: f32,
     /// 1 where rays are parallel.
     pub is_parallel: u32,
@@ -1239,7 +1256,7 @@ pub struct Tessellation {
     pub most_triangles: u32,
     /// Parts for a unit of u and of v; 0 where sides are divided by voxels.
     pub parts_of_uv: rt::Vec2<f32>,
-    /// 1 where voxels say what is inside, too.
+    /// 1 if voxels fill the inside, too.
     pub is_swept: u32,
 }
 impl Tessellation {
@@ -1268,12 +1285,12 @@ impl Tessellation {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// A tetrahedron along a ray, in metres from the ray's middle: where the ray is inside, and the weights of the
-/// triangle's corners, in their order, with that of the upper side.
+/// A tetrahedron along a ray, in metres from the ray's middle: the extent of the ray inside, and the
+/// weights of the triangle's corners, in their order, with the weight of the upper side.
 pub struct Tetrahedron {
     pub inside: rt::Vec2<f32>,
     pub weights: rt::Vec4<f32>,
-    /// Their change with a metre.
+    /// The change of the weights per metre.
     pub change: rt::Vec4<f32>,
 }
 impl Tetrahedron {
@@ -1289,15 +1306,15 @@ impl Tetrahedron {
 #[repr(C)]
 /// A light as a point of the surface sees it.
 pub struct Toward {
-    /// Unit direction toward it.
+    /// Unit direction toward the light.
     pub direction: rt::Vec3<f32>,
-    /// The factor on its colour at that distance.
+    /// The factor on the light's colour at that distance.
     pub falloff: f32,
-    /// Metres to it; more than any other number for one that is infinitely far away.
+    /// Metres to the light; more than any other number for a light that is infinitely far away.
     pub distance: f32,
-    /// Radius of its disc over its distance: the tangent of half the angle under which it is seen.
+    /// Radius of the light's disc over its distance: the tangent of half its angular diameter.
     pub radius: f32,
-    /// Its number among the lights of the frame.
+    /// The light's number in the frame.
     pub number: u32,
 }
 impl Toward {
@@ -1315,10 +1332,10 @@ impl Toward {
 #[repr(C)]
 /// A vertex in grid space.
 pub struct Voxel {
-    /// The voxel that it lies in: right, down and away from the eye.
+    /// The voxel of the vertex: right, down and away from the eye.
     pub at: rt::Vec3<i32>,
-    /// What it counts where points are divided in the picture: the inverse of its depth in perspective; 1
-    /// where they are divided on the base.
+    /// The weight where points are divided in the picture: the inverse of its depth in perspective;
+    /// 1 where they are divided on the base.
     pub share: f32,
 }
 impl Voxel {
@@ -1351,7 +1368,7 @@ impl Way {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// A chord of the way, by the offsets of its ends, and how many there are in all.
+/// A chord of the way: the offsets of its ends, and the number of chords in all.
 pub struct WayChord {
     pub offsets: rt::Vec2<f32>,
     pub count: u32,
@@ -1369,7 +1386,7 @@ impl WayChord {
 /// A point of the way.
 pub struct WayPoint {
     pub point: ShellPoint,
-    /// Metres along the ray from the place that is nearest to the triangle, and by how many it is beside.
+    /// Metres along the ray from its nearest place to the triangle, and metres beside the ray.
     pub t: f32,
     pub beside: f32,
     /// Positive where the shell is not turned inside out.
@@ -1387,7 +1404,7 @@ impl WayPoint {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// Two chains that are zipped, the first one to the left: where it stands, and what comes next on each.
+/// Two chains that are zipped, the first one to the left: its place, and the next points on each.
 pub struct Zip {
     pub left: SweptChain,
     pub right: SweptChain,
@@ -3417,7 +3434,7 @@ impl<'g> Resources<'g> {
         near: impl rt::Into<rt::Scalar<f32>>,
         far: impl rt::Into<rt::Scalar<f32>>,
         cost: impl rt::Into<rt::Vec3<u32>>,
-    ) -> Found {
+    ) -> SearchResult {
         rt::into(self.v_bracket_between(path_5, rt::into(near), rt::into(far), rt::into(cost)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -3428,7 +3445,7 @@ impl<'g> Resources<'g> {
         near: rt::Scalar<f32>,
         far: rt::Scalar<f32>,
         cost: rt::Vec3<u32>,
-    ) -> Found {
+    ) -> SearchResult {
         let mut local_8: rt::Scalar<bool>;
 
         let _e4 = self.v_path_gap(path_5, near);
@@ -3439,10 +3456,10 @@ impl<'g> Resources<'g> {
         }
         let _e12 = local_8;
         if rt::Scalar::into_branch_condition(_e12) {
-            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e4, _e4, (cost + HEIGHTS_READ));
+            return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e4, _e4, (cost + HEIGHTS_READ));
         }
         let _e20 = self.v_path_gap(path_5, far);
-        return <Found>::new(FOUND_BRACKET, near, far, _e4, _e20, ((cost + HEIGHTS_READ) + HEIGHTS_READ));
+        return <SearchResult>::new(FOUND_BRACKET, near, far, _e4, _e20, ((cost + HEIGHTS_READ) + HEIGHTS_READ));
     }
     pub(crate) fn cell_after(
         &self,
@@ -7590,7 +7607,7 @@ impl<'g> Resources<'g> {
         above_gap: impl rt::Into<rt::Scalar<f32>>,
         below_gap: impl rt::Into<rt::Scalar<f32>>,
         so_far: impl rt::Into<rt::Vec3<u32>>,
-    ) -> Found {
+    ) -> SearchResult {
         rt::into(self.v_entered_once(path_18, grid_7, rt::into(above_1), rt::into(below_1), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -7603,7 +7620,7 @@ impl<'g> Resources<'g> {
         above_gap: rt::Scalar<f32>,
         below_gap: rt::Scalar<f32>,
         so_far: rt::Vec3<u32>,
-    ) -> Found {
+    ) -> SearchResult {
         let mut near_1: rt::Scalar<f32>;
         let mut far_1: rt::Scalar<f32>;
         let mut near_gap: rt::Scalar<f32>;
@@ -7660,7 +7677,7 @@ impl<'g> Resources<'g> {
         let _e51 = near_gap;
         let _e52 = far_gap;
         let _e53 = cost_1;
-        return <Found>::new(FOUND_BRACKET, _e49, _e50, _e51, _e52, _e53);
+        return <SearchResult>::new(FOUND_BRACKET, _e49, _e50, _e51, _e52, _e53);
     }
     pub(crate) fn facing_four(
         &self,
@@ -9783,11 +9800,11 @@ impl<'g> Resources<'g> {
         let _e20 = self.v_path_height(path_40, inside_7);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_7, cost_3);
     }
-    pub(crate) fn starting_point(&self, path_41: Path, found_1: Found) -> f32 {
+    pub(crate) fn starting_point(&self, path_41: Path, found_1: SearchResult) -> f32 {
         rt::into(self.v_starting_point(path_41, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_41: Path, found_1: Found) -> rt::Scalar<f32> {
+    fn v_starting_point(&self, path_41: Path, found_1: SearchResult) -> rt::Scalar<f32> {
         let mut local_60: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
@@ -9807,7 +9824,7 @@ impl<'g> Resources<'g> {
     pub(crate) fn refine_none(
         &self,
         path_42: Path,
-        found_2: Found,
+        found_2: SearchResult,
         params_57: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
         rt::into(self.v_refine_none(path_42, found_2, rt::into(params_57)))
@@ -9817,7 +9834,7 @@ impl<'g> Resources<'g> {
     fn v_refine_none(
         &self,
         path_42: Path,
-        found_2: Found,
+        found_2: SearchResult,
         params_57: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
@@ -9832,7 +9849,7 @@ impl<'g> Resources<'g> {
     pub(crate) fn refine_offset(
         &self,
         path_43: Path,
-        found_3: Found,
+        found_3: SearchResult,
         params_58: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
         rt::into(self.v_refine_offset(path_43, found_3, rt::into(params_58)))
@@ -9841,7 +9858,7 @@ impl<'g> Resources<'g> {
     fn v_refine_offset(
         &self,
         path_43: Path,
-        found_3: Found,
+        found_3: SearchResult,
         params_58: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_18: rt::Scalar<f32>;
@@ -9866,7 +9883,7 @@ impl<'g> Resources<'g> {
     pub(crate) fn refine_offset_limited(
         &self,
         path_44: Path,
-        found_4: Found,
+        found_4: SearchResult,
         params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
         rt::into(self.v_refine_offset_limited(path_44, found_4, rt::into(params_59)))
@@ -9875,7 +9892,7 @@ impl<'g> Resources<'g> {
     fn v_refine_offset_limited(
         &self,
         path_44: Path,
-        found_4: Found,
+        found_4: SearchResult,
         params_59: rt::Vec4<f32>,
     ) -> Hit {
         let mut hit_22: Hit;
@@ -9921,7 +9938,7 @@ impl<'g> Resources<'g> {
     pub(crate) fn refine_slope(
         &self,
         path_46: Path,
-        found_5: Found,
+        found_5: SearchResult,
         params_60: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
         rt::into(self.v_refine_slope(path_46, found_5, rt::into(params_60)))
@@ -9930,7 +9947,7 @@ impl<'g> Resources<'g> {
     fn v_refine_slope(
         &self,
         path_46: Path,
-        found_5: Found,
+        found_5: SearchResult,
         params_60: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_19: rt::Scalar<f32>;
@@ -9962,7 +9979,7 @@ impl<'g> Resources<'g> {
     pub(crate) fn refine_slope_iterative(
         &self,
         path_47: Path,
-        found_6: Found,
+        found_6: SearchResult,
         params_61: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
         rt::into(self.v_refine_slope_iterative(path_47, found_6, rt::into(params_61)))
@@ -9971,7 +9988,7 @@ impl<'g> Resources<'g> {
     fn v_refine_slope_iterative(
         &self,
         path_47: Path,
-        found_6: Found,
+        found_6: SearchResult,
         params_61: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_20: rt::Scalar<f32>;
@@ -10028,11 +10045,11 @@ impl<'g> Resources<'g> {
         let _e76 = self.v_hit_on_path(path_47, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
         return _e76;
     }
-    pub(crate) fn has_interval(&self, found_7: Found) -> bool {
+    pub(crate) fn has_interval(&self, found_7: SearchResult) -> bool {
         rt::into(self.v_has_interval(found_7))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_has_interval(&self, found_7: Found) -> rt::Scalar<bool> {
+    fn v_has_interval(&self, found_7: SearchResult) -> rt::Scalar<bool> {
         let mut local_61: rt::Scalar<bool>;
         let mut local_62: rt::Scalar<bool>;
         let mut local_63: rt::Scalar<bool>;
@@ -10060,7 +10077,7 @@ impl<'g> Resources<'g> {
     pub(crate) fn refine_binary(
         &self,
         path_48: Path,
-        found_8: Found,
+        found_8: SearchResult,
         params_62: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
         rt::into(self.v_refine_binary(path_48, found_8, rt::into(params_62)))
@@ -10069,7 +10086,7 @@ impl<'g> Resources<'g> {
     fn v_refine_binary(
         &self,
         path_48: Path,
-        found_8: Found,
+        found_8: SearchResult,
         params_62: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
@@ -10138,7 +10155,7 @@ impl<'g> Resources<'g> {
     pub(crate) fn refine_secant(
         &self,
         path_49: Path,
-        found_9: Found,
+        found_9: SearchResult,
         params_63: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
         rt::into(self.v_refine_secant(path_49, found_9, rt::into(params_63)))
@@ -10147,7 +10164,7 @@ impl<'g> Resources<'g> {
     fn v_refine_secant(
         &self,
         path_49: Path,
-        found_9: Found,
+        found_9: SearchResult,
         params_63: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
@@ -10236,7 +10253,7 @@ impl<'g> Resources<'g> {
     pub(crate) fn refine_true_secant(
         &self,
         path_50: Path,
-        found_10: Found,
+        found_10: SearchResult,
         params_64: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
         rt::into(self.v_refine_true_secant(path_50, found_10, rt::into(params_64)))
@@ -10245,7 +10262,7 @@ impl<'g> Resources<'g> {
     fn v_refine_true_secant(
         &self,
         path_50: Path,
-        found_10: Found,
+        found_10: SearchResult,
         params_64: rt::Vec4<f32>,
     ) -> Hit {
         let mut before_1: rt::Scalar<f32>;
@@ -10327,7 +10344,7 @@ impl<'g> Resources<'g> {
     pub(crate) fn refine_patch(
         &self,
         path_51: Path,
-        found_11: Found,
+        found_11: SearchResult,
         params_65: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
         rt::into(self.v_refine_patch(path_51, found_11, rt::into(params_65)))
@@ -10336,7 +10353,7 @@ impl<'g> Resources<'g> {
     fn v_refine_patch(
         &self,
         path_51: Path,
-        found_11: Found,
+        found_11: SearchResult,
         params_65: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_22: rt::Scalar<f32>;
@@ -10429,7 +10446,7 @@ impl<'g> Resources<'g> {
     pub(crate) fn refine_half_texel(
         &self,
         path_52: Path,
-        found_12: Found,
+        found_12: SearchResult,
         params_66: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
         rt::into(self.v_refine_half_texel(path_52, found_12, rt::into(params_66)))
@@ -10438,7 +10455,7 @@ impl<'g> Resources<'g> {
     fn v_refine_half_texel(
         &self,
         path_52: Path,
-        found_12: Found,
+        found_12: SearchResult,
         params_66: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_6: rt::Scalar<f32> = rt::Scalar(0.5f32);
@@ -10468,11 +10485,11 @@ impl<'g> Resources<'g> {
         let _e49 = self.v_hit_on_path(path_52, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_24);
         return _e49;
     }
-    pub(crate) fn refine_stage(&self, path_53: Path, found_13: Found) -> Hit {
+    pub(crate) fn refine_stage(&self, path_53: Path, found_13: SearchResult) -> Hit {
         rt::into(self.v_refine_stage(path_53, found_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_53: Path, found_13: Found) -> Hit {
+    fn v_refine_stage(&self, path_53: Path, found_13: SearchResult) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
@@ -10531,7 +10548,7 @@ impl<'g> Resources<'g> {
         &self,
         path_54: Path,
         params_67: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
+    ) -> SearchResult {
         rt::into(self.v_search_none(path_54, rt::into(params_67)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -10540,14 +10557,14 @@ impl<'g> Resources<'g> {
         &self,
         path_54: Path,
         params_67: rt::Vec4<f32>,
-    ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_54.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
+    ) -> SearchResult {
+        return <SearchResult>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_54.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
         path_55: Path,
         params_68: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
+    ) -> SearchResult {
         rt::into(self.v_search_linear(path_55, rt::into(params_68)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -10555,7 +10572,7 @@ impl<'g> Resources<'g> {
         &self,
         path_55: Path,
         params_68: rt::Vec4<f32>,
-    ) -> Found {
+    ) -> SearchResult {
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32>;
         let mut cost_9: rt::Vec3<u32> = HEIGHTS_READ;
@@ -10570,7 +10587,7 @@ impl<'g> Resources<'g> {
             let _e32 = near_gap_2;
             let _e33 = near_gap_2;
             let _e34 = cost_9;
-            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e32, _e33, _e34);
+            return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e32, _e33, _e34);
         }
         'naga_break: loop {
             'naga_continue: {
@@ -10591,7 +10608,7 @@ impl<'g> Resources<'g> {
                         let _e56 = near_4;
                         let _e57 = near_gap_2;
                         let _e58 = cost_9;
-                        return <Found>::new(FOUND_BRACKET, _e56, t_39, _e57, _e49, _e58);
+                        return <SearchResult>::new(FOUND_BRACKET, _e56, t_39, _e57, _e49, _e58);
                     }
                     near_4 = t_39;
                     near_gap_2 = _e49;
@@ -10605,7 +10622,7 @@ impl<'g> Resources<'g> {
         let _e66 = near_gap_2;
         let _e67 = near_gap_2;
         let _e68 = cost_9;
-        return <Found>::new(FOUND_MISS, _e64, _e65, _e66, _e67, _e68);
+        return <SearchResult>::new(FOUND_MISS, _e64, _e65, _e66, _e67, _e68);
     }
     pub(crate) fn found_in_cell(
         &self,
@@ -10614,7 +10631,7 @@ impl<'g> Resources<'g> {
         span_4: impl rt::Into<rt::Scalar<f32>>,
         first_2: impl rt::Into<rt::Scalar<bool>>,
         cost_10: impl rt::Into<rt::Vec3<u32>>,
-    ) -> Found {
+    ) -> SearchResult {
         rt::into(self.v_found_in_cell(rt::into(c_10), rt::into(t_23), rt::into(span_4), rt::into(first_2), rt::into(cost_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -10625,7 +10642,7 @@ impl<'g> Resources<'g> {
         span_4: rt::Scalar<f32>,
         first_2: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
-    ) -> Found {
+    ) -> SearchResult {
         let mut local_66: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_10.x().elementwise_le(rt::Scalar(0f32))) {
@@ -10636,19 +10653,19 @@ impl<'g> Resources<'g> {
             }
             let _e14 = local_66;
             if rt::Scalar::into_branch_condition(_e14) {
-                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_10.x(), c_10.x(), cost_10);
+                return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_10.x(), c_10.x(), cost_10);
             }
-            return <Found>::new(FOUND_BRACKET, t_23, t_23, c_10.x(), c_10.x(), cost_10);
+            return <SearchResult>::new(FOUND_BRACKET, t_23, t_23, c_10.x(), c_10.x(), cost_10);
         }
         let _e25 = self.v_least_at(c_10, span_4);
         let _e29 = self.v_quadratic(c_10, _e25);
-        return <Found>::new(FOUND_BRACKET, t_23, (t_23 + _e25), c_10.x(), _e29, cost_10);
+        return <SearchResult>::new(FOUND_BRACKET, t_23, (t_23 + _e25), c_10.x(), _e29, cost_10);
     }
     pub(crate) fn search_cells(
         &self,
         path_56: Path,
         params_69: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
+    ) -> SearchResult {
         rt::into(self.v_search_cells(path_56, rt::into(params_69)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -10656,7 +10673,7 @@ impl<'g> Resources<'g> {
         &self,
         path_56: Path,
         params_69: rt::Vec4<f32>,
-    ) -> Found {
+    ) -> SearchResult {
         let mut cell_17: rt::Vec2<f32>;
         let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_11: rt::Vec3<u32> = NO_COST;
@@ -10697,7 +10714,7 @@ impl<'g> Resources<'g> {
                         let _e46 = t_24;
                         let _e49 = self.v_quadratic(_e20, span_8);
                         let _e50 = cost_11;
-                        return <Found>::new(FOUND_MISS, _e46, rt::Scalar(path_56.exit), _e20.x(), _e49, _e50);
+                        return <SearchResult>::new(FOUND_MISS, _e46, rt::Scalar(path_56.exit), _e20.x(), _e49, _e50);
                     }
                     let _e52 = cell_17;
                     let _e53 = self.v_cell_next(_e2, _e52, _e25);
@@ -10709,7 +10726,7 @@ impl<'g> Resources<'g> {
         }
         let _e57 = t_24;
         let _e59 = cost_11;
-        return <Found>::new(FOUND_EXHAUSTED, _e57, rt::Scalar(path_56.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e59);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e57, rt::Scalar(path_56.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e59);
     }
     pub(crate) fn image_of(
         &self,
@@ -10846,7 +10863,7 @@ impl<'g> Resources<'g> {
         &self,
         path_59: Path,
         params_70: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
+    ) -> SearchResult {
         rt::into(self.v_search_frustum(path_59, rt::into(params_70)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -10854,7 +10871,7 @@ impl<'g> Resources<'g> {
         &self,
         path_59: Path,
         params_70: rt::Vec4<f32>,
-    ) -> Found {
+    ) -> SearchResult {
         let mut cell_20: rt::Vec2<f32>;
         let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
@@ -10958,7 +10975,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e162.elementwise_ge(rt::Scalar(path_59.exit))) {
                         let _e166 = t_25;
                         let _e168 = cost_12;
-                        return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                        return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                     }
                     let _e172 = slope_3;
                     if rt::Scalar::into_branch_condition(_e172.elementwise_ge(rt::Scalar(0f32))) {
@@ -10978,7 +10995,7 @@ impl<'g> Resources<'g> {
         }
         let _e182 = t_25;
         let _e184 = cost_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e182, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e184);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e182, rt::Scalar(path_59.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e184);
     }
     pub(crate) fn nearest_corner(&self, at_77: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_nearest_corner(rt::into(at_77)))
@@ -11071,7 +11088,7 @@ impl<'g> Resources<'g> {
         &self,
         path_61: Path,
         params_71: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
+    ) -> SearchResult {
         rt::into(self.v_search_cone(path_61, rt::into(params_71)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -11079,7 +11096,7 @@ impl<'g> Resources<'g> {
         &self,
         path_61: Path,
         params_71: rt::Vec4<f32>,
-    ) -> Found {
+    ) -> SearchResult {
         let mut cell_21: rt::Vec2<f32>;
         let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
@@ -11154,7 +11171,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e83.elementwise_ge(rt::Scalar(path_61.exit))) {
                         let _e87 = t_27;
                         let _e89 = cost_13;
-                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                        return <SearchResult>::new(FOUND_MISS, _e87, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
                     let _e93 = cell_21;
                     let _e94 = next_2;
@@ -11167,7 +11184,7 @@ impl<'g> Resources<'g> {
         }
         let _e98 = t_27;
         let _e100 = cost_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e98, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e100);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e98, rt::Scalar(path_61.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e100);
     }
     pub(crate) fn node_extent(
         &self,
@@ -11238,7 +11255,7 @@ impl<'g> Resources<'g> {
         &self,
         path_62: Path,
         params_72: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
+    ) -> SearchResult {
         rt::into(self.v_search_pyramid(path_62, rt::into(params_72)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -11246,7 +11263,7 @@ impl<'g> Resources<'g> {
         &self,
         path_62: Path,
         params_72: rt::Vec4<f32>,
-    ) -> Found {
+    ) -> SearchResult {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_34: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_23: rt::Vec2<i32>;
@@ -11392,7 +11409,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(end_11.elementwise_ge(rt::Scalar(path_62.exit))) {
                         let _e231 = t_28;
                         let _e233 = cost_14;
-                        return <Found>::new(FOUND_MISS, _e231, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e233);
+                        return <SearchResult>::new(FOUND_MISS, _e231, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e233);
                     }
                     let _e241 = self.v_cell_of((_e2.origin + (_e2.step * end_11)));
                     cell_23 = _e241.to_i32().clamp(low_6, last_10);
@@ -11412,7 +11429,7 @@ impl<'g> Resources<'g> {
         }
         let _e280 = t_28;
         let _e282 = cost_14;
-        return <Found>::new(FOUND_EXHAUSTED, _e280, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e282);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e280, rt::Scalar(path_62.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e282);
     }
     pub(crate) fn texel_extent(
         &self,
@@ -11459,7 +11476,7 @@ impl<'g> Resources<'g> {
         &self,
         path_63: Path,
         params_73: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
+    ) -> SearchResult {
         rt::into(self.v_search_pyramid_texels(path_63, rt::into(params_73)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -11467,7 +11484,7 @@ impl<'g> Resources<'g> {
         &self,
         path_63: Path,
         params_73: rt::Vec4<f32>,
-    ) -> Found {
+    ) -> SearchResult {
         let mut level_36: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
         let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11570,7 +11587,7 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
                             let _e148 = t_29;
                             let _e149 = cost_15;
-                            return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
+                            return <SearchResult>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
                         let _e154 = level_36;
                         level_36 = (_e154 - rt::Scalar(1u32));
@@ -11581,7 +11598,7 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(end_12.elementwise_ge(rt::Scalar(path_63.exit))) {
                             let _e166 = t_29;
                             let _e168 = cost_15;
-                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                            return <SearchResult>::new(FOUND_MISS, _e166, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
                         let _e174 = self.v_cell_of((origin_7 + (step_7 * end_12)));
                         texel_3 = _e174.to_i32().clamp(low_7, last_12);
@@ -11598,7 +11615,7 @@ impl<'g> Resources<'g> {
         }
         let _e200 = t_29;
         let _e202 = cost_15;
-        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_63.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,
@@ -11626,7 +11643,7 @@ impl<'g> Resources<'g> {
         &self,
         path_64: Path,
         params_74: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
+    ) -> SearchResult {
         rt::into(self.v_search_dilation_erosion(path_64, rt::into(params_74)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -11634,7 +11651,7 @@ impl<'g> Resources<'g> {
         &self,
         path_64: Path,
         params_74: rt::Vec4<f32>,
-    ) -> Found {
+    ) -> SearchResult {
         let mut cell_25: rt::Vec2<f32>;
         let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11767,7 +11784,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e171.elementwise_ge(rt::Scalar(path_64.exit))) {
                         let _e175 = t_30;
                         let _e177 = cost_16;
-                        return <Found>::new(FOUND_MISS, _e175, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e177);
+                        return <SearchResult>::new(FOUND_MISS, _e175, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e177);
                     }
                     let _e181 = cell_25;
                     let _e182 = next_3;
@@ -11780,13 +11797,13 @@ impl<'g> Resources<'g> {
         }
         let _e186 = t_30;
         let _e188 = cost_16;
-        return <Found>::new(FOUND_EXHAUSTED, _e186, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e188);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e186, rt::Scalar(path_64.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e188);
     }
     pub(crate) fn search_sphere(
         &self,
         path_65: Path,
         params_75: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
+    ) -> SearchResult {
         rt::into(self.v_search_sphere(path_65, rt::into(params_75)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -11794,7 +11811,7 @@ impl<'g> Resources<'g> {
         &self,
         path_65: Path,
         params_75: rt::Vec4<f32>,
-    ) -> Found {
+    ) -> SearchResult {
         let mut cell_26: rt::Vec2<f32>;
         let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
@@ -11851,7 +11868,7 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_65.exit))))) {
                             let _e110 = t_31;
                             let _e112 = cost_17;
-                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
+                            return <SearchResult>::new(FOUND_ABOVE, _e110, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
                         let _e116 = next_4;
@@ -11887,7 +11904,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e145.elementwise_ge(rt::Scalar(path_65.exit))) {
                         let _e149 = t_31;
                         let _e151 = cost_17;
-                        return <Found>::new(FOUND_MISS, _e149, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
+                        return <SearchResult>::new(FOUND_MISS, _e149, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
                     }
                     let _e155 = cell_26;
                     let _e156 = next_4;
@@ -11900,13 +11917,13 @@ impl<'g> Resources<'g> {
         }
         let _e160 = t_31;
         let _e162 = cost_17;
-        return <Found>::new(FOUND_EXHAUSTED, _e160, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e162);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e160, rt::Scalar(path_65.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e162);
     }
     pub(crate) fn search_cone_moved(
         &self,
         path_66: Path,
         params_76: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
+    ) -> SearchResult {
         rt::into(self.v_search_cone_moved(path_66, rt::into(params_76)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -11914,7 +11931,7 @@ impl<'g> Resources<'g> {
         &self,
         path_66: Path,
         params_76: rt::Vec4<f32>,
-    ) -> Found {
+    ) -> SearchResult {
         let mut t_32: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -11947,13 +11964,13 @@ impl<'g> Resources<'g> {
                         let _e35 = local_81;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
-                            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
+                            return <SearchResult>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
                         }
                         let _e42 = near_5;
                         let _e43 = t_32;
                         let _e44 = near_gap_3;
                         let _e45 = cost_18;
-                        return <Found>::new(FOUND_BRACKET, _e42, _e43, _e44, _e21, _e45);
+                        return <SearchResult>::new(FOUND_BRACKET, _e42, _e43, _e44, _e21, _e45);
                     }
                     let _e47 = t_32;
                     near_5 = _e47;
@@ -11981,7 +11998,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
                         let _e112 = t_32;
                         let _e114 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_66.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                        return <SearchResult>::new(FOUND_MISS, _e112, rt::Scalar(path_66.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
                     let _e118 = t_32;
                     t_32 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
@@ -11989,7 +12006,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_66.exit))) {
                         let _e128 = near_5;
                         let _e130 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_66.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <SearchResult>::new(FOUND_MISS, _e128, rt::Scalar(path_66.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
                     let _e134 = k_25;
                     k_25 = (_e134 + rt::Scalar(1f32));
@@ -12000,13 +12017,13 @@ impl<'g> Resources<'g> {
         let _e140 = t_32;
         let _e141 = self.v_path_height(path_66, _e140);
         let _e142 = cost_18;
-        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_66.exit), _e141, rt::Scalar(0f32), _e142);
+        return <SearchResult>::new(FOUND_ABOVE, _e138, rt::Scalar(path_66.exit), _e141, rt::Scalar(0f32), _e142);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
         path_67: Path,
         params_77: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
+    ) -> SearchResult {
         rt::into(self.v_search_relaxed_cone(path_67, rt::into(params_77)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -12014,7 +12031,7 @@ impl<'g> Resources<'g> {
         &self,
         path_67: Path,
         params_77: rt::Vec4<f32>,
-    ) -> Found {
+    ) -> SearchResult {
         let mut cell_27: rt::Vec2<f32>;
         let mut t_33: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -12104,7 +12121,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e117.elementwise_ge(rt::Scalar(path_67.exit))) {
                         let _e121 = t_33;
                         let _e123 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e121, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e123);
+                        return <SearchResult>::new(FOUND_MISS, _e121, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e123);
                     }
                     let _e127 = start_2;
                     near_6 = _e127;
@@ -12143,7 +12160,7 @@ impl<'g> Resources<'g> {
                         let _e186 = t_33;
                         let _e188 = gap;
                         let _e189 = cost_19;
-                        return <Found>::new(FOUND_ABOVE, _e186, rt::Scalar(path_67.exit), _e188, rt::Scalar(0f32), _e189);
+                        return <SearchResult>::new(FOUND_ABOVE, _e186, rt::Scalar(path_67.exit), _e188, rt::Scalar(0f32), _e189);
                     }
                     let _e192 = next_5;
                     if rt::Scalar::into_branch_condition(_e192.elementwise_ge(rt::Scalar(path_67.exit))) {
@@ -12159,7 +12176,7 @@ impl<'g> Resources<'g> {
                         }
                         let _e208 = start_2;
                         let _e210 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e208, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e210);
+                        return <SearchResult>::new(FOUND_MISS, _e208, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e210);
                     }
                     let _e214 = cell_27;
                     let _e215 = next_5;
@@ -12172,13 +12189,13 @@ impl<'g> Resources<'g> {
         }
         let _e219 = t_33;
         let _e221 = cost_19;
-        return <Found>::new(FOUND_EXHAUSTED, _e219, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e221);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e219, rt::Scalar(path_67.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e221);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
         path_68: Path,
         params_78: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
+    ) -> SearchResult {
         rt::into(self.v_search_relaxed_cone_resting(path_68, rt::into(params_78)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -12186,7 +12203,7 @@ impl<'g> Resources<'g> {
         &self,
         path_68: Path,
         params_78: rt::Vec4<f32>,
-    ) -> Found {
+    ) -> SearchResult {
         let mut cell_28: rt::Vec2<f32>;
         let mut t_34: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -12260,7 +12277,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(start_7.elementwise_ge(rt::Scalar(path_68.exit))) {
                         let _e85 = t_34;
                         let _e87 = cost_20;
-                        return <Found>::new(FOUND_MISS, _e85, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e87);
+                        return <SearchResult>::new(FOUND_MISS, _e85, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e87);
                     }
                     near_7 = start_7;
                     let _e91 = self.v_quadratic(_e47, span_15);
@@ -12294,7 +12311,7 @@ impl<'g> Resources<'g> {
                             return _e127;
                         }
                         let _e130 = cost_20;
-                        return <Found>::new(FOUND_MISS, start_7, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <SearchResult>::new(FOUND_MISS, start_7, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
                     let _e134 = cell_28;
                     let _e135 = next_6;
@@ -12307,13 +12324,13 @@ impl<'g> Resources<'g> {
         }
         let _e139 = t_34;
         let _e141 = cost_20;
-        return <Found>::new(FOUND_EXHAUSTED, _e139, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e141);
+        return <SearchResult>::new(FOUND_EXHAUSTED, _e139, rt::Scalar(path_68.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e141);
     }
-    pub(crate) fn search_stage(&self, path_69: Path) -> Found {
+    pub(crate) fn search_stage(&self, path_69: Path) -> SearchResult {
         rt::into(self.v_search_stage(path_69))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_69: Path) -> Found {
+    fn v_search_stage(&self, path_69: Path) -> SearchResult {
         let _e5 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
@@ -12935,11 +12952,11 @@ impl<'g> Resources<'g> {
         let path_87 = <Path>::new(_e51, _e3.duv, h_10, (_e11 - end_17), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_17, rt::Scalar(1f32), rt::Scalar(0f32));
         return <LightRay>::new(LIGHT_RAY_OPEN, path_87);
     }
-    pub(crate) fn shadow_search_stage(&self, path_73: Path) -> Found {
+    pub(crate) fn shadow_search_stage(&self, path_73: Path) -> SearchResult {
         rt::into(self.v_shadow_search_stage(path_73))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_73: Path) -> Found {
+    fn v_shadow_search_stage(&self, path_73: Path) -> SearchResult {
         let _e5 = rt::Scalar(self.surface_settings.choices[9usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
@@ -13793,17 +13810,17 @@ impl<'g> Resources<'g> {
         table: SeenTable,
         part_7: rt::Scalar<f32>,
     ) -> SeenNormals {
-        let mut told: SeenNormals;
+        let mut blended: SeenNormals;
 
-        told = seen_1;
+        blended = seen_1;
         let before_5 = (seen_1.normal * rt::Scalar(seen_1.length));
         let _e9 = self.v_from_tangent_space(at_98, table.mean);
         let mean_4 = (before_5 + ((_e9 - before_5) * part_7));
-        told.normal = mean_4.normalize();
-        rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
-        rt::Scalar(told.table_part) = part_7;
-        told.table = table;
-        let _e21 = told;
+        blended.normal = mean_4.normalize();
+        rt::Scalar(blended.length) = mean_4.length().min(rt::Scalar(1f32));
+        rt::Scalar(blended.table_part) = part_7;
+        blended.table = table;
+        let _e21 = blended;
         return _e21;
     }
     pub(crate) fn seen_between(

@@ -6,10 +6,10 @@ use crate::wgsl::{Declaration, Module, Sampling};
 pub const MODULES: &[Module] = &[
     Module { path: "bindings", head: r#""# },
     Module { path: "constants", head: r#""# },
-    Module { path: "shared/angle", head: r#"// Angles in turns, a turn being the whole circle, in plain arithmetic: the trigonometric functions of GPUs
-// differ from one to the next.
+    Module { path: "shared/angle", head: r#"// Angles in turns (1 turn is the whole circle), in plain arithmetic. The trigonometric functions of
+// GPUs differ from one GPU to the next.
 "# },
-    Module { path: "shared/background", head: r#"// What is seen beside the surfaces.
+    Module { path: "shared/background", head: r#"// The background of a picture: the colour of pixels without a surface.
 "# },
     Module { path: "shared/base", head: r#"// A pixel's base triangle, as a plane.
 "# },
@@ -17,49 +17,53 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/cell", head: r#"// Ray against one dual cell, shared by the searches that visit cells and the patch refinement.
 //
-// In a cell the bilinear surface along the path is a quadratic: the gap between path and surface, with s
-// counted from the parameter t where the path enters the cell, is c.x + c.y s + c.z s².
+// In a cell the bilinear surface along the path is a quadratic. The gap between path and surface is
+// c.x + c.y s + c.z s², where s counts from the parameter t at which the path enters the cell.
 "# },
     Module { path: "shared/cone", head: r#"// Cones on texels, shared by the searches that step over them.
 "# },
-    Module { path: "shared/cost", head: r#"// What search and refinement have cost so far, in one vector: reads, turns of their loops, and the bytes that
-// the reads fetched. Heights count as 32-bit floats, texels of baked maps as they are stored. What a cache
-// keeps from the GPU's memory is not taken off.
+    Module { path: "shared/cost", head: r#"// The cost of search and refinement so far, in one vector: reads, steps, and bytes that the reads
+// fetched. Heights count as 32-bit floats, texels of baked maps as they are stored. Caches are not
+// taken into account.
 "# },
     Module { path: "shared/dice", head: r#"// A fixed pattern that fills a triangle whose sides are divided into any numbers of parts.
 //
-// The triangle is cut in rows along its side of fewest parts, from the corner across from it. Row `r` of `m`
-// goes from point `ceil(r n / m)` of the one of the two other sides to point `r` of the other, `m` the larger
-// of their numbers of parts, and is divided into that part of the short side's parts, rounded up. Two
-// neighbouring rows are zipped: of the two next points the one that lies less far along its row comes first.
+// The triangle is cut in rows along its side of fewest parts, from the corner across from it. Let
+// `m` be the larger and `n` the smaller number of parts of the two other sides. Row `r` of `m` goes
+// from point `ceil(r n / m)` of one of them to point `r` of the other. It is divided into `r / m`
+// of the short side's parts, rounded up. Two neighbouring rows are zipped: of the two next points
+// the one that lies less far along its row comes first.
 //
-// How many points and triangles come before a row are sums of quotients that are rounded down, for which
-// there is a formula: so any point and any triangle is found by its number.
+// The numbers of points and triangles before a row are sums of quotients that are rounded down,
+// which have a formula. So any point and any triangle is found by its number.
 "# },
     Module { path: "shared/disc", head: r#"// The disc of a light, as a point of the surface sees it.
 "# },
-    Module { path: "shared/displacement", head: r#"// The space that the relief fills above the base surface: how deep it is, where the base lies in it, how
-// directions of the world run in it, and where its footprint ends.
+    Module { path: "shared/displacement", head: r#"// The space that the relief fills above the base surface: its depth, the base's height in it, the
+// directions of the world in it, and the edges of its footprint.
 "# },
-    Module { path: "shared/environment", head: r#"// The surroundings: light that comes from far away, on the faces of a cube.
+    Module { path: "shared/environment", head: r#"// The environment map: light that comes from far away, on the faces of a cube.
 //
-// The texels at a face's border lie on the edges of the cube. So faces that meet have the same texels there,
-// and light changes without a seam. Each level after the first holds the light within lobes that are twice
-// as wide as those of the level before. In the last one they are cosines.
+// The texels at a face's border lie on the edges of the cube. So faces that meet have the same
+// texels there, and light changes without a seam. Each level after the first holds the light within
+// lobes twice as wide as in the level before. In the last one they are cosines.
 "# },
     Module { path: "shared/folded", head: r#"// Ways of a ray through a shell that overlaps itself.
 //
-// The points of a shell that are as far out along the interpolated normals are a flat triangle, which the
-// ray's line meets in one point however the shell is folded: so the way is told by that offset. The weights
-// of the triangle's corners q_k = p_k + n_k o there are d·(q_i × q_j) over the sum of the three, and these
-// are quadratics in the offset o. The roots of the same quadratics for a triangle that is larger by rounding
-// cut the offsets into pieces: over each, the way is inside the shell or it is not.
+// The points of a shell that are as far out along the interpolated normals are a flat triangle. The
+// ray's line meets it in one point however the shell is folded, so the way is a function of that
+// offset. The weights of the triangle's corners q_k = p_k + n_k o there are d·(q_i × q_j) over the
+// sum of the three. These are quadratics in the offset o. The roots of the same quadratics for a
+// triangle that is larger by rounding cut the offsets into pieces: over each, the way is inside the
+// shell or it is not.
 "# },
-    Module { path: "shared/footprint", head: r#"// How much of a surface a sample of a pixel covers.
+    Module { path: "shared/footprint", head: r#"// The area of a surface that a sample of a pixel covers.
 //
-// Made from the rays of the neighbouring pixels, not from derivatives, so that any ray has a footprint.
+// Footprints follow from the rays of the neighbouring pixels, not from derivatives, so that any ray
+// has a footprint.
 "# },
-    Module { path: "shared/frames", head: r#"// The frames of a grid in the order of an octahedral mapping, three of which are around each direction.
+    Module { path: "shared/frames", head: r#"// The frames of a grid in the order of an octahedral mapping. Three of them surround each
+// direction.
 //
 // Engelhardt and Dachsbacher 2008; Brucks 2018.
 "# },
@@ -75,7 +79,7 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/image", head: r#"// Dual cells beside the map, and the cells of the map over which the surface is the same.
 "# },
-    Module { path: "shared/image_cell", head: r#"// What images of an object are between their texels.
+    Module { path: "shared/image_cell", head: r#"// The surface between the texels of an object's images.
 "# },
     Module { path: "shared/interval", head: r#"// The interval that the bracketing refinements begin with.
 "# },
@@ -83,46 +87,48 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/light", head: r#"// Lights, as a point of the surface sees them.
 "# },
-    Module { path: "shared/light_map", head: r#"// What lights see, beside a point of a surface.
+    Module { path: "shared/light_map", head: r#"// Shadow maps, looked up from a point of a surface.
 //
-// A texel holds the key of the nearest hit of its ray. The point is compared with it where the texel's ray
-// meets the plane that is tangent to the surface there: where the surface is that plane, no texel is nearer.
+// A texel holds the key of the nearest hit of its ray. The point is compared with it where the
+// texel's ray meets the surface's tangent plane. Where the surface is that plane, no texel is
+// nearer.
 "# },
     Module { path: "shared/light_ray", head: r#"// Rays from a hit toward a light, through the relief of the same surface.
 "# },
     Module { path: "shared/maps", head: r#"// The one module that reads baked maps.
 //
-// Slices, azimuths, directions and the faces of a cube are layers. A map of 8 bits holds codes: they are
-// recovered from what the GPU makes of them, and their values computed here, so that these have the same bits
-// everywhere.
+// Slices, azimuths, directions and the faces of a cube are layers. A map of 8 bits holds codes.
+// They are recovered from the normalised texels of the GPU and turned into values here, so that
+// values have the same bits everywhere.
 "# },
     Module { path: "shared/normal", head: r#"// The mesostructure's normal in the finest level, in the world, and tangent space.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 2.1, equation 9: derivatives of the height by central
 // differences over two texels, or a tangent-space normal map.
 //
-// A normal field that is interpolated shows artefacts where it is discontinuous, as at creases (section 2.2).
-// A central difference is a mean of slopes: half of it is that of the point's own dual cell, the rest those
-// of the cells before and behind, by how near they are. With creases kept a neighbour's part is taken from
-// the own cell as far as there is a crease between both. Between two creases that leaves the derivative of
-// the own bilinear patch, beside one a difference to the other side, and elsewhere the central one.
+// A normal field that is interpolated shows artefacts where it is discontinuous, as at creases
+// (section 2.2). A central difference is a mean of slopes. Half of it is the slope of the point's
+// own dual cell, the rest the slopes of the cells before and behind, by how near they are. With
+// creases kept, the own cell replaces a neighbour as far as there is a crease between both. Between
+// two creases that leaves the derivative of the own bilinear patch, beside one a difference to the
+// other side, and elsewhere the central one.
 //
-// At the edges of a clamped map differences are taken of what lies inside, since nothing is known of the
-// ground beyond: an even slope has one normal everywhere, and tiles of a terrain have no rim.
+// At the edges of a clamped map differences are taken inside, since nothing is known of the ground
+// beyond. An even slope has one normal everywhere, and tiles of a terrain have no rim.
 "# },
     Module { path: "shared/numbered", head: r#"// The base triangles of a surface, by their number.
 "# },
-    Module { path: "shared/object", head: r#"// Images of an object, and what colour it has.
+    Module { path: "shared/object", head: r#"// Images of an object, and the object's colour.
 "# },
     Module { path: "shared/object_color", head: r#"// The colour of an object's material.
 //
 // Kautz and Seidel 2001, section 4.2.
 "# },
-    Module { path: "shared/object_path", head: r#"// Rays on their way through images of an object, each of which is a relief on a plane of its own.
+    Module { path: "shared/object_path", head: r#"// Rays on their way through the images of an object. Each image is a relief on a plane of its own.
 //
 // Kautz and Seidel 2001, section 4.
 "# },
-    Module { path: "shared/path", head: r#"// Points of a path, and the hit that a refinement makes of one.
+    Module { path: "shared/path", head: r#"// Points of a path, and the hit at one of them.
 "# },
     Module { path: "shared/pixel", head: r#"// A pixel as one pure function: surface, search, refinement and shading in a row.
 "# },
@@ -133,130 +139,135 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/random", head: r#"// Random numbers by mixing bits: the same everywhere.
 "# },
-    Module { path: "shared/rasterised", head: r#"// What a rasteriser is given: the base triangles, or boxes around their shells. Nothing is interpolated, so
-// that rays do not depend on how exactly a rasteriser does that.
+    Module { path: "shared/rasterised", head: r#"// Vertices for a rasteriser: the base triangles, or boxes around their shells. Nothing is
+// interpolated, so that rays do not depend on a rasteriser's exactness.
 "# },
-    Module { path: "shared/records", head: r#"// What the host and the GPU exchange in buffers besides the settings. The Rust side of these structs is
-// written by the linker.
+    Module { path: "shared/records", head: r#"// Data that the host and the GPU exchange in buffers besides the settings. The Rust side of these
+// structs is written by the linker.
 "# },
     Module { path: "shared/seen_normals", head: r#"// The normals within a pixel's footprint, as an eye sees them.
 //
-// Where several texels lie in a footprint, their normals are known by means over the area. An eye at the
-// side sees more of what faces it (Becker and Max 1993), and what faces away from a light gets none. For
-// both, five normals stand for all of them: they have the same means, and weights as five slopes of a normal
-// distribution have (a cubature of third degree).
+// Where several texels lie in a footprint, their normals are known by means over the area. An eye
+// at the side sees more of what faces it (Becker and Max 1993), and what faces away from a light
+// gets none. For both, five normals stand for all of them. They have the same means, and weights as
+// five slopes of a normal distribution have (a cubature of third degree).
 "# },
-    Module { path: "shared/seen_table", head: r#"// What an eye sees of the normals in an area, looked up by the direction of view (Becker and Max 1993): the
+    Module { path: "shared/seen_table", head: r#"// The visible normals in an area, looked up by the direction of view (Becker and Max 1993): the
 // means that the map kind `seen-normal` holds.
 "# },
-    Module { path: "shared/settings", head: r#"// What is the same for all pixels: of a picture, of a surface in it, and of a pass over some of its rows.
+    Module { path: "shared/settings", head: r#"// Uniform data, the same for all pixels: of a picture, of a surface in it, and of a pass over some
+// of its rows.
 "# },
     Module { path: "shared/shadow_ray", head: r#"// Whether a ray to a light is free, by the search for shadows.
 "# },
-    Module { path: "shared/shell", head: r#"// The shell of a base triangle: the space between its corners moved along their normals, as far as heights 0
-// and 1 are.
+    Module { path: "shared/shell", head: r#"// The shell of a base triangle: the space between its corners moved along their normals, from
+// height 0 to height 1.
 "# },
-    Module { path: "shared/shell_hull", head: r#"// Slabs around the hull of a triangle's shell: what a ray may meet of it, before it is looked into. Boxes
-// along the axes mostly lie aside of a shell.
+    Module { path: "shared/shell_hull", head: r#"// Slabs around the hull of a triangle's shell: a quick test whether a ray may meet it. Boxes along
+// the axes are mostly much larger than a shell.
 "# },
-    Module { path: "shared/shell_point", head: r#"// Points of a shell as normals that are interpolated, and not normalised, span it.
+    Module { path: "shared/shell_point", head: r#"// Points of a shell that interpolated normals, not normalised, span.
 "# },
-    Module { path: "shared/shell_tree", head: r#"// A ray's way down the hierarchy of boxes around shells, from near to far. It only proposes triangles: what
-// the ray meets in their shells is for the surface to say.
+    Module { path: "shared/shell_tree", head: r#"// Traversal of the BVH of shells, from near to far. It only proposes triangles; the surface finds
+// the hits in their shells.
 //
-// Hapala, Davidovic, Wald, Havran and Slusallek 2011, Efficient Stack-less BVH Traversal for Ray Tracing. A
-// node knows of which one it is a child, so that a ray has to remember nothing but where it is and where it
-// came from, however deep the hierarchy is.
+// Hapala, Davidovic, Wald, Havran and Slusallek 2011, Efficient Stack-less BVH Traversal for Ray
+// Tracing. A node knows its parent. So a ray remembers only its node and the node before, however
+// deep the BVH is.
 "# },
     Module { path: "shared/sweep", head: r#"// The sweep of a triangle through a grid of voxels: the grid's own points, column by column.
 //
-// Gumhold and Hüttner 1999, section 3.4. Each side of the triangle is divided along the direction in which it
-// is longest, one part a voxel. A primary edge is one between whose ends the third corner lies; the longest
-// says along which axis is swept, and of the two coordinate planes that hold the axis the triangle is cut in
-// the one that it covers more of. The primary edge has one point in each column, at the column's bottom. The
-// other two sides make the top: the points of theirs that round to a column are its own. Between are the
-// grid's points. Neighbouring columns are zipped from below, by the shorter diagonal of the two that turn
-// nothing over. Points of the top before the third corner go with the next column, those behind it with the
-// one before; where a column has both, they are closed there, as a roof.
+// Gumhold and Hüttner 1999, section 3.4. Each side of the triangle is divided along the direction
+// in which it is longest, one part a voxel. A primary edge is one between whose ends the third
+// corner lies. The longest one gives the axis of the sweep. Two coordinate planes hold that axis;
+// the triangle is cut in the one that it covers more of. The primary edge has one point in each
+// column, at the column's bottom. The other two sides make the top: each of their points belongs to
+// the column that it rounds to. Between are the grid's points. Neighbouring columns are zipped from
+// below, by the shorter diagonal of the two that turn nothing over. Points of the top before the
+// third corner go with the next column, those behind it with the one before. Where a column has
+// both, they are closed there, as a roof.
 //
-// All numbers are whole, of 32 bits; products of two of them are compared in 64. So sides have at most
-// `SWEPT_PARTS` parts. Each column follows from the three corners, and is made by itself.
+// All numbers are whole, of 32 bits; products of two of them are compared in 64. So sides have at
+// most `SWEPT_PARTS` parts. Each column follows from the three corners alone.
 "# },
     Module { path: "shared/tangent_plane", head: r#"// The surface's tangent plane at a point, for the refinements that take the slope into account.
 "# },
     Module { path: "shared/tessellation", head: r#"// Base triangles that are cut into smaller ones for a view, and displaced.
 //
-// Gumhold and Hüttner 1999, section 3.1: a side is divided by the voxels of the camera's grid space that its
-// ends lie in, and its points lie at equal distances in the picture; or it is divided by texels, and they lie
-// at equal distances on the base. What is inside is filled by a fixed pattern, or by the voxels themselves.
-// All that belongs to a side follows from its two ends, so that neighbours meet.
+// Gumhold and Hüttner 1999, section 3.1: a side is divided by the voxels of the camera's grid space
+// that its ends lie in, and its points lie at equal distances in the picture. Or it is divided by
+// texels, and its points lie at equal distances on the base. A fixed pattern fills the inside, or
+// the voxels themselves do. All data of a side follows from its two ends, so that neighbours meet.
 "# },
-    Module { path: "shared/types", head: r#"// What the stages hand to each other. The Rust side of these structs is written by the linker.
+    Module { path: "shared/types", head: r#"// Structs that the stages hand to each other. The Rust side of these structs is written by the
+// linker.
 "# },
-    Module { path: "shared/under", head: r#"// Paths that begin under the surface, as they do where a ray comes into a shell from the inside of a mesh.
+    Module { path: "shared/under", head: r#"// Paths that begin under the surface, such as rays that enter a shell from the inside of a mesh.
 "# },
     Module { path: "surface/facets", head: r#"// Triangles without relief: a ray ends on the triangle that it meets.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 3: what is displaced vertex by vertex is drawn as any mesh is,
-// with normals that are interpolated over its triangles.
+// Szirmay-Kalos and Umenhoffer 2008, section 3: a mesh that is displaced vertex by vertex is drawn
+// like any mesh, with normals that are interpolated over its triangles.
 "# },
-    Module { path: "surface/frames", head: r#"// The frames of a grid that looks from all around, of which a ray goes through the three that look along it
-// most. Its segments are its ways through these, as in the surface `object`.
+    Module { path: "surface/frames", head: r#"// The frames of a grid that looks from all around. A ray goes through the three frames that look
+// along it most. Its segments are its ways through these, as in the surface `object`.
 "# },
-    Module { path: "surface/object", head: r#"// Images of an object. The segments of a ray are its ways through the images, each of which is a relief: they
-// are not parts of one way, and what they make together is the stage `object`'s.
+    Module { path: "surface/object", head: r#"// Images of an object. The segments of a ray are its ways through the images, and each image is a
+// relief. The segments are not parts of one way; the stage `object` combines them.
 //
 // Kautz and Seidel 2001, section 4.
 "# },
-    Module { path: "surface/object_slices", head: r#"// Slices through an object: a ray ends on the first one at which all images see something as high as it is.
+    Module { path: "surface/object_slices", head: r#"// Slices through an object: a ray ends on the first slice at which all images see something at
+// least as high.
 //
 // Kautz and Seidel 2001, sections 4.1 and 5: the product of the tests of all images.
 "# },
-    Module { path: "surface/plane", head: r#"// The flat base surface: one straight segment a ray.
+    Module { path: "surface/plane", head: r#"// The flat base surface: one straight segment per ray.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 4, equations 7 and 11. The frame is interpolated over the
-// triangle, so that relief runs smoothly from one triangle to the next; the segment lies in the frame of the
-// base point.
+// Szirmay-Kalos and Umenhoffer 2008, section 4, equations 7 and 11. The frame is interpolated over
+// the triangle, so that relief runs smoothly from one triangle to the next. The segment lies in the
+// frame of the base point.
 "# },
-    Module { path: "surface/prism", head: r#"// Shells of the base triangles as normals that are interpolated, and not normalised, span them.
+    Module { path: "surface/prism", head: r#"// Shells of the base triangles, spanned by normals that are interpolated and not normalised.
 //
-// After Ogaki 2023, Nonlinear Ray Tracing for Displacement and Shell Mapping. The ray's way through texture
-// coordinates and heights is curved. It is cut into chords: straight in texture coordinates, with heights
-// that bend through their middle. Where along the ray a chord is, is known by the ray's own parameter, which
-// also serves where the ray runs along the shell. A shell that overlaps itself is followed by the offset
-// along its normals in place of that: a place in the world may be in it twice. `params.x` is how far chords
-// may be beside the way, in texels; with `params.y` of 1 the base is smooth.
+// After Ogaki 2023, Nonlinear Ray Tracing for Displacement and Shell Mapping. The ray's way through
+// texture coordinates and heights is curved. It is cut into chords: straight in texture
+// coordinates, with heights that bend through their middle. The ray's own parameter gives a chord's
+// place along the ray, and also serves where the ray runs along the shell. In a shell that overlaps
+// itself the offset along its normals replaces that parameter: a place in the world may be in such
+// a shell twice. `params.x` is the greatest distance of chords from the way, in texels. With
+// `params.y` of 1 the base is smooth.
 "# },
     Module { path: "surface/quadric_perpendicular", head: r#"// The base as quadrics, from which distances are measured across the view.
 //
-// Oliveira and Policarpo 2005, section 3.1, equations 3 to 7: how deep a point of the ray is under the
-// quadric is its distance from it at right angles to the ray, in the plane of the ray and the normal; where
-// that line misses the quadric, it is the distance along the normal. The distance is no quadratic in the
-// metres along the ray, and jumps from one measure to the other. So the ray is cut into chords, whose heights
-// are right at their ends and in their middle. `params.x` is how many coefficients quadrics have, which the
-// host fits; with
-// `params.y` of 1 the base is smooth; `params.z` is the number of chords.
+// Oliveira and Policarpo 2005, section 3.1, equations 3 to 7. The depth of a point of the ray under
+// the quadric is a distance from the quadric. It is measured at right angles to the ray, in the
+// plane of the ray and the normal. Where that line misses the quadric, the depth is the distance
+// along the normal. The distance is no quadratic in the metres along the ray, and jumps from one
+// measure to the other. So the ray is cut into chords, whose heights are right at their ends and in
+// their middle. `params.x` is the number of coefficients of the quadrics, which the host fits. With
+// `params.y` of 1 the base is smooth. `params.z` is the number of chords.
 "# },
     Module { path: "surface/quadric_vertical", head: r#"// The base as quadrics, over which heights are measured along the normal of the base point.
 //
-// Oliveira and Policarpo 2005, sections 3.2 to 3.4, equations 7 to 9; Szirmay-Kalos and Umenhoffer 2008,
-// section 5.1. The ray goes through the frame of the base point; what it comes down under the quadric is
-// quadratic in the metres along it. `params.x` is how many coefficients quadrics have, which the host fits;
-// with
-// `params.y` of 1 the base is smooth.
+// Oliveira and Policarpo 2005, sections 3.2 to 3.4, equations 7 to 9; Szirmay-Kalos and Umenhoffer
+// 2008, section 5.1. The ray goes through the frame of the base point; its depth under the quadric
+// is quadratic in the metres along it. `params.x` is the number of coefficients of the quadrics,
+// which the host fits. With `params.y` of 1 the base is smooth.
 "# },
-    Module { path: "surface/slices", head: r#"// Slices: triangles through the space above the base that the relief fills. A ray ends on the first one that
-// the relief reaches, or between that and the slice before it.
+    Module { path: "surface/slices", head: r#"// Slices: triangles through the space above the base that the relief fills. A ray ends on the first
+// slice that the relief reaches, or between it and the slice before.
 //
-// Kautz and Seidel 2001, section 3. The segment from the slice before to the slice itself is ours: a
-// refinement finds the hit in it.
+// Kautz and Seidel 2001, section 3. The segment from the slice before to the slice itself is ours:
+// a refinement finds the hit in it.
 "# },
     Module { path: "surface/tetrahedra", head: r#"// Shells of the base triangles in three tetrahedra each: the ray is straight in each of them.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 5.2. The corners of a shell are those of its triangle, moved
-// along their normals. Texture coordinates and heights are linear in a tetrahedron, so that they are
-// continuous over the whole mesh where neighbours cut their common side along the same diagonal: it runs from
-// the lower corner that comes first in the order of both to the upper one of the other.
+// Szirmay-Kalos and Umenhoffer 2008, section 5.2. The corners of a shell are the triangle's
+// corners, moved along their normals. Texture coordinates and heights are linear in a tetrahedron.
+// They are continuous over the whole mesh where neighbours cut their common side along the same
+// diagonal. It runs from the lower corner that comes first in the order of both triangles to the
+// other upper corner.
 "# },
     Module { path: "slice/at_least", head: r#"// A slice is drawn where the relief is as high or higher: the alpha test of the basic method.
 //
@@ -271,151 +282,168 @@ pub const MODULES: &[Module] = &[
 //
 // Kautz and Seidel 2001, section 3.2.
 "# },
-    Module { path: "object/blend", head: r#"// An impostor as game engines draw it: in each of the three frames that look along the ray most the ray meets
-// the plane through the middle, and is moved some times to the plane of the height that it shows there. What
-// all three show is blended by their weights: whether there is something, and how far away.
+    Module { path: "object/blend", head: r#"// An octahedral impostor as game engines draw it. In each of the three frames that look along the
+// ray most, the ray is cut with the plane through the middle. Then it is moved some times to the
+// plane of the height that the frame shows there. The results of all three are blended by their
+// weights: coverage, and distance.
 //
-// Brucks 2018. Frames do not agree on what is seen, so that outlines are mixed and depths lie between them.
+// Brucks 2018. Frames do not agree on what is visible, so that outlines are mixed and depths lie
+// between them.
 "# },
-    Module { path: "object/depth", head: r#"// The object that all images say may be there: the ray goes on to where it first comes into an image's solid,
-// from there to where it first does in the next one's, round and round until all have the same place.
+    Module { path: "object/depth", head: r#"// The object that all images allow. The ray goes on to its first point in an image's solid, then to
+// its first point in the next image's. It goes round the images until all have the same place.
 //
-// Kautz and Seidel 2001, section 4. Their alpha tests ask all images at the points of slices; rays that ask
-// each image for the next point are ours. No image lets a ray go on too far, so that none passes a point that
-// all agree on.
+// Kautz and Seidel 2001, section 4. Their alpha tests ask all images at the points of slices; rays
+// that ask each image for the next point are ours. No image lets a ray go on too far, so that no
+// ray passes a point that all agree on.
 "# },
-    Module { path: "object/hull", head: r#"// The visual hull: what lies in all silhouettes. Rays go round the images as they do where these have depths;
-// in each the silhouette is where the mask, bilinear between texels, is at least a half.
+    Module { path: "object/hull", head: r#"// The visual hull: the intersection of all silhouettes. Rays go round the images as in the object
+// `depth`. In each image the silhouette is where the mask, bilinear between texels, is at least a
+// half.
 //
 // Kautz and Seidel 2001, section 5; Matusik et al. 2000.
 "# },
-    Module { path: "object/none", head: r#"// No object: a relief, whose segments are searched in their order. A segment whose hit lies in a hole has
-// none. In a shell that overlaps itself segments do so, too: there it is the nearest of all.
+    Module { path: "object/none", head: r#"// No object: a relief, whose segments are searched in their order. A segment whose hit lies in a
+// hole has no hit. In a shell that overlaps itself segments overlap, too: there the nearest hit of
+// all counts.
 "# },
-    Module { path: "detail/fade", head: r#"// From displacement to bump mapping with distance: as `footprint`, and what is hardly deeper than a pixel is
-// traced flatter.
+    Module { path: "detail/fade", head: r#"// From displacement to bump mapping with distance: like `footprint`, and relief that is hardly
+// deeper than a pixel is traced flatter.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 4.1.1, after Becker and Max 1993. `params.x` and `params.y` are
-// those of `footprint`. A relief that is `params.z` samples deep is flat, one that is `params.w` times as
-// deep is not flattened at all.
+// Szirmay-Kalos and Umenhoffer 2008, section 4.1.1, after Becker and Max 1993. `params.x` and
+// `params.y` are as for `footprint`. A relief that is `params.z` samples deep is flat; one that is
+// `params.w` times as deep is not flattened at all.
 "# },
-    Module { path: "detail/footprint", head: r#"// The level of detail of which about two texels lie beside each other in a pixel's footprint on the base
+    Module { path: "detail/footprint", head: r#"// The level of detail with about two texels side by side in a pixel's footprint on the base
 // surface.
 //
-// Oh, Ki and Lee 2006, section 3.4. `params.x` is how many times as long as wide the footprint may be taken
-// to be. `params.y` is how many texels of the level lie beside each other in it: with one, shadows are lost
-// that are still seen.
+// Oh, Ki and Lee 2006, section 3.4. `params.x` is the greatest length of the footprint in multiples
+// of its width. `params.y` is the number of the level's texels side by side in it. With one texel,
+// visible shadows are lost.
 "# },
     Module { path: "detail/none", head: r#"// No level of detail: the finest level of all maps.
 "# },
-    Module { path: "search/cells", head: r#"// Cell walk: every dual cell along the path, in order, until the path dips below the surface in one.
+    Module { path: "search/cells", head: r#"// Cell walk: every dual cell along the path, in order, until the path dips below the surface in
+// one.
 //
-// The safe form that Szirmay-Kalos and Umenhoffer 2008, section 4.3.1, asks for: every texel visited. In a
-// cell the gap is a quadratic, so whether it falls to zero is known without sampling; the bracket ends where
-// it is least. `params.x` caps the number of cells.
+// Szirmay-Kalos and Umenhoffer 2008, section 4.3.1, ask for this safe form: every texel visited. In
+// a cell the gap is a quadratic, so whether it falls to zero is known without sampling. The bracket
+// ends where the gap is least. `params.x` caps the number of cells.
 "# },
     Module { path: "search/cone", head: r#"// Cone stepping: from texel to texel, over the empty cone that stands on the nearest one.
 //
-// Dummer 2006; Szirmay-Kalos and Umenhoffer 2008, section 4.3.5. As published the cone is moved to the ray,
-// and cuts the surface where it was made for the texel's centre. Here it stays where it was made: a ray that
-// is inside of it, wherever in the texel, meets no surface until it leaves it, and where it is outside, or
-// leaves it within the cell, the cell's patch is looked at, as `cells` does. So nothing is passed, with the
-// widest cones that there are. `params.x` caps the reads.
+// Dummer 2006; Szirmay-Kalos and Umenhoffer 2008, section 4.3.5. As published the cone is moved to
+// the ray, and cuts the surface where it was made for the texel's centre. Here it stays where it
+// was made. A ray inside the cone, anywhere in the texel, meets no surface until it leaves the
+// cone. Where the ray is outside, or leaves the cone within the cell, the cell's patch is tested,
+// as `cells` does. So no surface is passed, with the widest cones that there are. `params.x` caps
+// the reads.
 //
-// A cone is convex, so a ray that is inside at two places is inside between: however a step was rounded,
-// where it ends is looked at before it is taken. A path that bends is followed by a line that is not above
-// it.
+// A cone is convex, so a ray that is inside at two places is inside between. However a step was
+// rounded, its end is tested before it is taken. A path that bends is replaced by a line that is
+// not above it.
 "# },
-    Module { path: "search/cone_moved", head: r#"// Cone stepping as published: the cone is moved to the surface under the ray, through a bilinear filter.
+    Module { path: "search/cone_moved", head: r#"// Cone stepping as published: the cone is moved to the surface under the ray, through a bilinear
+// filter.
 //
-// Dummer 2006; Szirmay-Kalos and Umenhoffer 2008, section 4.3.5. `params.x` is the number of steps. The last
-// point is the answer: with cones that are safe through a filter it is never behind the surface.
+// Dummer 2006; Szirmay-Kalos and Umenhoffer 2008, section 4.3.5. `params.x` is the number of steps.
+// The last point is the answer. With cones that are safe through a filter it is never behind the
+// surface.
 "# },
-    Module { path: "search/dilation_erosion", head: r#"// Dilation and erosion: over the greatest height around each cell, and cell by cell between it and the least.
+    Module { path: "search/dilation_erosion", head: r#"// Dilation and erosion: over the greatest height around each cell, and cell by cell between it and
+// the least.
 //
-// Kolb and Rezk-Salama 2005; Szirmay-Kalos and Umenhoffer 2008, section 4.3.2. Over the dilation of a cell
-// nothing is met until the path sinks to it or leaves the cell's window. Between dilation and erosion the
-// cell's patch is looked at, as `cells` does. `params.x` caps the reads, `params.z` is the radius of the
-// windows in texels. With `params.y` 0 it is as published: no patch is looked at, and the bracket ends where
-// the path is below the erosion.
+// Kolb and Rezk-Salama 2005; Szirmay-Kalos and Umenhoffer 2008, section 4.3.2. Above the dilation
+// of a cell the path meets nothing until it sinks to the dilation or leaves the cell's window.
+// Between dilation and erosion the cell's patch is tested, as `cells` does. `params.x` caps the
+// reads, `params.z` is the radius of the windows in texels. With `params.y` 0 it is as published:
+// no patch is tested, and the bracket ends where the path is below the erosion.
 "# },
-    Module { path: "search/frustum", head: r#"// Quadrant frusta: from every dual cell on, over the empty frustum that stands on it in the quadrant of the
-// ray.
+    Module { path: "search/frustum", head: r#"// Quadrant frusta: from every dual cell on, over the empty frustum that stands on it in the
+// quadrant of the ray.
 //
-// Published here first. The map is relief-bake's kind `frustum`, whose head has the proof: for every cell and
-// quadrant the least slope S, in heights a texel, such that the surface is nowhere above top + S d, with the
-// greatest of the cell's four heights for the top and d the Chebyshev distance from the cell in texels. Where
-// the ray leaves the cell above the top it is safe until it meets that frustum, one division an axis away;
-// where it sinks to the top over the cell, the cell's patch is looked at, as `cells` does. Cells outside of
-// the map are images of cells inside; the flat half cells beside the edges of a clamped or mirrored map,
-// which are none, are walked through. `params.x` caps the reads.
+// Published here first. The map is relief-bake's kind `frustum`, whose head has the proof. For
+// every cell and quadrant it holds the least slope S, in heights a texel, such that the surface is
+// nowhere above top + S d. The top is the greatest of the cell's four heights, and d the Chebyshev
+// distance from the cell in texels. Where the ray leaves the cell above the top, it is safe until
+// it meets that frustum, one division an axis away. Where it sinks to the top over the cell, the
+// cell's patch is tested, as `cells` does. Cells outside the map are images of cells inside. The
+// flat half cells beside the edges of a clamped or mirrored map are not images; they are visited
+// one by one. `params.x` caps the reads.
 //
-// All that floats round is taken off the gap to the frustum before the division, so that a step may end
-// early, never late.
+// All rounding of floats is taken off the gap to the frustum before the division, so that a step
+// may end early, never late.
 "# },
     Module { path: "search/linear", head: r#"// Linear search: equal steps from the entry to the exit until one is below the surface.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 4.3.1. `params.x` is the number of steps for a ray along the
-// normal, `params.y` how many times as many a grazing ray takes. Of a way through the relief in several
-// segments each takes its share.
+// Szirmay-Kalos and Umenhoffer 2008, section 4.3.1. `params.x` is the number of steps for a ray
+// along the normal, `params.y` the factor on it for a grazing ray. If a way through the relief has
+// several segments, each takes its share of the steps.
 "# },
-    Module { path: "search/none", head: r#"// No search: the entry and the exit, with nothing known of what lies between.
+    Module { path: "search/none", head: r#"// No search: the entry and the exit, with nothing known between them.
 "# },
-    Module { path: "search/pyramid", head: r#"// Maximum pyramid: over the nodes of a quadtree that the path stays above, down where it sinks to one, and up
-// again where it has left a parent.
+    Module { path: "search/pyramid", head: r#"// Maximum pyramid: over the nodes of a quadtree that the path stays above, down where it sinks to
+// one, and up again where it has left a parent.
 //
-// Oh, Ki and Lee 2006; Tevs, Ihrke and Seidel 2008; Szirmay-Kalos and Umenhoffer 2008, section 4.3.3. A node
-// of level k holds the greatest height over 2^k by 2^k dual cells; on level 0 the cell's own patch is looked
-// at, as `cells` does. `params.x` caps the reads.
+// Oh, Ki and Lee 2006; Tevs, Ihrke and Seidel 2008; Szirmay-Kalos and Umenhoffer 2008, section
+// 4.3.3. A node of level k holds the greatest height over 2^k by 2^k dual cells. On level 0 the
+// cell's own patch is tested, as `cells` does. `params.x` caps the reads.
 //
-// One chain of nodes serves all levels of detail: those of level k are over the cells of the traced level,
-// too, 2^(k - level) by 2^(k - level) of them. Levels are counted from the traced one here.
+// One chain of nodes serves all levels of detail. The nodes of level k also lie over the cells of
+// the traced level, 2^(k - level) by 2^(k - level) each. Levels are counted from the traced one
+// here.
 "# },
-    Module { path: "search/pyramid_texels", head: r#"// Pyramidal displacement mapping as published: the maximum pyramid of the texels, each a level column.
+    Module { path: "search/pyramid_texels", head: r#"// Pyramidal displacement mapping as published: the maximum pyramid of the texels, each a level
+// column.
 //
-// Oh, Ki and Lee 2006, section 3.2 and Figure 13. Where the ray is above a node it goes on to the node's
-// height and down a level, or to the node's edge; where it is not, down a level. It never goes up again, so
-// that from the first texel on it goes from texel to texel. `params.x` caps the reads. Columns are not the
-// bilinear surface: `half-texel` goes on from their hit. View rays do not go below the level `params.y`
-// (section 3.4): its nodes are the columns then, and the coarser they are, the flatter is the surface.
+// Oh, Ki and Lee 2006, section 3.2 and Figure 13. Where the ray is above a node, it goes on to the
+// node's height and down a level, or to the node's edge. Where it is not, it goes down a level. It
+// never goes up again, so that from the first texel on it goes from texel to texel. `params.x` caps
+// the reads. Columns are not the bilinear surface: `half-texel` goes on from their hit. View rays
+// do not go below the level `params.y` (section 3.4). Its nodes are the columns then: the coarser
+// they are, the flatter is the surface.
 "# },
-    Module { path: "search/relaxed_cone", head: r#"// Relaxed cone stepping: over cones that a view ray leaves after at most one entry into the surface.
+    Module { path: "search/relaxed_cone", head: r#"// Relaxed cone stepping: over cones that a view ray leaves after at most one entry into the
+// surface.
 //
-// Policarpo and Oliveira 2007; Szirmay-Kalos and Umenhoffer 2008, section 4.4.3. The cone of the nearest
-// texel is moved to the surface under the ray, and holds there from anywhere in the texel's square: where the
-// ray is below the surface behind a step, it has entered once on the way, and where it is above, not at all.
-// In each cell that a step ends in the patch is looked at first, as `cells` does. `params.x` caps the reads.
-// With `params.y` 0 it is as published, by steps alone; these shrink toward the surface, and a step that gets
-// no further ends the search.
+// Policarpo and Oliveira 2007; Szirmay-Kalos and Umenhoffer 2008, section 4.4.3. The cone of the
+// nearest texel is moved to the surface under the ray, and holds there from anywhere in the texel's
+// square. Where the ray is below the surface behind a step, it has entered once on the way; where
+// it is above, not at all. In each cell in which a step ends the patch is tested first, as `cells`
+// does. `params.x` caps the reads. With `params.y` 0 it is as published, by steps alone. These
+// shrink toward the surface, and a step that gets no further ends the search.
 "# },
-    Module { path: "search/relaxed_cone_resting", head: r#"// Relaxed cones that rest on their texel: the search `cone` over the wider cones of texel centres.
+    Module { path: "search/relaxed_cone_resting", head: r#"// Relaxed cones that stay on their texel: the search `cone` over the wider cones of texel centres.
 //
-// Published here first. The cones hold for rays over the texel's centre alone. Beside it the horizontal
-// direction at a peak is another, so that a ray may enter and come out again within a cone: hits are passed,
-// rarely. `params.x` caps the reads.
+// Published here first. The cones hold for rays over the texel's centre alone. Beside it the
+// horizontal direction at a peak is another, so that a ray may enter and come out again within a
+// cone: hits are passed, rarely. `params.x` caps the reads.
 "# },
-    Module { path: "search/sphere", head: r#"// Sphere tracing: as far as the distance field says that nothing is near, in any direction.
+    Module { path: "search/sphere", head: r#"// Sphere tracing: each step is as long as the distance field allows in any direction.
 //
-// Hart 1993; Donnelly 2005; Szirmay-Kalos and Umenhoffer 2008, section 4.3.4. The map is relief-bake's kind
-// `distance` in texture units: a fetch between its voxels is nowhere more than the distance to the surface.
-// Where a step ends within the cell, the cell's patch is looked at, as `cells` does. `params.x` caps the
-// reads, `params.z` is the number of slices. With `params.y` 0 it is as published: the search ends where the
-// field allows no more way.
+// Hart 1993; Donnelly 2005; Szirmay-Kalos and Umenhoffer 2008, section 4.3.4. The map is
+// relief-bake's kind `distance` in texture units: a fetch between its voxels is nowhere more than
+// the distance to the surface. Where a step ends within the cell, the cell's patch is tested, as
+// `cells` does. `params.x` caps the reads, `params.z` is the number of slices. With `params.y` 0 it
+// is as published: the search ends where the field allows no further step.
 "# },
-    Module { path: "refine/binary", head: r#"// Binary search: the interval is halved, keeping its near end above and its far end below the surface.
+    Module { path: "refine/binary", head: r#"// Binary search: the interval is halved; its near end stays above the surface and its far end
+// below.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 4.2.2. `params.x` is the number of halvings. Without a search it
-// starts with the whole path and may find any crossing.
+// Szirmay-Kalos and Umenhoffer 2008, section 4.2.2. `params.x` is the number of halvings. Without a
+// search it starts with the whole path and may find any crossing.
 "# },
-    Module { path: "refine/half_texel", head: r#"// Half a texel before and behind the hit of a texel's column: between the two the gap is taken to be linear.
+    Module { path: "refine/half_texel", head: r#"// Half a texel before and behind the hit of a texel's column: between the two the gap is taken to
+// be linear.
 //
-// Oh, Ki and Lee 2006, section 3.3 and Figure 16. Two reads. Where both places are on the same side of the
-// surface the sizes of the gaps say nothing, and the answer is wrong, as published.
+// Oh, Ki and Lee 2006, section 3.3 and Figure 16. Two reads. If both places are on the same side of
+// the surface, the sizes of the gaps say nothing, and the answer is wrong, as published.
 "# },
-    Module { path: "refine/none", head: r#"// No refinement: what the search found is the hit.
+    Module { path: "refine/none", head: r#"// No refinement: the search's result is the hit.
 //
-// Without a search this is bump mapping: the processed point (Szirmay-Kalos and Umenhoffer 2008, section
-// 4.1.1). After linear search it is steep parallax mapping: the first sample below (section 4.3.1).
+// Without a search this is bump mapping: the processed point (Szirmay-Kalos and Umenhoffer 2008,
+// section 4.1.1). After linear search it is steep parallax mapping: the first sample below (section
+// 4.3.1).
 "# },
     Module { path: "refine/offset", head: r#"// Parallax mapping: the surface is taken for a level plane at the height of the starting point.
 //
@@ -447,41 +475,43 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "refine/slope_iterative", head: r#"// Iterative parallax mapping: the slope correction, repeated from the point that it gave.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 4.2.1. `params.x` is the number of corrections; with `params.y`
-// 1 each is divided by N·V, which makes it Newton's method.
+// Szirmay-Kalos and Umenhoffer 2008, section 4.2.1. `params.x` is the number of corrections. With
+// `params.y` 1 each is divided by N·V, which makes it Newton's method.
 "# },
     Module { path: "refine/true_secant", head: r#"// The secant method proper: always the last two guesses, whether or not they enclose the crossing.
 //
-// Suggested by Szirmay-Kalos and Umenhoffer 2008, section 4.2.3. `params.x` is the number of steps. It
-// converges faster than false position and without its certainty; a guess outside the search's interval is
-// brought back to its ends.
+// Suggested by Szirmay-Kalos and Umenhoffer 2008, section 4.2.3. `params.x` is the number of steps.
+// It converges faster than false position, but without its certainty. A guess outside the search's
+// interval is brought back to its ends.
 "# },
     Module { path: "shade/blinn_phong", head: r#"// Blinn-Phong: diffuse, and a specular lobe around the half vector.
 //
-// Blinn 1977, as named by Szirmay-Kalos and Umenhoffer 2008, section 2.1. The exponent is a whole number, so
-// that the power is a product of squares and has the same bits everywhere. Where the normal is a mean of
-// several, of that length, the lobe is as much wider as it is shorter, and as much dimmer (Toksvig 2005);
-// `cosine` is the mean of theirs, 0 for those that face away.
+// Blinn 1977, as named by Szirmay-Kalos and Umenhoffer 2008, section 2.1. The exponent is a whole
+// number, so that the power is a product of squares and has the same bits everywhere. If the normal
+// is the mean of several, its length is `mean`: the shorter it is, the wider and dimmer is the lobe
+// (Toksvig 2005). `cosine` is the mean of the several cosines, 0 for normals that face away.
 "# },
     Module { path: "shadow/entry", head: r#"// A ray from where the light enters the relief down to the hit: a view ray.
 //
 // Oliveira and Policarpo 2005, section 2.1.
 "# },
-    Module { path: "shadow/heuristic", head: r#"// The heuristic of interactive engines: what stands out of the ray to the light, the more the nearer.
+    Module { path: "shadow/heuristic", head: r#"// The heuristic of interactive engines: relief that stands out of the ray to the light darkens, the
+// nearer the more.
 //
 // Tatarchuk 2006, as named by Szirmay-Kalos and Umenhoffer 2008, section 6.
 "# },
     Module { path: "shadow/horizon", head: r#"// Horizons around the hit, baked for some azimuths and interpolated between them.
 //
-// Max 1988; Szirmay-Kalos and Umenhoffer 2008, section 6.1. The horizon's slope holds along a direction of
-// the texture, so that it is turned into the hit's own frame, which on a curved mesh is another everywhere.
-// What the hit's own cell hides is known, and not left to texels beside it.
+// Max 1988; Szirmay-Kalos and Umenhoffer 2008, section 6.1. The horizon's slope holds along a
+// direction of the texture. So it is turned into the hit's own frame, which changes from point to
+// point on a curved mesh. The shadow of the hit's own cell is computed, and not left to texels
+// beside it.
 "# },
-    Module { path: "shadow/map", head: r#"// A picture of depths that the light sees: what is hidden in it gets no light.
+    Module { path: "shadow/map", head: r#"// A shadow map: a picture of the depths that the light sees. Points hidden in it get no light.
 //
-// Williams 1978; Oliveira and Policarpo 2005, section 3.5. `params.x` and `params.y` are the size of the
-// picture and the number of cascades, which the host draws. `params.z` and `params.w` are the width of the
-// filter and the bias, in texels.
+// Williams 1978; Oliveira and Policarpo 2005, section 3.5. `params.x` and `params.y` are the size
+// of the shadow map and the number of cascades, which the host draws. `params.z` and `params.w` are
+// the width of the filter and the bias, in texels.
 "# },
     Module { path: "shadow/none", head: r#"// No shadows: all of a light arrives.
 "# },
@@ -489,8 +519,8 @@ pub const MODULES: &[Module] = &[
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 6.
 "# },
-    Module { path: "shadow/scene", head: r#"// Rays through all surfaces of the scene. No surface knows the others here: the host traces the rays and puts
-// the result in the place of this one.
+    Module { path: "shadow/scene", head: r#"// Rays through all surfaces of the scene. A surface's shader does not know the other surfaces: the
+// host traces the rays and replaces this result.
 "# },
     Module { path: "shadow/soft", head: r#"// Rays from the hit to points of the light's disc.
 //
@@ -498,106 +528,110 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shadow/visibility", head: r#"// Precomputed visibility: whether something is seen in fixed directions.
 //
-// Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008, section 6.2: the nearest direction, or the three
-// that are close to the light's, interpolated.
+// Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008, section 6.2: the nearest direction, or
+// the three that are close to the light's, interpolated.
 "# },
-    Module { path: "ambient/bent_normal", head: r#"// Bent normals: of the light from all around arrives as much as the relief's own normal sees of the sky.
+    Module { path: "ambient/bent_normal", head: r#"// Bent normals: the ambient light that arrives is the part of the sky that the relief's own normal
+// sees.
 //
-// Landis 2002. The baked vector is the integral over the directions to the sky, over pi. A point does not see
-// what is behind its own surface, so all of the sky that it sees is before its normal, and the product of
-// normal and vector is the light of a uniform sky without any further integral.
+// Landis 2002. The baked vector is the integral over the directions to the sky, over pi. A point
+// does not see what is behind its own surface, so all visible sky is before its normal. The product
+// of normal and vector is the light of a uniform sky without any further integral.
 "# },
-    Module { path: "ambient/bounce", head: r#"// Light that bounces: of the light from all around arrives what is seen of the sky, and what other points of
-// the relief throw back of theirs, about the base's normal.
+    Module { path: "ambient/bounce", head: r#"// Light that bounces: the ambient light that arrives comes from the visible sky, and from other
+// points of the relief that reflect theirs, about the base's normal.
 //
 // Heidrich, Daubert, Kautz and Seidel 2000; Szirmay-Kalos and Umenhoffer 2008, section 6.2.
 "# },
-    Module { path: "ambient/constant", head: r#"// The same light everywhere.
+    Module { path: "ambient/constant", head: r#"// Constant ambient light, the same everywhere.
 "# },
-    Module { path: "ambient/environment", head: r#"// The surroundings: they are reflected by the relief's surface, and what enters it is scattered, or refracted
-// and seen through it.
+    Module { path: "ambient/environment", head: r#"// An environment map. The relief's surface reflects it; light that enters the surface is scattered,
+// or refracted and seen through it.
 //
-// Environment maps after Blinn and Newell 1976, filtered beforehand as in Heidrich and Seidel 1999; on a
-// transparent object as in Oh, Ki and Lee 2006, Figure 22. How much is reflected is after Fresnel, for light
-// that is not polarised.
+// Environment maps after Blinn and Newell 1976, filtered beforehand as in Heidrich and Seidel 1999;
+// on a transparent object as in Oh, Ki and Lee 2006, Figure 22. The reflected part is after
+// Fresnel, for light that is not polarised.
 "# },
-    Module { path: "ambient/hemisphere", head: r#"// Hemisphere lighting: a sky above and ground below, whose parts are those that a normal sees of each.
+    Module { path: "ambient/hemisphere", head: r#"// Hemisphere lighting: a sky above and ground below, each weighted by the part that a normal sees.
 //
-// A plane with normal n sees the part (1 + n.y) / 2 of an even sky above the horizon, weighted by the cosine.
+// A plane with normal n sees the part (1 + n.y) / 2 of an even sky above the horizon, weighted by
+// the cosine.
 "# },
-    Module { path: "ambient/occlusion", head: r#"// Ambient occlusion: of the light from all around arrives what the horizons leave of the sky, about the
-// base's normal.
+    Module { path: "ambient/occlusion", head: r#"// Ambient occlusion: the ambient light that arrives is the part of the sky above the horizons,
+// about the base's normal.
 //
 // Zhukov, Iones and Kronin 1998; horizons as in Szirmay-Kalos and Umenhoffer 2008, section 6.1.
 "# },
     Module { path: "ambient/sky", head: r#"// A sky above and ground below, as far as the relief leaves them open.
 //
-// Bent normals say which part of the light arrives (Landis 2002). Its radiance is hemisphere lighting, half along
-// the bent normal and half along the normal. Along the bent normal alone all slopes in a shadow look the same.
+// Bent normals give the part of the light that arrives (Landis 2002). Its radiance is hemisphere
+// lighting, half along the bent normal and half along the normal. Along the bent normal alone all
+// slopes in a shadow look the same.
 "# },
-    Module { path: "procedure/bumps", head: r#"// Round bumps on level ground, each in a cell of a lattice. In time each grows and shrinks by itself, and all
-// come round together.
+    Module { path: "procedure/bumps", head: r#"// Round bumps on level ground, each in a cell of a lattice. In time each grows and shrinks by
+// itself, and all return to their beginning together.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 3.1: displacement by a formula.
 "# },
-    Module { path: "procedure/fbm", head: r#"// Fractal ground: gradient noise in octaves, each twice as fine as the one before and weaker. In time the
-// gradients turn, finer ones more often, so that it flows and comes round.
+    Module { path: "procedure/fbm", head: r#"// Fractal ground: gradient noise in octaves, each twice as fine as the one before and weaker. In
+// time the gradients turn, finer ones more often, so that it flows and returns to its beginning.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 3.1: displacement by a formula. Noise of turning gradients:
-// Perlin and Neyret 2001, Flow Noise.
+// Szirmay-Kalos and Umenhoffer 2008, section 3.1: displacement by a formula. Noise of turning
+// gradients: Perlin and Neyret 2001, Flow Noise.
 "# },
-    Module { path: "procedure/waves", head: r#"// Waves on water, of many lengths, that run the same way about, each as fast as its length lets it. All of
-// them fit the tile and come round in a unit of time.
+    Module { path: "procedure/waves", head: r#"// Waves on water, of many lengths, that run about the same way, each as fast as its length lets it.
+// All of them fit the tile and return to their beginning in a unit of time.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 3.1: displacement by a formula.
 "# },
-    Module { path: "roots/draw", head: r#"// A surface in a single pass, for any engine: the base mesh is rasterised, every fragment's ray traced, and
-// what it meets shaded. A program whose meshes come otherwise calls `shade_pixel` from a fragment function of
-// its own.
+    Module { path: "roots/draw", head: r#"// A surface in a single pass, for any engine: the base mesh is rasterised, every fragment's ray
+// traced, and its hit shaded. A program with other meshes calls `shade_pixel` from a fragment
+// function of its own.
 "# },
-    Module { path: "roots/paths", head: r#"// Search and refinement over a list of paths: for programs that trace on a GPU without drawing, and for
-// measurements of these stages beside others over the same paths.
+    Module { path: "roots/paths", head: r#"// Search and refinement over a list of paths: for programs that trace on a GPU without drawing, and
+// for measurements of different searches over the same paths.
 "# },
-    Module { path: "roots/probe", head: r#"// The stages one after the other over a list of rays, with every stage's result: for tests that hold the GPU
-// to the translation, and for measurements of the stages alone.
+    Module { path: "roots/probe", head: r#"// The stages one after the other over a list of rays, with every stage's result: for tests that
+// compare the GPU with the translation, and for measurements of single stages.
 "# },
-    Module { path: "roots/pyramid", head: r#"// A level of the pyramid of least and greatest heights, built on the GPU from the height map and from the
-// level before: to the bit what the kind `pyramid` bakes.
+    Module { path: "roots/pyramid", head: r#"// A level of the pyramid of least and greatest heights, built on the GPU from the height map and
+// the level before. It has the very bits that the kind `pyramid` bakes.
 //
-// Oh, Ki and Lee 2006, section 3.1. Heights are not negative, so that their bits are in the order of their
-// values. The bits are compared, because adapters may take the smallest floats for zeros.
+// Oh, Ki and Lee 2006, section 3.1. Heights are not negative, so that their bits are in the order
+// of their values. The bits are compared, because adapters may take the smallest floats for zeros.
 "# },
-    Module { path: "roots/resolve", head: r#"// After each sample of some rows: its colour is added to those before. The last one leaves the pixel's colour
-// in the records.
+    Module { path: "roots/resolve", head: r#"// The pass after each sample of some rows: it adds the sample's colour to those before. The last
+// one leaves the pixel's colour in the records.
 "# },
-    Module { path: "roots/shade", head: r#"// The second pass of a picture on the GPU: every pixel that the first one traced is shaded once. That one
-// leaves out what lies behind another surface. The first surface's pass writes all pixels, so that nothing is
-// left of the picture before.
+    Module { path: "roots/shade", head: r#"// The second pass of a picture on the GPU: every pixel that the first pass traced is shaded once.
+// The first pass leaves out hits behind another surface. The first surface's pass writes all
+// pixels, so that nothing of an earlier picture remains.
 "# },
-    Module { path: "roots/show", head: r#"// The picture for callers that show it: linear colours of the records of some rows, over the background.
+    Module { path: "roots/show", head: r#"// The picture for programs that show it: linear colours of the records of some rows, over the
+// background.
 "# },
-    Module { path: "roots/stencil", head: r#"// Slices through an object where no program may read several of its images at once: slice by slice, from
-// front to back, a pass for each image, which are counted in the stencil buffer. What has as many as there
-// are images is in the object; of the rest the count is taken back after each slice.
+    Module { path: "roots/stencil", head: r#"// Slices through an object, if no program may read several of its images at once: slice by slice,
+// from front to back, one pass per image, counted in the stencil buffer. A point whose count is the
+// number of images is in the object; all other counts are cleared after each slice.
 //
 // Kautz and Seidel 2001, section 4.1.
 "# },
-    Module { path: "roots/tessellate", head: r#"// Displaced triangles of a base, made anew for each view on the GPU: what is not seen is left out, what
-// remains is counted and numbered, made, and drawn. Where there are more points or triangles than there is
-// room for, the grid is coarser; nothing is dropped.
+    Module { path: "roots/tessellate", head: r#"// Displaced triangles of a base, made anew for each view on the GPU: culled, counted, numbered,
+// made, and drawn. If there is no memory for all points or triangles, the grid gets coarser;
+// nothing is dropped.
 //
-// Tallies are those of the base's edges, then those of its triangles.
+// The list of tallies has those for the base's edges first, then those for its triangles.
 "# },
-    Module { path: "roots/trace", head: r#"// The first pass of a picture on the GPU: the base mesh is rasterised, and every fragment's ray traced. The
-// same for depths alone: of what lights see, and before a program's own pass.
+    Module { path: "roots/trace", head: r#"// The first pass of a picture on the GPU: the base mesh is rasterised, and every fragment's ray
+// traced. It also fills depths alone: shadow maps, and a depth buffer before a program's own pass.
 //
-// Rays are made from the pixel and the triangle's corners, not from interpolated attributes, so that both
-// backends trace the same ray to the last bit whatever the rasteriser's precision.
+// Rays are made from the pixel and the triangle's corners, not from interpolated attributes. So
+// both backends trace the same ray to the last bit, whatever the rasteriser's precision.
 "# },
-    Module { path: "roots/trace_shells", head: r#"// The first pass of a picture of shells on the GPU: every pixel's ray goes down a hierarchy of boxes around
-// them, from near to far, and looks into those that it comes to until nothing nearer is left. A rasteriser
-// would look into all that cover the pixel, however deep they lie behind what is seen. The same for what
-// lights see.
+    Module { path: "roots/trace_shells", head: r#"// The first pass of a picture of shells on the GPU. Every pixel's ray traverses a BVH of shells
+// from near to far, and traces each shell that it meets until nothing nearer is left. A rasteriser
+// would trace all shells that cover the pixel, however deep they lie behind the visible ones.
+// Shadow maps are made in the same way.
 "# },
 ];
 
@@ -879,8 +913,8 @@ pub const DECLARATIONS: &[Declaration] = &[
         module: "bindings",
         name: "made_totals",
         sampling: None,
-        uses: &["MadeTotals"],
-        text: r#"@group(1) @binding(16) var<storage, read_write> made_totals: array<MadeTotals>;"#,
+        uses: &["TessellationTotals"],
+        text: r#"@group(1) @binding(16) var<storage, read_write> made_totals: array<TessellationTotals>;"#,
     },
     Declaration {
         module: "bindings",
@@ -1320,7 +1354,8 @@ fn eighth_turn(tangent: f32) -> f32 {
         name: "turn_of",
         sampling: None,
         uses: &["eighth_turn"],
-        text: r#"// The angle of a vector in turns, from 0 up to 1, counted from the first axis to the second; 0 of none.
+        text: r#"// The angle of a vector in turns, from 0 up to 1, counted from the first axis to the second. The
+// zero vector gives 0.
 fn turn_of(v: vec2f) -> f32 {
     let x = abs(v.x);
     let y = abs(v.y);
@@ -1394,7 +1429,7 @@ fn background_at(point: vec2f, rows: f32) -> vec3f {
         name: "plane_distance",
         sampling: None,
         uses: &["PixelIn"],
-        text: r#"// Where on the ray the plane of that normal, of any length, through the triangle is.
+        text: r#"// The ray's parameter on the plane with that normal, of any length, through the triangle.
 fn plane_distance(pixel: PixelIn, normal: vec3f) -> f32 {
     return dot(normal, pixel.a.position - pixel.origin) / dot(normal, pixel.direction);
 }"#,
@@ -1415,7 +1450,7 @@ fn plane_normal(pixel: PixelIn) -> vec3f {
         name: "weights_of",
         sampling: None,
         uses: &[],
-        text: r#"// The weights of three points at a point of the plane through them, of that normal.
+        text: r#"// The barycentric weights of three points at a point of their plane. `normal` is the plane's.
 fn weights_of(a: vec3f, b: vec3f, c: vec3f, normal: vec3f, point: vec3f) -> vec3f {
     let nn = dot(normal, normal);
     let from_a = point - a;
@@ -1429,7 +1464,7 @@ fn weights_of(a: vec3f, b: vec3f, c: vec3f, normal: vec3f, point: vec3f) -> vec3
         name: "plane_weights",
         sampling: None,
         uses: &["PixelIn", "weights_of"],
-        text: r#"// The weights of the corners at a point of that plane, of that normal.
+        text: r#"// The weights of the corners at a point of the plane with that normal.
 fn plane_weights(pixel: PixelIn, normal: vec3f, point: vec3f) -> vec3f {
     return weights_of(pixel.a.position, pixel.b.position, pixel.c.position, normal, point);
 }"#,
@@ -1439,7 +1474,8 @@ fn plane_weights(pixel: PixelIn, normal: vec3f, point: vec3f) -> vec3f {
         name: "triangle_weights",
         sampling: None,
         uses: &["PixelIn", "plane_weights"],
-        text: r#"// The same at a point of the triangle. By rounding the point may lie beside a small one.
+        text: r#"// The weights of the corners at a point of the triangle, at least 0 each. By rounding the point may
+// lie beside a small triangle.
 fn triangle_weights(pixel: PixelIn, normal: vec3f, point: vec3f) -> vec3f {
     let inside = max(plane_weights(pixel, normal, point), vec3f(0.0, 0.0, 0.0));
     return inside / (inside.x + inside.y + inside.z);
@@ -1450,8 +1486,8 @@ fn triangle_weights(pixel: PixelIn, normal: vec3f, point: vec3f) -> vec3f {
         name: "triangle_distance",
         sampling: None,
         uses: &["PixelIn"],
-        text: r#"// Where on the ray the triangle is, of a plane of that normal. One that is seen from its edge has no place on
-// its plane to speak of: it is between its corners.
+        text: r#"// The ray's parameter on the triangle, whose plane has that normal. For a triangle seen edge-on the
+// result stays between its corners.
 fn triangle_distance(pixel: PixelIn, normal: vec3f) -> f32 {
     let a = pixel.a.position - pixel.origin;
     let b = pixel.b.position - pixel.origin;
@@ -1480,7 +1516,7 @@ const BOX_MARGIN = 0.0625;"#,
         name: "BOX_ROUNDING",
         sampling: None,
         uses: &[],
-        text: r#"// The part of the distances in play by which it is larger besides: rounding.
+        text: r#"// The same margin relative to the distances in play, for rounding.
 const BOX_ROUNDING = 0.000002;"#,
     },
     Declaration {
@@ -1516,7 +1552,7 @@ fn extent_along(triangle: Triangle, axis: vec3f, side: f32, margin: f32) -> vec2
         name: "depth_of",
         sampling: None,
         uses: &["frame"],
-        text: r#"// Metres of a place from the eye along the view axis.
+        text: r#"// Metres from the eye to a position, along the view axis.
 fn depth_of(position: vec3f) -> f32 {
     return dot(position - frame.eye.xyz, frame.forward.xyz);
 }"#,
@@ -1542,8 +1578,8 @@ fn margin_of(triangle: Triangle) -> f32 {
         name: "box_corner",
         sampling: None,
         uses: &["Triangle", "extent_along", "margin_of"],
-        text: r#"// A vertex of the box around a triangle's shell, along the triangle's own axes. Seen from outside, the
-// vertices of its sides run counter-clockwise.
+        text: r#"// A vertex of the box around a triangle's shell, along the triangle's own axes. Seen from outside,
+// the vertices of each side run counter-clockwise.
 fn box_corner(triangle: Triangle, side: f32, vertex: u32) -> vec3f {
     let edge = triangle.b.position - triangle.a.position;
     let across = cross(edge, triangle.c.position - triangle.a.position);
@@ -1559,7 +1595,8 @@ fn box_corner(triangle: Triangle, side: f32, vertex: u32) -> vec3f {
     let along_y = extent_along(triangle, y, side, margin);
     let along_z = extent_along(triangle, z, side, margin);
 
-    // Of a side's corners 0 to 3, which are numbered by rows, the triangles are 0, 1, 2 and 2, 1, 3.
+    // The corners of a side are numbered by rows, from 0 to 3. Its triangles are 0, 1, 2 and 2, 1,
+    // 3.
     let place = vertex % 6u;
     var corner = select(place, 5u - place, place > 2u);
     if (place == 5u) {
@@ -1594,8 +1631,8 @@ const NEVER = 3.0e38;"#,
         name: "ROUNDING",
         sampling: None,
         uses: &[],
-        text: r#"// Share of a sum's terms that is taken off for the rounding of it and of what it is computed from: 8
-// roundings. Smaller, and steps may pass what `cells` sees; larger, and rays that graze plateaus look at more
+        text: r#"// Share of a sum's terms that is taken off for rounding: 8 roundings, of the sum and of its inputs.
+// Smaller, and steps may pass what `cells` sees; larger, and rays that graze plateaus look at more
 // patches.
 const ROUNDING = 0.00000095367431640625;"#,
     },
@@ -1639,7 +1676,7 @@ fn cell_leave(grid: Grid, cell: vec2f) -> vec2f {
         name: "cell_next",
         sampling: None,
         uses: &["Grid"],
-        text: r#"// The cell on the other side.
+        text: r#"// The next cell, behind the side through which the path leaves.
 fn cell_next(grid: Grid, cell: vec2f, leave: vec2f) -> vec2f {
     var next = cell;
     if (leave.x <= leave.y) {
@@ -1655,9 +1692,9 @@ fn cell_next(grid: Grid, cell: vec2f, leave: vec2f) -> vec2f {
         name: "cell_after",
         sampling: None,
         uses: &["Grid", "cell_of"],
-        text: r#"// The cell that holds the ray at t, after a step through the side of `cell` along each axis that it has left
-// by then: where rounding sees the ray before a line that it has crossed, it is in the cell behind it all the
-// same.
+        text: r#"// The cell that holds the ray at t, after a step through the side of `cell` along each axis that it
+// has left by then. Rounding may put the ray before a line that it has crossed; then it still is in
+// the cell behind that line.
 fn cell_after(grid: Grid, cell: vec2f, leave: vec2f, forward: vec2<bool>, t: f32) -> vec2f {
     let near = cell_of(grid.origin + grid.step * t);
     let ahead = max(near, cell + select(vec2f(0.0, 0.0), vec2f(1.0, 1.0), leave <= vec2f(t, t)));
@@ -1680,7 +1717,7 @@ fn cell_gap(path: Path, grid: Grid, cell: vec2f, t: f32) -> vec3f {
         name: "gap_to",
         sampling: None,
         uses: &["Grid", "Path"],
-        text: r#"// The same for a cell whose corners are known.
+        text: r#"// The coefficients of the gap in a cell with known corners, from parameter t on.
 fn gap_to(path: Path, grid: Grid, cell: vec2f, h: vec4f, t: f32) -> vec3f {
     let bx = h.y - h.x;
     let by = h.z - h.x;
@@ -1709,8 +1746,8 @@ fn gap_to(path: Path, grid: Grid, cell: vec2f, h: vec4f, t: f32) -> vec3f {
         name: "least_at",
         sampling: None,
         uses: &[],
-        text: r#"// Where in [0, span] a quadratic that is positive at 0 is least: a place where it is not positive if there is
-// one.
+        text: r#"// The place in [0, span] where a quadratic that is positive at 0 is least. It is not positive there
+// if it is not positive anywhere in the interval.
 fn least_at(c: vec3f, span: f32) -> f32 {
     if (c.z > 0.0) {
         return clamp((0.0 - c.y) / (2.0 * c.z), 0.0, span);
@@ -1765,18 +1802,18 @@ fn falls_in_cell(c: vec3f, span: f32) -> bool {
         module: "shared/cell",
         name: "found_in_cell",
         sampling: None,
-        uses: &["FOUND_BRACKET", "FOUND_STARTED_BELOW", "Found", "least_at", "quadratic"],
-        text: r#"// What a search knows after a cell in which the gap c falls to zero, from parameter t on to t + span: a
-// bracket that ends where the gap is least. `first` says that the path begins here.
-fn found_in_cell(c: vec3f, t: f32, span: f32, first: bool, cost: vec3u) -> Found {
+        uses: &["FOUND_BRACKET", "FOUND_STARTED_BELOW", "SearchResult", "least_at", "quadratic"],
+        text: r#"// The search result of a cell in which the gap c falls to zero between t and t + span: a bracket
+// that ends where the gap is least. `first` says that the path begins in this cell.
+fn found_in_cell(c: vec3f, t: f32, span: f32, first: bool, cost: vec3u) -> SearchResult {
     if (c.x <= 0.0) {
         if (first && c.x < 0.0) {
-            return Found(FOUND_STARTED_BELOW, 0.0, 0.0, c.x, c.x, cost);
+            return SearchResult(FOUND_STARTED_BELOW, 0.0, 0.0, c.x, c.x, cost);
         }
-        return Found(FOUND_BRACKET, t, t, c.x, c.x, cost);
+        return SearchResult(FOUND_BRACKET, t, t, c.x, c.x, cost);
     }
     let s = least_at(c, span);
-    return Found(FOUND_BRACKET, t, t + s, c.x, quadratic(c, s), cost);
+    return SearchResult(FOUND_BRACKET, t, t + s, c.x, quadratic(c, s), cost);
 }"#,
     },
     Declaration {
@@ -1784,7 +1821,7 @@ fn found_in_cell(c: vec3f, t: f32, span: f32, first: bool, cost: vec3u) -> Found
         name: "FEW_CELLS",
         sampling: None,
         uses: &[],
-        text: r#"// Cells of a bracket up to which a refinement may go through one by one.
+        text: r#"// The most cells of a bracket that a refinement may go through one by one.
 const FEW_CELLS = 3.0;"#,
     },
     Declaration {
@@ -1792,7 +1829,8 @@ const FEW_CELLS = 3.0;"#,
         name: "slope_of",
         sampling: None,
         uses: &["CONE_HALF_RATIO"],
-        text: r#"// Slope of a cone by its stored value, in heights for each tile; negative where none is known to hold.
+        text: r#"// The slope of a cone by its stored value, in heights per tile; negative for a cone without a known
+// width.
 fn slope_of(value: f32) -> f32 {
     // The ratio, in tiles for each unit of height, is half v² / (1 - v²).
     let squared = CONE_HALF_RATIO * value * value;
@@ -1842,8 +1880,9 @@ fn corner_height(heights: vec4f, corner: vec2f) -> f32 {
         name: "stays_inside",
         sampling: None,
         uses: &["Grid", "NEVER", "Path", "ROUNDING", "height_size", "path_height", "path_slope"],
-        text: r#"// How far from t on the ray is inside of the cone of that slope on an apex, by more than is rounded. `offset`
-// is the texel's centre from which the places of the path count, in texels.
+        text: r#"// The length along the ray, from t, that stays inside the cone with that slope on an apex, with a
+// margin for rounding. `offset` is the texel's centre, in texels, as the origin of the path's
+// places.
 fn stays_inside(path: Path, grid: Grid, offset: vec2f, apex: f32, slope: f32, t: f32) -> f32 {
     let rest = path.exit - t;
     let height = path_height(path, t) - apex;
@@ -1888,9 +1927,9 @@ fn stays_inside(path: Path, grid: Grid, offset: vec2f, apex: f32, slope: f32, t:
         module: "shared/cone",
         name: "entered_once",
         sampling: None,
-        uses: &["FEW_CELLS", "FOUND_BRACKET", "Found", "Grid", "HEIGHTS_READ", "Path", "STEP", "path_gap"],
-        text: r#"// The bracket of the only entry between two places, above and below the surface: halved until few cells are
-// left.
+        uses: &["FEW_CELLS", "FOUND_BRACKET", "Grid", "HEIGHTS_READ", "Path", "STEP", "SearchResult", "path_gap"],
+        text: r#"// The bracket of the only entry between two places, one above and one below the surface. It is
+// halved until few cells are left.
 fn entered_once(
     path: Path,
     grid: Grid,
@@ -1899,7 +1938,7 @@ fn entered_once(
     above_gap: f32,
     below_gap: f32,
     so_far: vec3u,
-) -> Found {
+) -> SearchResult {
     var near = above;
     var far = below;
     var near_gap = above_gap;
@@ -1922,7 +1961,7 @@ fn entered_once(
             near_gap = gap;
         }
     }
-    return Found(FOUND_BRACKET, near, far, near_gap, far_gap, cost);
+    return SearchResult(FOUND_BRACKET, near, far, near_gap, far_gap, cost);
 }"#,
     },
     Declaration {
@@ -1937,7 +1976,7 @@ fn entered_once(
         name: "STEP",
         sampling: None,
         uses: &[],
-        text: r#"// A turn of a loop.
+        text: r#"// One step: a turn of a loop.
 const STEP = vec3u(0u, 1u, 0u);"#,
     },
     Declaration {
@@ -1971,10 +2010,11 @@ const DICE_PARTS = 32767u;"#,
         uses: &[],
         text: r#"// A triangle seen from the corner where its two longer sides meet.
 struct DiceRows {
-    // The side from that corner onward, that of fewest parts, and the one back to it; and their parts.
+    // The side from that corner onward, the side of fewest parts, and the side back to the corner;
+    // then the parts of each.
     sides: vec3u,
     parts: vec3u,
-    // How many rows there are after the corner.
+    // Number of rows after the corner.
     count: u32,
 }"#,
     },
@@ -1985,11 +2025,11 @@ struct DiceRows {
         uses: &[],
         text: r#"// A point of a triangle.
 struct DicePoint {
-    // Of the triangle's sides the one that it lies on, and how many parts lie before it there, fewer than there
-    // are; or `INSIDE`, and its number among those inside.
+    // The triangle's side that the point lies on, and the number of parts before it there, fewer
+    // than the side has; or `INSIDE`, and its number among the points inside.
     side: u32,
     at: u32,
-    // The weights of the triangle's corners; of a point on a side they are not set.
+    // The weights of the triangle's corners; not set for a point on a side.
     weights: vec3f,
 }"#,
     },
@@ -2009,7 +2049,7 @@ struct DicePlace {
         name: "DiceTriangle",
         sampling: None,
         uses: &["DicePlace"],
-        text: r#"// A triangle of the pattern, in the sense of rotation of the whole one.
+        text: r#"// A triangle of the pattern, with the winding of the whole one.
 struct DiceTriangle {
     a: DicePlace,
     b: DicePlace,
@@ -2031,7 +2071,7 @@ fn one_of(numbers: vec3u, place: u32) -> u32 {
         name: "around_three",
         sampling: None,
         uses: &[],
-        text: r#"// The number that comes around after so many of three.
+        text: r#"// The number that follows another of three after `on` steps, cyclically.
 fn around_three(place: u32, on: u32) -> u32 {
     return (place + on) % 3u;
 }"#,
@@ -2054,7 +2094,7 @@ fn around_three(place: u32, on: u32) -> u32 {
         name: "dice_share",
         sampling: None,
         uses: &["DiceRows"],
-        text: r#"// How many of so many parts belong to the rows up to one.
+        text: r#"// The number of parts that belong to the rows up to `row`, where all rows have `parts`.
 fn dice_share(rows: DiceRows, row: u32, parts: u32) -> u32 {
     return (row * parts + rows.count - 1u) / rows.count;
 }"#,
@@ -2064,7 +2104,7 @@ fn dice_share(rows: DiceRows, row: u32, parts: u32) -> u32 {
         name: "dice_row_parts",
         sampling: None,
         uses: &["DiceRows", "dice_share"],
-        text: r#"// In how many parts a row is divided.
+        text: r#"// The number of parts of a row.
 fn dice_row_parts(rows: DiceRows, row: u32) -> u32 {
     return dice_share(rows, row, rows.parts.y);
 }"#,
@@ -2100,7 +2140,7 @@ fn sum_of_quotients(count: u32, by: u32, slope: u32, offset: u32) -> u32 {
         name: "dice_parts_before",
         sampling: None,
         uses: &["DiceRows", "sum_of_quotients"],
-        text: r#"// How many parts the first rows have, but for one in each.
+        text: r#"// The number of parts in the first `count` rows, less one for each row.
 fn dice_parts_before(rows: DiceRows, count: u32) -> u32 {
     return sum_of_quotients(count, rows.count, rows.parts.y, rows.parts.y - 1u);
 }"#,
@@ -2110,7 +2150,7 @@ fn dice_parts_before(rows: DiceRows, count: u32) -> u32 {
         name: "dice_points_before",
         sampling: None,
         uses: &["DiceRows", "dice_parts_before"],
-        text: r#"// How many points lie inside of the triangle before a row, which is one after the corner.
+        text: r#"// The number of points inside the triangle before a row, which is one after the corner.
 fn dice_points_before(rows: DiceRows, row: u32) -> u32 {
     return dice_parts_before(rows, row - 1u);
 }"#,
@@ -2120,7 +2160,7 @@ fn dice_points_before(rows: DiceRows, row: u32) -> u32 {
         name: "dice_points",
         sampling: None,
         uses: &["DiceRows", "dice_points_before"],
-        text: r#"// How many points lie inside of the triangle.
+        text: r#"// The number of points inside the triangle.
 fn dice_points(rows: DiceRows) -> u32 {
     return dice_points_before(rows, rows.count);
 }"#,
@@ -2130,7 +2170,8 @@ fn dice_points(rows: DiceRows) -> u32 {
         name: "dice_triangles_before",
         sampling: None,
         uses: &["DiceRows", "dice_parts_before", "dice_row_parts", "dice_share"],
-        text: r#"// How many triangles there are before so many rows end. Rows that share an end have one less between them.
+        text: r#"// The number of triangles before the end of row `row`. Rows that share an end have one less between
+// them.
 fn dice_triangles_before(rows: DiceRows, row: u32) -> u32 {
     let ends = dice_share(rows, row, rows.parts.x) + dice_share(rows, row, rows.parts.z);
     return 2u * dice_parts_before(rows, row) + ends - dice_row_parts(rows, row);
@@ -2141,7 +2182,7 @@ fn dice_triangles_before(rows: DiceRows, row: u32) -> u32 {
         name: "dice_triangles",
         sampling: None,
         uses: &["DiceRows", "dice_triangles_before"],
-        text: r#"// How many triangles there are.
+        text: r#"// The number of triangles.
 fn dice_triangles(rows: DiceRows) -> u32 {
     return dice_triangles_before(rows, rows.count);
 }"#,
@@ -2151,8 +2192,8 @@ fn dice_triangles(rows: DiceRows) -> u32 {
         name: "dice_guess",
         sampling: None,
         uses: &["DiceRows"],
-        text: r#"// Where something is to be looked for that grows as the square of the row does: at the end of all rows there
-// are so many, and before it.
+        text: r#"// A guess at the row where a number that grows as the square of the row reaches `before`. At the
+// end of all rows it is `all`.
 fn dice_guess(rows: DiceRows, before: u32, all: u32) -> u32 {
     let part = sqrt((f32(before) + 0.5) / f32(max(all, 1u)));
     return clamp(u32(part * f32(rows.count)), 0u, rows.count - 1u);
@@ -2197,8 +2238,8 @@ fn dice_row_of_triangle(rows: DiceRows, number: u32) -> u32 {
         name: "dice_border",
         sampling: None,
         uses: &["DicePoint", "DiceRows", "around_three", "one_of"],
-        text: r#"// A point of a side that so many parts lie before, counted from the corner, or on the short side from its
-// first end. The last point of a side is the first one of the next.
+        text: r#"// The point of a side with `at` parts before it, counted from the corner, or on the short side from
+// its first end. The last point of a side is the first one of the next.
 fn dice_border(rows: DiceRows, side: u32, at: u32) -> DicePoint {
     let number = one_of(rows.sides, side);
     let parts = one_of(rows.parts, side);
@@ -2232,7 +2273,7 @@ fn dice_point(rows: DiceRows, place: DicePlace) -> DicePoint {
     if (place.at == parts) {
         return dice_border(rows, 2u, last);
     }
-    // Of the two ends of the short side, and of the corner.
+    // The weights of the two ends of the short side, then of the corner.
     let on_short = f32(parts - place.at) / f32(parts) * (f32(first) / f32(rows.parts.x));
     let on_other = f32(place.at) / f32(parts) * (f32(last) / f32(rows.parts.z));
     let on_corner = 1.0 - on_short - on_other;
@@ -2259,8 +2300,9 @@ fn dice_place(rows: DiceRows, number: u32) -> DicePlace {
         name: "dice_steps_below",
         sampling: None,
         uses: &[],
-        text: r#"// How many of the first steps between two rows of so many parts go along the lower one: a step goes to the
-// point that is reached first halfway to it, and where both are, along the lower row.
+        text: r#"// The number of the first `steps` steps between two rows that go along the lower row. A step goes
+// to the point that is reached first halfway to it; ties go to the lower row. `above` and `below`
+// are the parts of the two rows.
 fn dice_steps_below(above: u32, below: u32, steps: u32) -> u32 {
     let least = select(0u, steps - above, steps > above);
     let most = min(below, steps);
@@ -2306,7 +2348,7 @@ const GOLDEN_TURN = 0.618033989;"#,
         name: "seed_of",
         sampling: None,
         uses: &["Hit", "UNITS", "mixed"],
-        text: r#"// What the random numbers of a hit begin with.
+        text: r#"// The seed of a hit's random numbers.
 fn seed_of(hit: Hit) -> u32 {
     let place = vec2u((hit.uv - floor(hit.uv)) * UNITS);
     return mixed(place.x ^ mixed(place.y));
@@ -2317,8 +2359,9 @@ fn seed_of(hit: Hit) -> u32 {
         name: "point_of_disc",
         sampling: None,
         uses: &["GOLDEN_TURN", "Toward", "mixed", "turned", "unit_of"],
-        text: r#"// The light, seen as the point of its disc that is number `k` of `count`. The points lie in rings of the same
-// area, at random in each, one golden section after the other, and turned at random together.
+        text: r#"// The light, seen as the point of its disc that is number `k` of `count`. The points lie at random
+// in rings of equal area, each one golden section after the last, and are turned at random
+// together.
 fn point_of_disc(light: Toward, seed: u32, k: u32, count: u32) -> Toward {
     let ring = (f32(k) + unit_of(mixed(seed + k + 1u))) / f32(count);
     let place = turned(f32(k) * GOLDEN_TURN + unit_of(seed)) * (sqrt(ring) * light.radius);
@@ -2336,8 +2379,9 @@ fn point_of_disc(light: Toward, seed: u32, k: u32, count: u32) -> Toward {
         name: "part_above",
         sampling: None,
         uses: &[],
-        text: r#"// The part of a disc of radius 1 that is above a straight line; its centre is this much above the line. An
-// odd polynomial stands for x sqrt(1 - x²) + asin(x), over pi; it is off by 5e-4 at most.
+        text: r#"// The part of a disc of radius 1 that is above a straight line, where the centre is `height` above
+// the line. An odd polynomial stands for x sqrt(1 - x²) + asin(x), over pi; it is off by 5e-4 at
+// most.
 fn part_above(height: f32) -> f32 {
     let x = clamp(height, -1.0, 1.0);
     let s = x * x;
@@ -2357,7 +2401,7 @@ const LEAST_SCALE_M = 1.0e-9;"#,
         name: "BESIDE_TILE",
         sampling: None,
         uses: &[],
-        text: r#"// How far beside a map that is there once, in tiles, rounding may lay what is at its edge.
+        text: r#"// Tiles by which rounding may move a point at the edge of an unrepeated map beside it.
 const BESIDE_TILE = 0.000001;"#,
     },
     Declaration {
@@ -2429,7 +2473,7 @@ fn inside_unit(x0: f32, dx: f32, interval: vec2f) -> vec2f {
         name: "placed_over",
         sampling: None,
         uses: &["Entered", "height_at", "surface_settings"],
-        text: r#"// The place of the relief over a point beside the one at which the ray is on the base, in the frame there.
+        text: r#"// The frame of the relief over a point beside the one at which the ray is on the base.
 fn placed_over(at: Entered, uv: vec2f) -> Entered {
     let aside = uv - at.uv;
     let height = surface_settings.bias_m + surface_settings.scale_m * height_at(uv, at.level);
@@ -2444,7 +2488,7 @@ fn placed_over(at: Entered, uv: vec2f) -> Entered {
         name: "COSINES",
         sampling: None,
         uses: &[],
-        text: r#"// How often the deviation of the last level's lobes, the cosine's, goes into a radian.
+        text: r#"// 1 radian over the deviation of the last level's lobes, which are cosines.
 const COSINES = 1.2247449;"#,
     },
     Declaration {
@@ -2463,7 +2507,8 @@ struct FacePlace {
         name: "face_place",
         sampling: None,
         uses: &["FacePlace"],
-        text: r#"// Where a direction of any length meets the cube. Faces and their axes are those of the cube maps of GPUs.
+        text: r#"// The point at which a direction of any length meets the cube. Faces and their axes are as in the
+// cube maps of GPUs.
 fn face_place(d: vec3f) -> FacePlace {
     let size = abs(d);
     if (size.x >= size.y && size.x >= size.z) {
@@ -2512,7 +2557,7 @@ fn environment_of_level(direction: vec3f, level: u32) -> vec3f {
         name: "environment_in_lobe",
         sampling: None,
         uses: &["COSINES", "environment_of_level", "levels_of", "surface_settings"],
-        text: r#"// The light within a lobe around a direction, of that deviation in radians.
+        text: r#"// The light within a lobe around a direction. `deviation` is the lobe's, in radians.
 fn environment_in_lobe(direction: vec3f, deviation: f32) -> vec3f {
     let width = deviation * (COSINES * f32(1u << (surface_settings.environment_levels - 1u)));
     let levels = levels_of(width, surface_settings.environment_levels);
@@ -2528,7 +2573,8 @@ fn environment_in_lobe(direction: vec3f, deviation: f32) -> vec3f {
         name: "environment_on",
         sampling: None,
         uses: &["environment_of_level", "surface_settings"],
-        text: r#"// The light that falls on a surface with that normal from all around: what a white one reflects of it.
+        text: r#"// The light that falls on a surface with that normal from all around: the light that a white
+// surface reflects.
 fn environment_on(normal: vec3f) -> vec3f {
     return environment_of_level(normal, surface_settings.environment_levels - 1u);
 }"#,
@@ -2546,7 +2592,7 @@ const MOST_PIECES = 7u;"#,
         name: "MOST_FOLDED_CHORDS",
         sampling: None,
         uses: &[],
-        text: r#"// The most chords of a piece, and how many there are of one that turns back along the ray.
+        text: r#"// The most chords of a piece, and the number of chords of a piece that turns back along the ray.
 const MOST_FOLDED_CHORDS = 16.0;"#,
     },
     Declaration {
@@ -2562,8 +2608,8 @@ const TURN_STEPS = 12u;"#,
         name: "BEYOND_OFFSETS",
         sampling: None,
         uses: &[],
-        text: r#"// What is added to the offsets below the least height and above the greatest, in parts of all heights: rays
-// that end at a floor must cross it.
+        text: r#"// The part of all heights that is added to the offsets below the least height and above the
+// greatest. Rays that end at a floor must cross it.
 const BEYOND_OFFSETS = 0.000001;"#,
     },
     Declaration {
@@ -2571,7 +2617,7 @@ const BEYOND_OFFSETS = 0.000001;"#,
         name: "LEAST_AREA",
         sampling: None,
         uses: &[],
-        text: r#"// A triangle that is smaller than that, in square metres, is nowhere met.
+        text: r#"// A triangle with a smaller area, in square metres, is never hit.
 const LEAST_AREA = 1.0e-30;"#,
     },
     Declaration {
@@ -2596,7 +2642,7 @@ struct Way {
         text: r#"// A point of the way.
 struct WayPoint {
     point: ShellPoint,
-    // Metres along the ray from the place that is nearest to the triangle, and by how many it is beside.
+    // Metres along the ray from its nearest place to the triangle, and metres beside the ray.
     t: f32,
     beside: f32,
     // Positive where the shell is not turned inside out.
@@ -2608,7 +2654,7 @@ struct WayPoint {
         name: "WayChord",
         sampling: None,
         uses: &[],
-        text: r#"// A chord of the way, by the offsets of its ends, and how many there are in all.
+        text: r#"// A chord of the way: the offsets of its ends, and the number of chords in all.
 struct WayChord {
     offsets: vec2f,
     count: u32,
@@ -2619,8 +2665,8 @@ struct WayChord {
         name: "way_weight",
         sampling: None,
         uses: &["NEVER"],
-        text: r#"// The coefficients of d·(q_i × q_j). Here and below there are limits that are never reached: compilers would
-// take common factors out of sums, which ends in other bits.
+        text: r#"// The coefficients of d·(q_i × q_j). Here and below there are limits that are never reached:
+// compilers would take common factors out of sums, which gives other bits.
 fn way_weight(along: vec3f, p: vec3f, n: vec3f, q: vec3f, m: vec3f) -> vec3f {
     let most = vec3f(NEVER, NEVER, NEVER);
     let middle = min(cross(p, m), most) + min(cross(n, q), most);
@@ -2649,7 +2695,7 @@ fn way_weight(along: vec3f, p: vec3f, n: vec3f, q: vec3f, m: vec3f) -> vec3f {
         name: "grown_way",
         sampling: None,
         uses: &["Way"],
-        text: r#"// The same for a triangle that is larger by these weights.
+        text: r#"// The way through a triangle that is larger by these weights.
 fn grown_way(way: Way, beyond: vec3f) -> Way {
     let sum = way.first + way.second + way.third;
     return Way(
@@ -2691,7 +2737,7 @@ fn way_point(prism: Prism, along: vec3f, way: Way, offset: f32) -> WayPoint {
         name: "both_roots",
         sampling: None,
         uses: &["NEVER"],
-        text: r#"// The roots of a quadratic, in no order; NEVER in place of those that it has not.
+        text: r#"// The roots of a quadratic, in no order; NEVER in place of missing ones.
 fn both_roots(c: vec3f) -> vec2f {
     var roots = vec2f(NEVER, NEVER);
     let discriminant = c.y * c.y - 4.0 * c.z * c.x;
@@ -2744,8 +2790,8 @@ fn is_inside(way: Way, offset: f32) -> bool {
         name: "way_bend",
         sampling: None,
         uses: &[],
-        text: r#"// How much heights bend over a chord through a point between its ends, of which `part` of the chord is
-// before.
+        text: r#"// The deviation of heights from a chord, at a point between its ends. `part` is the part of the
+// chord before the point.
 fn way_bend(a: f32, m: f32, b: f32, part: f32) -> f32 {
     if (part > 0.125 && part < 0.875) {
         return (m - a - (b - a) * part) / (part * (part - 1.0));
@@ -2758,7 +2804,7 @@ fn way_bend(a: f32, m: f32, b: f32, part: f32) -> f32 {
         name: "beside_way",
         sampling: None,
         uses: &["HEIGHTS_A_TEXEL", "NEVER", "PixelIn", "WayPoint", "height_size", "uv_of"],
-        text: r#"// How far a point of the way is beside the chord, in units of the tolerance's texels.
+        text: r#"// The distance of a point of the way from the chord, in units of the tolerance's texels.
 fn beside_way(pixel: PixelIn, a: WayPoint, b: WayPoint, bend: f32, at: WayPoint) -> f32 {
     let part = (at.t - a.t) / (b.t - a.t);
     let line = a.point.weights + min(b.point.weights - a.point.weights, vec3f(NEVER, NEVER, NEVER)) * part;
@@ -2773,7 +2819,7 @@ fn beside_way(pixel: PixelIn, a: WayPoint, b: WayPoint, bend: f32, at: WayPoint)
         name: "chords_of_piece",
         sampling: None,
         uses: &["MOST_FOLDED_CHORDS", "NEVER", "PixelIn", "Prism", "Way", "beside_way", "way_bend", "way_point"],
-        text: r#"// How many chords a piece of the way takes.
+        text: r#"// The number of chords that a piece of the way takes.
 fn chords_of_piece(
     pixel: PixelIn,
     prism: Prism,
@@ -2796,7 +2842,7 @@ fn chords_of_piece(
     let bend = way_bend(a.point.height, m.point.height, b.point.height, (m.t - a.t) / (b.t - a.t));
     let quarters = max(beside_way(pixel, a, b, bend, before), beside_way(pixel, a, b, bend, after));
     let most = max(beside_way(pixel, a, b, bend, m), quarters);
-    // Half as many chords are four times as far beside.
+    // With half the chords the way is four times as far beside them.
     return u32(clamp(ceil(sqrt(most / tolerance)), 1.0, MOST_FOLDED_CHORDS));
 }"#,
     },
@@ -2831,7 +2877,7 @@ fn sides_over_area(prism: Prism, offset: f32) -> vec3f {
         name: "way_beyond",
         sampling: None,
         uses: &["Prism", "sides_over_area"],
-        text: r#"// The weights by which a shell is larger where it reaches beyond its sides by so many metres at its widest.
+        text: r#"// The weights by which a shell is larger where it reaches `metres` beyond its sides at its widest.
 fn way_beyond(prism: Prism, offsets: vec2f, metres: f32) -> vec3f {
     return min(sides_over_area(prism, offsets.x), sides_over_area(prism, offsets.y)) * metres;
 }"#,
@@ -2841,7 +2887,8 @@ fn way_beyond(prism: Prism, offsets: vec2f, metres: f32) -> vec3f {
         name: "way_chord",
         sampling: None,
         uses: &["MOST_PIECES", "NEVER", "PixelIn", "Prism", "Way", "WayChord", "chords_of_piece", "grown_way", "is_inside", "root_behind"],
-        text: r#"// The chord of that number of a way through a shell that is larger by `beyond`, of those between `offsets`.
+        text: r#"// A chord by its number, of a way through a shell that is larger by `beyond`, among the chords
+// between `offsets`.
 fn way_chord(
     pixel: PixelIn,
     prism: Prism,
@@ -2882,7 +2929,8 @@ fn way_chord(
         name: "before_turn",
         sampling: None,
         uses: &["Prism", "TURN_STEPS", "Way", "between", "way_point"],
-        text: r#"// The part of a chord that is not turned inside out, where the way turns back in it; else the whole chord.
+        text: r#"// The part of a chord that is not turned inside out, if the way turns back in it; otherwise the
+// whole chord.
 fn before_turn(prism: Prism, along: vec3f, way: Way, chord: vec2f) -> vec2f {
     let is_first = way_point(prism, along, way, chord.x).volume > 0.0;
     let is_last = way_point(prism, along, way, chord.y).volume > 0.0;
@@ -2912,7 +2960,7 @@ fn before_turn(prism: Prism, along: vec3f, way: Way, chord: vec2f) -> vec2f {
         name: "footprint_axis",
         sampling: None,
         uses: &["Entered", "PixelIn", "climb", "surface_settings"],
-        text: r#"// How far the base point moves, in texels, when the ray's origin and direction change by these.
+        text: r#"// The movement of the base point, in texels, when the ray's origin and direction change by these.
 fn footprint_axis(
     pixel: PixelIn,
     at: Entered,
@@ -2931,19 +2979,20 @@ fn footprint_axis(
         name: "footprint_of",
         sampling: None,
         uses: &["Entered", "PixelIn", "footprint_axis", "frame", "plane_distance"],
-        text: r#"// Width of the footprint on the base surface, in texels of the height map's finest level. It is an ellipse,
-// and its shorter axis decides, as in anisotropic filtering; the longer one may be `anisotropy` times as
-// long.
+        text: r#"// Width of the footprint on the base surface, in texels of the height map's finest level. The
+// footprint is an ellipse. Its shorter axis decides, as in anisotropic filtering; the longer one
+// may be `anisotropy` times as long.
 fn footprint_of(pixel: PixelIn, at: Entered, anisotropy: f32) -> f32 {
     let normal = at.facing;
     let t = plane_distance(pixel, normal);
     let right = footprint_axis(pixel, at, normal, t, frame.eye_right.xyz, frame.right.xyz);
     let down = footprint_axis(pixel, at, normal, t, frame.eye_down.xyz, frame.down.xyz);
-    // One product of four: of two sums that are added compilers make another sum, which ends in other bits.
+    // One product of four. Compilers would turn two sums that are added into another sum, which
+    // gives other bits.
     let both = vec4f(right, down);
     let sum = dot(both, both);
     let area = right.x * down.y - right.y * down.x;
-    // Of the squared axes of the ellipse the sum is known, and the product: the area squared.
+    // The sum of the ellipse's squared axes is known, and their product: the area squared.
     let apart = sqrt(max((sum - 2.0 * area) * (sum + 2.0 * area), 0.0));
     let longer = 0.5 * (sum + apart);
     let shorter = area * area / longer;
@@ -2956,7 +3005,7 @@ fn footprint_of(pixel: PixelIn, at: Entered, anisotropy: f32) -> f32 {
         name: "depth_in_samples",
         sampling: None,
         uses: &["Entered", "PixelIn", "frame", "plane_distance", "surface_settings"],
-        text: r#"// How many samples of a pixel wide the relief is deep, seen from the distance of the base point.
+        text: r#"// The depth of the relief in widths of a pixel's sample, seen from the distance of the base point.
 fn depth_in_samples(pixel: PixelIn, at: Entered) -> f32 {
     let t = plane_distance(pixel, at.facing);
     let width = length(frame.eye_right.xyz + frame.right.xyz * t) * frame.sample_width;
@@ -2968,7 +3017,7 @@ fn depth_in_samples(pixel: PixelIn, at: Entered) -> f32 {
         name: "FRAMES",
         sampling: None,
         uses: &[],
-        text: r#"// How many frames are around a direction.
+        text: r#"// Number of frames around a direction.
 const FRAMES = 3u;"#,
     },
     Declaration {
@@ -2976,7 +3025,8 @@ const FRAMES = 3u;"#,
         name: "Frames",
         sampling: None,
         uses: &[],
-        text: r#"// Their numbers, and the weight of each: barycentric coordinates of the direction between them.
+        text: r#"// The numbers of the frames, and the weight of each: barycentric coordinates of the direction
+// between them.
 struct Frames {
     numbers: vec3u,
     weights: vec3f,
@@ -2987,8 +3037,9 @@ struct Frames {
         name: "frames_around",
         sampling: None,
         uses: &["Frames", "LEAST_SUM", "object_texel", "surface_settings"],
-        text: r#"// Of the grid, in the row of the map of images after the last image: where the axes of the mapping lie in the
-// world; behind these how many frames a side has, and 1 where only the upper half is mapped.
+        text: r#"// The frames around a direction. The grid's data is in the row of the map of images after the last
+// image: the mapping's axes in the world, then the number of frames along a side, and 1 if only the
+// upper half is mapped.
 fn frames_around(toward: vec3f) -> Frames {
     let row = i32(surface_settings.images);
     let axis_x = object_texel(vec2i(0, row));
@@ -3004,7 +3055,7 @@ fn frames_around(toward: vec3f) -> Frames {
     var x = right / sum;
     var z = front / sum;
     if (y < 0.0) {
-        // What lies below is folded outward over the diagonals.
+        // The lower half is folded outward over the diagonals.
         let folded_x = (1.0 - abs(z)) * select(-1.0, 1.0, x >= 0.0);
         let folded_z = (1.0 - abs(x)) * select(-1.0, 1.0, z >= 0.0);
         x = folded_x;
@@ -3028,8 +3079,8 @@ fn frames_around(toward: vec3f) -> Frames {
         name: "LEAST_SUM",
         sampling: None,
         uses: &[],
-        text: r#"// No unit direction has a smaller sum of parts, but for one straight from below where the lower half is not
-// mapped.
+        text: r#"// The least sum of parts of a unit direction. Only a direction straight from below has less, where
+// the lower half is not mapped.
 const LEAST_SUM = 0.000001;"#,
     },
     Declaration {
@@ -3055,7 +3106,7 @@ const LEAST_SUM = 0.000001;"#,
         name: "color_of_frames",
         sampling: None,
         uses: &["Entered", "FRAMES", "color_at", "frame_number", "frame_weight", "frames_around", "image_of_object", "place_in_image"],
-        text: r#"// The colour that they have at a point, by their weights.
+        text: r#"// The weighted colour of the frames at a point.
 fn color_of_frames(at: Entered, view: vec3f) -> vec3f {
     let frames = frames_around(view);
     var sum = vec3f(0.0, 0.0, 0.0);
@@ -3073,7 +3124,7 @@ fn color_of_frames(at: Entered, view: vec3f) -> vec3f {
         name: "normal_of_frames",
         sampling: None,
         uses: &["Entered", "FRAMES", "Frames", "bitangent_of_image", "finest_normal", "frame_number", "frame_weight", "image_of_object", "place_in_image", "tangent_of_image"],
-        text: r#"// The normal that they have there.
+        text: r#"// The weighted normal of the frames at a point.
 fn normal_of_frames(at: Entered, frames: Frames) -> vec3f {
     var sum = vec3f(0.0, 0.0, 0.0);
     var k = 0u;
@@ -3129,8 +3180,8 @@ fn wrap_index(i: i32, n: i32) -> i32 {
         name: "level_texels",
         sampling: None,
         uses: &[],
-        text: r#"// Columns and rows of a level of a map with so many: in each level half of those before, rounded down, and at
-// least 1.
+        text: r#"// Columns and rows of a level of a map. Each level has half as many as the one before, rounded
+// down, and at least 1.
 fn level_texels(finest: vec2u, level: u32) -> vec2i {
     return vec2i(max(i32(finest.x >> level), 1), max(i32(finest.y >> level), 1));
 }"#,
@@ -3150,7 +3201,7 @@ fn height_texels(level: u32) -> vec2i {
         name: "height_size",
         sampling: None,
         uses: &["height_texels"],
-        text: r#"// The same as numbers.
+        text: r#"// Columns and rows of a level of the height map, as floats.
 fn height_size(level: u32) -> vec2f {
     return vec2f(height_texels(level));
 }"#,
@@ -3171,7 +3222,7 @@ fn cell_of(point: vec2f) -> vec2f {
         name: "whole_cell",
         sampling: None,
         uses: &[],
-        text: r#"// The same as integers. The cells that a path goes through fit into them.
+        text: r#"// A dual cell as integers. The cells that a path goes through fit into them.
 fn whole_cell(cell: vec2f) -> vec2i {
     return vec2i(cell);
 }"#,
@@ -3191,8 +3242,8 @@ fn height_cell(cell: vec2i, level: u32) -> vec4f {
         name: "wrapped_cell",
         sampling: None,
         uses: &["height_map", "height_texels", "wrap_index"],
-        text: r#"// The same for a cell that may lie outside of the map. Lanes have a shorter way for those inside, and come
-// here for the others.
+        text: r#"// The corners of a cell that may lie outside the map. SIMD code has a shorter way for cells inside,
+// and comes here for the others.
 fn wrapped_cell(cell: vec2i, level: u32) -> vec4f {
     let n = height_texels(level);
     let k = i32(level);
@@ -3213,9 +3264,9 @@ fn wrapped_cell(cell: vec2i, level: u32) -> vec4f {
         name: "in_hole",
         sampling: None,
         uses: &["is_in_hole", "surface_settings"],
-        text: r#"// Whether texture coordinates lie in a hole: in a dual cell with a texel that is one, or where the colour
-// map's opacity is below the cut-off. Whatever level is traced it is the finest of these maps, so that holes
-// are as large from afar.
+        text: r#"// Whether texture coordinates lie in a hole: in a dual cell with a texel that is one, or where the
+// colour map's opacity is below the cut-off. The finest level of these maps decides, whichever
+// level is traced, so that holes keep their size from afar.
 fn in_hole(uv: vec2f) -> bool {
     if (surface_settings.has_holes == 0u) {
         return false;
@@ -3228,7 +3279,7 @@ fn in_hole(uv: vec2f) -> bool {
         name: "is_in_hole",
         sampling: None,
         uses: &["cell_of", "color_at", "height_size", "height_texels", "hole_map", "surface_settings", "wrap_index"],
-        text: r#"// The same of a surface that has some.
+        text: r#"// The same test for a surface that has holes.
 fn is_in_hole(uv: vec2f) -> bool {
     if ((surface_settings.has_holes & 2u) != 0u) {
         if (color_at(uv, 0u).w < surface_settings.cutoff) {
@@ -3319,8 +3370,7 @@ struct Around {
         name: "color_index",
         sampling: None,
         uses: &["WRAP_CLAMP", "WRAP_REPEAT"],
-        text: r#"// The texel that stands for index i in a row of n of the colour map, which goes on beyond its sides by that
-// wrap.
+        text: r#"// The texel that stands for index i in a row of n of the colour map, continued by that wrap.
 fn color_index(i: i32, n: i32, wrap: u32) -> i32 {
     if (wrap == WRAP_CLAMP) {
         return clamp(i, 0, n - 1);
@@ -3401,8 +3451,9 @@ fn color_at(uv: vec2f, level: u32) -> vec4f {
         name: "normal_at",
         sampling: Some(Sampling::Exact),
         uses: &["bilinear", "level_texels", "normal_map", "surface_settings", "texels_around"],
-        text: r#"// A layer of a level of the normal map at texture coordinates. The first begins with a vector in tangent
-// space, +Y along -B, not normalised; from level 1 on there are two, as `normal_level` has them.
+        text: r#"// A layer of a level of the normal map at texture coordinates. The first begins with a vector in
+// tangent space, +Y along -B, not normalised. From level 1 on there are two layers, as
+// `normals_of_level` reads them.
 fn normal_at(uv: vec2f, layer: i32, level: u32) -> vec4f {
     let at = texels_around(uv, level_texels(surface_settings.normal_size, level));
     let k = i32(level);
@@ -3440,7 +3491,7 @@ fn hemisphere_grade(normal: vec3f, ground: f32) -> f32 {
         name: "UPRIGHT",
         sampling: None,
         uses: &[],
-        text: r#"// How a dual cell lies to the cell of the map that it is an image of.
+        text: r#"// The relation of a dual cell to its image in the map: as it is, mirrored, or none.
 const UPRIGHT = 0;"#,
     },
     Declaration {
@@ -3455,7 +3506,8 @@ const UPRIGHT = 0;"#,
         name: "BESIDE",
         sampling: None,
         uses: &[],
-        text: r#"// It is none: along the axis the surface is level over it, and as high as at the edge of that cell.
+        text: r#"// No image. Along the axis the surface is level over the cell, and as high as at the edge of the
+// map's cell.
 const BESIDE = 2;"#,
     },
     Declaration {
@@ -3463,8 +3515,9 @@ const BESIDE = 2;"#,
         name: "image_of",
         sampling: None,
         uses: &["BESIDE", "MIRRORED", "UPRIGHT", "WRAP_CLAMP", "WRAP_REPEAT", "surface_settings"],
-        text: r#"// Along an axis of n texels, the cell of the map that a dual cell is an image of, and how the two lie. Cells
-// beside a clamped map are images of none, nor are the half cells between a mirrored map and its images.
+        text: r#"// Along an axis of n texels, the map's cell that has a dual cell as its image, and the relation of
+// both. Cells beside a clamped map are not images, nor are the half cells between a mirrored map
+// and its images.
 fn image_of(cell: i32, n: i32) -> vec2i {
     if (cell >= 0 && cell < n) {
         return vec2i(cell, UPRIGHT);
@@ -3491,8 +3544,8 @@ fn image_of(cell: i32, n: i32) -> vec2i {
         name: "leaves_extent",
         sampling: None,
         uses: &["NEVER"],
-        text: r#"// When a path leaves the cells or texels from the first of an extent to before the second, along an axis, as
-// `cell_leave` has it for a cell.
+        text: r#"// The parameter at which a path leaves an extent of cells or texels along an axis, from its first
+// to before its second number; like `cell_leave` for one cell.
 fn leaves_extent(origin: f32, step: f32, extent: vec2i) -> f32 {
     if (step > 0.0) {
         return (f32(extent.y) - origin) / step;
@@ -3508,8 +3561,7 @@ fn leaves_extent(origin: f32, step: f32, extent: vec2i) -> f32 {
         name: "parts_of_images",
         sampling: None,
         uses: &["CELLS_NEAREST", "CELLS_STEP", "surface_settings"],
-        text: r#"// How many cells there are between two texels: 2 where each quarter of a dual cell may be as high as its own
-// texel.
+        text: r#"// Cells between two texels: 2 if each quarter of a dual cell may be as high as its own texel.
 fn parts_of_images() -> i32 {
     let cells = surface_settings.cells;
     return select(1, 2, cells == CELLS_STEP || cells == CELLS_NEAREST);
@@ -3520,7 +3572,7 @@ fn parts_of_images() -> i32 {
         name: "cell_of_images",
         sampling: None,
         uses: &["CELLS_BILINEAR", "CELLS_HIGHEST", "CELLS_NEAREST", "height_cell", "surface_settings"],
-        text: r#"// The corners of a cell, as `height_cell` has those of dual cells, where heights may jump. One read.
+        text: r#"// The corners of a cell where heights may jump, in the order of `height_cell`. One read.
 fn cell_of_images(cell: vec2i, level: u32) -> vec4f {
     if (surface_settings.cells == CELLS_BILINEAR) {
         return height_cell(cell, level);
@@ -3563,7 +3615,7 @@ fn cell_of_images(cell: vec2i, level: u32) -> vec4f {
         name: "cell_of_mask",
         sampling: None,
         uses: &["EMPTY_HEIGHT", "height_cell"],
-        text: r#"// The same of the mask of what is seen.
+        text: r#"// The corners of a cell of the mask.
 fn cell_of_mask(cell: vec2i, level: u32) -> vec4f {
     let h = height_cell(cell, level);
     return vec4f(
@@ -3578,9 +3630,9 @@ fn cell_of_mask(cell: vec2i, level: u32) -> vec4f {
         module: "shared/interval",
         name: "has_interval",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_BRACKET", "FOUND_UNBRACKETED", "Found"],
-        text: r#"// Whether the search left an interval that can be narrowed; otherwise its one point is the hit.
-fn has_interval(found: Found) -> bool {
+        uses: &["FOUND_ABOVE", "FOUND_BRACKET", "FOUND_UNBRACKETED", "SearchResult"],
+        text: r#"// Whether the search left an interval that can be narrowed; if not, its one point is the hit.
+fn has_interval(found: SearchResult) -> bool {
     return found.far > found.near
         && (found.status == FOUND_BRACKET || found.status == FOUND_UNBRACKETED || found.status == FOUND_ABOVE);
 }"#,
@@ -3590,11 +3642,11 @@ fn has_interval(found: Found) -> bool {
         name: "Levels",
         sampling: None,
         uses: &[],
-        text: r#"// Two levels of a map between which a footprint lies.
+        text: r#"// The two levels of a map between which a footprint lies.
 struct Levels {
     // The finer one.
     fine: u32,
-    // The part of the next one in what is seen, below 1.
+    // The weight of the next level, below 1.
     part: f32,
 }"#,
     },
@@ -3603,8 +3655,9 @@ struct Levels {
         name: "levels_of",
         sampling: None,
         uses: &["Levels"],
-        text: r#"// The levels for a footprint of so many texels of the finest, of a map with so many levels. A level's texels
-// are at most as wide as the footprint: there is no logarithm, since it has not the same bits everywhere.
+        text: r#"// The levels for a footprint, given in texels of the finest level, of a map with `count` levels. A
+// level's texels are at most as wide as the footprint. There is no logarithm, since its bits differ
+// between machines.
 fn levels_of(footprint: f32, count: u32) -> Levels {
     var texels = footprint;
     var level = 0u;
@@ -3623,7 +3676,8 @@ fn levels_of(footprint: f32, count: u32) -> Levels {
         name: "NEAREST_LIGHT",
         sampling: None,
         uses: &[],
-        text: r#"// How far a light is at least, squared, in square metres: nearer ones would be brighter than any number.
+        text: r#"// The least distance of a light, squared, in square metres: nearer ones would be brighter than any
+// number.
 const NEAREST_LIGHT = 0.000001;"#,
     },
     Declaration {
@@ -3649,7 +3703,7 @@ fn toward_light(number: u32, position: vec3f) -> Toward {
         name: "LEAST_FILTER",
         sampling: None,
         uses: &[],
-        text: r#"// The least width of a filter, in texels: that of a point.
+        text: r#"// The least width of a filter, in texels: practically a point.
 const LEAST_FILTER = 0.001;"#,
     },
     Declaration {
@@ -3657,8 +3711,8 @@ const LEAST_FILTER = 0.001;"#,
         name: "PLANE_REACH",
         sampling: None,
         uses: &[],
-        text: r#"// How many texels' widths a texel's ray may meet the plane before or behind the point: a plane that is seen
-// from its edge has no end.
+        text: r#"// The texel widths by which a texel's ray may meet the plane before or behind the point. A plane
+// seen edge-on has no end.
 const PLANE_REACH = 16.0;"#,
     },
     Declaration {
@@ -3709,7 +3763,7 @@ fn holds_filter(view: LightView, place: vec3f, half: f32) -> bool {
         name: "plane_depth",
         sampling: None,
         uses: &["LightView"],
-        text: r#"// How deep the plane of a point and a normal is on the ray of a texel.
+        text: r#"// The depth of a plane, given by a point and a normal, on a texel's ray.
 fn plane_depth(view: LightView, point: vec3f, normal: vec3f, texel: vec2f) -> f32 {
     let corner = view.corner.xyz + view.across.xyz * texel.x + view.along.xyz * texel.y;
     if (view.from_point == 1u) {
@@ -3723,7 +3777,7 @@ fn plane_depth(view: LightView, point: vec3f, normal: vec3f, texel: vec2f) -> f3
         name: "footprint_m",
         sampling: None,
         uses: &["Entered", "height_size"],
-        text: r#"// Metres that the pixel's footprint at a placed hit is wide.
+        text: r#"// Width of the pixel's footprint at a placed hit, in metres.
 fn footprint_m(at: Entered) -> f32 {
     return at.footprint * sqrt(at.metric.x) / height_size(0u).x;
 }"#,
@@ -3733,14 +3787,14 @@ fn footprint_m(at: Entered) -> f32 {
         name: "InView",
         sampling: None,
         uses: &[],
-        text: r#"// A point of a surface in a light's view, and the square around it in which texels count.
+        text: r#"// A point of a surface in a light's view, and the square around it whose texels count.
 struct InView {
     number: u32,
     point: vec3f,
     normal: vec3f,
     low: vec2f,
     high: vec2f,
-    // How deep planes may be.
+    // The least and the greatest depth of planes.
     least_depth: f32,
     most_depth: f32,
 }"#,
@@ -3750,7 +3804,7 @@ struct InView {
         name: "row_sees",
         sampling: None,
         uses: &["InView", "frame", "light_texel", "plane_depth"],
-        text: r#"// How much of a row of texels, as a part of a texel's height, sees the point.
+        text: r#"// The width of the part of a row of texels that sees the point, in texels.
 fn row_sees(at: InView, row: f32, last: f32) -> f32 {
     let view = frame.light_views[at.number];
     var sees = 0.0;
@@ -3774,8 +3828,8 @@ fn row_sees(at: InView, row: f32, last: f32) -> f32 {
         name: "seen_part",
         sampling: None,
         uses: &["Entered", "InView", "PLANE_REACH", "footprint_m", "frame", "row_sees"],
-        text: r#"// The part of a light's view that a placed hit is not hidden from, around its place there: by a filter of
-// that many texels, at a point that many texels' widths above the surface.
+        text: r#"// The part of a light's view that sees a placed hit, around its place there. `filter_width` is the
+// filter's, in texels. `bias` moves the point above the surface by that many texel widths.
 fn seen_part(number: u32, at: Entered, normal: vec3f, place: vec3f, filter_width: f32, bias: f32) -> f32 {
     let view = frame.light_views[number];
     let texel_m = view.texel_m * select(1.0, place.z, view.from_point == 1u);
@@ -3800,8 +3854,8 @@ fn seen_part(number: u32, at: Entered, normal: vec3f, place: vec3f, filter_width
         name: "light_seen",
         sampling: None,
         uses: &["Entered", "LEAST_FILTER", "frame", "holds_filter", "light_place", "patch_normal", "seen_part"],
-        text: r#"// The part of a light that arrives at a placed hit, by what the light sees: in the first of its views that
-// has the hit. What none has is lit.
+        text: r#"// The part of a light that arrives at a placed hit, by the first of the light's shadow maps that
+// holds the hit. A hit in none of them is lit.
 fn light_seen(at: Entered, uv: vec2f, number: u32, toward: vec3f, filter_texels: f32, bias: f32) -> f32 {
     let light = frame.lights[number];
     if (light.views == 0u) {
@@ -3828,8 +3882,8 @@ fn light_seen(at: Entered, uv: vec2f, number: u32, toward: vec3f, filter_texels:
         name: "near_uv",
         sampling: None,
         uses: &["WRAP_MIRROR", "WRAP_REPEAT", "surface_settings"],
-        text: r#"// The same place of the map, as near to its origin as can be: where the relief is tiled many times, texture
-// coordinates have few bits left.
+        text: r#"// The same place of the map, as near to its origin as possible: where the relief is tiled many
+// times, texture coordinates have few bits left.
 fn near_uv(uv: vec2f) -> vec2f {
     if (surface_settings.wrap == WRAP_REPEAT) {
         return uv - floor(uv);
@@ -3858,7 +3912,8 @@ fn from_hit(at: Entered, hit: Hit, light: Toward) -> Path {
         name: "way_out",
         sampling: None,
         uses: &["Path", "Toward", "WRAP_CLAMP", "inside_unit", "surface_settings"],
-        text: r#"// How far a rising way goes through the relief: to the highest level, the footprint's edge or the light.
+        text: r#"// The length of a rising way through the relief: to the highest level, the footprint's edge or the
+// light.
 fn way_out(path: Path, light: Toward) -> f32 {
     var way = min((1.0 - path.h.x) / path.h.y, light.distance);
     if (surface_settings.wrap == WRAP_CLAMP) {
@@ -3937,7 +3992,7 @@ fn search_texel(path: Path, place: vec2i, layer: i32, level: i32) -> vec4f {
         name: "map_read",
         sampling: None,
         uses: &["Path", "RAY_SHADOW", "SLOT_SEARCH", "SLOT_SHADOW_SEARCH", "surface_settings"],
-        text: r#"// What one read of so many texels of that map costs.
+        text: r#"// The cost of one read of `texels` texels of that map.
 fn map_read(path: Path, texels: u32) -> vec3u {
     let slot = select(SLOT_SEARCH, SLOT_SHADOW_SEARCH, path.ray == RAY_SHADOW);
     return vec3u(1u, 0u, texels * surface_settings.maps[slot].texel_bytes);
@@ -3966,7 +4021,7 @@ fn search_texel_between(path: Path, uv: vec2f, layer: i32) -> vec4f {
         name: "shadow_texel",
         sampling: None,
         uses: &["SLOT_SHADOW", "decoded", "shadow_texels", "surface_settings"],
-        text: r#"// A texel of the map that shadows are looked up in. One read.
+        text: r#"// A texel of the map that the shadow stage reads. One read.
 fn shadow_texel(place: vec2i, layer: i32, level: i32) -> vec4f {
     return decoded(textureLoad(shadow_texels, place, layer, level), surface_settings.maps[SLOT_SHADOW]);
 }"#,
@@ -3976,7 +4031,7 @@ fn shadow_texel(place: vec2i, layer: i32, level: i32) -> vec4f {
         name: "shadow_texel_between",
         sampling: None,
         uses: &["bilinear", "height_texels", "shadow_texel", "texels_around"],
-        text: r#"// A level of the map that shadows are looked up in, between the four texels around a place. One read.
+        text: r#"// A level of the map that the shadow stage reads, between the four texels around a place. One read.
 fn shadow_texel_between(uv: vec2f, layer: i32, level: u32) -> vec4f {
     let at = texels_around(uv, height_texels(level));
     let k = i32(level);
@@ -4004,8 +4059,8 @@ fn ambient_texel(place: vec2i, layer: i32, level: i32) -> vec4f {
         name: "ambient_texel_between",
         sampling: None,
         uses: &["SLOT_AMBIENT", "ambient_texel", "bilinear", "height_texels", "surface_settings", "texels_around"],
-        text: r#"// That map, between the four texels around a place, for a level of detail: for those finer than the map's
-// first, that one. One read.
+        text: r#"// The ambient map, between the four texels around a place, for a level of detail. Levels finer than
+// the map's first read the first. One read.
 fn ambient_texel_between(uv: vec2f, level: u32) -> vec4f {
     let first = surface_settings.maps[SLOT_AMBIENT].first_level;
     let seen = select(first, level, level > first);
@@ -4025,7 +4080,7 @@ fn ambient_texel_between(uv: vec2f, level: u32) -> vec4f {
         name: "environment_texel",
         sampling: None,
         uses: &["SLOT_ENVIRONMENT", "decoded", "environment_map", "surface_settings"],
-        text: r#"// A texel of the surroundings, on a face of the cube. One read.
+        text: r#"// A texel of the environment map, on a face of the cube. One read.
 fn environment_texel(place: vec2i, face: i32, level: i32) -> vec4f {
     return decoded(textureLoad(environment_map, place, face, level), surface_settings.maps[SLOT_ENVIRONMENT]);
 }"#,
@@ -4035,7 +4090,7 @@ fn environment_texel(place: vec2i, face: i32, level: i32) -> vec4f {
         name: "light_texel",
         sampling: None,
         uses: &["light_map"],
-        text: r#"// What a light sees, in a view of that number: the key of what is nearest. One read.
+        text: r#"// A texel of the shadow map with that number: the key of the nearest hit. One read.
 fn light_texel(place: vec2i, view: i32) -> f32 {
     return textureLoad(light_map, place, view, 0).x;
 }"#,
@@ -4055,7 +4110,7 @@ fn object_texel(place: vec2i) -> vec4f {
         name: "detail_texel",
         sampling: None,
         uses: &["SLOT_DETAIL", "decoded", "detail_map", "surface_settings"],
-        text: r#"// A texel of the map of the normals that are seen. One read.
+        text: r#"// A texel of the map of visible normals. One read.
 fn detail_texel(place: vec2i, layer: i32, level: i32) -> vec4f {
     return decoded(textureLoad(detail_map, place, layer, level), surface_settings.maps[SLOT_DETAIL]);
 }"#,
@@ -4065,7 +4120,8 @@ fn detail_texel(place: vec2i, layer: i32, level: i32) -> vec4f {
         name: "detail_texel_between",
         sampling: None,
         uses: &["SLOT_DETAIL", "bilinear", "detail_texel", "height_texels", "surface_settings", "texels_around"],
-        text: r#"// That map between the four texels around a place, for a level of detail from its first one on. One read.
+        text: r#"// The map of visible normals between the four texels around a place, for a level of detail from its
+// first one on. One read.
 fn detail_texel_between(uv: vec2f, layer: i32, level: u32) -> vec4f {
     let at = texels_around(uv, height_texels(level));
     let k = i32(level - surface_settings.maps[SLOT_DETAIL].first_level);
@@ -4083,9 +4139,8 @@ fn detail_texel_between(uv: vec2f, layer: i32, level: u32) -> vec4f {
         name: "LEAST_CREASE",
         sampling: None,
         uses: &[],
-        text: r#"// Tangents of the angle between two slopes from which on there is something of a crease between them, and
-// where there is all of one: some 27 and 45 degrees. Smaller, and round things become facets; larger, and
-// edges are smeared.
+        text: r#"// Tangents of the angle between two slopes at which a crease begins and at which it is complete:
+// some 27 and 45 degrees. Smaller, and round things become facets; larger, and edges are smeared.
 const LEAST_CREASE = 0.5;"#,
     },
     Declaration {
@@ -4100,12 +4155,13 @@ const LEAST_CREASE = 0.5;"#,
         name: "slope_beside",
         sampling: None,
         uses: &["LEAST_CREASE", "WHOLE_CREASE"],
-        text: r#"// The slope of a neighbouring cell, as far as there is no crease between it and the own one. `rate` makes of
-// a difference of heights a slope in metres.
+        text: r#"// The slope of a neighbouring cell, as far as there is no crease between it and the own one. `rate`
+// turns a difference of heights into a slope in metres.
 fn slope_beside(own: f32, beside: f32, rate: f32) -> f32 {
     let a = own * rate;
     let b = beside * rate;
-    // Of the angle between both the tangent is |a - b| over this; from a right angle on it is not positive.
+    // The tangent of the angle between both is |a - b| over this. From a right angle on it is not
+    // positive.
     let along = 1.0 + a * b;
     let apart = abs(a - b);
     if (apart <= LEAST_CREASE * along) {
@@ -4136,7 +4192,7 @@ fn cell_slopes(h: vec4f, part: vec2f) -> vec2f {
         name: "sloped_cell",
         sampling: None,
         uses: &["WRAP_CLAMP", "height_texels", "surface_settings"],
-        text: r#"// The dual cell whose slopes are taken for a cell: of a clamped map the nearest cell inside.
+        text: r#"// The dual cell whose slopes stand for a cell: of a clamped map the nearest cell inside.
 fn sloped_cell(i: vec2i) -> vec2i {
     if (surface_settings.wrap != WRAP_CLAMP) {
         return i;
@@ -4150,7 +4206,7 @@ fn sloped_cell(i: vec2i) -> vec2i {
         name: "slopes_between_creases",
         sampling: None,
         uses: &["Entered", "WRAP_CLAMP", "cell_of", "cell_slopes", "height_cell", "height_size", "slope_beside", "sloped_cell", "surface_settings"],
-        text: r#"// The same as central differences have them, but not across creases.
+        text: r#"// The same changes by central differences, but not across creases.
 fn slopes_between_creases(at: Entered, uv: vec2f) -> vec2f {
     let size = height_size(0u);
     let point = uv * size - vec2f(0.5, 0.5);
@@ -4177,9 +4233,9 @@ fn slopes_between_creases(at: Entered, uv: vec2f) -> vec2f {
         name: "texels_apart",
         sampling: None,
         uses: &["WRAP_CLAMP", "surface_settings"],
-        text: r#"// Texels between the heights a texel before and a texel behind a place, along a side of `side` texels: 2, or
-// less at the edges of a clamped map, whose heights do not change beyond the outermost centres. At the very edge
-// half a texel is left. Farther out slopes fall to 0.
+        text: r#"// Texels between the heights a texel before and a texel behind a place, along a side of `side`
+// texels: 2, or less at the edges of a clamped map, whose heights do not change beyond the
+// outermost centres. At the very edge half a texel is left. Farther out slopes fall to 0.
 fn texels_apart(place: f32, side: f32) -> f32 {
     if (surface_settings.wrap != WRAP_CLAMP) {
         return 2.0;
@@ -4214,7 +4270,7 @@ fn texels_apart(place: f32, side: f32) -> f32 {
         name: "normal_of_slopes",
         sampling: None,
         uses: &["Entered"],
-        text: r#"// The normal of a relief that rises by so many metres in a tile along u and v.
+        text: r#"// The normal of a relief that rises along u and v by these slopes, in metres per tile.
 fn normal_of_slopes(at: Entered, slope_u: f32, slope_v: f32) -> vec3f {
     let along_u = at.tangent + at.normal * slope_u;
     let along_v = at.bitangent + at.normal * slope_v;
@@ -4264,9 +4320,9 @@ fn finest_normal(at: Entered, uv: vec2f) -> vec3f {
         name: "EXHAUSTED_BIT",
         sampling: None,
         uses: &[],
-        text: r#"// What is known of a traced pixel travels in integers: the triangle's number plus 1, negative for a back
-// face; the reads, with this bit set where the search was exhausted; the steps, and above so many bits the
-// number of the segment; the bytes.
+        text: r#"// A traced pixel's data in integers: the triangle's number plus 1, negative for a back face; the
+// reads, with EXHAUSTED_BIT set if the search was exhausted; the steps, and above the lowest
+// STEPS_BITS bits the number of the segment; the bytes.
 const EXHAUSTED_BIT = 1073741824i;"#,
     },
     Declaration {
@@ -4281,8 +4337,8 @@ const EXHAUSTED_BIT = 1073741824i;"#,
         name: "Traced",
         sampling: None,
         uses: &[],
-        text: r#"// What the first pass knows of a pixel: of the hit uv, height and t; the triangle and what it cost. Zeros
-// where nothing is.
+        text: r#"// Result of the first pass for a pixel: uv, height and t of the hit, the triangle and the cost.
+// Zeros without a hit.
 struct Traced {
     @location(0) hit: vec4f,
     @location(1) what: vec4i,
@@ -4294,7 +4350,7 @@ struct Traced {
         name: "SeenByLight",
         sampling: None,
         uses: &[],
-        text: r#"// A texel of what a light sees.
+        text: r#"// A texel of a shadow map.
 struct SeenByLight {
     @location(0) key: f32,
     @builtin(frag_depth) depth: f32,
@@ -4343,10 +4399,11 @@ fn numbered_pixel(triangle: u32, side: f32, point: vec2f) -> PixelIn {
         name: "Image",
         sampling: None,
         uses: &[],
-        text: r#"// An image: what a point's texture coordinates and its height in it are, each times its depth, and that
-// depth, by products with (x, y, z, 1), the depth being 1 by parallel rays; where it lies among the others
-// (its first corner and its extent, in texture coordinates of all); the unit direction against which it
-// looks; and whether it looks from an eye, where that is, and at which depth it begins to see.
+        text: r#"// An image: the rows that give a point's texture coordinates, its height and its depth, by products
+// with (x, y, z, 1). Texture coordinates and height come multiplied by the depth, which is 1 for
+// parallel rays. Then its place among the images (first corner and extent, in texture coordinates
+// of all); the unit direction against which it looks; and whether it looks from an eye, that eye,
+// and the depth at which its view begins.
 struct Image {
     u: vec4f,
     v: vec4f,
@@ -4395,7 +4452,7 @@ struct Image {
         name: "depth_in_image",
         sampling: None,
         uses: &["Image"],
-        text: r#"// How far before an image's eye a point is.
+        text: r#"// The depth of a point in front of an image's eye.
 fn depth_in_image(image: Image, point: vec3f) -> f32 {
     return dot(image.depth.xyz, point) + image.depth.w;
 }"#,
@@ -4418,8 +4475,8 @@ fn toward_image(image: Image, point: vec3f) -> vec3f {
         name: "tangent_of_image",
         sampling: None,
         uses: &["Image"],
-        text: r#"// What one of an image's tiles, which are as large as all images together, is long in the world at depth 1.
-// An eye looks at the middle of its image.
+        text: r#"// The tangent of an image: the vector in the world along one tile, which is as large as all images
+// together, at depth 1. An eye looks at the middle of its image.
 fn tangent_of_image(image: Image) -> vec3f {
     let across = image.u.xyz - 0.5 * image.depth.xyz;
     return across / (dot(across, across) * image.extent.x);
@@ -4440,8 +4497,8 @@ fn tangent_of_image(image: Image) -> vec3f {
         name: "stretch_in_image",
         sampling: None,
         uses: &["Image", "depth_in_image", "surface_settings", "toward_image"],
-        text: r#"// Of a point the metres toward the viewer over which the height in an image changes by 1, as a part of those
-// by parallel rays.
+        text: r#"// The metres toward the viewer over which the height in an image changes by 1 at a point, relative
+// to parallel rays.
 fn stretch_in_image(image: Image, point: vec3f, height: f32) -> f32 {
     if (!image.has_eye) {
         return 1.0;
@@ -4456,8 +4513,9 @@ fn stretch_in_image(image: Image, point: vec3f, height: f32) -> f32 {
         name: "SEEN_TEXELS",
         sampling: None,
         uses: &[],
-        text: r#"// How many texels of an image, as wide as they are, a place may lie beside what the image sees there and be
-// it. Smaller, and slopes are not seen; larger, and what lies close behind is.
+        text: r#"// For an image to show a place, the greatest distance between the place and the surface that the
+// image has there, in texel widths of the image. Smaller, and slopes are not seen; larger, and what
+// lies close behind is.
 const SEEN_TEXELS = 2.0;"#,
     },
     Declaration {
@@ -4465,7 +4523,7 @@ const SEEN_TEXELS = 2.0;"#,
         name: "UNSEEN",
         sampling: None,
         uses: &[],
-        text: r#"// What is added to the angle, in turns, of an image that does not see a place: more than any angle.
+        text: r#"// The angle, in turns, that is added for an image that does not see a place: more than any angle.
 const UNSEEN = 2.0;"#,
     },
     Declaration {
@@ -4487,8 +4545,8 @@ fn place_in_image(image: Image, point: vec3f) -> vec3f {
         name: "angle_to_image",
         sampling: None,
         uses: &["Image", "SEEN_TEXELS", "UNSEEN", "depth_in_image", "height_at", "place_in_image", "stretch_in_image", "surface_settings", "tangent_of_image", "toward_image", "turn_of"],
-        text: r#"// The angle, in turns, between the view and that of an image, which is larger than any where the image is
-// asked whether it sees the place and does not.
+        text: r#"// The angle, in turns, between the view and the image's view. It is larger than any angle if
+// `asked` and the image does not see the place.
 fn angle_to_image(image: Image, point: vec3f, view: vec3f, asked: bool) -> f32 {
     let toward = toward_image(image, point);
     let beside = cross(toward, view);
@@ -4497,7 +4555,7 @@ fn angle_to_image(image: Image, point: vec3f, view: vec3f, asked: bool) -> f32 {
         return angle;
     }
     let place = place_in_image(image, point);
-    // Over what a texel is wide there.
+    // Distance over which a texel is wide there.
     let width = image.extent.x * f32(surface_settings.height_size.x);
     let wider = length(tangent_of_image(image)) * image.extent.x * depth_in_image(image, point);
     let deeper = stretch_in_image(image, point, place.z) * surface_settings.scale_m;
@@ -4510,11 +4568,12 @@ fn angle_to_image(image: Image, point: vec3f, view: vec3f, asked: bool) -> f32 {
         name: "object_color",
         sampling: None,
         uses: &["Entered", "UNSEEN", "angle_to_image", "color_at", "image_of_object", "place_in_image", "surface_settings"],
-        text: r#"// The colour of a point of the object, seen along `view`: of the three images that look at it from the
-// directions nearest to that, by weights that fall with the angle, to 0 at that of the fourth image.
+        text: r#"// The colour of the object at a point, seen along `view`. It mixes the three images whose
+// directions are nearest to the view. Their weights fall with the angle, to 0 at the angle of the
+// fourth image.
 //
-// Kautz and Seidel 2001, section 4.2. There the weights are proportional to the angles, as printed, and jump
-// when another image becomes the third; these neither do.
+// Kautz and Seidel 2001, section 4.2. There the weights are proportional to the angles, as printed,
+// and jump when another image becomes the third; these neither do.
 fn object_color(at: Entered, view: vec3f, asked: bool) -> vec3f {
     var angle1 = 4.0;
     var angle2 = 4.0;
@@ -4549,7 +4608,7 @@ fn object_color(at: Entered, view: vec3f, asked: bool) -> vec3f {
         }
         k = k + 1u;
     }
-    // Where no image sees the place all do.
+    // If no image sees the place, all count.
     let less = select(0.0, UNSEEN, angle1 >= UNSEEN);
     let last = min(angle4 - less, 0.5);
     var weight1 = max(1.0 - (angle1 - less) / last, 0.0);
@@ -4573,8 +4632,9 @@ fn object_color(at: Entered, view: vec3f, asked: bool) -> vec3f {
         name: "AGREED",
         sampling: None,
         uses: &[],
-        text: r#"// The part of a distance by which two images may differ about a place: a few roundings. Smaller, and rays go
-// round for long between images of the same surface; larger, and what is thinner is passed.
+        text: r#"// The part of a distance by which two images may differ about a place: a few roundings. Smaller,
+// and rays go round for long between images of the same surface; larger, and rays pass what is
+// thinner.
 const AGREED = 0.000002;"#,
     },
     Declaration {
@@ -4582,7 +4642,7 @@ const AGREED = 0.000002;"#,
         name: "MOST_ROUNDS",
         sampling: None,
         uses: &[],
-        text: r#"// How often a ray goes round at most. Images of the same surface send it on between them by ever less.
+        text: r#"// The most rounds of a ray. Images of the same surface send it on between them by ever less.
 const MOST_ROUNDS = 256u;"#,
     },
     Declaration {
@@ -4590,7 +4650,7 @@ const MOST_ROUNDS = 256u;"#,
         name: "first_in_all",
         sampling: None,
         uses: &["AGREED", "Entered", "FirstHit", "Hit", "MOST_ROUNDS", "NO_COST", "PixelIn", "beginning_at", "hit_on_segment", "metres_on", "miss", "reached", "segment_of", "trace"],
-        text: r#"// The first point of a ray that all images say may be there.
+        text: r#"// The first point of a ray at which all images allow the object.
 fn first_in_all(pixel: PixelIn, at: Entered) -> FirstHit {
     var cost = NO_COST;
     var first = FirstHit(miss(cost), 0u, 0.0);
@@ -4636,7 +4696,8 @@ fn first_in_all(pixel: PixelIn, at: Entered) -> FirstHit {
         name: "color_of_object",
         sampling: None,
         uses: &["Entered", "color_of_frames", "object_color", "surface_settings"],
-        text: r#"// Seen along `view`; of which images, the setting `object.color` says.
+        text: r#"// The colour of the object seen along `view`. `how` is the setting `object.color`, which chooses
+// the images.
 fn color_of_object(at: Entered, view: vec3f, how: f32) -> vec3f {
     if (surface_settings.has_color != 1u || how == 2.0) {
         return vec3f(1.0, 1.0, 1.0);
@@ -4670,7 +4731,7 @@ fn within_bounds(x: f32, dx: f32, low: f32, high: f32, interval: vec2f) -> vec2f
         name: "beyond_image",
         sampling: None,
         uses: &["Image", "height_size"],
-        text: r#"// How far an image reaches beyond its sides, in its own texture coordinates: to the centres of the texels
+        text: r#"// The width of an image's border, in its own texture coordinates: to the centres of the texels
 // around it, which see nothing.
 fn beyond_image(image: Image) -> vec2f {
     return vec2f(0.5, 0.5) / (image.extent * height_size(0u));
@@ -4681,7 +4742,7 @@ fn beyond_image(image: Image) -> vec2f {
         name: "metric_of_image",
         sampling: None,
         uses: &["Image", "bitangent_of_image", "surface_settings", "tangent_of_image"],
-        text: r#"// As in `Path`, at that depth.
+        text: r#"// `Path.metric` of an image at that depth.
 fn metric_of_image(image: Image, depth: f32) -> vec4f {
     let tangent = tangent_of_image(image) * depth;
     let bitangent = bitangent_of_image(image) * depth;
@@ -4698,7 +4759,8 @@ fn metric_of_image(image: Image, depth: f32) -> vec4f {
         name: "OnImage",
         sampling: None,
         uses: &["is_inside"],
-        text: r#"// A point as an image sees it: the texture coordinates, what is compared with the map, and the map.
+        text: r#"// A point as an image sees it: the texture coordinates, the value that is compared with the map,
+// and the map.
 struct OnImage {
     uv: vec2f,
     height: f32,
@@ -4736,7 +4798,7 @@ struct OnImage {
         name: "BEFORE_EYE",
         sampling: None,
         uses: &[],
-        text: r#"// The part of the way from an eye to the nearest that it sees at which rays begin.
+        text: r#"// The part of the way from an eye to its nearest visible point at which rays begin.
 const BEFORE_EYE = 0.01;"#,
     },
     Declaration {
@@ -4744,11 +4806,11 @@ const BEFORE_EYE = 0.01;"#,
         name: "path_through_image",
         sampling: None,
         uses: &["BEFORE_EYE", "CELLS_MASK", "EMPTY_HEIGHT", "NEVER", "Path", "PixelIn", "RAY_VIEW", "beyond_image", "depth_in_image", "image_of_object", "metric_of_image", "surface_settings", "within_bounds"],
-        text: r#"// A ray's way through the image of that number, which the path has in place of a base.
+        text: r#"// A ray's path through image `k`. The path has the image's number in place of `base`.
 fn path_through_image(pixel: PixelIn, k: u32) -> Path {
     let along = normalize(pixel.direction);
     let image = image_of_object(k);
-    // What lies behind an eye it does not see.
+    // An image does not see behind its eye.
     let deepens = dot(image.depth.xyz, along);
     let before = depth_in_image(image, pixel.origin);
     var begin = 0.0;
@@ -4779,7 +4841,7 @@ fn path_through_image(pixel: PixelIn, k: u32) -> Path {
     let change = nearer * nearer;
     var height = vec3f(h + dh * start, dh * change, 0.0);
     if (surface_settings.cells == CELLS_MASK) {
-        // What is asked is where the mask is a half.
+        // The surface of the mask is where it is a half.
         height = vec3f(0.5, 0.0, 0.0);
     }
     return Path(
@@ -4802,7 +4864,7 @@ fn path_through_image(pixel: PixelIn, k: u32) -> Path {
         name: "rise_of_mask",
         sampling: None,
         uses: &["cell_of", "height_size", "object_cell_stage"],
-        text: r#"// How a mask rises from texel to texel at texture coordinates, along u and v.
+        text: r#"// The change of a mask from texel to texel at texture coordinates, along u and v.
 fn rise_of_mask(uv: vec2f) -> vec2f {
     let at = uv * height_size(0u) - vec2f(0.5, 0.5);
     let cell = cell_of(at);
@@ -4819,8 +4881,8 @@ fn rise_of_mask(uv: vec2f) -> vec2f {
         name: "normal_of_mask",
         sampling: None,
         uses: &["Image", "rise_of_mask"],
-        text: r#"// The normal of a silhouette: beside the view, away from where the mask grows; that other one within it,
-// where the mask is level.
+        text: r#"// The normal of a silhouette: across the view, away from where the mask grows. Where the mask is
+// level, `within` stands in for it.
 fn normal_of_mask(image: Image, uv: vec2f, within: vec3f) -> vec3f {
     let rise = rise_of_mask(uv);
     let place = (uv - image.corner) / image.extent;
@@ -4839,7 +4901,7 @@ fn normal_of_mask(image: Image, uv: vec2f, within: vec3f) -> vec3f {
         name: "polished_on_image",
         sampling: None,
         uses: &["Hit", "Path", "metres_on"],
-        text: r#"// A hit of such a path, of which t becomes metres.
+        text: r#"// A hit of a path through an image, with t in metres.
 fn polished_on_image(path: Path, hit: Hit) -> Hit {
     var polished = hit;
     polished.t = metres_on(path, hit.t);
@@ -4851,7 +4913,7 @@ fn polished_on_image(path: Path, hit: Hit) -> Hit {
         name: "placed_in_image",
         sampling: None,
         uses: &["CELLS_MASK", "Entered", "Hit", "Path", "PixelIn", "bitangent_of_image", "depth_in_image", "image_of_object", "normal_of_mask", "stretch_in_image", "surface_settings", "tangent_of_image", "toward_image"],
-        text: r#"// The same placed: on the ray, in the image's own frame.
+        text: r#"// The placed hit: on the ray, in the image's own frame.
 fn placed_in_image(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Entered {
     let image = image_of_object(u32(path.base));
     var placed = at;
@@ -4881,9 +4943,9 @@ fn placed_in_image(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Entered
         name: "FLOOR",
         sampling: None,
         uses: &[],
-        text: r#"// A path that ends at or below this height has crossed every level of the map: what it has not hit is
-// rounding. Larger, and paths that end at the footprint's edge hit what is not there; smaller, and paths
-// through a valley floor leak.
+        text: r#"// A path that ends at or below this height has crossed every level of the map; it misses only by
+// rounding. Larger, and paths that end at the footprint's edge hit what is not there; smaller, and
+// paths through a valley floor leak.
 const FLOOR = 0.000001;"#,
     },
     Declaration {
@@ -4949,12 +5011,13 @@ fn path_gap(path: Path, t: f32) -> f32 {
         name: "flattened",
         sampling: None,
         uses: &["BELOW_FLOOR", "NEVER", "Path", "first_root", "path_slope", "path_uv"],
-        text: r#"// The path through a relief whose heights are drawn toward `middle` by this part, which is below 1: as much
-// steeper, it meets the relief as it is where the given path meets the flatter one.
+        text: r#"// The path through a relief whose heights are drawn toward `middle` by `part`, which is below 1.
+// The path is steeper by as much, so that it meets the relief where the given path meets the
+// flatter one.
 fn flattened(path: Path, middle: f32, part: f32) -> Path {
     let kept = 1.0 - part;
     let top = middle + (1.0 - middle) * kept;
-    // It begins where the given path comes down to the flatter relief's top.
+    // The path begins where the given path comes down to the flatter relief's top.
     let above = path.h.x - top;
     let begins = above > 0.0;
     var start = 0.0;
@@ -4963,10 +5026,11 @@ fn flattened(path: Path, middle: f32, part: f32) -> Path {
     }
     let height = select(middle + (path.h.x - middle) / kept, 1.0, begins);
     let h = vec3f(height, path_slope(path, start) / kept, path.h.z / kept);
-    // As paths do, it ends a little below the floor, unless it ends elsewhere.
+    // It ends a little below the floor, as paths do, unless it ends elsewhere.
     let rest = path.exit - start;
     let exit = min(first_root(vec3f(max(h.x, 0.0), h.y, h.z), rest) * BELOW_FLOOR, rest);
-    // A limit that is never reached: compilers would cancel what is added to `uv` here against `base` there.
+    // A limit that is never reached: compilers would cancel the summand of `uv` here against `base`
+    // there.
     let base = clamp(path.base - start, 0.0 - NEVER, NEVER);
     return Path(
         path_uv(path, start),
@@ -5032,10 +5096,10 @@ fn hit_on_path(path: Path, t: f32, exhausted: u32, cost: vec3u) -> Hit {
         module: "shared/path",
         name: "starting_point",
         sampling: None,
-        uses: &["FOUND_BELOW", "FOUND_BRACKET", "FOUND_UNBRACKETED", "Found", "Path"],
-        text: r#"// Where the one-point refinements begin: the processed point when nothing was searched, else what is known to
-// be nearest to the hit.
-fn starting_point(path: Path, found: Found) -> f32 {
+        uses: &["FOUND_BELOW", "FOUND_BRACKET", "FOUND_UNBRACKETED", "Path", "SearchResult"],
+        text: r#"// The point where the one-point refinements begin: the processed point if nothing was searched,
+// otherwise the known point nearest to the hit.
+fn starting_point(path: Path, found: SearchResult) -> f32 {
     if (found.status == FOUND_UNBRACKETED) {
         return path.base;
     }
@@ -5050,7 +5114,7 @@ fn starting_point(path: Path, found: Found) -> f32 {
         name: "pixel_eye",
         sampling: None,
         uses: &["frame"],
-        text: r#"// Where the ray through a point of the picture begins, in pixels from its top-left corner.
+        text: r#"// Origin of the ray through a point of the picture, in pixels from its top-left corner.
 fn pixel_eye(pixel: vec2f) -> vec3f {
     return frame.eye.xyz + frame.eye_right.xyz * pixel.x + frame.eye_down.xyz * pixel.y;
 }"#,
@@ -5060,7 +5124,7 @@ fn pixel_eye(pixel: vec2f) -> vec3f {
         name: "pixel_direction",
         sampling: None,
         uses: &["frame"],
-        text: r#"// That ray's direction.
+        text: r#"// Direction of the ray through a point of the picture.
 fn pixel_direction(pixel: vec2f) -> vec3f {
     return frame.corner.xyz + frame.right.xyz * pixel.x + frame.down.xyz * pixel.y;
 }"#,
@@ -5081,7 +5145,7 @@ fn pixel_of(a: Corner, b: Corner, c: Corner, shell: Shell, side: f32, point: vec
         name: "enter_relief",
         sampling: None,
         uses: &["Entered", "PixelIn", "detail_stage", "surface_enter_stage"],
-        text: r#"// The ray at the base surface, in the detail that it is seen in.
+        text: r#"// The ray at the base surface, with its level of detail.
 fn enter_relief(pixel: PixelIn) -> Entered {
     var at = surface_enter_stage(pixel);
     if (at.segments == 0u) {
@@ -5099,8 +5163,8 @@ fn enter_relief(pixel: PixelIn) -> Entered {
         name: "segment_of",
         sampling: None,
         uses: &["Entered", "Path", "PixelIn", "flattened", "surface_segment_stage", "surface_settings"],
-        text: r#"// A segment of the ray's way through the relief, by its number. One that ends where it begins, or before, is
-// none.
+        text: r#"// A segment of the ray's way through the relief, by its number. A segment that ends where it
+// begins, or before, is empty.
 fn segment_of(pixel: PixelIn, at: Entered, k: u32) -> Path {
     var path = surface_segment_stage(pixel, at, k);
     if (at.fade > 0.0) {
@@ -5118,7 +5182,7 @@ fn segment_of(pixel: PixelIn, at: Entered, k: u32) -> Path {
         name: "trace",
         sampling: None,
         uses: &["Hit", "Path", "refine_stage", "search_stage"],
-        text: r#"// Search and refinement: the part that another tracer may take the place of.
+        text: r#"// Search and refinement: the part that another tracer may replace.
 fn trace(path: Path) -> Hit {
     return refine_stage(path, search_stage(path));
 }"#,
@@ -5138,7 +5202,7 @@ fn first_hit(pixel: PixelIn, at: Entered) -> FirstHit {
         name: "polish_hit",
         sampling: None,
         uses: &["Entered", "Hit", "Path", "PixelIn", "surface_polish_stage"],
-        text: r#"// A hit that the stages have found on a segment, where the segment's ray truly is.
+        text: r#"// A hit on a segment, moved onto the segment's ray.
 fn polish_hit(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Hit {
     return surface_polish_stage(pixel, at, path, hit);
 }"#,
@@ -5148,8 +5212,8 @@ fn polish_hit(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Hit {
         name: "hit_on_segment",
         sampling: None,
         uses: &["Entered", "FirstHit", "Hit", "Path", "PixelIn", "depth_on_ray", "in_hole", "key_of", "polish_hit"],
-        text: r#"// What the stages have found on the segment of that number, as what the ray meets there: a hit where the
-// segment's ray truly is, and none in a hole.
+        text: r#"// The result of search and refinement on segment `k`, as the first hit of the ray: moved onto the
+// ray, and a miss in a hole.
 fn hit_on_segment(pixel: PixelIn, at: Entered, path: Path, found: Hit, k: u32) -> FirstHit {
     var first = FirstHit(found, k, 0.0);
     if (found.found == 1u) {
@@ -5167,7 +5231,7 @@ fn hit_on_segment(pixel: PixelIn, at: Entered, path: Path, found: Hit, k: u32) -
         name: "depth_on_ray",
         sampling: None,
         uses: &["Hit", "Path", "PixelIn"],
-        text: r#"// How far away a hit is on its ray: metres along the view axis.
+        text: r#"// Distance of a hit on its ray: metres along the view axis.
 fn depth_on_ray(pixel: PixelIn, path: Path, hit: Hit) -> f32 {
     return (path.start + hit.t) / length(pixel.direction);
 }"#,
@@ -5177,8 +5241,8 @@ fn depth_on_ray(pixel: PixelIn, path: Path, hit: Hit) -> f32 {
         name: "key_of",
         sampling: None,
         uses: &["frame"],
-        text: r#"// What orders the hits of a pixel's ray: the greater, the nearer. It has as many bits for what is far away as
-// for what is near.
+        text: r#"// A key that orders the hits of a pixel's ray: the greater, the nearer. It has as many bits for far
+// hits as for near ones.
 fn key_of(depth: f32) -> f32 {
     return frame.near / (frame.near + max(depth, 0.0));
 }"#,
@@ -5188,7 +5252,7 @@ fn key_of(depth: f32) -> f32 {
         name: "z_of",
         sampling: None,
         uses: &["frame"],
-        text: r#"// What a depth buffer holds for a depth. Beyond the planes of the clip space it holds what it does there.
+        text: r#"// The value of a depth buffer for a depth. Beyond the planes of the clip space it is not clamped.
 //
 // Oliveira and Policarpo 2005, section 3.5.
 fn z_of(depth: f32) -> f32 {
@@ -5213,7 +5277,7 @@ fn place_hit(pixel: PixelIn, at: Entered, segment: u32, hit: Hit) -> Entered {
         name: "place_on_segment",
         sampling: None,
         uses: &["Entered", "Hit", "Path", "PixelIn", "depth_on_ray", "surface_place_stage"],
-        text: r#"// The same, of a hit on that segment.
+        text: r#"// The placed hit of a segment.
 fn place_on_segment(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Entered {
     var placed = surface_place_stage(pixel, at, path, hit);
     placed.depth = depth_on_ray(pixel, path, hit);
@@ -5242,8 +5306,8 @@ fn place_on_segment(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Entere
         name: "reflected_light",
         sampling: None,
         uses: &["Entered", "Hit", "MAX_LIGHTS", "SeenNormals", "ambient_stage", "frame", "seen_cosine", "shade_stage", "surface_settings", "toward_light"],
-        text: r#"// The light that a hit reflects along `view`, toward the eye, in linear RGB: of the light from all around,
-// and light by light what the shading makes of it, as far as it arrives.
+        text: r#"// The light that a hit reflects along `view`, toward the eye, in linear RGB: the ambient light, and
+// the shading of each light, times the part of it that arrives.
 fn reflected_light(
     at: Entered,
     hit: Hit,
@@ -5252,7 +5316,7 @@ fn reflected_light(
     color: vec3f,
     visible: array<vec4f, MAX_LIGHTS>,
 ) -> vec3f {
-    // What is refracted is not scattered.
+    // Refracted light is not scattered.
     let diffuse = surface_settings.diffuse.xyz * color * (1.0 - surface_settings.transmission);
     var light = ambient_stage(at, hit, seen.normal * seen.length, view, diffuse);
     var k = 0u;
@@ -5286,7 +5350,7 @@ fn point_of_light(at: Entered, hit: Hit, number: u32, k: u32, count: u32) -> Tow
         name: "ray_to_light",
         sampling: None,
         uses: &["Entered", "Hit", "LightRay", "light_ray", "point_of_light"],
-        text: r#"// The ray from there to it.
+        text: r#"// The ray from a placed hit to that point of the light.
 fn ray_to_light(at: Entered, hit: Hit, number: u32, k: u32, count: u32) -> LightRay {
     return light_ray(at, hit, point_of_light(at, hit, number, k, count));
 }"#,
@@ -5315,7 +5379,7 @@ fn visible_lights(at: Entered, hit: Hit) -> array<vec4f, MAX_LIGHTS> {
         name: "visible_light",
         sampling: None,
         uses: &["Entered", "Hit", "shadow_stage", "toward_light"],
-        text: r#"// That of the light of that number.
+        text: r#"// The part of one light that arrives at a placed hit, from 0 to 1.
 fn visible_light(at: Entered, hit: Hit, number: u32) -> f32 {
     return shadow_stage(at, hit, toward_light(number, at.point));
 }"#,
@@ -5325,9 +5389,9 @@ fn visible_light(at: Entered, hit: Hit, number: u32) -> f32 {
         name: "mirrored_light",
         sampling: None,
         uses: &["Entered", "Hit", "NEVER", "PixelIn", "Toward", "shadow_stage"],
-        text: r#"// The part of a light that arrives at a placed hit, for a light with a disc of some degrees whose direction
-// is that of the pixel's ray after a mirror in the base surface: it is above the relief wherever the ray came
-// from.
+        text: r#"// The part of a light that arrives at a placed hit. The light has a disc of some degrees, and its
+// direction is the pixel's ray after a mirror in the base surface. So it is above the relief
+// wherever the ray came from.
 fn mirrored_light(pixel: PixelIn, at: Entered, hit: Hit) -> f32 {
     if (hit.found == 0u) {
         return 0.0;
@@ -5342,8 +5406,8 @@ fn mirrored_light(pixel: PixelIn, at: Entered, hit: Hit) -> f32 {
         name: "shade_hit",
         sampling: None,
         uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelOut", "cell_of", "frame", "height_at", "height_size", "mesostructure_normals", "object_color_stage", "reflected_light", "surface_settings", "z_of"],
-        text: r#"// What a pixel shows of a placed hit, at which these parts of the lights arrive. `origin` is where the ray
-// begins.
+        text: r#"// The shaded pixel at a placed hit. `visible` holds the parts of the lights that arrive, `origin`
+// is the beginning of the ray.
 fn shade_hit(origin: vec3f, at: Entered, hit: Hit, visible: array<vec4f, MAX_LIGHTS>) -> PixelOut {
     if (hit.found == 0u) {
         return PixelOut(
@@ -5410,8 +5474,8 @@ fn shade_hit(origin: vec3f, at: Entered, hit: Hit, visible: array<vec4f, MAX_LIG
         name: "add_sample",
         sampling: None,
         uses: &[],
-        text: r#"// The colour of a pixel's samples so far with one more, of that weight. The fourth part is how much of the
-// pixel is covered.
+        text: r#"// The colour of a pixel's samples so far, with one more sample of that weight. The fourth part is
+// the covered part of the pixel.
 fn add_sample(sum: vec4f, color: vec4f, weight: f32) -> vec4f {
     return sum + color * weight;
 }"#,
@@ -5431,7 +5495,7 @@ fn quadric_at(quadric: vec3f, duv: vec2f) -> f32 {
         name: "quadric_slope",
         sampling: None,
         uses: &[],
-        text: r#"// Its change with them.
+        text: r#"// The change of a quadric's height with texture coordinates.
 fn quadric_slope(quadric: vec3f, duv: vec2f) -> vec2f {
     return vec2f(
         2.0 * quadric.x * duv.x + quadric.y * duv.y,
@@ -5464,8 +5528,8 @@ fn quadric_of(pixel: PixelIn, point: vec3f, lift: f32) -> vec4f {
         name: "bent_descent",
         sampling: None,
         uses: &["NEVER"],
-        text: r#"// Metres along a ray to where it comes down to that depth under the quadric, in metres, or NEVER. `descent`
-// is what it goes down with a metre where it is above the quadric's point, `bend` the quadric's height there.
+        text: r#"// Metres along a ray to where it comes down to `depth` metres under the quadric, or NEVER.
+// `descent` is the descent per metre at the quadric's point, `bend` the quadric's height there.
 fn bent_descent(depth: f32, descent: f32, bend: f32) -> f32 {
     var t = NEVER;
     if (bend == 0.0) {
@@ -5551,7 +5615,7 @@ fn quadric_frame(at: Entered, aside: vec2f) -> Entered {
         name: "UNITS",
         sampling: None,
         uses: &[],
-        text: r#"// So many numbers are told apart from 0 up to 1.
+        text: r#"// Number of different values from 0 up to 1.
 const UNITS = 16777216.0;"#,
     },
     Declaration {
@@ -5597,7 +5661,7 @@ fn bits_of_point(point: vec2f, count: f32, seed: u32) -> u32 {
         text: r#"struct Varying {
     @builtin(position) position: vec4f,
     @location(0) @interpolate(flat) triangle: u32,
-    // 1 or -1 where that is known of the triangle, 0 where its winding tells.
+    // 1 or -1 if the side of the triangle is known, 0 if its winding decides.
     @location(1) @interpolate(flat) side: f32,
 }"#,
     },
@@ -5618,7 +5682,7 @@ fn clip_of(position: vec3f) -> vec4f {
         name: "clip_of_pass",
         sampling: None,
         uses: &["pass_settings"],
-        text: r#"// A point of clip space in that of the pass.
+        text: r#"// A point of clip space, moved to the clip space of the pass.
 fn clip_of_pass(clip: vec4f) -> vec4f {
     let x = clip.x + pass_settings.shift.x * clip.w;
     let y = clip.y * pass_settings.zoom + pass_settings.shift.y * clip.w;
@@ -5630,7 +5694,7 @@ fn clip_of_pass(clip: vec4f) -> vec4f {
         name: "point_of_pass",
         sampling: None,
         uses: &["pass_settings"],
-        text: r#"// The point of the picture, in pixels from its top-left corner, that a point of the pass is.
+        text: r#"// The point of the picture, in pixels from its top-left corner, for a point of the pass.
 fn point_of_pass(position: vec2f) -> vec2f {
     return position + vec2f(0.0, f32(pass_settings.first_row)) + pass_settings.offset;
 }"#,
@@ -5654,14 +5718,14 @@ fn corner_varying(vertex: u32) -> Varying {
         name: "box_varying",
         sampling: None,
         uses: &["BOX_VERTICES", "Varying", "box_corner", "clip_of", "numbered_triangle", "turned"],
-        text: r#"// The same of boxes. A shell is looked for in all of a box around it, of which the far sides are drawn; where
-// `turned` is 1 the triangle is turned over.
+        text: r#"// A vertex of the box around a triangle's shell. The far sides of the box are drawn, and its whole
+// volume is searched for the shell. If `turned` is 1, the triangle is turned over.
 fn box_varying(vertex: u32, turned: u32) -> Varying {
     let triangle = vertex / BOX_VERTICES;
     let side = select(1.0, -1.0, turned == 1u);
     let position = box_corner(numbered_triangle(triangle), side, vertex % BOX_VERTICES);
     let clip = clip_of(position);
-    // What is seen is decided by the hits; no plane cuts a box off.
+    // The hits decide about visibility; no plane cuts a box off.
     return Varying(vec4f(clip.xy, 0.5 * clip.w, clip.w), triangle, side);
 }"#,
     },
@@ -5708,11 +5772,12 @@ struct Triangle {
 // of a node follow each other, the first at an odd place, and along the node's axis it lies lower.
 struct ShellNode {
     low: vec3f,
-    // Of a node with children the place of the first. Of a leaf SHELL_TRIANGLE times its triangle's number,
-    // and SHELL_BOTH_SIDES where that is seen turned over, too.
+    // For a node with children the place of the first. For a leaf SHELL_TRIANGLE times its
+    // triangle's number, plus SHELL_BOTH_SIDES if the triangle is seen turned over, too.
     first: u32,
     high: vec3f,
-    // 16 times the place of the node above, 4 times the axis of that, and its own axis: of a leaf 3.
+    // 16 times the place of the parent, plus 4 times the parent's axis, plus the node's own axis; a
+    // leaf has 3 as its axis.
     above: u32,
 }"#,
     },
@@ -5721,7 +5786,7 @@ struct ShellNode {
         name: "Record",
         sampling: None,
         uses: &[],
-        text: r#"// What is read back of a pixel. 23 words, and one that is left over.
+        text: r#"// A pixel as it is read back: 23 words, and one for padding.
 struct Record {
     color: vec4f,
     position: vec3f,
@@ -5748,7 +5813,7 @@ struct Record {
         uses: &[],
         text: r#"// Every stage's result for a ray, on the last segment that was traced.
 struct Probe {
-    // Which one that was, counted from 1; 0 where none was.
+    // The number of that segment, counted from 1; 0 if there was none.
     segment: u32,
     entry: vec2f,
     duv: vec2f,
@@ -5768,7 +5833,7 @@ struct Probe {
     bytes: u32,
     // The part of `mirrored_light` that arrives at the hit.
     lit: f32,
-    // What orders the hit among others of the ray.
+    // The key that orders the hit among others of the ray.
     key: f32,
 }"#,
     },
@@ -5777,8 +5842,8 @@ struct Probe {
         name: "LEAST_UPRIGHT",
         sampling: None,
         uses: &[],
-        text: r#"// The least upright part of a normal of which slopes are made; the least deviation of slopes that counts, and
-// the least part of an area that is seen.
+        text: r#"// Three lower limits: of the upright part of a normal that is turned into a slope; of the deviation
+// of slopes; of the visible part of an area.
 const LEAST_UPRIGHT = 0.05;"#,
     },
     Declaration {
@@ -5800,7 +5865,7 @@ const LEAST_UPRIGHT = 0.05;"#,
         name: "MOST",
         sampling: None,
         uses: &[],
-        text: r#"// More than what is seen of normals times a cosine can be.
+        text: r#"// An upper limit of any visible part of a normal times a cosine.
 const MOST = 1000000.0;"#,
     },
     Declaration {
@@ -5808,7 +5873,7 @@ const MOST = 1000000.0;"#,
         name: "TABLE_TEXELS",
         sampling: None,
         uses: &[],
-        text: r#"// Over the texels that a table's texel is wide.
+        text: r#"// The reciprocal of the width of a table's texel, in texels of the height map.
 const TABLE_TEXELS = 0.25;"#,
     },
     Declaration {
@@ -5816,7 +5881,7 @@ const TABLE_TEXELS = 0.25;"#,
         name: "LEAST_WIDTH",
         sampling: None,
         uses: &[],
-        text: r#"// The least part of a footprint in which normals are taken together.
+        text: r#"// The least width of a footprint whose normals are taken together.
 const LEAST_WIDTH = 0.5;"#,
     },
     Declaration {
@@ -5824,8 +5889,8 @@ const LEAST_WIDTH = 0.5;"#,
         name: "APART",
         sampling: None,
         uses: &[],
-        text: r#"// How many deviations four of the five slopes are away from their mean, and the parts of the area that have
-// the mean slope and each of the others.
+        text: r#"// Deviations between the mean slope and the four outer slopes; then the parts of the area with the
+// mean slope and with each of the others.
 const APART = 1.7320508;"#,
     },
     Declaration {
@@ -5862,14 +5927,14 @@ struct Normals {
         uses: &["SeenTable", "table_part"],
         text: r#"// The normals within a footprint as an eye sees them.
 struct SeenNormals {
-    // The direction of their mean, in the world.
+    // The direction of the mean normal, in the world.
     normal: vec3f,
-    // The length of their mean: 1 where all are the same.
+    // The length of the mean normal: 1 where all are the same.
     length: f32,
-    // 1 where they differ. What follows is known only then, in tangent space.
+    // 1 where the normals differ. The members below are known only then, in tangent space.
     differ: u32,
-    // The one in the middle and its slope, and how normals and slopes change in a deviation along two axes:
-    // the others are APART of them beside it, two on each axis.
+    // The normal in the middle and its slope, and the change of normals and slopes in a deviation
+    // along two axes. The others are APART of these changes beside it, two on each axis.
     middle: vec3f,
     along: vec3f,
     across: vec3f,
@@ -5878,10 +5943,10 @@ struct SeenNormals {
     slope_across: vec2f,
     // The squared cosine between the base's normal and the view.
     upright: f32,
-    // What is seen of a slope for each of them, beside what is seen of all.
+    // The visible part of a slope for each of the five, relative to all of them.
     middle_seen: f32,
     others_seen: vec4f,
-    // The part in which the table of directions is told in place of them, and what it holds.
+    // The weight of the table of directions in place of the five normals, and the table's values.
     table_part: f32,
     table: SeenTable,
 }"#,
@@ -5947,7 +6012,8 @@ fn normals_of_level(at: Entered, uv: vec2f, level: u32) -> Normals {
     let y = tile.y * dot(normalize(at.bitangent), at.bitangent) / dot(at.bitangent, at.bitangent);
     let first = normal_at(uv, 0, level - 1u);
     let second = normal_at(uv, 1, level - 1u);
-    // As long as it was: so it stands more upright, and with it all that is weighted by that.
+    // The tangential parts keep their length. So the normal stands more upright, and with it
+    // everything that it weights.
     let flatter = vec3f(first.x * x, first.y * y, first.z);
     let longer = sqrt(dot(first.xyz, first.xyz) / dot(flatter, flatter));
     let squares = vec3f(second.x * x * x, second.y * x * y, second.z * y * y) * longer;
@@ -5959,7 +6025,8 @@ fn normals_of_level(at: Entered, uv: vec2f, level: u32) -> Normals {
         name: "facing_four",
         sampling: None,
         uses: &["APART"],
-        text: r#"// The greater of 0 and what four of five have that are beside `middle` by this along the axes.
+        text: r#"// The greater of 0 and each of the four values beside `middle`, which differ from it by these along
+// the axes.
 fn facing_four(middle: f32, along: f32, across: f32) -> vec4f {
     let x = along * APART;
     let y = across * APART;
@@ -5971,8 +6038,8 @@ fn facing_four(middle: f32, along: f32, across: f32) -> vec4f {
         name: "mean_of_five",
         sampling: None,
         uses: &["MIDDLE", "OUTER"],
-        text: r#"// The mean of five, of which the sum of four is given. Constants are factors of sums, not of what is added:
-// compilers make these of those.
+        text: r#"// The mean of five values. `four` is the sum of the four outer ones. Constants are factors of sums,
+// not of summands: compilers turn the latter into the former.
 fn mean_of_five(middle: f32, four: f32) -> f32 {
     return middle * MIDDLE + four * OUTER;
 }"#,
@@ -5991,26 +6058,27 @@ fn mean_of_five(middle: f32, four: f32) -> f32 {
         name: "seen_normals",
         sampling: None,
         uses: &["APART", "Entered", "LEAST_DEVIATION", "LEAST_SEEN", "LEAST_UPRIGHT", "Normals", "OUTER", "SeenNormals", "facing_four", "from_tangent_space", "mean_of_five", "no_table", "sum_of_four", "to_tangent_space"],
-        text: r#"// The normals of an area as an eye in direction `view` sees them. A part of the area with slope s covers as
-// much of its view as v - s, that is vz - (vx sx + vy sy), and nothing where that is below 0.
+        text: r#"// The normals of an area as an eye in direction `view` sees them. A part of the area with slope s
+// covers as much of its view as v - s, that is vz - (vx sx + vy sy). It covers nothing where that
+// is below 0.
 fn seen_normals(at: Entered, normals: Normals, view: vec3f) -> SeenNormals {
     let first = normals.first;
     let second = normals.second;
     let slope = vec2f(first.w, second.w);
-    // How slopes spread: their covariance, by its root in triangular form.
+    // The spread of slopes: the root of their covariance in triangular form.
     let upright = max(first.z, LEAST_UPRIGHT);
     let x = first.x / upright;
     let y = first.y / upright;
     let a = max(sqrt(max(second.x / upright - x * x, 0.0)), LEAST_DEVIATION);
     let b = (second.y / upright - x * y) / a;
-    // Below 0 for rounding alone.
+    // Below 0 by rounding alone.
     let spread = max(second.z / upright - y * y, 0.0);
     let d = max(sqrt(max(spread - b * b, 0.0)), LEAST_DEVIATION);
-    // How normals go with them: means of n times s, less the product of the means.
+    // The covariance of normals and slopes: the mean of n times s, less the product of the means.
     let with_x = -vec3f(second.x, second.y, first.x) - first.xyz * slope.x;
     let with_y = -vec3f(second.y, second.z, first.y) - first.xyz * slope.y;
-    // In a deviation of the slopes normals change by no more than slopes do in all, and by 1 at most. What is
-    // more comes of roundings that were divided by hardly anything.
+    // In a deviation of the slopes normals change by no more than slopes do in all, and by 1 at
+    // most. Larger values come from dividing rounding errors by tiny numbers.
     let most = min(sqrt(a * a + spread), 1.0);
     let along = with_x / max(a, length(with_x) / most);
     let rest = with_y - along * b;
@@ -6046,8 +6114,8 @@ fn seen_normals(at: Entered, normals: Normals, view: vec3f) -> SeenNormals {
         name: "table_part",
         sampling: None,
         uses: &["Entered", "TABLE_TEXELS", "surface_settings"],
-        text: r#"// The part in which the table of directions is told: as far as the relief is traced flat, and where a
-// footprint is wider than the table's texels.
+        text: r#"// The weight of the table of directions: as far as the relief is traced flat, and where a footprint
+// is wider than the table's texels.
 fn table_part(at: Entered) -> f32 {
     if (surface_settings.has_normal == 1u) {
         return 0.0;
@@ -6060,16 +6128,16 @@ fn table_part(at: Entered) -> f32 {
         name: "with_table",
         sampling: None,
         uses: &["Entered", "SeenNormals", "SeenTable", "from_tangent_space"],
-        text: r#"// The same normals, as the table of directions tells them in that part.
+        text: r#"// The same normals, with the table of directions mixed in by that weight.
 fn with_table(at: Entered, seen: SeenNormals, table: SeenTable, part: f32) -> SeenNormals {
-    var told = seen;
+    var blended = seen;
     let before = seen.normal * seen.length;
     let mean = before + (from_tangent_space(at, table.mean) - before) * part;
-    told.normal = normalize(mean);
-    told.length = min(length(mean), 1.0);
-    told.table_part = part;
-    told.table = table;
-    return told;
+    blended.normal = normalize(mean);
+    blended.length = min(length(mean), 1.0);
+    blended.table_part = part;
+    blended.table = table;
+    return blended;
 }"#,
     },
     Declaration {
@@ -6077,9 +6145,9 @@ fn with_table(at: Entered, seen: SeenNormals, table: SeenTable, part: f32) -> Se
         name: "seen_cosine",
         sampling: None,
         uses: &["Entered", "LEAST_SEEN", "MOST", "SeenNormals", "facing_four", "mean_of_five", "sum_of_four", "surface_settings", "table_cosine", "to_tangent_space"],
-        text: r#"// The mean cosine between the normals that are seen and a light's direction, 0 for those that face away.
-// Where the relief casts shadows, less of it is lit: as much light falls on all parts as on the base. What
-// is seen from the side lies high, and less of it is in shadow.
+        text: r#"// The mean cosine between the visible normals and a light's direction; normals that face away count
+// 0. Where the relief casts shadows, less of it is lit: as much light falls on all parts as on the
+// base. What is seen from the side lies high, and less of it is in shadow.
 fn seen_cosine(at: Entered, seen: SeenNormals, toward: vec3f) -> f32 {
     if (seen.differ == 0u) {
         return max(dot(seen.normal, toward), 0.0);
@@ -6087,7 +6155,7 @@ fn seen_cosine(at: Entered, seen: SeenNormals, toward: vec3f) -> f32 {
     let l = to_tangent_space(at, toward);
     let middle = dot(seen.middle, l);
     let four = facing_four(middle, dot(seen.along, l), dot(seen.across, l));
-    // Bounds that nothing reaches: compilers would add these products in another order.
+    // Limits that are never reached: compilers would add these products in another order.
     let one = min(seen.middle_seen * max(middle, 0.0), MOST);
     let others = min(dot(seen.others_seen, four), MOST);
     var cosine = mean_of_five(one, others);
@@ -6148,7 +6216,7 @@ fn mesostructure_normals(at: Entered, uv: vec2f, view: vec3f) -> SeenNormals {
         name: "MOST_SEEN",
         sampling: None,
         uses: &[],
-        text: r#"// More than any mean is.
+        text: r#"// An upper limit of all means.
 const MOST_SEEN = 16.0;"#,
     },
     Declaration {
@@ -6156,8 +6224,8 @@ const MOST_SEEN = 16.0;"#,
         name: "INNER_DEVIATIONS",
         sampling: None,
         uses: &[],
-        text: r#"// A cosine that is spread by a deviation stands for four: so many deviations beside it, two and two, each
-// with its part of the whole (Gauss and Hermite).
+        text: r#"// Four cosines stand for a cosine that is spread by a deviation: two pairs at these numbers of
+// deviations beside it, each with its part of the whole (Gauss and Hermite).
 const INNER_DEVIATIONS = 0.7419638;"#,
     },
     Declaration {
@@ -6179,7 +6247,7 @@ const INNER_DEVIATIONS = 0.7419638;"#,
         name: "SeenTable",
         sampling: None,
         uses: &[],
-        text: r#"// Means of the normals that are seen, in tangent space, and of the products of their parts.
+        text: r#"// Means of the visible normals, in tangent space, and of the products of their parts.
 struct SeenTable {
     mean: vec3f,
     // x², y², z²
@@ -6215,7 +6283,7 @@ struct SeenTexel {
         name: "seen_texel",
         sampling: None,
         uses: &["SEEN_ELEVATIONS", "SeenTexel", "detail_texel_between"],
-        text: r#"// Around a place in a level of detail.
+        text: r#"// The values of a direction around a place, in a level of detail.
 fn seen_texel(uv: vec2f, azimuth: i32, elevation: i32, level: u32) -> SeenTexel {
     let layer = 2 * (azimuth * i32(SEEN_ELEVATIONS) + elevation);
     return SeenTexel(detail_texel_between(uv, layer, level), detail_texel_between(uv, layer + 1, level));
@@ -6226,7 +6294,7 @@ fn seen_texel(uv: vec2f, azimuth: i32, elevation: i32, level: u32) -> SeenTexel 
         name: "seen_in_levels",
         sampling: None,
         uses: &["Levels", "SeenTexel", "seen_between", "seen_texel"],
-        text: r#"// Around a place, between two levels.
+        text: r#"// The values of a direction around a place, between two levels.
 fn seen_in_levels(uv: vec2f, azimuth: i32, elevation: i32, levels: Levels) -> SeenTexel {
     let fine = seen_texel(uv, azimuth, elevation, levels.fine);
     if (levels.part > 0.0) {
@@ -6250,9 +6318,10 @@ fn has_table(levels: Levels) -> bool {
         name: "table_of",
         sampling: None,
         uses: &["Entered", "Levels", "SEEN_AZIMUTHS", "SEEN_ELEVATIONS", "SLOT_DETAIL", "SeenTable", "climb", "seen_between", "seen_in_levels", "surface_settings", "turn_of"],
-        text: r#"// What an eye in direction `view` sees around a place, between the four directions of the table around it.
+        text: r#"// The visible normals around a place for an eye in direction `view`, between the four directions of
+// the table around it.
 fn table_of(at: Entered, uv: vec2f, view: vec3f, levels: Levels) -> SeenTable {
-    // As the map was baked, in its own metres.
+    // The view in the metric that the map was baked in.
     let change = climb(at, view);
     let tile = surface_settings.maps[SLOT_DETAIL].tile_m;
     let toward = vec3f(change.xy * tile, change.z * surface_settings.scale_m);
@@ -6289,7 +6358,7 @@ fn table_of(at: Entered, uv: vec2f, view: vec3f, levels: Levels) -> SeenTable {
         text: r#"// The mean cosine between those normals and a direction in tangent space, 0 for those that face away.
 fn table_cosine(table: SeenTable, toward: vec3f) -> f32 {
     let mean = dot(table.mean, toward);
-    // Bounds that nothing reaches: compilers would add these products in another order.
+    // Limits that are never reached: compilers would add these products in another order.
     let squares = min(dot(table.squares, toward * toward), MOST_SEEN);
     let pairs = vec3f(toward.x * toward.y, toward.x * toward.z, toward.y * toward.z);
     let products = min(2.0 * dot(table.products, pairs), MOST_SEEN);
@@ -6309,10 +6378,11 @@ fn table_cosine(table: SeenTable, toward: vec3f) -> f32 {
 struct Light {
     // Direction toward the light (w = 0), or its position (w = 1).
     place: vec4f,
-    // Linear RGB: irradiance of a directional light, intensity of a point light. The fourth part is how large
-    // its disc is: the tangent of half the angle under which it is seen, or its radius in metres.
+    // Linear RGB: irradiance of a directional light, intensity of a point light. The fourth part is
+    // the size of the light's disc: the tangent of half its angular diameter for a directional
+    // light, its radius in metres for a point light.
     color: vec4f,
-    // Which of the frame's views of lights are its own, and how many.
+    // The first of the light's shadow maps among the frame's views, and their number.
     first_view: u32,
     views: u32,
 }"#,
@@ -6322,24 +6392,24 @@ struct Light {
         name: "LightView",
         sampling: None,
         uses: &[],
-        text: r#"// A picture that a light sees: square, of parallel rays, or of rays from a point.
+        text: r#"// A shadow map's camera: square, with parallel rays, or with rays from a point.
 struct LightView {
-    // Of a point of the world: column and row in texels, and metres along the view axis. Columns and rows of
-    // rays from a point are to be divided by the latter.
+    // Rows that give column and row in texels, and metres along the view axis, of a point of the
+    // world. For rays from a point, divide column and row by the latter.
     column: vec4f,
     row: vec4f,
     depth: vec4f,
-    // Where the ray through the upper left corner begins; for rays from a point its direction. Its change per
-    // texel to the right and downward, and where rays from a point begin.
+    // Origin of the ray through the upper left corner; for rays from a point its direction. Then
+    // its change per texel to the right and downward, and the origin of rays from a point.
     corner: vec4f,
     across: vec4f,
     along: vec4f,
     eye: vec4f,
-    // As in `Frame`.
+    // See `Frame`.
     near: f32,
-    // Metres that a texel is wide; 1 m away for rays from a point.
+    // Width of a texel in metres; at a distance of 1 m for rays from a point.
     texel_m: f32,
-    // 1 where rays begin in a point.
+    // 1 if all rays begin in one point.
     from_point: u32,
     // Texels of a side.
     size: u32,
@@ -6350,12 +6420,12 @@ struct LightView {
         name: "Frame",
         sampling: None,
         uses: &["Light", "LightView", "MAX_LIGHTS", "MAX_LIGHT_VIEWS"],
-        text: r#"// What changes from frame to frame.
+        text: r#"// Data that changes from frame to frame.
 struct Frame {
     // The columns of the matrix from the world to clip space.
     view_projection: array<vec4f, 4>,
-    // Where the ray through the picture's top-left corner begins, and its change per pixel to the right and
-    // downward: none where all rays begin in one eye.
+    // Origin of the ray through the picture's top-left corner, and its change per pixel to the
+    // right and downward. The change is zero if all rays begin in one eye.
     eye: vec4f,
     eye_right: vec4f,
     eye_down: vec4f,
@@ -6368,17 +6438,17 @@ struct Frame {
     ambient: vec4f,
     // The part of a pixel's width that a sample stands for.
     sample_width: f32,
-    // The depth in metres before which hits are ordered less finely than beyond it.
+    // Depth in metres; nearer hits are ordered less finely than farther ones.
     near: f32,
-    // What a depth buffer holds for a depth d is x + y / d + z d.
+    // The depth buffer's value for a depth d is x + y / d + z d.
     clip: vec4f,
-    // Linear RGB of what is beside the surfaces, at the picture's upper and at its lower edge. Where the
-    // fourth part is above 0 the surroundings are seen there instead, times that part.
+    // Linear RGB of the background, at the picture's upper and lower edge. If the fourth part is
+    // above 0, the environment map is seen there instead, times that part.
     background: vec4f,
     background_below: vec4f,
     lights: array<Light, MAX_LIGHTS>,
     light_count: u32,
-    // What lights see, as far as shadows are looked up there.
+    // The shadow maps' cameras.
     light_views: array<LightView, MAX_LIGHT_VIEWS>,
 }"#,
     },
@@ -6387,9 +6457,9 @@ struct Frame {
         name: "Choice",
         sampling: None,
         uses: &[],
-        text: r#"// What a stage runs.
+        text: r#"// The chosen variant of a stage.
 struct Choice {
-    // The place of its variant in the stage's list.
+    // The variant's place in the stage's list.
     number: u32,
     // The variant's parameters, in the order of its registry entry.
     params: vec4f,
@@ -6400,7 +6470,7 @@ struct Choice {
         name: "MapSettings",
         sampling: None,
         uses: &[],
-        text: r#"// What is known of a baked map.
+        text: r#"// Settings of a baked map.
 struct MapSettings {
     // 1 where its texels are codes of 8 bits: the value of code c is low + step c.
     coded: u32,
@@ -6421,7 +6491,7 @@ struct MapSettings {
         name: "SurfaceSettings",
         sampling: None,
         uses: &["Choice", "MAP_SLOTS", "MapSettings", "STAGES", "height_size"],
-        text: r#"// What belongs to a surface: its maps, displacement, material and method.
+        text: r#"// Settings of a surface: its maps, displacement, material and method.
 struct SurfaceSettings {
     // For each stage, in the order in which a pixel goes through them.
     choices: array<Choice, STAGES>,
@@ -6429,62 +6499,66 @@ struct SurfaceSettings {
     maps: array<MapSettings, MAP_SLOTS>,
     diffuse: vec4f,
     specular: vec4f,
-    // What makes the colour map's coordinates of texture coordinates (u, v): x u + y v + z each.
+    // Rows that turn texture coordinates (u, v) into the colour map's coordinates: x u + y v + z
+    // each.
     color_u: vec4f,
     color_v: vec4f,
     // Columns and rows of the height map, the colour map and the normal map.
     height_size: vec2u,
     color_size: vec2u,
     normal_size: vec2u,
-    // Levels of detail of each, at least 1. Normals that are derived from heights are in the map from level 1
-    // on, which is the map's finest.
+    // Levels of detail of each, at least 1. Normals derived from heights begin at level 1 of the
+    // height map, which is the finest level of the normal map.
     height_levels: u32,
     color_levels: u32,
     normal_levels: u32,
-    // Texels of the colour map and of the normal map beside one of the height map.
+    // Texels of the colour map and of the normal map per texel of the height map.
     color_texels: f32,
     normal_texels: f32,
     // Metres of a tile along u and v for which normals were derived.
     normal_tile_m: vec2f,
-    // How the height map and the normal map go on beyond their sides, and the colour map along both of its
-    // axes.
+    // Wrap of the height map and the normal map, then of the colour map along both of its axes.
     wrap: u32,
     color_wrap_u: u32,
     color_wrap_v: u32,
     shininess: u32,
     has_color: u32,
     has_normal: u32,
-    // 1 where hits in holes of the height map are none, 2 where those are none at which the colour map's
-    // opacity is below the cut-off, 3 for both.
+    // 1 if hits in holes of the height map are misses; 2 if hits where the colour map's opacity is
+    // below the cut-off are; 3 for both.
     has_holes: u32,
-    // 1 where normals that are derived from heights are not taken across creases.
+    // 1 if normals that are derived from heights are not taken across creases.
     has_creases: u32,
-    // 1 where normals are those of the triangles' vertices.
+    // 1 if the vertices of the triangles give the normals.
     has_vertex_normals: u32,
-    // 0 where the relief casts no shadows.
+    // 0 if the relief casts no shadows.
     has_shadows: u32,
     scale_m: f32,
     bias_m: f32,
-    // Metres along the normals at which the heights 0 and 1 lie in shells, which have a thickness always.
+    // Metres along the normals at which heights 0 and 1 lie in shells. Shells always have a
+    // thickness.
     shell_m: vec2f,
-    // The mean of the height map, where pixels are seen in levels of detail.
+    // The mean of the height map, if pixels have levels of detail.
     mean_height: f32,
     // The part of the light that is refracted where it enters the surface, not scattered, and the index of
     // refraction.
     transmission: f32,
     ior: f32,
-    // Its number among the surfaces that are drawn: a surface of several materials is drawn as one for each.
+    // Number among the surfaces that are drawn: a surface of several materials is drawn as one for
+    // each.
     number: u32,
-    // Texels of a face's side in the finest level of the surroundings, and their levels, at least 1 each.
+    // Texels of a face's side in the finest level of the environment map, and its levels; at least
+    // 1 each.
     environment_side: u32,
     environment_levels: u32,
-    // Images of an object, and how many of these, the first ones, say what is solid; 0 of a relief.
+    // Images of an object, and the number of the first ones among them that define the solid; 0 for
+    // a relief.
     images: u32,
     solids: u32,
     // One of CELLS_*, and the difference of heights beyond which a cell of an image jumps.
     cells: u32,
     jump: f32,
-    // The least opacity of the colour map that is seen.
+    // Opacities of the colour map below this are holes.
     cutoff: f32,
 }"#,
     },
@@ -6493,17 +6567,18 @@ struct SurfaceSettings {
         name: "PassSettings",
         sampling: None,
         uses: &[],
-        text: r#"// What one pass works on: some rows of the picture, and of their pixels one sample. The host keeps 256 bytes
-// for each, so there is room for more.
+        text: r#"// Settings of one pass: some rows of the picture, and one sample of their pixels. The host keeps
+// 256 bytes for each pass, so more members fit.
 struct PassSettings {
-    // From a pixel's centre to the point of it that is seen, in pixels.
+    // Offset in pixels from a pixel's centre to its sample point.
     offset: vec2f,
-    // From clip space to that of the rows: y is multiplied by the zoom, then the shift is added.
+    // From clip space to the clip space of the rows: y is multiplied by the zoom, then the shift is
+    // added.
     shift: vec2f,
     zoom: f32,
-    // The part of the pixel's colour that the sample is.
+    // The weight of the sample in the pixel's colour.
     weight: f32,
-    // The rows of the picture that are traced, shaded and read back at once, so that the records fit the
+    // The rows of the picture that are traced, shaded and read back at once. The records fit the
     // least buffer that adapters offer.
     first_row: u32,
     rows: u32,
@@ -6516,19 +6591,18 @@ struct PassSettings {
         name: "PyramidPass",
         sampling: None,
         uses: &[],
-        text: r#"// What a pass over a level of a pyramid reads.
+        text: r#"// Settings of a pass over a level of a pyramid.
 struct PyramidPass {
-    // Columns and rows of the level of nodes before, without what it is padded with; zeros where there is
-    // none.
+    // Columns and rows of the previous level of nodes, without padding; zeros for the first level.
     nodes_size: vec2u,
-    // Columns and rows of the level of the height map that is read; zeros where none is.
+    // Columns and rows of the level of the height map that is read; zeros if none is.
     heights_size: vec2u,
-    // The column and the row of it that stand for those after the last.
+    // The column and the row that stand for those after the last.
     beyond: vec2u,
-    // How many columns and rows of it besides its own two a node covers: 1 of texels where it is over dual
-    // cells, which reach to the next texels.
+    // Columns and rows of the height map that a node covers besides its own two: 1 for a pyramid
+    // over dual cells, which reach to the next texels.
     reach: u32,
-    // The number of that level.
+    // The number of the level of the height map.
     level: u32,
 }"#,
     },
@@ -6537,7 +6611,7 @@ struct PyramidPass {
         name: "free_way",
         sampling: None,
         uses: &["Entered", "FOUND_MISS", "Hit", "LIGHT_RAY_DARK", "LIGHT_RAY_LIT", "Toward", "light_ray", "shadow_search_stage"],
-        text: r#"// 1 where nothing is between the hit and the light, else 0.
+        text: r#"// 1 if nothing is between the hit and the light, otherwise 0.
 fn free_way(at: Entered, hit: Hit, light: Toward) -> f32 {
     let ray = light_ray(at, hit, light);
     if (ray.state == LIGHT_RAY_LIT) {
@@ -6555,8 +6629,8 @@ fn free_way(at: Entered, hit: Hit, light: Toward) -> f32 {
         name: "SHELL_ROUNDING",
         sampling: None,
         uses: &[],
-        text: r#"// Roundings, relative to the distances in play, by which a shell is larger than it is: smaller, and rays pass
-// between neighbours; larger, and what lies beside a triangle is seen through its edge.
+        text: r#"// Roundings, relative to the distances in play, by which a shell is enlarged. Smaller, and rays
+// pass between neighbours; larger, and what lies beside a triangle is seen through its edge.
 const SHELL_ROUNDING = 0.00000095367431640625;"#,
     },
     Declaration {
@@ -6564,7 +6638,7 @@ const SHELL_ROUNDING = 0.00000095367431640625;"#,
         name: "LEAST_FACING",
         sampling: None,
         uses: &[],
-        text: r#"// Cosine of the angle between ray and base beyond which footprints are not longer.
+        text: r#"// Cosine of the angle between ray and base below which footprints do not get longer.
 const LEAST_FACING = 0.0625;"#,
     },
     Declaration {
@@ -6572,7 +6646,7 @@ const LEAST_FACING = 0.0625;"#,
         name: "corner_value",
         sampling: None,
         uses: &[],
-        text: r#"// Of three vectors the one of that number.
+        text: r#"// One of three vectors, by its number.
 fn corner_value(number: u32, a: vec3f, b: vec3f, c: vec3f) -> vec3f {
     let is_first = number == 0u;
     let is_second = number == 1u;
@@ -6585,8 +6659,8 @@ fn corner_value(number: u32, a: vec3f, b: vec3f, c: vec3f) -> vec3f {
         name: "ordered",
         sampling: None,
         uses: &["Corner", "PixelIn", "corner_value"],
-        text: r#"// Corner of the triangle, by its place in the order that all triangles at an edge agree on. It is chosen
-// number by number: a compiler leaves out those that are not asked for, and there are no branches.
+        text: r#"// Corner of the triangle, by its place in the order that all triangles at an edge agree on. It is
+// chosen number by number: compilers drop unused ones, and there are no branches.
 fn ordered(pixel: PixelIn, place: u32) -> Corner {
     let number = (pixel.shell.order >> (2u * place)) & 3u;
     let a = pixel.a;
@@ -6631,10 +6705,10 @@ fn ordered_weights(shell: Shell, weights: vec3f) -> vec3f {
         name: "raised",
         sampling: None,
         uses: &["Corner", "NEVER", "moved_out", "surface_settings"],
-        text: r#"// Where a corner of the triangle is at a height.
+        text: r#"// The position of a corner raised to a height.
 fn raised(corner: Corner, side: f32, height: f32) -> vec3f {
     let shell = surface_settings.shell_m;
-    // A limit that is never reached: compilers would make another mean, which ends in other bits.
+    // A limit that is never reached: compilers would make another mean, which gives other bits.
     return moved_out(corner, side, shell.x + min(shell.y - shell.x, NEVER) * height);
 }"#,
     },
@@ -6643,7 +6717,7 @@ fn raised(corner: Corner, side: f32, height: f32) -> vec3f {
         name: "moved_out",
         sampling: None,
         uses: &["Corner"],
-        text: r#"// The same at an offset in metres.
+        text: r#"// The position of a corner moved out by an offset in metres.
 fn moved_out(corner: Corner, side: f32, offset: f32) -> vec3f {
     return corner.position + corner.normal * (side * offset);
 }"#,
@@ -6669,8 +6743,8 @@ fn offsets_of(shell: Shell) -> vec2f {
         name: "lift_of",
         sampling: None,
         uses: &[],
-        text: r#"// How much higher the smooth base is at a point of the triangle. In this order: with a common factor taken
-// out compilers make other bits of it.
+        text: r#"// The height of the smooth base above the triangle at a point. In this order: with a common factor
+// taken out compilers give other bits.
 fn lift_of(lift: vec3f, w: vec3f) -> f32 {
     return lift.x * w.y * w.z + lift.y * w.z * w.x + lift.z * w.x * w.y;
 }"#,
@@ -6680,7 +6754,7 @@ fn lift_of(lift: vec3f, w: vec3f) -> f32 {
         name: "middle_of",
         sampling: None,
         uses: &["PixelIn"],
-        text: r#"// Metres along the ray to where it comes nearest to the triangle: what is measured from there has all of its
+        text: r#"// Metres along the ray to its nearest place to the triangle. Distances from there keep all of their
 // bits.
 fn middle_of(pixel: PixelIn, along: vec3f) -> f32 {
     let centre = (pixel.a.position + pixel.b.position + pixel.c.position) * (1.0 / 3.0);
@@ -6717,8 +6791,8 @@ fn facing_of(pixel: PixelIn, along: vec3f) -> vec3f {
         name: "frame_at",
         sampling: None,
         uses: &["Entered", "PixelIn", "ordered", "surface_settings"],
-        text: r#"// The frame at a point of the triangle, by the weights of its corners in their order. The level of detail and
-// what goes with it are those of the finest.
+        text: r#"// The frame at a point of the triangle, by the weights of its corners in their order. The level of
+// detail is the finest.
 fn frame_at(pixel: PixelIn, weights: vec3f, point: vec3f, uv: vec2f, facing: vec3f) -> Entered {
     let a = ordered(pixel, 0u);
     let b = ordered(pixel, 1u);
@@ -6756,7 +6830,7 @@ fn frame_at(pixel: PixelIn, weights: vec3f, point: vec3f, uv: vec2f, facing: vec
         name: "passed_by",
         sampling: None,
         uses: &["Entered"],
-        text: r#"// What is entered of a shell that the ray does not come into.
+        text: r#"// The result for a shell that the ray does not enter.
 fn passed_by() -> Entered {
     let zero = vec3f(0.0, 0.0, 0.0);
     let zeros = vec4f(0.0, 0.0, 0.0, 0.0);
@@ -6769,7 +6843,7 @@ fn passed_by() -> Entered {
         name: "shell_middle",
         sampling: None,
         uses: &["Entered", "PixelIn", "facing_of", "frame_at", "middle_of"],
-        text: r#"// The middle of the triangle, of which it is not known yet whether the ray comes into the shell.
+        text: r#"// The frame in the middle of the triangle, before it is known whether the ray enters the shell.
 fn shell_middle(pixel: PixelIn, along: vec3f) -> Entered {
     let third = vec3f(1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0);
     let uv = (pixel.a.uv + pixel.b.uv + pixel.c.uv) * (1.0 / 3.0);
@@ -6784,7 +6858,7 @@ fn shell_middle(pixel: PixelIn, along: vec3f) -> Entered {
         name: "placed_at",
         sampling: None,
         uses: &["Entered", "PixelIn", "frame_at"],
-        text: r#"// The same at a hit, in the detail in which the ray is seen.
+        text: r#"// The frame at a hit, in the ray's level of detail.
 fn placed_at(pixel: PixelIn, at: Entered, weights: vec3f, point: vec3f, uv: vec2f) -> Entered {
     var placed = frame_at(pixel, weights, point, uv, at.facing);
     placed.level = at.level;
@@ -6798,7 +6872,7 @@ fn placed_at(pixel: PixelIn, at: Entered, weights: vec3f, point: vec3f, uv: vec2
         name: "ACROSS",
         sampling: None,
         uses: &[],
-        text: r#"// One over a direction's component, where the ray does not go along it.
+        text: r#"// The reciprocal of a direction's component that is zero.
 const ACROSS = 1.0e20;"#,
     },
     Declaration {
@@ -6814,7 +6888,7 @@ const LEAST_LENGTH = 1.0e-18;"#,
         name: "HullRay",
         sampling: None,
         uses: &[],
-        text: r#"// A ray, and by how many metres hulls are larger for it.
+        text: r#"// A ray, and the metres by which hulls are larger for it.
 struct HullRay {
     origin: vec3f,
     direction: vec3f,
@@ -6859,7 +6933,8 @@ fn hull_ray(point: vec2f, triangle: Triangle) -> HullRay {
         name: "inside_slab",
         sampling: None,
         uses: &["ACROSS", "HullRay", "LEAST_LENGTH", "Triangle", "moved_out", "offsets_of"],
-        text: r#"// The part of a ray, between two parameters, in a slab around a triangle's shell across a direction.
+        text: r#"// The part of a ray, between two parameters, in a slab around a triangle's shell. `across` is the
+// slab's normal.
 fn inside_slab(inside: vec2f, ray: HullRay, triangle: Triangle, side: f32, across: vec3f) -> vec2f {
     let axis = across / max(length(across), LEAST_LENGTH);
     let offsets = offsets_of(triangle.shell);
@@ -6884,8 +6959,9 @@ fn inside_slab(inside: vec2f, ray: HullRay, triangle: Triangle, side: f32, acros
         name: "may_meet",
         sampling: None,
         uses: &["LEAST_LENGTH", "NEVER", "Triangle", "hull_ray", "inside_slab"],
-        text: r#"// Whether the ray through a point of the picture may meet what is in the hull of a side's shell, up to a
-// parameter. There are slabs along the triangle's normal and along those of its sides.
+        text: r#"// Whether the ray through a point of the picture may meet the hull of a side's shell, before the
+// parameter `reach`. There is one slab along the triangle's normal and one along the normal of each
+// side.
 fn may_meet(point: vec2f, triangle: Triangle, side: f32, reach: f32) -> bool {
     let ray = hull_ray(point, triangle);
     let ab = triangle.b.position - triangle.a.position;
@@ -6915,8 +6991,8 @@ const NEWTON_STEPS = 6u;"#,
         name: "NEWTON_END",
         sampling: None,
         uses: &[],
-        text: r#"// After a step that is shorter than this, in weights and heights, the point is known to rounding: each step
-// squares what is missing.
+        text: r#"// After a step shorter than this, in weights and heights, the point is exact up to rounding: each
+// step squares the error.
 const NEWTON_END = 0.001;"#,
     },
     Declaration {
@@ -6924,7 +7000,7 @@ const NEWTON_END = 0.001;"#,
         name: "HEIGHTS_A_TEXEL",
         sampling: None,
         uses: &[],
-        text: r#"// Heights that count as much as a texel beside the way.
+        text: r#"// Heights that count as much as a distance of one texel from the way.
 const HEIGHTS_A_TEXEL = 0.0625;"#,
     },
     Declaration {
@@ -6932,8 +7008,8 @@ const HEIGHTS_A_TEXEL = 0.0625;"#,
         name: "SAME_SHEET",
         sampling: None,
         uses: &[],
-        text: r#"// How far from where it began, in weights and heights, Newton's method may end in a shell that overlaps
-// itself: farther, and it has come to another sheet of it.
+        text: r#"// The greatest distance, in weights and heights, from the start of Newton's method to its end in a
+// shell that overlaps itself. Farther away it has come to another sheet of the shell.
 const SAME_SHEET = 0.5;"#,
     },
     Declaration {
@@ -6941,8 +7017,8 @@ const SAME_SHEET = 0.5;"#,
         name: "Prism",
         sampling: None,
         uses: &[],
-        text: r#"// A shell, seen from the place of the ray that is nearest to the triangle: corners, their normals, and the
-// numbers of the smooth base.
+        text: r#"// A shell, seen from the place of the ray that is nearest to the triangle: corners, their normals,
+// and the coefficients of the smooth base.
 struct Prism {
     p0: vec3f,
     p1: vec3f,
@@ -6990,10 +7066,10 @@ struct ShellPoint {
         name: "shell_point",
         sampling: None,
         uses: &["Prism", "ShellPoint", "shell_point_from"],
-        text: r#"// The point of a shell that is at a place, by Newton's method from the middle of the triangle.
+        text: r#"// The point of a shell at a place, by Newton's method from the middle of the triangle.
 fn shell_point(prism: Prism, place: vec3f, height: f32) -> ShellPoint {
-    // Near the middle, and no two alike: compilers would take a common factor out of the first step's sums,
-    // which ends in other bits.
+    // Near the middle, and no two alike: compilers would take a common factor out of the first
+    // step's sums, which gives other bits.
     return shell_point_from(prism, place, ShellPoint(vec3f(0.28125, 0.375, 0.34375), height));
 }"#,
     },
@@ -7002,10 +7078,11 @@ fn shell_point(prism: Prism, place: vec3f, height: f32) -> ShellPoint {
         name: "shell_point_from",
         sampling: None,
         uses: &["NEVER", "NEWTON_END", "NEWTON_STEPS", "Prism", "ShellPoint", "lift_of", "surface_settings"],
-        text: r#"// The same from another point.
+        text: r#"// The point of a shell at a place, by Newton's method from another point.
 fn shell_point_from(prism: Prism, place: vec3f, from_point: ShellPoint) -> ShellPoint {
     let low = surface_settings.shell_m.x;
-    // A limit that is never reached: compilers would make another mean of both, which ends in other bits.
+    // A limit that is never reached: compilers would make another mean of both, which gives other
+    // bits.
     let width = min(surface_settings.shell_m.y - low, NEVER);
     let l = prism.lift;
     var w = from_point.weights;
@@ -7065,8 +7142,8 @@ fn weights_at_offset(prism: Prism, place: vec3f, offset: f32) -> vec3f {
         name: "shell_point_near",
         sampling: None,
         uses: &["NEVER", "Prism", "SAME_SHEET", "ShellPoint", "lift_of", "shell_point_from", "surface_settings", "weights_at_offset"],
-        text: r#"// The point of a shell that is at a place, of those that are there in a shell that overlaps itself the one
-// about as high.
+        text: r#"// The point of a shell at a place. In a shell that overlaps itself it is the one at about that
+// height.
 fn shell_point_near(prism: Prism, place: vec3f, height: f32) -> ShellPoint {
     let low = surface_settings.shell_m.x;
     let offset = low + min(surface_settings.shell_m.y - low, NEVER) * height;
@@ -7086,7 +7163,7 @@ fn shell_point_near(prism: Prism, place: vec3f, height: f32) -> ShellPoint {
         name: "between",
         sampling: None,
         uses: &["ShellPoint"],
-        text: r#"// Halfway between two points: near the point of a shell that is seen halfway.
+        text: r#"// A point halfway between two points, near the point of a shell that is seen halfway.
 fn between(a: ShellPoint, b: ShellPoint) -> ShellPoint {
     return ShellPoint(0.5 * (a.weights + b.weights), 0.5 * (a.height + b.height));
 }"#,
@@ -7096,7 +7173,7 @@ fn between(a: ShellPoint, b: ShellPoint) -> ShellPoint {
         name: "uv_of",
         sampling: None,
         uses: &["PixelIn", "ordered"],
-        text: r#"// The texture coordinates of weights.
+        text: r#"// The texture coordinates at these weights.
 fn uv_of(pixel: PixelIn, weights: vec3f) -> vec2f {
     return ordered(pixel, 0u).uv * weights.x + ordered(pixel, 1u).uv * weights.y
         + ordered(pixel, 2u).uv * weights.z;
@@ -7115,8 +7192,8 @@ const NOWHERE = 0xffffffffu;"#,
         name: "FROM_ABOVE",
         sampling: None,
         uses: &[],
-        text: r#"// Where a ray came from when it is at a node: from the node above, for the first time; from the other child
-// of that one, which is nearer; from a child of its own, below which all was seen.
+        text: r#"// Where a ray came from: from the parent, for the first time; from the sibling, which is nearer;
+// from a child, below which all was visited.
 const FROM_ABOVE = 0u;"#,
     },
     Declaration {
@@ -7138,7 +7215,7 @@ const FROM_ABOVE = 0u;"#,
         name: "TreeRay",
         sampling: None,
         uses: &[],
-        text: r#"// A ray, and by how many metres boxes are larger for it.
+        text: r#"// A ray, and the metres by which boxes are larger for it.
 struct TreeRay {
     origin: vec3f,
     direction: vec3f,
@@ -7151,7 +7228,7 @@ struct TreeRay {
         name: "TreeWalk",
         sampling: None,
         uses: &[],
-        text: r#"// Where a ray is in the hierarchy, and the leaf that it met last: NOWHERE at the end.
+        text: r#"// A ray's place in the BVH, and the leaf that it met last: NOWHERE at the end.
 struct TreeWalk {
     node: u32,
     came: u32,
@@ -7163,7 +7240,7 @@ struct TreeWalk {
         name: "inverse_of",
         sampling: None,
         uses: &["ACROSS"],
-        text: r#"// One over the components of a direction.
+        text: r#"// The reciprocals of a direction's components.
 fn inverse_of(direction: vec3f) -> vec3f {
     let across = vec3f(ACROSS, ACROSS, ACROSS);
     return select(across, 1.0 / direction, abs(direction) > 1.0 / across);
@@ -7189,7 +7266,7 @@ fn tree_ray(point: vec2f) -> TreeRay {
         name: "walk_begin",
         sampling: None,
         uses: &["FROM_ABOVE", "NOWHERE", "TreeWalk"],
-        text: r#"// The beginning of a way.
+        text: r#"// The beginning of a traversal.
 fn walk_begin() -> TreeWalk {
     return TreeWalk(0u, FROM_ABOVE, NOWHERE);
 }"#,
@@ -7199,7 +7276,7 @@ fn walk_begin() -> TreeWalk {
         name: "reach_of",
         sampling: None,
         uses: &["DEPTH_SLACK", "frame"],
-        text: r#"// The parameter of a ray beyond which nothing begins that is nearer than a key.
+        text: r#"// The parameter of a ray beyond which nothing is nearer than a key.
 fn reach_of(key: f32) -> f32 {
     return frame.near / key * (1.0 + DEPTH_SLACK) - frame.near;
 }"#,
@@ -7209,7 +7286,7 @@ fn reach_of(key: f32) -> f32 {
         name: "goes_down",
         sampling: None,
         uses: &["TreeRay"],
-        text: r#"// Whether the ray goes against an axis, of which the number is.
+        text: r#"// Whether the ray goes against the axis with that number.
 fn goes_down(ray: TreeRay, axis: u32) -> bool {
     let along = select(select(ray.direction.z, ray.direction.y, axis == 1u), ray.direction.x, axis == 0u);
     return along < 0.0;
@@ -7244,7 +7321,8 @@ fn walk_on(ray: TreeRay, before: TreeWalk, reach: f32) -> TreeWalk {
                 leaf = node;
             }
         }
-        // All below is seen. The nearer child of a node is its first where the ray goes along the axis.
+        // All below was visited. The nearer child of a node is its first where the ray goes along
+        // the axis.
         let is_nearer = (node & 1u) == select(1u, 0u, goes_down(ray, (known.above >> 2u) & 3u));
         if (node == 0u) {
             node = NOWHERE;
@@ -7275,7 +7353,7 @@ const SWEPT_PARTS = 1023;"#,
         name: "TOP_NEXT",
         sampling: None,
         uses: &[],
-        text: r#"// What a column's top is zipped with: the next column, the one before, or both ways, itself.
+        text: r#"// The partner of a column's top: the next column, the one before, or, for both ways, itself.
 const TOP_NEXT = 0u;"#,
     },
     Declaration {
@@ -7312,7 +7390,8 @@ const ROOF_UP = 3u;"#,
         name: "ON_PRIMARY",
         sampling: None,
         uses: &[],
-        text: r#"// Sides as bits: the primary edge, that from its first end to the third corner, that from there to its other.
+        text: r#"// Sides as bits: the primary edge, the side from its first end to the third corner, the side from
+// there to its other end.
 const ON_PRIMARY = 1u;"#,
     },
     Declaration {
@@ -7334,8 +7413,8 @@ const ON_PRIMARY = 1u;"#,
         name: "Sweep",
         sampling: None,
         uses: &[],
-        text: r#"// A triangle as it is swept. Coordinates are those along the sweep and along the side, counted from the first
-// end of the primary edge, and such that the third corner lies above it.
+        text: r#"// A triangle as it is swept. Coordinates run along the sweep and across it. They count from the
+// first end of the primary edge, and the third corner lies above it.
 struct Sweep {
     // The ends of the primary edge and the third corner, as numbers of the triangle's corners.
     corners: vec3u,
@@ -7357,15 +7436,15 @@ struct Sweep {
         uses: &[],
         text: r#"// A point of a triangle.
 struct SweptPoint {
-    // Of the triangle's sides the one that it lies on, and how many parts lie before it there, fewer than
-    // there are; or `INSIDE`, and its number among those inside.
+    // The triangle's side that the point lies on, and the number of parts before it there, fewer
+    // than the side has; or `INSIDE`, and its number among the points inside.
     side: u32,
     at: u32,
-    // It lies at (x / w, y / w).
+    // The point is (x / w, y / w).
     x: i32,
     y: i32,
     w: i32,
-    // The sides that it lies on.
+    // The sides that the point lies on.
     sides: u32,
 }"#,
     },
@@ -7374,14 +7453,15 @@ struct SweptPoint {
         name: "SweptColumn",
         sampling: None,
         uses: &[],
-        text: r#"// A column of points: that of the primary edge, those inside from below, those of the top along the sweep.
+        text: r#"// A column of points: the point of the primary edge, the points inside from below, the points of
+// the top along the sweep.
 struct SweptColumn {
     column: i32,
-    // The lowest point inside, how many there are, and the number of the first.
+    // The lowest point inside, their number, and the number of the first.
     inside: i32,
     inner: i32,
     first: u32,
-    // The first point of the top, how many there are, and what they are zipped with.
+    // The first point of the top, their number, and their partner.
     from_top: i32,
     of_top: i32,
     top: u32,
@@ -7395,7 +7475,7 @@ struct SweptColumn {
         text: r#"// Some of a column's points, from below.
 struct SweptChain {
     column: SweptColumn,
-    // What they are zipped with.
+    // The partner of these points.
     way: u32,
     count: i32,
 }"#,
@@ -7405,7 +7485,7 @@ struct SweptChain {
         name: "Zip",
         sampling: None,
         uses: &["SweptChain", "SweptPoint"],
-        text: r#"// Two chains that are zipped, the first one to the left: where it stands, and what comes next on each.
+        text: r#"// Two chains that are zipped, the first one to the left: its place, and the next points on each.
 struct Zip {
     left: SweptChain,
     right: SweptChain,
@@ -7446,7 +7526,7 @@ fn main_axis(start: vec3i, to: vec3i) -> u32 {
         name: "primary_length",
         sampling: None,
         uses: &["axis_of", "main_axis"],
-        text: r#"// How long an edge is along its main direction; by far longer for a primary edge.
+        text: r#"// The length of an edge along its main direction; by far longer for a primary edge.
 fn primary_length(start: vec3i, to: vec3i, third: vec3i) -> i32 {
     let axis = main_axis(start, to);
     let a = axis_of(start, axis);
@@ -7461,7 +7541,7 @@ fn primary_length(start: vec3i, to: vec3i, third: vec3i) -> i32 {
         name: "seen_along",
         sampling: None,
         uses: &[],
-        text: r#"// The coordinates from an axis on.
+        text: r#"// The coordinates in cyclic order, beginning with an axis.
 fn seen_along(at: vec3i, axis: u32) -> vec3i {
     if (axis == 0u) {
         return at;
@@ -7477,7 +7557,7 @@ fn seen_along(at: vec3i, axis: u32) -> vec3i {
         name: "longest_of",
         sampling: None,
         uses: &["between"],
-        text: r#"// How far apart two voxels are along the axis along which they are farthest.
+        text: r#"// The distance of two voxels along the axis along which they are farthest apart.
 fn longest_of(between: vec3i) -> i32 {
     let along = abs(between);
     return max(max(along.x, along.y), along.z);
@@ -7502,7 +7582,7 @@ fn sweep_from(primary: u32, a: vec3i, b: vec3i, c: vec3i) -> Sweep {
     }
     let to_end = seen_along(end - first, axis);
     let to_apex = seen_along(c - first, axis);
-    // Twice the area that it covers in each plane.
+    // Twice the area of the triangle in each plane.
     let in_first = to_end.x * to_apex.y - to_end.y * to_apex.x;
     let in_second = to_end.x * to_apex.z - to_end.z * to_apex.x;
     let is_first = abs(in_first) >= abs(in_second);
@@ -7540,7 +7620,7 @@ fn sweep_of(a: vec3i, b: vec3i, c: vec3i) -> Sweep {
         name: "quotient_up",
         sampling: None,
         uses: &[],
-        text: r#"// A quotient rounded up, of a dividend of at least 0 and a divisor above 0.
+        text: r#"// A quotient rounded up. The dividend is at least 0, the divisor above 0.
 fn quotient_up(dividend: i32, by: i32) -> i32 {
     return (dividend + by - 1) / by;
 }"#,
@@ -7550,7 +7630,7 @@ fn quotient_up(dividend: i32, by: i32) -> i32 {
         name: "quotient_near",
         sampling: None,
         uses: &[],
-        text: r#"// A quotient rounded to the nearest whole number, of a divisor above 0.
+        text: r#"// A quotient rounded to the nearest whole number. The divisor is above 0.
 fn quotient_near(dividend: i32, by: i32) -> i32 {
     let doubled = 2 * dividend + by;
     let whole = doubled / (2 * by);
@@ -7562,12 +7642,12 @@ fn quotient_near(dividend: i32, by: i32) -> i32 {
         name: "first_of_top",
         sampling: None,
         uses: &["Sweep", "quotient_up"],
-        text: r#"// Points of the top, the third corner and both ends among them, are counted along the sweep: that number has
-// the first of a column.
+        text: r#"// The number of the first point of a column's top. Points of the top, the third corner and both
+// ends among them, are counted along the sweep.
 fn first_of_top(sweep: Sweep, column: i32) -> i32 {
     let n = sweep.parts.x;
     let m = sweep.parts.y;
-    // A point belongs to the column if it lies less than half a voxel before its middle, or just that.
+    // A point belongs to the column if it lies at most half a voxel before its middle.
     let doubled = 2 * column - 1;
     if (column <= 0) {
         return 0;
@@ -7586,7 +7666,7 @@ fn first_of_top(sweep: Sweep, column: i32) -> i32 {
         name: "swept_border",
         sampling: None,
         uses: &["Sweep", "around_three"],
-        text: r#"// A point between two corners of the sweep that so many parts lie before.
+        text: r#"// The point between two corners of the sweep with `at` of `parts` parts before it.
 fn swept_border(sweep: Sweep, start: u32, to: u32, at: i32, parts: i32) -> vec2u {
     if (at == 0) {
         return vec2u(start, 0u);
@@ -7605,7 +7685,7 @@ fn swept_border(sweep: Sweep, start: u32, to: u32, at: i32, parts: i32) -> vec2u
         name: "top_point",
         sampling: None,
         uses: &["ON_FIRST", "ON_SECOND", "Sweep", "SweptPoint", "swept_border"],
-        text: r#"// The point of the top of that number.
+        text: r#"// The point of the top with that number.
 fn top_point(sweep: Sweep, number: i32) -> SweptPoint {
     let n = sweep.parts.x;
     let m = sweep.parts.y;
@@ -7627,7 +7707,7 @@ fn top_point(sweep: Sweep, number: i32) -> SweptPoint {
         name: "swept_column",
         sampling: None,
         uses: &["Sweep", "SweptColumn", "TOP_BEFORE", "TOP_NEXT", "TOP_ROOF", "first_of_top", "quotient_near", "top_point"],
-        text: r#"// A column whose first point inside has that number.
+        text: r#"// A column. `first` is the number of its first point inside.
 fn swept_column(sweep: Sweep, column: i32, first: u32) -> SweptColumn {
     let n = sweep.parts.x;
     let m = sweep.parts.y;
@@ -7653,7 +7733,7 @@ fn swept_column(sweep: Sweep, column: i32, first: u32) -> SweptColumn {
         name: "swept_points_of",
         sampling: None,
         uses: &["Sweep", "swept_column"],
-        text: r#"// How many points lie inside of a triangle.
+        text: r#"// The number of points inside a triangle.
 fn swept_points_of(sweep: Sweep) -> u32 {
     var points = 0u;
     var column = 1;
@@ -7690,8 +7770,8 @@ fn swept_weights(sweep: Sweep, x: i32, y: i32) -> vec3f {
         name: "roof_left",
         sampling: None,
         uses: &["Sweep", "SweptColumn"],
-        text: r#"// How many points of the left way of a roof are of its top: the third corner goes with the side that has more
-// room for it.
+        text: r#"// The number of points of a roof's left way that belong to its top. The third corner goes with the
+// side that has more room for it.
 fn roof_left(sweep: Sweep, column: SweptColumn) -> i32 {
     return max(sweep.parts.x - column.from_top, 1);
 }"#,
@@ -7701,7 +7781,7 @@ fn roof_left(sweep: Sweep, column: SweptColumn) -> i32 {
         name: "swept_chain",
         sampling: None,
         uses: &["ROOF_DOWN", "ROOF_UP", "Sweep", "SweptChain", "SweptColumn", "roof_left"],
-        text: r#"// The points of a column, as they are zipped that way.
+        text: r#"// The points of a column in the order in which they are zipped that way.
 fn swept_chain(sweep: Sweep, column: SweptColumn, way: u32) -> SweptChain {
     if (way == ROOF_UP) {
         // The point under the roof comes first.
@@ -7710,7 +7790,7 @@ fn swept_chain(sweep: Sweep, column: SweptColumn, way: u32) -> SweptChain {
     if (way == ROOF_DOWN) {
         return SweptChain(column, way, column.of_top - roof_left(sweep, column));
     }
-    // Of a top that is not zipped that way there is the end that is nearest.
+    // A top that is not zipped that way has only its nearest end here.
     let of_top = select(min(column.of_top, 1), column.of_top, column.top == way);
     return SweptChain(column, way, 1 + column.inner + of_top);
 }"#,
@@ -7720,7 +7800,7 @@ fn swept_chain(sweep: Sweep, column: SweptColumn, way: u32) -> SweptChain {
         name: "low_point",
         sampling: None,
         uses: &["INSIDE", "ON_FIRST", "ON_PRIMARY", "ON_SECOND", "Sweep", "SweptColumn", "SweptPoint", "swept_border"],
-        text: r#"// The lowest points of a column: that of the primary edge, then those inside.
+        text: r#"// The lowest points of a column: the point of the primary edge, then the points inside.
 fn low_point(sweep: Sweep, column: SweptColumn, at: i32) -> SweptPoint {
     let x = column.column;
     if (at > 0) {
@@ -7738,7 +7818,7 @@ fn low_point(sweep: Sweep, column: SweptColumn, at: i32) -> SweptPoint {
         name: "chain_point",
         sampling: None,
         uses: &["ROOF_DOWN", "ROOF_UP", "Sweep", "SweptChain", "SweptPoint", "TOP_BEFORE", "low_point", "top_point"],
-        text: r#"// The point of a chain of that number.
+        text: r#"// The point of a chain with that number.
 fn chain_point(sweep: Sweep, chain: SweptChain, number: i32) -> SweptPoint {
     let column = chain.column;
     let last = column.from_top + column.of_top - 1;
@@ -7764,7 +7844,7 @@ fn chain_point(sweep: Sweep, chain: SweptChain, number: i32) -> SweptPoint {
         name: "ends_on",
         sampling: None,
         uses: &["Sweep", "SweptChain", "chain_point"],
-        text: r#"// Whether the end of a chain lies on the side on which another one ends.
+        text: r#"// Whether the end of a chain lies on the same side as another chain's end.
 fn ends_on(sweep: Sweep, chain: SweptChain, other: SweptChain) -> bool {
     if (other.count < 2) {
         return false;
@@ -7780,8 +7860,9 @@ fn ends_on(sweep: Sweep, chain: SweptChain, other: SweptChain) -> bool {
         name: "zip_of",
         sampling: None,
         uses: &["ROOF_DOWN", "ROOF_UP", "Sweep", "SweptColumn", "TOP_BEFORE", "TOP_NEXT", "TOP_ROOF", "Zip", "chain_point", "ends_on", "swept_chain"],
-        text: r#"// What is zipped between a column and the next: 0 the roof of the first column of all, 1 the strip between
-// both, 2 the roof of the next. Where there is none both chains have one point.
+        text: r#"// The zip between a column and the next. `which` is 0 for the roof of the first column of all, 1
+// for the strip between both, 2 for the roof of the next. If there is none, both chains have one
+// point.
 fn zip_of(sweep: Sweep, column: SweptColumn, next: SweptColumn, which: u32) -> Zip {
     var left = swept_chain(sweep, column, TOP_NEXT);
     var right = swept_chain(sweep, next, TOP_BEFORE);
@@ -7821,7 +7902,7 @@ fn zip_of(sweep: Sweep, column: SweptColumn, next: SweptColumn, which: u32) -> Z
         name: "zip_rest",
         sampling: None,
         uses: &["Zip"],
-        text: r#"// How many pieces are left of what is zipped.
+        text: r#"// The number of pieces left to zip.
 fn zip_rest(zip: Zip) -> i32 {
     return zip.left.count + zip.right.count - 2 - zip.i - zip.j;
 }"#,
@@ -7898,7 +7979,7 @@ fn turn_of_piece(a: SweptPoint, b: SweptPoint, c: SweptPoint) -> i32 {
         name: "stretch_of",
         sampling: None,
         uses: &["SweptPoint", "magnitude"],
-        text: r#"// How long a way is, along and up together, times the product of the denominators.
+        text: r#"// The length of a way, along and up together, times the product of the denominators.
 fn stretch_of(a: SweptPoint, b: SweptPoint) -> u32 {
     return magnitude(b.x * a.w - a.x * b.w) + magnitude(b.y * a.w - a.y * b.w);
 }"#,
@@ -7918,7 +7999,7 @@ fn is_no_longer(a: SweptPoint, b: SweptPoint, c: SweptPoint, d: SweptPoint) -> b
         name: "zip_goes_left",
         sampling: None,
         uses: &["ROOF_UP", "Zip", "is_no_longer", "turn_of_piece"],
-        text: r#"// Whether the next point of what is zipped is one to the left.
+        text: r#"// Whether the next point to zip is one to the left.
 fn zip_goes_left(zip: Zip) -> bool {
     let on_left = zip.left.count - 1 - zip.i;
     let on_right = zip.right.count - 1 - zip.j;
@@ -7953,7 +8034,7 @@ fn zip_goes_left(zip: Zip) -> bool {
         name: "zip_next",
         sampling: None,
         uses: &["Sweep", "Zip", "chain_point"],
-        text: r#"// What is zipped after its next point.
+        text: r#"// The zip after its next point.
 fn zip_next(sweep: Sweep, zip: Zip, goes_left: bool) -> Zip {
     var next = zip;
     if (goes_left) {
@@ -7973,7 +8054,7 @@ fn zip_next(sweep: Sweep, zip: Zip, goes_left: bool) -> Zip {
         name: "swept_triangles",
         sampling: None,
         uses: &["Sweep", "SweptColumn", "TOP_BEFORE", "TOP_NEXT", "TOP_ROOF", "swept_chain"],
-        text: r#"// How many triangles there are between a column and the next, the roofs that close there among them.
+        text: r#"// The number of triangles between a column and the next, including the roofs that close there.
 fn swept_triangles(sweep: Sweep, column: SweptColumn, next: SweptColumn) -> u32 {
     let strip = swept_chain(sweep, column, TOP_NEXT).count + swept_chain(sweep, next, TOP_BEFORE).count - 2;
     let own = select(0, column.of_top - 1, column.column == 0 && column.top == TOP_ROOF);
@@ -8018,7 +8099,7 @@ fn normal_z(path: Path, slope: vec2f) -> f32 {
         name: "PARTS_ROUNDING",
         sampling: None,
         uses: &[],
-        text: r#"// What a number of parts may be above a whole one by rounding, as texture coordinates are stored.
+        text: r#"// The rounding error of a number of parts, as texture coordinates are stored.
 const PARTS_ROUNDING = 0.0009765625;"#,
     },
     Declaration {
@@ -8026,7 +8107,8 @@ const PARTS_ROUNDING = 0.0009765625;"#,
         name: "FARTHEST_VOXEL",
         sampling: None,
         uses: &[],
-        text: r#"// Corners are not told apart farther from the middle of the picture, in voxels.
+        text: r#"// The greatest distance of a corner from the middle of the picture, in voxels; farther ones are
+// moved to it.
 const FARTHEST_VOXEL = 262144.0;"#,
     },
     Declaration {
@@ -8042,7 +8124,8 @@ const ROOT_OF_TWO = 1.4142135;"#,
         name: "TEXELS_INSIDE",
         sampling: None,
         uses: &[],
-        text: r#"// How far from the edge of a clamped map its cells are surely reached, in texels: half a texel, and a 64th.
+        text: r#"// The distance from the edge of a clamped map, in texels, at which its cells are surely reached:
+// half a texel, and a 64th.
 const TEXELS_INSIDE = 0.515625;"#,
     },
     Declaration {
@@ -8050,14 +8133,14 @@ const TEXELS_INSIDE = 0.515625;"#,
         name: "Tessellation",
         sampling: None,
         uses: &["is_swept"],
-        text: r#"// What is the same for all of a tessellated base: the view, and how much there is.
+        text: r#"// Settings of a tessellated base: the view, and the sizes of the base.
 struct Tessellation {
     // The eye, and unit vectors of the camera.
     eye: vec4f,
     right: vec4f,
     up: vec4f,
     forward: vec4f,
-    // What lies before one of these planes is not made: a position p where dot(plane, (p, 1)) > 0.
+    // Planes that cull: nothing is made at a position p where dot(plane, (p, 1)) > 0.
     planes: array<vec4f, 5>,
     // The middle of the picture, in voxels.
     middle: vec2f,
@@ -8065,7 +8148,7 @@ struct Tessellation {
     per_m: f32,
     // Voxels along the view axis from a depth to twice that.
     per_doubling: f32,
-    // The depth before which everything is divided as if it were there.
+    // The least depth; nearer sides are divided as if they were there.
     near_m: f32,
     // 1 where rays are parallel.
     is_parallel: u32,
@@ -8080,7 +8163,7 @@ struct Tessellation {
     most_triangles: u32,
     // Parts for a unit of u and of v; 0 where sides are divided by voxels.
     parts_of_uv: vec2f,
-    // 1 where voxels say what is inside, too.
+    // 1 if voxels fill the inside, too.
     is_swept: u32,
 }"#,
     },
@@ -8092,11 +8175,11 @@ struct Tessellation {
         text: r#"// A vertex of the base.
 struct BaseVertex {
     position: vec3f,
-    // The vertex whose place on the map says how far it is displaced: one for each position.
+    // The vertex whose place on the map gives the displacement: one for each position.
     seen: u32,
-    // Along what it is displaced, of any length: the same for all vertices at a position.
+    // The direction of displacement, of any length: the same for all vertices at a position.
     direction: vec3f,
-    // Texels of the map in a metre around it.
+    // Texels of the map per metre around it.
     texels_per_m: f32,
     normal: vec3f,
     tangent: vec3f,
@@ -8114,14 +8197,15 @@ struct BaseVertex {
         uses: &[],
         text: r#"// An edge between two vertices of the base.
 struct BaseEdge {
-    // Its ends, in an order that all edges between the same positions agree on.
+    // The ends, in an order that all edges between the same positions agree on.
     ends: vec2u,
-    // Those of the edge between these positions that says where points are.
+    // The ends of the edge between these positions that gives the points' places.
     seen: vec2u,
-    // By how much u and v change along it; the most of all edges between the same positions.
+    // The change of u and v along the edge; the greatest among all edges between the same
+    // positions.
     along: vec2f,
-    // The triangles that have it, the second the first again where it has one; COUNTLESS twice where it has
-    // more than two.
+    // The triangles at the edge. An edge with one triangle has it twice; an edge with more than two
+    // has COUNTLESS twice.
     patches: vec2u,
 }"#,
     },
@@ -8148,10 +8232,10 @@ struct BasePatch {
         uses: &[],
         text: r#"// A vertex in grid space.
 struct Voxel {
-    // The voxel that it lies in: right, down and away from the eye.
+    // The voxel of the vertex: right, down and away from the eye.
     at: vec3i,
-    // What it counts where points are divided in the picture: the inverse of its depth in perspective; 1
-    // where they are divided on the base.
+    // The weight where points are divided in the picture: the inverse of its depth in perspective;
+    // 1 where they are divided on the base.
     share: f32,
 }"#,
     },
@@ -8160,14 +8244,14 @@ struct Voxel {
         name: "BaseSite",
         sampling: None,
         uses: &[],
-        text: r#"// A point of the base, and what is known there.
+        text: r#"// A point of the base, with its data.
 struct BaseSite {
     position: vec3f,
     direction: vec3f,
-    // Where the map says how far it is displaced, and where it lies itself.
+    // The place on the map that gives the displacement, and the point's own place on the map.
     seen_uv: vec2f,
     uv: vec2f,
-    // Texels of the map in a metre, and the depth, of whose product the level of the map follows.
+    // Texels of the map per metre, and the depth. Their product gives the level of the map.
     texels_per_m: f32,
     depth: f32,
     normal: vec3f,
@@ -8229,7 +8313,7 @@ fn voxel_of(grid: Tessellation, position: vec3f) -> Voxel {
         name: "coarser_voxel",
         sampling: None,
         uses: &[],
-        text: r#"// A voxel of a grid that is coarser by so many doublings.
+        text: r#"// A voxel of a grid that is coarser by `level` doublings.
 fn coarser_voxel(at: vec3i, level: u32) -> vec3i {
     return vec3i(at.x >> level, at.y >> level, at.z >> level);
 }"#,
@@ -8239,7 +8323,8 @@ fn coarser_voxel(at: vec3i, level: u32) -> vec3i {
         name: "parts_by_voxels",
         sampling: None,
         uses: &["DICE_PARTS", "Voxel", "coarser_voxel", "longest_of"],
-        text: r#"// In how many parts an edge between two voxels is divided, where the grid is coarser by so many doublings.
+        text: r#"// The number of parts of an edge between two voxels, in a grid that is coarser by `level`
+// doublings.
 fn parts_by_voxels(a: Voxel, b: Voxel, level: u32) -> u32 {
     let apart = longest_of(coarser_voxel(b.at, level) - coarser_voxel(a.at, level));
     return clamp(u32(apart), 1u, DICE_PARTS);
@@ -8250,7 +8335,7 @@ fn parts_by_voxels(a: Voxel, b: Voxel, level: u32) -> u32 {
         name: "parts_by_uv",
         sampling: None,
         uses: &["DICE_PARTS", "PARTS_ROUNDING", "Tessellation"],
-        text: r#"// The same of one along which u and v change by so much.
+        text: r#"// The number of parts of an edge by its change of u and v.
 fn parts_by_uv(grid: Tessellation, along: vec2f, level: u32) -> u32 {
     let both = along * grid.parts_of_uv;
     let parts = ceil(max(both.x, both.y) / f32(1u << level) - PARTS_ROUNDING);
@@ -8262,7 +8347,7 @@ fn parts_by_uv(grid: Tessellation, along: vec2f, level: u32) -> u32 {
         name: "parts_between",
         sampling: None,
         uses: &["Tessellation", "Voxel", "parts_by_uv", "parts_by_voxels"],
-        text: r#"// In how many parts an edge between two voxels is divided, along which u and v change by so much.
+        text: r#"// The number of parts of an edge between two voxels. `along` is its change of u and v.
 fn parts_between(grid: Tessellation, a: Voxel, b: Voxel, along: vec2f, level: u32) -> u32 {
     if (grid.parts_of_uv.x > 0.0) {
         return parts_by_uv(grid, along, level);
@@ -8275,7 +8360,7 @@ fn parts_between(grid: Tessellation, a: Voxel, b: Voxel, along: vec2f, level: u3
         name: "is_swept",
         sampling: None,
         uses: &["SWEPT_PARTS", "Tessellation", "Voxel", "coarser_voxel", "longest_of"],
-        text: r#"// Whether voxels say what is inside of a triangle.
+        text: r#"// Whether voxels fill the inside of a triangle.
 fn is_swept(grid: Tessellation, a: Voxel, b: Voxel, c: Voxel, level: u32) -> bool {
     let first = coarser_voxel(a.at, level);
     let second = coarser_voxel(b.at, level);
@@ -8289,7 +8374,7 @@ fn is_swept(grid: Tessellation, a: Voxel, b: Voxel, c: Voxel, level: u32) -> boo
         name: "sweep_on",
         sampling: None,
         uses: &["Sweep", "Voxel", "coarser_voxel", "sweep_of"],
-        text: r#"// The sweep of a triangle that is swept, in that grid.
+        text: r#"// The sweep of a triangle in a grid that is coarser by `level` doublings.
 fn sweep_on(a: Voxel, b: Voxel, c: Voxel, level: u32) -> Sweep {
     return sweep_of(coarser_voxel(a.at, level), coarser_voxel(b.at, level), coarser_voxel(c.at, level));
 }"#,
@@ -8299,7 +8384,7 @@ fn sweep_on(a: Voxel, b: Voxel, c: Voxel, level: u32) -> Sweep {
         name: "is_before",
         sampling: None,
         uses: &[],
-        text: r#"// Whether a corner, at the least and at the greatest displacement, lies before a plane.
+        text: r#"// Whether a corner lies before a plane at both the least and the greatest displacement.
 fn is_before(plane: vec4f, position: vec3f, direction: vec3f, low_m: f32, high_m: f32) -> bool {
     let low = dot(plane.xyz, position + direction * low_m) + plane.w;
     let high = dot(plane.xyz, position + direction * high_m) + plane.w;
@@ -8311,8 +8396,8 @@ fn is_before(plane: vec4f, position: vec3f, direction: vec3f, low_m: f32, high_m
         name: "is_left_out",
         sampling: None,
         uses: &["BaseVertex", "Tessellation", "is_before"],
-        text: r#"// Whether all of a displaced triangle lies before one of the planes: it is within the hull of its corners at
-// the least and the greatest displacement.
+        text: r#"// Whether all of a displaced triangle lies before one of the planes. It is within the hull of its
+// corners at the least and the greatest displacement.
 fn is_left_out(
     grid: Tessellation,
     a: BaseVertex,
@@ -8339,7 +8424,7 @@ fn is_left_out(
         name: "site_of_vertex",
         sampling: None,
         uses: &["BaseSite", "BaseVertex", "Voxel"],
-        text: r#"// A vertex of the base, displaced as another one says.
+        text: r#"// A vertex of the base with the displacement of another one.
 fn site_of_vertex(vertex: BaseVertex, seen: BaseVertex, voxel: Voxel) -> BaseSite {
     return BaseSite(
         vertex.position,
@@ -8361,8 +8446,8 @@ fn site_of_vertex(vertex: BaseVertex, seen: BaseVertex, voxel: Voxel) -> BaseSit
         name: "site_between",
         sampling: None,
         uses: &["BaseSite", "weighted_site"],
-        text: r#"// The point of an edge that so many of its parts lie before, between two sites that are its ends. Its weights
-// are those of the ends' shares in the picture.
+        text: r#"// The point of an edge with `at` of its `parts` parts before it, between the sites of its two ends.
+// `shares` are the weights of the ends in the picture.
 fn site_between(a: BaseSite, b: BaseSite, shares: vec2f, at: u32, parts: u32) -> BaseSite {
     let of_a = f32(parts - at) * shares.x;
     let of_b = f32(at) * shares.y;
@@ -8375,7 +8460,7 @@ fn site_between(a: BaseSite, b: BaseSite, shares: vec2f, at: u32, parts: u32) ->
         name: "site_inside",
         sampling: None,
         uses: &["BaseSite", "weighted_site"],
-        text: r#"// The point inside of a triangle that has those weights in the picture.
+        text: r#"// The point inside a triangle with those weights in the picture.
 fn site_inside(a: BaseSite, b: BaseSite, c: BaseSite, shares: vec3f, weights: vec3f) -> BaseSite {
     let shared_out = weights * shares;
     let sum = shared_out.x + shared_out.y + shared_out.z;
@@ -8408,7 +8493,7 @@ fn site_inside(a: BaseSite, b: BaseSite, c: BaseSite, shares: vec3f, weights: ve
         name: "relief_between_levels",
         sampling: None,
         uses: &["height_and_slope"],
-        text: r#"// The height of the map and its derivatives by u and v, of a level that lies between two.
+        text: r#"// The height of the map and its derivatives by u and v, at a level between two mip levels.
 fn relief_between_levels(uv: vec2f, level: f32) -> vec3f {
     let finer = u32(level);
     let part = level - f32(finer);
@@ -8424,8 +8509,8 @@ fn relief_between_levels(uv: vec2f, level: f32) -> vec3f {
         name: "sloped_uv",
         sampling: None,
         uses: &["TEXELS_INSIDE", "WRAP_CLAMP", "height_size", "is_inside", "surface_settings"],
-        text: r#"// Where the slope of a vertex is taken: on the edge of a clamped map in the cells inside, because nothing is
-// known of the ground beyond, and tiles of a terrain are to meet without a rim.
+        text: r#"// The place where the slope of a vertex is taken: on the edge of a clamped map in the cells inside.
+// Nothing is known of the ground beyond, and tiles of a terrain must meet without a rim.
 fn sloped_uv(uv: vec2f, level: f32) -> vec2f {
     let is_inside = min(uv.x, uv.y) >= 0.0 && max(uv.x, uv.y) <= 1.0;
     if (surface_settings.wrap != WRAP_CLAMP || !is_inside) {
@@ -8454,8 +8539,8 @@ fn level_at(grid: Tessellation, site: BaseSite) -> f32 {
         name: "displaced_derivative",
         sampling: None,
         uses: &["turned"],
-        text: r#"// The derivative of a displaced position by a texture coordinate: of the base in the plane at right angles to
-// its normal, of the displacement, and of its direction.
+        text: r#"// The derivative of a displaced position by a texture coordinate: of the base in the plane at right
+// angles to its normal, of the displacement, and of its direction.
 fn displaced_derivative(along: vec3f, up: vec3f, rise: vec3f, turned: vec3f) -> vec3f {
     return along - up * dot(up, along) + rise + turned;
 }"#,
@@ -8465,8 +8550,8 @@ fn displaced_derivative(along: vec3f, up: vec3f, rise: vec3f, turned: vec3f) -> 
         name: "displaced_site",
         sampling: None,
         uses: &["BaseSite", "Corner", "Tessellation", "displaced_derivative", "level_at", "relief_between_levels", "sloped_uv", "surface_settings"],
-        text: r#"// What a point of the base becomes. Its normal is that of the displaced surface there (Szirmay-Kalos and
-// Umenhoffer 2008, equation 9, with what the direction of displacement turns by).
+        text: r#"// The displaced corner at a point of the base. Its normal is the displaced surface's (Szirmay-Kalos
+// and Umenhoffer 2008, equation 9, with the turning of the direction of displacement).
 fn displaced_site(grid: Tessellation, site: BaseSite) -> Corner {
     let level = level_at(grid, site);
     let seen = relief_between_levels(site.seen_uv, level);
@@ -8497,45 +8582,46 @@ fn displaced_site(grid: Tessellation, site: BaseSite) -> Corner {
         name: "Path",
         sampling: None,
         uses: &[],
-        text: r#"// A ray segment in texture space: (u, v) is linear in t, the normalised height is h.x + h.y t + h.z t².
-// t is in metres along the ray, 0 at the entry, but for `bend`; `base` is where the ray crosses the base
-// surface.
+        text: r#"// A ray segment in texture space: (u, v) is linear in t, the normalised height is h.x + h.y t + h.z
+// t². t is in metres along the ray, 0 at the entry (but see `bend`).
 struct Path {
     uv: vec2f,
     duv: vec2f,
     h: vec3f,
     exit: f32,
-    // Of an object's image its number, in place of that.
+    // The parameter t where the ray crosses the base surface. For an object's image: the image's
+    // number.
     base: f32,
     // T·T, T·B, B·B in square metres per tile, and the displacement scale in metres.
     metric: vec4f,
-    // What the ray is for: RAY_VIEW or RAY_SHADOW.
+    // Purpose of the ray: RAY_VIEW or RAY_SHADOW.
     ray: u32,
     // The level of detail of the maps that are read.
     level: u32,
     // Metres along the pixel's ray, from its origin, to the entry.
     start: f32,
-    // The part of the ray's whole way through the relief that this segment is: searches that spread a number
-    // of steps over the whole take as many of them.
+    // The part of the ray's whole way through the relief that this segment is. Searches that spread
+    // a number of steps over the whole way take that part of them.
     share: f32,
-    // Of an image from an eye: metres along the ray are t / (1 - bend t), and not t. In such an image rays
-    // are straight, and what is farther away is smaller.
+    // Curvature of the parameter for an image with perspective: metres along the ray are t / (1 -
+    // bend t). In such an image rays are straight, and farther things look smaller. 0 otherwise.
     bend: f32,
 }"#,
     },
     Declaration {
         module: "shared/types",
-        name: "Found",
+        name: "SearchResult",
         sampling: None,
         uses: &[],
-        text: r#"// What a search knows. `status` is one of FOUND_*.
-struct Found {
+        text: r#"// The result of a search. `status` is one of FOUND_*. `near` and `far` are parameters of the path,
+// and the gaps are its heights above the surface there.
+struct SearchResult {
     status: u32,
     near: f32,
     far: f32,
     near_gap: f32,
     far_gap: f32,
-    // As in `Hit`.
+    // Reads, steps and bytes of the search.
     cost: vec3u,
 }"#,
     },
@@ -8544,7 +8630,7 @@ struct Found {
         name: "Hit",
         sampling: None,
         uses: &[],
-        text: r#"// Where the path ends. `uv` is not derived from t: offset limiting lands beside the ray.
+        text: r#"// The end of a path. `uv` is not derived from t: offset limiting lands beside the ray.
 struct Hit {
     found: u32,
     exhausted: u32,
@@ -8560,13 +8646,13 @@ struct Hit {
         name: "FirstHit",
         sampling: None,
         uses: &["Hit"],
-        text: r#"// What a pixel's ray first meets of a triangle's relief.
+        text: r#"// The first hit of a pixel's ray with a triangle's relief.
 struct FirstHit {
     hit: Hit,
-    // The segment that it lies on.
+    // The number of its segment.
     segment: u32,
-    // Orders the hits of a pixel's ray: the greater, the nearer. From 0, infinitely far away, to 1 at the
-    // eye.
+    // Orders the hits of a pixel's ray: the greater, the nearer. From 0, infinitely far away, to 1
+    // at the eye.
     key: f32,
 }"#,
     },
@@ -8575,16 +8661,18 @@ struct FirstHit {
         name: "Corner",
         sampling: None,
         uses: &[],
-        text: r#"// A corner of a base triangle, in the world. Tangent and bitangent carry the world length of one tile.
+        text: r#"// A corner of a base triangle, in the world. Tangent and bitangent are as long as one tile in the
+// world.
 struct Corner {
     position: vec3f,
     normal: vec3f,
     tangent: vec3f,
     bitangent: vec3f,
     uv: vec2f,
-    // What the surface stage alone knows of it, zeros elsewhere. Of quadrics the one that the base follows
-    // around the corner: of q(du, dv) = x du² + y du dv + z dv², in metres a tile squared, positive along
-    // the normal. Of slices the height that they have there, how far apart they are along an axis, and which:
+    // Data for the surface stage alone; zeros for surfaces without any. Quadrics: x, y and z are
+    // the coefficients of q(du, dv) = x du² + y du dv + z dv², which the base follows around the
+    // corner. It is in metres a tile squared, positive along the normal. Slices: their height at
+    // the corner, the distance between neighbours along an axis, and that axis, one of
     // SLICES_ALONG_*.
     of_surface: vec3f,
 }"#,
@@ -8594,15 +8682,16 @@ struct Corner {
         name: "Shell",
         sampling: None,
         uses: &[],
-        text: r#"// The space that the relief of a base triangle may take, between its corners moved along their normals.
+        text: r#"// The space that the relief of a base triangle may fill, between its corners moved along their
+// normals.
 struct Shell {
     // The least and the greatest height under the triangle.
     heights: vec2f,
-    // The places of the corners, 0 to 2, in an order that all triangles at an edge agree on: two bits for
-    // each, the first lowest. Above these SHELL_FOLDED, where the shell overlaps itself.
+    // The places of the corners, 0 to 2, in an order that all triangles at an edge agree on: two
+    // bits for each, the first lowest. SHELL_FOLDED is added if the shell overlaps itself.
     order: u32,
-    // Metres by which the smooth base is higher than the triangle: of each edge, opposite to the corners in
-    // that order, the number that is multiplied by the weights of its ends.
+    // The height of the smooth base above the triangle, in metres. Each number belongs to the edge
+    // opposite to a corner, in that order, and is multiplied by the weights of the edge's ends.
     lift: vec3f,
 }"#,
     },
@@ -8628,9 +8717,10 @@ struct PixelIn {
         name: "Entered",
         sampling: None,
         uses: &[],
-        text: r#"// Where a ray is on a surface: at first on its base; on the displaced surface when a hit has been placed.
+        text: r#"// A ray's place on a surface: at first on its base; on the displaced surface after a hit has been
+// placed.
 struct Entered {
-    // How many segments the way through the relief has; 0 when the ray never enters it.
+    // Number of segments of the way through the relief; 0 if the ray never enters it.
     segments: u32,
     // The point, in the world and in texture space, and the frame there.
     point: vec3f,
@@ -8638,23 +8728,24 @@ struct Entered {
     tangent: vec3f,
     bitangent: vec3f,
     normal: vec3f,
-    // As in `Path`.
+    // See `Path`.
     metric: vec4f,
     level: u32,
     // The normal, of any length, of the plane in which footprints of pixels are measured.
     facing: vec3f,
-    // Where the ray may be in a shell: metres from the place where it comes nearest to the triangle.
+    // The extent of the ray in a shell: metres from its nearest place to the triangle.
     span: vec2f,
-    // As in `Corner`, at the point. Of quadrics positive toward the ray's side, and after that the height
-    // that the point has in the relief.
+    // `Corner.of_surface` at the point. For quadrics positive toward the ray's side; the fourth
+    // number is the height of the point in the relief.
     of_surface: vec4f,
-    // How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
-    // the finest level.
+    // Width of the pixel's footprint in texels of the height map's finest level; 0 if everything is
+    // seen in the finest level.
     footprint: f32,
-    // The part, below 1, by which the traced relief is flatter than it is: its heights are drawn toward their
-    // mean.
+    // The part, below 1, by which the traced relief is flattened: its heights are drawn toward
+    // their mean.
     fade: f32,
-    // Of a placed hit: metres along the view axis, from where the ray begins to the hit on the ray.
+    // For a placed hit: metres along the view axis, from the origin of the ray to the hit on the
+    // ray.
     depth: f32,
 }"#,
     },
@@ -8663,11 +8754,11 @@ struct Entered {
         name: "Detail",
         sampling: None,
         uses: &[],
-        text: r#"// In how much detail a pixel is seen.
+        text: r#"// The level of detail of a pixel.
 struct Detail {
     // The level of the maps that are traced.
     level: u32,
-    // As in `Entered`.
+    // See `Entered`.
     footprint: f32,
     fade: f32,
 }"#,
@@ -8679,15 +8770,15 @@ struct Detail {
         uses: &[],
         text: r#"// A light as a point of the surface sees it.
 struct Toward {
-    // Unit direction toward it.
+    // Unit direction toward the light.
     direction: vec3f,
-    // The factor on its colour at that distance.
+    // The factor on the light's colour at that distance.
     falloff: f32,
-    // Metres to it; more than any other number for one that is infinitely far away.
+    // Metres to the light; more than any other number for a light that is infinitely far away.
     distance: f32,
-    // Radius of its disc over its distance: the tangent of half the angle under which it is seen.
+    // Radius of the light's disc over its distance: the tangent of half its angular diameter.
     radius: f32,
-    // Its number among the lights of the frame.
+    // The light's number in the frame.
     number: u32,
 }"#,
     },
@@ -8700,7 +8791,7 @@ struct Toward {
 struct LightRay {
     // One of LIGHT_RAY_*.
     state: u32,
-    // For an open one, the way that is to be searched.
+    // The path to search, for an open ray.
     path: Path,
 }"#,
     },
@@ -8709,13 +8800,13 @@ struct LightRay {
         name: "PixelOut",
         sampling: None,
         uses: &[],
-        text: r#"// Everything that is known of a pixel. Zeros where `hit` is 0.
+        text: r#"// The result for a pixel. Zeros if `hit` is 0.
 struct PixelOut {
     // Linear RGB, and 1.
     color: vec4f,
-    // 1 where the pixel shows the surface.
+    // 1 if the pixel shows the surface.
     hit: u32,
-    // 1 where the search ran out of steps: the hit is the last point that it reached.
+    // 1 if the search ran out of steps: the hit is the last point that it reached.
     exhausted: u32,
     // Texture coordinates and normalised height of the hit, and its parameter on the path.
     uv: vec2f,
@@ -8728,19 +8819,19 @@ struct PixelOut {
     t: f32,
     // Column and row of the first texel of the dual cell that the hit lies in.
     cell: vec2i,
-    // How often the search and the refinement read: a cell, a place between texels, a texel or a node each
-    // time.
+    // Reads of the search and the refinement: of a cell, a place between texels, a texel or a node
+    // each.
     reads: u32,
-    // Turns of the loops of the search and the refinement.
+    // Steps of the search and the refinement.
     steps: u32,
-    // What the reads fetched, caches aside.
+    // Bytes that the reads fetched, caches aside.
     bytes: u32,
     // The part of the first light that arrives, from 0 to 1, whichever way the surface faces; 0 without
     // lights.
     lit: f32,
     // The level of detail that was traced.
     level: u32,
-    // What a depth buffer of the frame's clip space holds for the hit, from 0 to 1.
+    // The hit's value in a depth buffer of the frame's clip space, from 0 to 1.
     z: f32,
     // The surface's number in the scene.
     surface: u32,
@@ -8751,8 +8842,8 @@ struct PixelOut {
         name: "rounded_gap",
         sampling: None,
         uses: &["Path", "ROUNDING", "cell_of", "height_cell", "height_size"],
-        text: r#"// How far below the surface rounding may see a path that is on it, in heights: `slack` is what rounding moves
-// it by, in metres, `texels` what else may.
+        text: r#"// The depth below the surface, in heights, at which rounding may put a path that is on it. `slack`
+// is the movement by rounding, in metres, `texels` the movement by other causes.
 fn rounded_gap(path: Path, slack: f32, texels: f32) -> f32 {
     let size = height_size(path.level);
     let h = height_cell(vec2i(cell_of(path.uv * size - vec2f(0.5, 0.5))), path.level);
@@ -8768,10 +8859,10 @@ fn rounded_gap(path: Path, slack: f32, texels: f32) -> f32 {
         name: "out_of_ground",
         sampling: None,
         uses: &["NEVER", "Path", "cell_gap", "cell_leave", "cell_next", "cell_of", "first_root", "grid_of", "quadratic", "rounded_gap"],
-        text: r#"// The parameter at which a path that begins under the surface is above it by more than rounding: 0 where it
-// does not begin so, its exit where it never comes out. What rounding and `texels` may see under the surface
-// is so only on its way out, and where it does not go deeper before: else the way there may have met the
-// surface.
+        text: r#"// The parameter at which a path that begins under the surface is above it by more than rounding: 0
+// if it does not begin so, its exit if it never comes out. A path that rounding and `texels`
+// explain counts as under the surface only on its way out, and only if it does not go deeper first.
+// Otherwise the way there may have met the surface.
 fn out_of_ground(path: Path, slack: f32, texels: f32) -> f32 {
     let grid = grid_of(path);
     let least = rounded_gap(path, slack, texels);
@@ -8859,7 +8950,7 @@ fn path_from(path: Path, t: f32) -> Path {
         name: "surface_facets_segment",
         sampling: None,
         uses: &["Entered", "Path", "PixelIn", "RAY_VIEW", "height_at", "plane_normal", "triangle_distance"],
-        text: r#"// A segment that begins at the triangle, of a length that nobody asks for.
+        text: r#"// A segment that begins at the triangle; its length is not used.
 fn surface_facets_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
     let start = triangle_distance(pixel, plane_normal(pixel)) * length(pixel.direction);
     let height = height_at(at.uv, at.level);
@@ -8923,7 +9014,7 @@ fn surface_facets_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) ->
         uses: &["CELLS_MASK", "Entered", "Hit", "Path", "PixelIn", "frames_around", "normal_of_frames", "placed_in_image", "surface_settings"],
         text: r#"fn surface_frames_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
     var placed = placed_in_image(pixel, at, path, hit);
-    // Of a relief or a silhouette the path knows it.
+    // For a relief or a silhouette the path gives the normal.
     if (surface_settings.has_vertex_normals == 1u && surface_settings.cells != CELLS_MASK) {
         placed.normal = normal_of_frames(placed, frames_around(-normalize(pixel.direction)));
     }
@@ -8974,7 +9065,7 @@ fn surface_facets_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) ->
         name: "SLIVER",
         sampling: None,
         uses: &[],
-        text: r#"// How long a segment is, as a part of its distance: there is no other hit on it than its end.
+        text: r#"// The length of a segment, as a part of its distance: the only hit on it is its end.
 const SLIVER = 0.0000005;"#,
     },
     Declaration {
@@ -9014,7 +9105,7 @@ fn is_in_image(at: OnImage) -> bool {
         name: "passes_image",
         sampling: None,
         uses: &["image_of_object", "is_in_image", "on_image"],
-        text: r#"// Whether it is in that of the image of that number.
+        text: r#"// Whether a point is in the solid of one image.
 fn passes_image(number: u32, point: vec3f) -> bool {
     return is_in_image(on_image(image_of_object(number), point));
 }"#,
@@ -9024,13 +9115,13 @@ fn passes_image(number: u32, point: vec3f) -> bool {
         name: "OnSlice",
         sampling: None,
         uses: &["OnImage"],
-        text: r#"// A point of a slice in the image of which the surface is nearest to it.
+        text: r#"// A point of a slice in the image whose surface is nearest to it.
 struct OnSlice {
     // Whether it is in the solids of all images.
     passes: bool,
     number: u32,
     nearest: OnImage,
-    // How far that surface is above it.
+    // Height of that surface above the point.
     over: f32,
 }"#,
     },
@@ -9039,7 +9130,7 @@ struct OnSlice {
         name: "with_image",
         sampling: None,
         uses: &["OnSlice", "image_of_object", "is_in_image", "on_image"],
-        text: r#"// The same with one image more.
+        text: r#"// The point with one more image taken into account.
 fn with_image(slice: OnSlice, number: u32, point: vec3f) -> OnSlice {
     let at = on_image(image_of_object(number), point);
     let over = at.map - at.height;
@@ -9055,7 +9146,7 @@ fn with_image(slice: OnSlice, number: u32, point: vec3f) -> OnSlice {
         name: "slice_at",
         sampling: None,
         uses: &["HIGHEST", "OnImage", "OnSlice", "surface_settings", "with_image"],
-        text: r#"// The same with all images, or up to the first that sees nothing as high.
+        text: r#"// The point with all images taken into account, or those up to the first that sees nothing as high.
 fn slice_at(point: vec3f) -> OnSlice {
     var slice = OnSlice(true, 0u, OnImage(vec2f(0.0, 0.0), 0.0, 0.0, false), HIGHEST);
     var number = 0u;
@@ -9143,7 +9234,8 @@ fn surface_object_slices_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hi
     let bb = dot(bitangent, bitangent);
     let area = tt * bb - tb * tb;
     let metric = vec4f(tt, tb, bb, surface_settings.scale_m);
-    // By the unit direction, as the segment has it: a longer one may descend where that does not.
+    // By the unit direction, as for the segment: a longer one may descend where the unit one does
+    // not.
     let descent = 0.0 - dot(normal, pixel.direction / length(pixel.direction));
     let segments = select(0u, 1u, area > 0.0 && descent > 0.0);
     return Entered(
@@ -9194,8 +9286,9 @@ fn surface_object_slices_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hi
         leave = interval.y;
     }
     let entry_height = select(base_height + slope * enter, 1.0, enter == top);
-    // Limits that it never reaches: where compilers may reorder arithmetic they would cancel `uv + duv enter`
-    // against `duv base`, and methods that begin at the base would differ from machine to machine.
+    // Limits that are never reached. Where compilers may reorder arithmetic they would cancel `uv +
+    // duv enter` against `duv base`. Methods that begin at the base would then differ from machine
+    // to machine.
     let base = clamp(0.0 - enter, 0.0 - NEVER, NEVER);
     return Path(
         at.uv + duv * enter,
@@ -9236,7 +9329,7 @@ fn surface_plane_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params
         name: "POLISH_STEPS",
         sampling: None,
         uses: &[],
-        text: r#"// Steps from a chord's hit to that of the way.
+        text: r#"// Steps from a chord's hit to the way's hit.
 const POLISH_STEPS = 3u;"#,
     },
     Declaration {
@@ -9244,7 +9337,8 @@ const POLISH_STEPS = 3u;"#,
         name: "MOST_BESIDE",
         sampling: None,
         uses: &[],
-        text: r#"// How far beside the ray a point of its way may be, in roundings: farther, and the point is none.
+        text: r#"// The greatest distance of a point of the way from the ray, in roundings; farther points are
+// dropped.
 const MOST_BESIDE = 4.0;"#,
     },
     Declaration {
@@ -9260,8 +9354,8 @@ const MOST_CHORDS = 32.0;"#,
         name: "in_slab",
         sampling: None,
         uses: &["where_positive"],
-        text: r#"// The part of an interval in which the ray is in the slab of that normal that holds all of a shell. Of
-// corners that are equally far along the normal one is given.
+        text: r#"// The part of an interval in which the ray is in the slab with that normal that holds all of a
+// shell. For corners that are equally far along the normal one is given.
 fn in_slab(
     interval: vec2f,
     normal: vec3f,
@@ -9286,7 +9380,7 @@ fn in_slab(
         name: "span_of",
         sampling: None,
         uses: &["NEVER", "PixelIn", "Prism", "in_slab", "offsets_of", "shell_slack"],
-        text: r#"// Where the ray may be in the shell, in metres from the place nearest to the triangle.
+        text: r#"// The extent of the ray in the shell, in metres from the place nearest to the triangle.
 fn span_of(pixel: PixelIn, prism: Prism, along: vec3f, middle: f32, params: vec4f) -> vec2f {
     var shell = pixel.shell;
     shell.lift = shell.lift * params.y;
@@ -9299,7 +9393,8 @@ fn span_of(pixel: PixelIn, prism: Prism, along: vec3f, middle: f32, params: vec4
     let high1 = prism.p1 + prism.n1 * offsets.y;
     let high2 = prism.p2 + prism.n2 * offsets.y;
     var span = vec2f(0.0 - middle, NEVER);
-    // Of the lower and the upper side all corners are in a plane, of the others the ends of each diagonal.
+    // All corners of the lower side lie in a plane across the normal, and so do all of the upper
+    // side. For the other sides the ends of each diagonal do.
     span = in_slab(span, cross(low1 - low0, low2 - low0), low0, high0, high1, high2, along, slack);
     span = in_slab(span, cross(high1 - high0, high2 - high0), high0, low0, low1, low2, along, slack);
     if (!(span.y > span.x)) {
@@ -9319,8 +9414,8 @@ fn span_of(pixel: PixelIn, prism: Prism, along: vec3f, middle: f32, params: vec4
         name: "beside_chord",
         sampling: None,
         uses: &["HEIGHTS_A_TEXEL", "NEVER", "PixelIn", "ShellPoint", "height_size", "uv_of"],
-        text: r#"// How far a point of the way is beside the straight line, in units of the tolerance's texels: `part` is where
-// between the ends, of which the heights are a quadratic through the middle.
+        text: r#"// The distance of a point of the way from the straight line, in units of the tolerance's texels.
+// `part` is its place between the ends; heights are a quadratic through the middle there.
 fn beside_chord(
     pixel: PixelIn,
     a: ShellPoint,
@@ -9329,7 +9424,7 @@ fn beside_chord(
     at: ShellPoint,
     part: f32,
 ) -> f32 {
-    // As in `shell_point`.
+    // A limit that is never reached, as in `shell_point`.
     let line = a.weights + min(b.weights - a.weights, vec3f(NEVER, NEVER, NEVER)) * part;
     let apart = abs(uv_of(pixel, at.weights - line) * height_size(0u));
     let bend = 2.0 * (a.height + b.height - 2.0 * m.height);
@@ -9366,7 +9461,7 @@ fn beside_chord(
     let after = shell_point_from(prism, along * (at.span.x + 0.75 * long), between(m, b));
     let quarters = max(beside_chord(pixel, a, m, b, before, 0.25), beside_chord(pixel, a, m, b, after, 0.75));
     let most = max(beside_chord(pixel, a, m, b, m, 0.5), quarters);
-    // Half as many chords are four times as far beside.
+    // With half the chords the way is four times as far beside them.
     at.segments = u32(clamp(ceil(sqrt(most / params.x)), 1.0, MOST_CHORDS));
     return at;
 }"#,
@@ -9415,7 +9510,7 @@ fn chord_end(at: Entered, k: u32) -> f32 {
         name: "folded_enter",
         sampling: None,
         uses: &["Entered", "PixelIn", "chord_reach", "middle_of", "prism_of", "shell_middle", "shell_slack", "way_beyond", "way_chord", "way_of", "way_offsets"],
-        text: r#"// The ways through a shell that overlaps itself: as many segments as they have chords.
+        text: r#"// The ways through a shell that overlaps itself. All chords of these ways are segments.
 fn folded_enter(pixel: PixelIn, params: vec4f) -> Entered {
     let along = normalize(pixel.direction);
     let middle = middle_of(pixel, along);
@@ -9466,8 +9561,8 @@ fn folded_enter(pixel: PixelIn, params: vec4f) -> Entered {
         name: "chord_reach",
         sampling: None,
         uses: &["Entered", "PixelIn", "height_size", "shell_slack"],
-        text: r#"// Metres by which a chord reaches beyond the triangle's sides: by rounding, and by as much as chords may be
-// beside the way.
+        text: r#"// Metres by which a chord reaches beyond the triangle's sides: by rounding, and by the greatest
+// distance of chords from the way.
 fn chord_reach(pixel: PixelIn, at: Entered, middle: f32, params: vec4f) -> f32 {
     let texel = sqrt(max(at.metric.x, at.metric.z)) / max(height_size(0u).x, height_size(0u).y);
     return shell_slack(pixel, middle) + 2.0 * params.x * texel;
@@ -9499,7 +9594,7 @@ fn chord_path(
     let slope = b.height - a.height - bend;
     let slack = shell_slack(pixel, middle);
     let change = (b.weights - a.weights) / long;
-    // Nothing behind the eye is seen.
+    // Nothing behind the eye is visible.
     var inside = vec2f(max(0.0, 0.0 - middle - first), long);
     inside = where_positive(inside, a.weights.x, change.x, beyond.x);
     inside = where_positive(inside, a.weights.y, change.y, beyond.y);
@@ -9526,7 +9621,7 @@ fn chord_path(
         return path;
     }
     path = path_from(path, inside.x);
-    // Above the highest there is nothing to be hit.
+    // Above the greatest height there is nothing to hit.
     let above = path.h.x - heights.y;
     if (above > 0.0) {
         path = path_from(path, min(first_root(vec3f(above, path.h.y, path.h.z), path.exit), path.exit));
@@ -9542,7 +9637,7 @@ fn chord_path(
         name: "point_of_way",
         sampling: None,
         uses: &["PixelIn", "Prism", "SHELL_FOLDED", "ShellPoint", "shell_point", "shell_point_near"],
-        text: r#"// The point of the shell that is at a place of the ray, about that high.
+        text: r#"// The point of the shell at a place of the ray, at about that height.
 fn point_of_way(pixel: PixelIn, prism: Prism, place: vec3f, height: f32) -> ShellPoint {
     if (pixel.shell.order >= SHELL_FOLDED) {
         return shell_point_near(prism, place, height);
@@ -9555,7 +9650,8 @@ fn point_of_way(pixel: PixelIn, prism: Prism, place: vec3f, height: f32) -> Shel
         name: "surface_prism_polish",
         sampling: None,
         uses: &["Entered", "HEIGHTS_A_TEXEL", "Hit", "POLISH_STEPS", "Path", "PixelIn", "SHELL_FOLDED", "cell_gap", "cell_of", "grid_of", "height_at", "middle_of", "path_gap", "path_height", "point_of_way", "prism_of", "shell_point_from", "shell_point_near", "uv_of"],
-        text: r#"// The chord's hit is moved along the ray until the way is as high above the surface there as the chord was.
+        text: r#"// Moves the chord's hit along the ray until the way is as high above the surface there as the chord
+// was.
 fn surface_prism_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
     let along = normalize(pixel.direction);
     let middle = middle_of(pixel, along);
@@ -9563,7 +9659,7 @@ fn surface_prism_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, param
     let wanted = path_gap(path, hit.t);
     let grid = grid_of(path);
     let texels = abs(grid.step);
-    // No farther than chords may be beside the way.
+    // Not farther than chords may be from the way.
     let most = 2.0 * params.x / max(max(texels.x, texels.y), abs(path.h.y) / HEIGHTS_A_TEXEL);
     var t = hit.t;
     var point = point_of_way(pixel, prism, along * (path.start + t - middle), path_height(path, t));
@@ -9613,7 +9709,7 @@ const LEAST_SINE = 0.0009765625;"#,
         name: "SAME_DEPTH",
         sampling: None,
         uses: &[],
-        text: r#"// How far, in heights, rounding may see the ray from a depth that it is at.
+        text: r#"// The greatest rounding error of the ray's depth, in heights.
 const SAME_DEPTH = 0.0009765625;"#,
     },
     Declaration {
@@ -9624,13 +9720,14 @@ const SAME_DEPTH = 0.0009765625;"#,
         text: r#"// A ray over a quadric: along it and across it the changes of the texture coordinates and of the quadric.
 struct Across {
     duv: vec2f,
-    // Metres that it comes down with a metre.
+    // The ray's descent per metre.
     descent: f32,
-    // The quadric's height at the end of a metre along the ray, of one across it, and what both together add.
+    // The quadric's height at the end of a metre along the ray, of one across it, and the sum's
+    // mixed term.
     along: f32,
     across: f32,
     mixed: f32,
-    // What a metre across the ray rises.
+    // The rise of a metre across the ray.
     sine: f32,
 }"#,
     },
@@ -9655,7 +9752,7 @@ struct Across {
         name: "across_roots",
         sampling: None,
         uses: &["Across"],
-        text: r#"// What equation 6 takes the root of, as a quadratic in the parameter.
+        text: r#"// The radicand of equation 6, as a quadratic in the parameter.
 fn across_roots(ray: Across) -> vec3f {
     return vec3f(
         ray.sine * ray.sine,
@@ -9678,7 +9775,7 @@ fn across_roots(ray: Across) -> vec3f {
         name: "across_depth",
         sampling: None,
         uses: &["Across", "across_discriminant"],
-        text: r#"// How deep the ray is under the quadric, in metres.
+        text: r#"// The depth of the ray under the quadric, in metres.
 fn across_depth(ray: Across, t: f32) -> f32 {
     let c = t * (ray.descent + t * ray.along);
     let discriminant = across_discriminant(ray, t);
@@ -9701,7 +9798,7 @@ fn across_depth(ray: Across, t: f32) -> f32 {
         name: "down_across",
         sampling: None,
         uses: &["Across", "bent_descent", "reached"],
-        text: r#"// Where the ray comes down to that depth, in metres, by equation 6, or NEVER.
+        text: r#"// The parameter where the ray comes down to that depth, in metres, by equation 6, or NEVER.
 fn down_across(ray: Across, depth: f32) -> f32 {
     let under = depth * (ray.sine - depth * ray.across);
     return reached(ray, depth, bent_descent(under, ray.descent + depth * ray.mixed, ray.along));
@@ -9712,7 +9809,7 @@ fn down_across(ray: Across, depth: f32) -> f32 {
         name: "down_along",
         sampling: None,
         uses: &["Across", "bent_descent", "reached"],
-        text: r#"// The same by equation 7.
+        text: r#"// The parameter where the ray comes down to that depth by equation 7.
 fn down_along(ray: Across, depth: f32) -> f32 {
     return reached(ray, depth, bent_descent(depth, ray.descent, ray.along));
 }"#,
@@ -9734,7 +9831,7 @@ fn reached(ray: Across, depth: f32, t: f32) -> f32 {
         name: "jumps_below",
         sampling: None,
         uses: &["Across", "NEVER", "across_roots", "first_root"],
-        text: r#"// Where the distance jumps to a depth below that one, or NEVER.
+        text: r#"// The parameter where the distance jumps to more than that depth, or NEVER.
 fn jumps_below(ray: Across, depth: f32) -> f32 {
     let t = first_root(across_roots(ray), NEVER);
     let below = t < NEVER && t * (ray.descent + t * ray.along) >= depth;
@@ -9746,7 +9843,7 @@ fn jumps_below(ray: Across, depth: f32) -> f32 {
         name: "across_span",
         sampling: None,
         uses: &["Across", "BELOW_FLOOR", "Entered", "NEVER", "down_across", "down_along", "jumps_below", "traced_scale_m"],
-        text: r#"// Where the ray is in the relief, in metres from the base; nowhere where it ends before it begins.
+        text: r#"// The extent of the ray in the relief, in metres from the base; empty if it ends before it begins.
 fn across_span(at: Entered, ray: Across, eye: f32) -> vec2f {
     let nowhere = vec2f(1.0, -1.0);
     let scale = traced_scale_m();
@@ -9764,7 +9861,7 @@ fn across_span(at: Entered, ray: Across, eye: f32) -> vec2f {
     var leave = select(NEVER, by_across, by_across > enter);
     leave = min(leave, select(NEVER, by_along, by_along > enter));
     leave = min(leave, select(NEVER, by_jump, by_jump > enter));
-    // It is above a convex quadric again.
+    // The ray is above a convex quadric again.
     if (ray.along < 0.0) {
         let under = ray.descent * ray.descent + 4.0 * ray.along * over;
         if (under >= 0.0) {
@@ -9914,7 +10011,8 @@ fn surface_quadric_perpendicular_place(
     let distance = plane_distance(pixel, plane_normal(pixel)) * along;
     let eye = 0.0 - distance;
     let top = bent_descent((height - 1.0) * scale, descent, bend);
-    // Under a base that is higher than the triangle rays come down before they are there; else behind it.
+    // Under a base that is higher than the triangle rays come down before they reach it, otherwise
+    // behind it.
     let comes_down = top < NEVER && (height < 1.0 || top >= 0.0);
     var enter = max(top, eye);
     let begin = select(height + enter * (slope + curve * enter), 1.0, enter == top);
@@ -9930,7 +10028,7 @@ fn surface_quadric_perpendicular_place(
         leave = interval.y;
     }
     let entry_height = select(height + enter * (slope + curve * enter), 1.0, enter == top);
-    // Limits that it never reaches, as on the plane.
+    // Limits that are never reached, as on the plane.
     let base = clamp(0.0 - enter, 0.0 - NEVER, NEVER);
     var path = Path(
         at.uv + duv * enter,
@@ -9988,7 +10086,7 @@ fn surface_quadric_vertical_place(
         name: "BESIDE_HEIGHTS",
         sampling: None,
         uses: &[],
-        text: r#"// How far below height 0 or above height 1 rounding may lay what is drawn.
+        text: r#"// The greatest height, below 0 or above 1, at which rounding may put a drawn point.
 const BESIDE_HEIGHTS = 0.000001;"#,
     },
     Declaration {
@@ -9996,8 +10094,8 @@ const BESIDE_HEIGHTS = 0.000001;"#,
         name: "SHORTEST",
         sampling: None,
         uses: &[],
-        text: r#"// The length of a segment whose beginning is not known, as a part of its distance: there is no other hit
-// on it than its end.
+        text: r#"// The length of a segment whose beginning is not known, as a part of its distance: the only hit on
+// it is its end.
 const SHORTEST = 0.0000005;"#,
     },
     Declaration {
@@ -10005,7 +10103,7 @@ const SHORTEST = 0.0000005;"#,
         name: "FARTHEST_M",
         sampling: None,
         uses: &[],
-        text: r#"// Slices of which the one before lies farther away than this, in metres, are seen from their edges.
+        text: r#"// Slices whose predecessor is farther away than this, in metres, are seen edge-on.
 const FARTHEST_M = 1.0e9;"#,
     },
     Declaration {
@@ -10053,9 +10151,9 @@ const FARTHEST_M = 1.0e9;"#,
         name: "slice_above",
         sampling: None,
         uses: &["Entered", "FARTHEST_M", "PixelIn", "SHORTEST", "surface_settings", "weights_of"],
-        text: r#"// From a slice of equal height back to the one before: what the texture coordinates and the height change
-// on a metre of the ray, and how many metres these are; zeros where that is not known. The slice before
-// is the triangle moved along its normals.
+        text: r#"// From a slice of equal height back to the one before: the change of texture coordinates and height
+// per metre of the ray, and the distance in metres. Zeros if that is not known. The slice before is
+// the triangle moved along its normals.
 fn slice_above(pixel: PixelIn, at: Entered, along: f32, far: f32) -> vec4f {
     let upward = select(-1.0, 1.0, dot(pixel.direction, at.normal) < 0.0) * at.of_surface.y;
     let step_m = upward * surface_settings.scale_m;
@@ -10078,8 +10176,8 @@ fn slice_above(pixel: PixelIn, at: Entered, along: f32, far: f32) -> vec4f {
         name: "slice_beside",
         sampling: None,
         uses: &["Entered", "FARTHEST_M"],
-        text: r#"// The same where slices are told apart by another axis, along which the ray goes so far with a metre. What
-// lies before the relief is left out.
+        text: r#"// From a slice back to the one before where slices follow each other along another axis. `pace` is
+// the ray's movement along that axis per metre. The part of the way before the relief is left out.
 fn slice_beside(at: Entered, climbs: vec3f, pace: f32) -> vec4f {
     let up = select(at.of_surface.x, 1.0 - at.of_surface.x, climbs.z < 0.0) / abs(climbs.z);
     let lead = min(at.of_surface.y / pace, select(FARTHEST_M, up, abs(climbs.z) > 0.0));
@@ -10094,7 +10192,7 @@ fn slice_beside(at: Entered, climbs: vec3f, pace: f32) -> vec4f {
         name: "slice_before",
         sampling: None,
         uses: &["Entered", "PixelIn", "SLICES_ALONG_HEIGHT", "SLICES_ALONG_U", "SLICES_ALONG_V", "climb", "slice_above", "slice_beside"],
-        text: r#"// The slice before, by the axis along which the triangle's slices are told apart.
+        text: r#"// From a slice back to the one before, along the axis of the triangle's slices.
 fn slice_before(pixel: PixelIn, at: Entered, axis: u32, along: f32, far: f32) -> vec4f {
     if (axis == SLICES_ALONG_HEIGHT) {
         return slice_above(pixel, at, along, far);
@@ -10114,7 +10212,7 @@ fn slice_before(pixel: PixelIn, at: Entered, axis: u32, along: f32, far: f32) ->
         name: "slice_spacing",
         sampling: None,
         uses: &["Entered", "SLICES_ALONG_HEIGHT", "SLICES_ALONG_U", "SLICES_ALONG_V", "traced_scale_m"],
-        text: r#"// How far slices are apart, as a height.
+        text: r#"// The distance of slices, as a height.
 fn slice_spacing(at: Entered, axis: u32) -> f32 {
     let step = at.of_surface.y;
     if (axis == SLICES_ALONG_HEIGHT) {
@@ -10185,8 +10283,8 @@ fn surface_slices_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, param
         name: "BEYOND_HEIGHTS",
         sampling: None,
         uses: &[],
-        text: r#"// How far below the least height and above the greatest one segments go, in heights: rays that end at a floor
-// must cross it.
+        text: r#"// The heights by which segments go below the least height and above the greatest. Rays that end at
+// a floor must cross it.
 const BEYOND_HEIGHTS = 0.000001;"#,
     },
     Declaration {
@@ -10194,12 +10292,12 @@ const BEYOND_HEIGHTS = 0.000001;"#,
         name: "Tetrahedron",
         sampling: None,
         uses: &[],
-        text: r#"// A tetrahedron along a ray, in metres from the ray's middle: where the ray is inside, and the weights of the
-// triangle's corners, in their order, with that of the upper side.
+        text: r#"// A tetrahedron along a ray, in metres from the ray's middle: the extent of the ray inside, and the
+// weights of the triangle's corners, in their order, with the weight of the upper side.
 struct Tetrahedron {
     inside: vec2f,
     weights: vec4f,
-    // Their change with a metre.
+    // The change of the weights per metre.
     change: vec4f,
 }"#,
     },
@@ -10225,11 +10323,11 @@ fn where_positive(interval: vec2f, weight: f32, change: f32, slack: f32) -> vec2
         name: "tetrahedron",
         sampling: None,
         uses: &["NEVER", "PixelIn", "Tetrahedron", "ordered", "raised", "shell_slack", "where_positive"],
-        text: r#"// The tetrahedron of that number of three. It reaches as far beyond its faces as rounding may move the ray,
-// so that no ray passes between two.
+        text: r#"// One of three tetrahedra, by its number. It reaches as far beyond its faces as rounding may move
+// the ray, so that no ray passes between two.
 //
-// Its corners are lower ones from the first on and upper ones to the last: one lower one in number 2, all
-// three in number 0.
+// Its corners are lower ones from the first on and upper ones to the last: one lower corner in
+// number 2, all three in number 0.
 fn tetrahedron(pixel: PixelIn, along: vec3f, middle: f32, number: u32) -> Tetrahedron {
     let origin = pixel.origin + along * middle;
     let is_first = number == 0u;
@@ -10280,7 +10378,8 @@ fn tetrahedron(pixel: PixelIn, along: vec3f, middle: f32, number: u32) -> Tetrah
         name: "comes_before",
         sampling: None,
         uses: &[],
-        text: r#"// Whether the ray comes first to the first of two intervals; of two that begin together the first one counts.
+        text: r#"// Whether the ray reaches the first of two intervals first. If both begin together, the first one
+// counts.
 fn comes_before(a: vec2f, b: vec2f) -> u32 {
     return select(0u, 1u, a.x <= b.x);
 }"#,
@@ -10325,7 +10424,7 @@ fn is_met(pixel: PixelIn, along: vec3f, middle: f32, number: u32) -> bool {
     let first = tetrahedron(pixel, along, middle, 0u);
     let second = tetrahedron(pixel, along, middle, 1u);
     let third = tetrahedron(pixel, along, middle, 2u);
-    // How many are before each of them.
+    // The number of tetrahedra before each.
     let first_second = comes_before(first.inside, second.inside);
     let first_third = comes_before(first.inside, third.inside);
     let second_third = comes_before(second.inside, third.inside);
@@ -10394,7 +10493,7 @@ fn surface_tetrahedra_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, p
     let along = normalize(pixel.direction);
     let middle = middle_of(pixel, along);
     let t = path.start + hit.t - middle;
-    // The one that the hit lies in, or is nearest to.
+    // The tetrahedron that the hit lies in, or is nearest to.
     var nearest = tetrahedron(pixel, along, middle, 0u);
     var beside = max(nearest.inside.x - t, t - nearest.inside.y);
     var number = 1u;
@@ -10452,7 +10551,7 @@ const MIDDLE_HEIGHT = 0.5;"#,
         name: "LOOK",
         sampling: None,
         uses: &["HEIGHTS_READ", "STEP"],
-        text: r#"// What it costs to look at a frame once.
+        text: r#"// The cost of one read of a frame.
 const LOOK = HEIGHTS_READ + STEP;"#,
     },
     Declaration {
@@ -10460,7 +10559,8 @@ const LOOK = HEIGHTS_READ + STEP;"#,
         name: "look_into_frame",
         sampling: None,
         uses: &["EMPTY_HEIGHT", "cell_of", "height_cell", "height_size"],
-        text: r#"// The part of the four texels around a place that show something, and the height that these have.
+        text: r#"// The part of the four texels around a place that shows something, and the mean height of that
+// part.
 fn look_into_frame(uv: vec2f) -> vec2f {
     let at = uv * height_size(0u) - vec2f(0.5, 0.5);
     let cell = cell_of(at);
@@ -10486,9 +10586,10 @@ fn look_into_frame(uv: vec2f) -> vec2f {
         name: "look_along",
         sampling: None,
         uses: &["Image", "MIDDLE_HEIGHT", "Path", "height_size", "look_into_frame", "path_uv"],
-        text: r#"// What a frame shows of a ray after so many steps, as above.
+        text: r#"// The coverage and the height that a frame shows along a ray, after `steps` moves, as described
+// above.
 fn look_along(path: Path, image: Image, steps: u32) -> vec2f {
-    // Around the frame nothing is seen.
+    // Around the frame nothing is visible.
     let beyond = vec2f(0.5, 0.5) / height_size(0u);
     let low = image.corner - beyond;
     let high = image.corner + image.extent + beyond;
@@ -10540,7 +10641,7 @@ fn look_along(path: Path, image: Image, steps: u32) -> vec2f {
     if (cover < LEAST_FRAME_COVER || along < 0.0) {
         return first;
     }
-    // A hit of the frame that shows most of it.
+    // A hit of the frame with the greatest part of it.
     let path = segment_of(pixel, at, heaviest);
     let t = along / cover - path.start;
     let hit = Hit(1u, 0u, path_uv(path, t), path_height(path, t), t, cost);
@@ -10754,8 +10855,8 @@ const LEAST_RANGE = 0.000001;"#,
         module: "search/cells",
         name: "search_cells",
         sampling: None,
-        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "STEP", "cell_gap", "cell_leave", "cell_next", "cell_of", "falls_in_cell", "found_in_cell", "grid_of", "quadratic"],
-        text: r#"fn search_cells(path: Path, params: vec4f) -> Found {
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "HEIGHTS_READ", "NO_COST", "Path", "STEP", "SearchResult", "cell_gap", "cell_leave", "cell_next", "cell_of", "falls_in_cell", "found_in_cell", "grid_of", "quadratic"],
+        text: r#"fn search_cells(path: Path, params: vec4f) -> SearchResult {
     let grid = grid_of(path);
     var cell = cell_of(grid.origin);
     var t = 0.0;
@@ -10772,20 +10873,20 @@ const LEAST_RANGE = 0.000001;"#,
             return found_in_cell(c, t, span, cost.x == 1u, cost);
         }
         if (end >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, c.x, quadratic(c, span), cost);
+            return SearchResult(FOUND_MISS, t, path.exit, c.x, quadratic(c, span), cost);
         }
         cell = cell_next(grid, cell, leave);
         t = max(t, end);
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
+    return SearchResult(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
         module: "search/cone",
         name: "search_cone",
         sampling: None,
-        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "STEP", "cell_after", "cell_leave", "cell_of", "cone_slope", "corner_height", "falls_in_cell", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "nearest_corner", "path_height", "stays_inside", "whole_cell"],
-        text: r#"fn search_cone(path: Path, params: vec4f) -> Found {
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "HEIGHTS_READ", "NO_COST", "Path", "STEP", "SearchResult", "cell_after", "cell_leave", "cell_of", "cone_slope", "corner_height", "falls_in_cell", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "nearest_corner", "path_height", "stays_inside", "whole_cell"],
+        text: r#"fn search_cone(path: Path, params: vec4f) -> SearchResult {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
     var cell = cell_of(grid.origin);
@@ -10820,20 +10921,20 @@ const LEAST_RANGE = 0.000001;"#,
             next = max(t, end);
         }
         if (next >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
+            return SearchResult(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         cell = cell_after(grid, cell, leave, forward, next);
         t = next;
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
+    return SearchResult(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
         module: "search/cone_moved",
         name: "search_cone_moved",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_BRACKET", "FOUND_MISS", "FOUND_STARTED_BELOW", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "map_read", "path_gap", "path_height", "path_slope", "path_uv", "search_texel_between", "slope_of"],
-        text: r#"fn search_cone_moved(path: Path, params: vec4f) -> Found {
+        uses: &["FOUND_ABOVE", "FOUND_BRACKET", "FOUND_MISS", "FOUND_STARTED_BELOW", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "SearchResult", "map_read", "path_gap", "path_height", "path_slope", "path_uv", "search_texel_between", "slope_of"],
+        text: r#"fn search_cone_moved(path: Path, params: vec4f) -> SearchResult {
     let aside = length(path.duv);
     var t = 0.0;
     var near = 0.0;
@@ -10846,9 +10947,9 @@ const LEAST_RANGE = 0.000001;"#,
         cost = cost + HEIGHTS_READ;
         if (gap <= 0.0) {
             if (t == 0.0 && gap < 0.0) {
-                return Found(FOUND_STARTED_BELOW, 0.0, 0.0, gap, gap, cost);
+                return SearchResult(FOUND_STARTED_BELOW, 0.0, 0.0, gap, gap, cost);
             }
-            return Found(FOUND_BRACKET, near, t, near_gap, gap, cost);
+            return SearchResult(FOUND_BRACKET, near, t, near_gap, gap, cost);
         }
         near = t;
         near_gap = gap;
@@ -10866,15 +10967,15 @@ const LEAST_RANGE = 0.000001;"#,
         let nearing = slope * aside - rise;
         let closing = nearing + ROUNDING * nearing;
         if (closing <= 0.0) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
+            return SearchResult(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         t = t + max(gap - lost, 0.0) / closing;
         if (t >= path.exit) {
-            return Found(FOUND_MISS, near, path.exit, 0.0, 0.0, cost);
+            return SearchResult(FOUND_MISS, near, path.exit, 0.0, 0.0, cost);
         }
         k = k + 1.0;
     }
-    return Found(FOUND_ABOVE, t, path.exit, path_height(path, t), 0.0, cost);
+    return SearchResult(FOUND_ABOVE, t, path.exit, path_height(path, t), 0.0, cost);
 }"#,
     },
     Declaration {
@@ -10882,7 +10983,7 @@ const LEAST_RANGE = 0.000001;"#,
         name: "leaves_window",
         sampling: None,
         uses: &["Grid", "cell_leave"],
-        text: r#"// When the path leaves the square of cells within the radius of a cell.
+        text: r#"// The parameter at which the path leaves the square of cells within the radius of a cell.
 fn leaves_window(grid: Grid, cell: vec2f, radius: f32) -> f32 {
     let wide = vec2f(radius, radius);
     let leave_low = cell_leave(grid, cell - wide);
@@ -10895,28 +10996,28 @@ fn leaves_window(grid: Grid, cell: vec2f, radius: f32) -> f32 {
         module: "search/dilation_erosion",
         name: "bracket_between",
         sampling: None,
-        uses: &["FOUND_BRACKET", "FOUND_STARTED_BELOW", "Found", "HEIGHTS_READ", "Path", "path_gap"],
-        text: r#"// A bracket whose ends are looked at. Two reads.
-fn bracket_between(path: Path, near: f32, far: f32, cost: vec3u) -> Found {
+        uses: &["FOUND_BRACKET", "FOUND_STARTED_BELOW", "HEIGHTS_READ", "Path", "SearchResult", "path_gap"],
+        text: r#"// A bracket with both gaps read. Two reads.
+fn bracket_between(path: Path, near: f32, far: f32, cost: vec3u) -> SearchResult {
     let gap = path_gap(path, near);
     if (near == 0.0 && gap < 0.0) {
-        return Found(FOUND_STARTED_BELOW, 0.0, 0.0, gap, gap, cost + HEIGHTS_READ);
+        return SearchResult(FOUND_STARTED_BELOW, 0.0, 0.0, gap, gap, cost + HEIGHTS_READ);
     }
-    return Found(FOUND_BRACKET, near, far, gap, path_gap(path, far), cost + HEIGHTS_READ + HEIGHTS_READ);
+    return SearchResult(FOUND_BRACKET, near, far, gap, path_gap(path, far), cost + HEIGHTS_READ + HEIGHTS_READ);
 }"#,
     },
     Declaration {
         module: "search/dilation_erosion",
         name: "search_dilation_erosion",
         sampling: None,
-        uses: &["BESIDE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "bracket_between", "cell_after", "cell_leave", "cell_of", "falls_in_cell", "first_root", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_texels", "image_of", "least_at", "leaves_window", "map_read", "path_height", "path_slope", "quadratic", "search_texel", "whole_cell"],
-        text: r#"fn search_dilation_erosion(path: Path, params: vec4f) -> Found {
+        uses: &["BESIDE", "FOUND_EXHAUSTED", "FOUND_MISS", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "SearchResult", "bracket_between", "cell_after", "cell_leave", "cell_of", "falls_in_cell", "first_root", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_texels", "image_of", "least_at", "leaves_window", "map_read", "path_height", "path_slope", "quadratic", "search_texel", "whole_cell"],
+        text: r#"fn search_dilation_erosion(path: Path, params: vec4f) -> SearchResult {
     let grid = grid_of(path);
     let n = height_texels(path.level);
     let forward = grid.step >= vec2f(0.0, 0.0);
     var cell = cell_of(grid.origin);
     var t = 0.0;
-    // Where the path was last known to be above the surface.
+    // The last place where the path is known to be above the surface.
     var safe = 0.0;
     var cost = NO_COST;
     let limit = u32(params.x);
@@ -10966,12 +11067,12 @@ fn bracket_between(path: Path, near: f32, far: f32, cost: vec3u) -> Found {
             next = max(t, end);
         }
         if (next >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
+            return SearchResult(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         cell = cell_after(grid, cell, leave, forward, next);
         t = next;
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
+    return SearchResult(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
@@ -10979,8 +11080,8 @@ fn bracket_between(path: Path, near: f32, far: f32, cost: vec3u) -> Found {
         name: "frustum_slope",
         sampling: None,
         uses: &["BESIDE", "Path", "UPRIGHT", "height_texels", "image_of", "search_texel"],
-        text: r#"// The slope of the frustum that stands on a cell, toward larger u and v where `forward` says so. One read;
-// none, and a negative slope, where the map has no frustum.
+        text: r#"// The slope of the frustum that stands on a cell, toward larger u and v if `forward` says so. One
+// read; none, and a negative slope, where the map has no frustum.
 fn frustum_slope(path: Path, cell: vec2i, forward: vec2<bool>) -> f32 {
     let n = height_texels(path.level);
     let u = image_of(cell.x, n.x);
@@ -11000,9 +11101,10 @@ fn frustum_slope(path: Path, cell: vec2i, forward: vec2<bool>) -> f32 {
         name: "stays_above",
         sampling: None,
         uses: &["NEVER", "ROUNDING", "first_root"],
-        text: r#"// How far, from a height `above.x` over the frustum's top on, the ray stays above the frustum as the distance
-// along one axis has it. `left` is how many texels of the cell are left along the axis, `speed` texels a unit
-// of t, `lost` what rounding may have taken off the gap.
+        text: r#"// The length of the ray, from a height `above.x` over the frustum's top on, that stays above the
+// frustum, as measured along one axis. `left` is the number of texels of the cell that are left
+// along the axis. `speed` is in texels per unit of t. `lost` is what rounding may have taken off
+// the gap.
 fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span: f32) -> f32 {
     let rise = slope * abs(speed);
     let gap = above.x + slope * left - lost;
@@ -11023,8 +11125,8 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
         module: "search/frustum",
         name: "search_frustum",
         sampling: None,
-        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "cell_after", "cell_leave", "cell_next", "cell_of", "falls_in_cell", "found_in_cell", "frustum_slope", "gap_to", "grid_of", "height_cell", "least_at", "map_read", "path_height", "path_slope", "quadratic", "stays_above", "whole_cell"],
-        text: r#"fn search_frustum(path: Path, params: vec4f) -> Found {
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "SearchResult", "cell_after", "cell_leave", "cell_next", "cell_of", "falls_in_cell", "found_in_cell", "frustum_slope", "gap_to", "grid_of", "height_cell", "least_at", "map_read", "path_height", "path_slope", "quadratic", "stays_above", "whole_cell"],
+        text: r#"fn search_frustum(path: Path, params: vec4f) -> SearchResult {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
     var cell = cell_of(grid.origin);
@@ -11068,7 +11170,7 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
             next = max(next, t + min(u, v));
         }
         if (next >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
+            return SearchResult(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         if (slope >= 0.0) {
             cell = cell_after(grid, cell, leave, forward, next);
@@ -11077,15 +11179,15 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
         }
         t = next;
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
+    return SearchResult(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
         module: "search/linear",
         name: "search_linear",
         sampling: None,
-        uses: &["FOUND_BRACKET", "FOUND_MISS", "FOUND_STARTED_BELOW", "Found", "HEIGHTS_READ", "Path", "STEP", "path_gap"],
-        text: r#"fn search_linear(path: Path, params: vec4f) -> Found {
+        uses: &["FOUND_BRACKET", "FOUND_MISS", "FOUND_STARTED_BELOW", "HEIGHTS_READ", "Path", "STEP", "SearchResult", "path_gap"],
+        text: r#"fn search_linear(path: Path, params: vec4f) -> SearchResult {
     // Cosine between ray and normal: the descent of a metre of the ray.
     let cosine = clamp(abs(path.h.y) * path.metric.w, 0.0, 1.0);
     let steps = max(1.0, ceil(params.x * mix(params.y, 1.0, cosine) * path.share));
@@ -11093,7 +11195,7 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
     var near_gap = path_gap(path, 0.0);
     var cost = HEIGHTS_READ;
     if (near_gap < 0.0) {
-        return Found(FOUND_STARTED_BELOW, 0.0, 0.0, near_gap, near_gap, cost);
+        return SearchResult(FOUND_STARTED_BELOW, 0.0, 0.0, near_gap, near_gap, cost);
     }
     var k = 1.0;
     while (k <= steps) {
@@ -11102,22 +11204,22 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
         let gap = path_gap(path, t);
         cost = cost + HEIGHTS_READ;
         if (gap <= 0.0) {
-            return Found(FOUND_BRACKET, near, t, near_gap, gap, cost);
+            return SearchResult(FOUND_BRACKET, near, t, near_gap, gap, cost);
         }
         near = t;
         near_gap = gap;
         k = k + 1.0;
     }
-    return Found(FOUND_MISS, near, near, near_gap, near_gap, cost);
+    return SearchResult(FOUND_MISS, near, near, near_gap, near_gap, cost);
 }"#,
     },
     Declaration {
         module: "search/none",
         name: "search_none",
         sampling: None,
-        uses: &["FOUND_UNBRACKETED", "Found", "NO_COST", "Path"],
-        text: r#"fn search_none(path: Path, params: vec4f) -> Found {
-    return Found(FOUND_UNBRACKETED, 0.0, path.exit, 0.0, 0.0, NO_COST);
+        uses: &["FOUND_UNBRACKETED", "NO_COST", "Path", "SearchResult"],
+        text: r#"fn search_none(path: Path, params: vec4f) -> SearchResult {
+    return SearchResult(FOUND_UNBRACKETED, 0.0, path.exit, 0.0, 0.0, NO_COST);
 }"#,
     },
     Declaration {
@@ -11125,7 +11227,7 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
         name: "FAR_OUT",
         sampling: None,
         uses: &[],
-        text: r#"// Farther out no cell is asked for.
+        text: r#"// No cell farther out is read.
 const FAR_OUT = 1073741824;"#,
     },
     Declaration {
@@ -11133,7 +11235,8 @@ const FAR_OUT = 1073741824;"#,
         name: "node_extent",
         sampling: None,
         uses: &["FAR_OUT", "MIRRORED", "UPRIGHT", "WRAP_CLAMP", "surface_settings"],
-        text: r#"// Along an axis, the first cell of the node of a level that a cell is in, and the cell after its last.
+        text: r#"// Along an axis, the extent of a node: its first cell and the cell after its last. `cell` is any
+// cell in it.
 fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
     let first = (image.x >> level) << level;
     let side = 1 << level;
@@ -11142,7 +11245,7 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
         return vec2i(low, low + min(side, n - first));
     }
     if (image.y == MIRRORED) {
-        // The last cell of the map is its own image, not one of those on the other side.
+        // The last cell of the map is its own image, not an image of the other side.
         let high = cell + (image.x - first) + 1;
         return vec2i(high - min(side, n - 1 - first), high);
     }
@@ -11156,11 +11259,11 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
         module: "search/pyramid",
         name: "search_pyramid",
         sampling: None,
-        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "cell_of", "falls_in_cell", "first_root", "found_in_cell", "gap_to", "grid_of", "height_texels", "image_of", "leaves_extent", "map_read", "node_extent", "object_cell_stage", "path_height", "path_slope", "search_texel"],
-        text: r#"fn search_pyramid(path: Path, params: vec4f) -> Found {
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "SearchResult", "cell_of", "falls_in_cell", "first_root", "found_in_cell", "gap_to", "grid_of", "height_texels", "image_of", "leaves_extent", "map_read", "node_extent", "object_cell_stage", "path_height", "path_slope", "search_texel"],
+        text: r#"fn search_pyramid(path: Path, params: vec4f) -> SearchResult {
     let grid = grid_of(path);
     let n = height_texels(path.level);
-    // Nodes that are wider than the path is long tell nothing that narrower ones do not.
+    // Nodes that are wider than the path is long give no more than narrower ones.
     let long = max(abs(grid.step.x), abs(grid.step.y)) * path.exit;
     var top = 0u;
     var level = 0u;
@@ -11223,7 +11326,7 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
             }
         }
         if (end >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
+            return SearchResult(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         cell = clamp(vec2i(cell_of(grid.origin + grid.step * end)), low, last);
         if (leave_u <= end) {
@@ -11235,7 +11338,7 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
         parent = vec2i(place.x >> (level + 1u), place.y >> (level + 1u));
         t = max(t, end);
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
+    return SearchResult(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
@@ -11243,8 +11346,8 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
         name: "texel_extent",
         sampling: None,
         uses: &["WRAP_MIRROR", "WRAP_REPEAT", "surface_settings", "wrap_index"],
-        text: r#"// Along an axis of n texels, the first texel of the node of a level that a texel is in, and the one after its
-// last; 1 texel beside a clamped map.
+        text: r#"// Along an axis of n texels, the extent of a node: its first texel and the texel after its last.
+// `texel` is any texel in it. Beside a clamped map the extent is 1 texel.
 fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
     let place = wrap_index(texel, n);
     let first = (place >> level) << level;
@@ -11267,8 +11370,8 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         module: "search/pyramid_texels",
         name: "search_pyramid_texels",
         sampling: None,
-        uses: &["FOUND_BELOW", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHT_READ", "NEVER", "NO_COST", "Path", "RAY_SHADOW", "STEP", "cell_of", "first_root", "height_map", "height_size", "height_texels", "leaves_extent", "map_read", "path_height", "path_slope", "search_texel", "texel_extent", "wrap_index"],
-        text: r#"fn search_pyramid_texels(path: Path, params: vec4f) -> Found {
+        uses: &["FOUND_BELOW", "FOUND_EXHAUSTED", "FOUND_MISS", "HEIGHT_READ", "NEVER", "NO_COST", "Path", "RAY_SHADOW", "STEP", "SearchResult", "cell_of", "first_root", "height_map", "height_size", "height_texels", "leaves_extent", "map_read", "path_height", "path_slope", "search_texel", "texel_extent", "wrap_index"],
+        text: r#"fn search_pyramid_texels(path: Path, params: vec4f) -> SearchResult {
     let n = height_texels(path.level);
     let origin = path.uv * height_size(path.level);
     let step = path.duv * height_size(path.level);
@@ -11282,7 +11385,7 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
     let limit = u32(params.x);
     var finest = min(u32(params.y), level);
     if (path.ray == RAY_SHADOW) {
-        // Their rays begin on the surface, which coarse columns bury.
+        // Shadow rays begin on the surface, which coarse columns bury.
         finest = 0u;
     }
     while (cost.x < limit) {
@@ -11314,13 +11417,13 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         if (sinks < NEVER) {
             t = t + sinks;
             if (level == finest) {
-                return Found(FOUND_BELOW, 0.0, t, 0.0, 0.0, cost);
+                return SearchResult(FOUND_BELOW, 0.0, t, 0.0, 0.0, cost);
             }
             level = level - 1u;
             texel = clamp(vec2i(cell_of(origin + step * t)), low, last);
         } else {
             if (end >= path.exit) {
-                return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
+                return SearchResult(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
             }
             texel = clamp(vec2i(cell_of(origin + step * end)), low, last);
             if (leave.x <= end) {
@@ -11332,15 +11435,15 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
             t = end;
         }
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
+    return SearchResult(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
         module: "search/relaxed_cone",
         name: "search_relaxed_cone",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NEVER", "NO_COST", "Path", "ROUNDING", "STEP", "cell_after", "cell_leave", "cell_of", "cone_slope", "entered_once", "falls_in_cell", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_size", "map_read", "nearest_corner", "path_gap", "path_slope", "quadratic", "whole_cell"],
-        text: r#"fn search_relaxed_cone(path: Path, params: vec4f) -> Found {
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "HEIGHTS_READ", "NEVER", "NO_COST", "Path", "ROUNDING", "STEP", "SearchResult", "cell_after", "cell_leave", "cell_of", "cone_slope", "entered_once", "falls_in_cell", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_size", "map_read", "nearest_corner", "path_gap", "path_slope", "quadratic", "whole_cell"],
+        text: r#"fn search_relaxed_cone(path: Path, params: vec4f) -> SearchResult {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
     let aside = length(path.duv);
@@ -11349,7 +11452,7 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
     let far = (abs(grid.origin) + abs(grid.step) * path.exit + vec2f(1.0, 1.0)) / height_size(path.level);
     var cell = cell_of(grid.origin);
     var t = 0.0;
-    // Where the path was last seen above the surface, and how far.
+    // The last place known to be above the surface, and the gap there.
     var near = 0.0;
     var near_gap = 0.0;
     var cost = NO_COST;
@@ -11367,7 +11470,7 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
             }
             return found_in_cell(c, t, span, t == 0.0, cost);
         }
-        // The cone is asked where the patch has nothing more to say: where the path leaves the cell.
+        // The cone is read where the patch is done: where the path leaves the cell.
         var start = t;
         var gap = c.x;
         if (params.y > 0.5) {
@@ -11378,7 +11481,7 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
             gap = quadratic(c, span);
         }
         if (start >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
+            return SearchResult(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         near = start;
         near_gap = gap;
@@ -11395,7 +11498,7 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
             }
         }
         if (params.y < 0.5 && !(next - t > ROUNDING * path.exit)) {
-            return Found(FOUND_ABOVE, t, path.exit, gap, 0.0, cost);
+            return SearchResult(FOUND_ABOVE, t, path.exit, gap, 0.0, cost);
         }
         if (next >= path.exit) {
             let last = path_gap(path, path.exit);
@@ -11403,25 +11506,25 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
             if (last <= 0.0) {
                 return entered_once(path, grid, start, path.exit, gap, last, cost);
             }
-            return Found(FOUND_MISS, start, path.exit, 0.0, 0.0, cost);
+            return SearchResult(FOUND_MISS, start, path.exit, 0.0, 0.0, cost);
         }
         cell = cell_after(grid, cell, leave, forward, next);
         t = next;
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
+    return SearchResult(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
         module: "search/relaxed_cone_resting",
         name: "search_relaxed_cone_resting",
         sampling: None,
-        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "STEP", "cell_after", "cell_leave", "cell_of", "cone_slope", "corner_height", "entered_once", "falls_in_cell", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "nearest_corner", "path_gap", "path_height", "quadratic", "stays_inside", "whole_cell"],
-        text: r#"fn search_relaxed_cone_resting(path: Path, params: vec4f) -> Found {
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "HEIGHTS_READ", "NO_COST", "Path", "STEP", "SearchResult", "cell_after", "cell_leave", "cell_of", "cone_slope", "corner_height", "entered_once", "falls_in_cell", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "nearest_corner", "path_gap", "path_height", "quadratic", "stays_inside", "whole_cell"],
+        text: r#"fn search_relaxed_cone_resting(path: Path, params: vec4f) -> SearchResult {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
     var cell = cell_of(grid.origin);
     var t = 0.0;
-    // Where the path was last seen above the surface, and how far.
+    // The last place known to be above the surface, and the gap there.
     var near = 0.0;
     var near_gap = 0.0;
     var cost = NO_COST;
@@ -11445,11 +11548,11 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         }
         let start = max(t, end);
         if (start >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
+            return SearchResult(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         near = start;
         near_gap = quadratic(c, span);
-        // The cone is asked where the patch has nothing more to say: where the path leaves the cell.
+        // The cone is read where the patch is done: where the path leaves the cell.
         let corner = nearest_corner((grid.origin - cell) + grid.step * start);
         let apex = corner_height(heights, corner);
         var next = start;
@@ -11467,12 +11570,12 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
             if (last <= 0.0) {
                 return entered_once(path, grid, start, path.exit, near_gap, last, cost);
             }
-            return Found(FOUND_MISS, start, path.exit, 0.0, 0.0, cost);
+            return SearchResult(FOUND_MISS, start, path.exit, 0.0, 0.0, cost);
         }
         cell = cell_after(grid, cell, leave, forward, next);
         t = next;
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
+    return SearchResult(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
@@ -11493,15 +11596,15 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "search/sphere",
         name: "search_sphere",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "cell_after", "cell_leave", "cell_of", "climb", "distance_at", "falls_in_cell", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "path_height", "path_slope", "path_uv", "whole_cell"],
-        text: r#"fn search_sphere(path: Path, params: vec4f) -> Found {
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "SearchResult", "cell_after", "cell_leave", "cell_of", "climb", "distance_at", "falls_in_cell", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "path_height", "path_slope", "path_uv", "whole_cell"],
+        text: r#"fn search_sphere(path: Path, params: vec4f) -> SearchResult {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
     // A bent path is fastest at one of its ends.
     let climb = max(abs(path_slope(path, 0.0)), abs(path_slope(path, path.exit)));
     let fastest = length(vec3f(path.duv, climb));
     let speed = fastest + ROUNDING * fastest;
-    // What rounding may make of the path's places, in texture units and heights.
+    // The rounding error of the path's places, in texture units and heights.
     let far = abs(path.uv) + abs(path.duv) * path.exit;
     let height_terms = abs(path.h.x) + path.exit * (abs(path.h.y) + path.exit * abs(path.h.z));
     let lost = ROUNDING * (far.x + far.y + height_terms + 1.0);
@@ -11522,7 +11625,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         }
         if (params.y < 0.5) {
             if (!(next - t > ROUNDING * path.exit)) {
-                return Found(FOUND_ABOVE, t, path.exit, 0.0, 0.0, cost);
+                return SearchResult(FOUND_ABOVE, t, path.exit, 0.0, 0.0, cost);
             }
         } else if (next < end || !(end > t)) {
             cost = cost + HEIGHTS_READ;
@@ -11533,20 +11636,20 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
             next = max(t, end);
         }
         if (next >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
+            return SearchResult(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         cell = cell_after(grid, cell, leave, forward, next);
         t = next;
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
+    return SearchResult(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
         module: "refine/binary",
         name: "refine_binary",
         sampling: None,
-        uses: &["FLOOR", "FOUND_BRACKET", "Found", "HEIGHTS_READ", "Hit", "Path", "STEP", "has_interval", "hit_on_path", "miss", "path_gap", "path_height", "refine_none"],
-        text: r#"fn refine_binary(path: Path, found: Found, params: vec4f) -> Hit {
+        uses: &["FLOOR", "FOUND_BRACKET", "HEIGHTS_READ", "Hit", "Path", "STEP", "SearchResult", "has_interval", "hit_on_path", "miss", "path_gap", "path_height", "refine_none"],
+        text: r#"fn refine_binary(path: Path, found: SearchResult, params: vec4f) -> Hit {
     if (!has_interval(found)) {
         return refine_none(path, found, params);
     }
@@ -11577,8 +11680,8 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "refine/half_texel",
         name: "refine_half_texel",
         sampling: None,
-        uses: &["FOUND_BELOW", "Found", "HEIGHTS_READ", "Hit", "Path", "height_size", "hit_on_path", "path_gap", "refine_none"],
-        text: r#"fn refine_half_texel(path: Path, found: Found, params: vec4f) -> Hit {
+        uses: &["FOUND_BELOW", "HEIGHTS_READ", "Hit", "Path", "SearchResult", "height_size", "hit_on_path", "path_gap", "refine_none"],
+        text: r#"fn refine_half_texel(path: Path, found: SearchResult, params: vec4f) -> Hit {
     if (found.status != FOUND_BELOW) {
         return refine_none(path, found, params);
     }
@@ -11604,8 +11707,8 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "refine/none",
         name: "refine_none",
         sampling: None,
-        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Hit", "Path", "hit_on_path", "miss", "starting_point"],
-        text: r#"fn refine_none(path: Path, found: Found, params: vec4f) -> Hit {
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Hit", "Path", "SearchResult", "hit_on_path", "miss", "starting_point"],
+        text: r#"fn refine_none(path: Path, found: SearchResult, params: vec4f) -> Hit {
     if (found.status == FOUND_MISS) {
         return miss(found.cost);
     }
@@ -11617,8 +11720,8 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "refine/offset",
         name: "refine_offset",
         sampling: None,
-        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "Hit", "Path", "height_at", "hit_on_path", "miss", "path_height", "path_slope", "path_uv", "starting_point"],
-        text: r#"fn refine_offset(path: Path, found: Found, params: vec4f) -> Hit {
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "HEIGHTS_READ", "Hit", "Path", "SearchResult", "height_at", "hit_on_path", "miss", "path_height", "path_slope", "path_uv", "starting_point"],
+        text: r#"fn refine_offset(path: Path, found: SearchResult, params: vec4f) -> Hit {
     if (found.status == FOUND_MISS) {
         return miss(found.cost);
     }
@@ -11636,8 +11739,8 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "refine/offset_limited",
         name: "refine_offset_limited",
         sampling: None,
-        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "Hit", "Path", "height_at", "hit_on_path", "miss", "path_height", "path_uv", "starting_point"],
-        text: r#"fn refine_offset_limited(path: Path, found: Found, params: vec4f) -> Hit {
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "HEIGHTS_READ", "Hit", "Path", "SearchResult", "height_at", "hit_on_path", "miss", "path_height", "path_uv", "starting_point"],
+        text: r#"fn refine_offset_limited(path: Path, found: SearchResult, params: vec4f) -> Hit {
     if (found.status == FOUND_MISS) {
         return miss(found.cost);
     }
@@ -11657,8 +11760,8 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "refine/patch",
         name: "refine_patch",
         sampling: None,
-        uses: &["FOUND_BELOW", "FOUND_BRACKET", "FOUND_EXHAUSTED", "FOUND_MISS", "FOUND_STARTED_BELOW", "Found", "HEIGHTS_READ", "Hit", "NEVER", "Path", "STEP", "cell_gap", "cell_leave", "cell_next", "cell_of", "first_root", "grid_of", "hit_on_path", "miss"],
-        text: r#"fn refine_patch(path: Path, found: Found, params: vec4f) -> Hit {
+        uses: &["FOUND_BELOW", "FOUND_BRACKET", "FOUND_EXHAUSTED", "FOUND_MISS", "FOUND_STARTED_BELOW", "HEIGHTS_READ", "Hit", "NEVER", "Path", "STEP", "SearchResult", "cell_gap", "cell_leave", "cell_next", "cell_of", "first_root", "grid_of", "hit_on_path", "miss"],
+        text: r#"fn refine_patch(path: Path, found: SearchResult, params: vec4f) -> Hit {
     if (found.status == FOUND_MISS) {
         return miss(found.cost);
     }
@@ -11704,8 +11807,8 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "refine/secant",
         name: "refine_secant",
         sampling: None,
-        uses: &["FOUND_BRACKET", "Found", "HEIGHTS_READ", "Hit", "Path", "STEP", "has_interval", "hit_on_path", "miss", "path_gap", "refine_none"],
-        text: r#"fn refine_secant(path: Path, found: Found, params: vec4f) -> Hit {
+        uses: &["FOUND_BRACKET", "HEIGHTS_READ", "Hit", "Path", "STEP", "SearchResult", "has_interval", "hit_on_path", "miss", "path_gap", "refine_none"],
+        text: r#"fn refine_secant(path: Path, found: SearchResult, params: vec4f) -> Hit {
     if (!has_interval(found)) {
         return refine_none(path, found, params);
     }
@@ -11751,8 +11854,8 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "refine/slope",
         name: "refine_slope",
         sampling: None,
-        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "Hit", "Path", "height_and_slope", "hit_on_path", "miss", "normal_z", "path_height", "path_slope", "path_uv", "starting_point"],
-        text: r#"fn refine_slope(path: Path, found: Found, params: vec4f) -> Hit {
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "HEIGHTS_READ", "Hit", "Path", "SearchResult", "height_and_slope", "hit_on_path", "miss", "normal_z", "path_height", "path_slope", "path_uv", "starting_point"],
+        text: r#"fn refine_slope(path: Path, found: SearchResult, params: vec4f) -> Hit {
     if (found.status == FOUND_MISS) {
         return miss(found.cost);
     }
@@ -11775,8 +11878,8 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "refine/slope_iterative",
         name: "refine_slope_iterative",
         sampling: None,
-        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "Hit", "Path", "STEP", "height_and_slope", "hit_on_path", "miss", "normal_z", "path_height", "path_slope", "path_uv", "starting_point"],
-        text: r#"fn refine_slope_iterative(path: Path, found: Found, params: vec4f) -> Hit {
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "HEIGHTS_READ", "Hit", "Path", "STEP", "SearchResult", "height_and_slope", "hit_on_path", "miss", "normal_z", "path_height", "path_slope", "path_uv", "starting_point"],
+        text: r#"fn refine_slope_iterative(path: Path, found: SearchResult, params: vec4f) -> Hit {
     if (found.status == FOUND_MISS) {
         return miss(found.cost);
     }
@@ -11806,8 +11909,8 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "refine/true_secant",
         name: "refine_true_secant",
         sampling: None,
-        uses: &["FOUND_BRACKET", "Found", "HEIGHTS_READ", "Hit", "Path", "STEP", "has_interval", "hit_on_path", "miss", "path_gap", "refine_none"],
-        text: r#"fn refine_true_secant(path: Path, found: Found, params: vec4f) -> Hit {
+        uses: &["FOUND_BRACKET", "HEIGHTS_READ", "Hit", "Path", "STEP", "SearchResult", "has_interval", "hit_on_path", "miss", "path_gap", "refine_none"],
+        text: r#"fn refine_true_secant(path: Path, found: SearchResult, params: vec4f) -> Hit {
     if (!has_interval(found)) {
         return refine_none(path, found, params);
     }
@@ -11849,7 +11952,8 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         name: "LOBE",
         sampling: None,
         uses: &[],
-        text: r#"// What is added to an exponent so that lobes in proportion to the sum reflect the same light.
+        text: r#"// The number that is added to an exponent so that lobes in proportion to the sum reflect the same
+// light.
 const LOBE = 8.0;"#,
     },
     Declaration {
@@ -11963,7 +12067,7 @@ const LOBE = 8.0;"#,
         name: "LEAST_SQUARED_COSINE",
         sampling: None,
         uses: &[],
-        text: r#"// The square of the least cosine of a horizon: sines are stored in no more bits than tell it from 0.
+        text: r#"// The square of the least cosine of a horizon: stored sines have no more bits to tell it from 0.
 const LEAST_SQUARED_COSINE = 1.0e-7;"#,
     },
     Declaration {
@@ -11971,9 +12075,9 @@ const LEAST_SQUARED_COSINE = 1.0e-7;"#,
         name: "own_slope",
         sampling: None,
         uses: &["Path", "cell_leave", "cell_of", "gap_to", "grid_of", "height_cell"],
-        text: r#"// The slope, in heights for each unit of the path's parameter, under which the surface of the hit's own cell
-// is seen from the hit along a way. There the gap between a level ray and the surface has no constant: the
-// hit is on the surface.
+        text: r#"// The slope under which the surface of the hit's own cell is seen from the hit along a way, in
+// heights per unit of the path's parameter. There the gap between a level ray and the surface has
+// no constant: the hit is on the surface.
 fn own_slope(way: Path) -> f32 {
     let grid = grid_of(way);
     let cell = cell_of(grid.origin);
@@ -11991,8 +12095,8 @@ fn own_slope(way: Path) -> f32 {
         name: "shadow_horizon",
         sampling: None,
         uses: &["Entered", "Hit", "LEAST_SQUARED_COSINE", "SLOT_SHADOW", "Toward", "climb", "from_hit", "own_slope", "part_above", "shadow_texel_between", "surface_settings", "turn_of"],
-        text: r#"// Nothing is divided by a square root, and no root is squared: compilers have other ways for these, which
-// end in other bits.
+        text: r#"// Nothing is divided by a square root, and no root is squared: compilers have other ways for these,
+// which give other bits.
 fn shadow_horizon(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
     let change = climb(at, light.direction);
     let map = surface_settings.maps[SLOT_SHADOW];
@@ -12004,7 +12108,7 @@ fn shadow_horizon(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
     let part = azimuth - first;
     let low = shadow_texel_between(hit.uv, before, at.level).x;
     let sine = low + (shadow_texel_between(hit.uv, (before + 1) % count, at.level).x - low) * part;
-    // In metres, both for a metre of the light's ray: how far the horizon rises, and how far the ray.
+    // In metres, per metre of the light's ray: the rise of the horizon, and the rise of the ray.
     let squared = sine * sine / max((1.0 - sine) * (1.0 + sine), LEAST_SQUARED_COSINE);
     let far = sqrt(squared * dot(along, along));
     let near = own_slope(from_hit(at, hit, light)) * surface_settings.scale_m;
@@ -12080,7 +12184,7 @@ fn shadow_horizon(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
         name: "open_part",
         sampling: None,
         uses: &["Entered", "Hit", "shadow_texel_between"],
-        text: r#"// The part of the texels around a hit that see nothing in a direction.
+        text: r#"// The part of the texels around a hit that see the sky in a direction.
 fn open_part(at: Entered, hit: Hit, azimuth: i32, elevation: i32, elevations: i32) -> f32 {
     return 1.0 - shadow_texel_between(hit.uv, azimuth * elevations + elevation, at.level).z;
 }"#,
@@ -12177,7 +12281,7 @@ fn open_part(at: Entered, hit: Hit, azimuth: i32, elevation: i32, elevations: i3
         name: "LEAST",
         sampling: None,
         uses: &[],
-        text: r#"// The least divisor, where nothing is to be divided.
+        text: r#"// The least divisor, against division by 0.
 const LEAST = 0.000001;"#,
     },
     Declaration {
@@ -12205,12 +12309,13 @@ const LEAST = 0.000001;"#,
     let waves = vec2f(across, along);
     let reflected = 0.5 * dot(waves, waves);
 
-    // How far facets lean: by the highlight's exponent, and by how much the normals in a footprint differ.
+    // The deviation of facets: by the highlight's exponent, and by the spread of the normals in a
+    // footprint.
     let lean = sqrt(2.0 / (f32(surface_settings.shininess) + 2.0) + 2.0 * max(1.0 - mean, 0.0));
     let mirrored = n * (2.0 * cosine) - view;
     var light = environment_in_lobe(mirrored, 2.0 * lean) * reflected;
     let transmission = surface_settings.transmission;
-    // `color` is what is scattered of the light that enters and is not refracted.
+    // `color` is the scattered part of the light that enters and is not refracted.
     light = light + environment_on(n) * color * (1.0 - reflected);
     if (transmission > 0.0) {
         let refracted = n * (eta * cosine - inside) - view * eta;
@@ -12284,7 +12389,7 @@ const LEAST_OPEN = 0.000001;"#,
         name: "BUMP_BESIDE",
         sampling: None,
         uses: &[],
-        text: r#"// How far from the middle of its cell a bump may be at most, in cells.
+        text: r#"// The greatest distance of a bump from the middle of its cell, in cells.
 const BUMP_BESIDE = 0.25;"#,
     },
     Declaration {
@@ -12300,7 +12405,7 @@ const BUMP_LEAST = 0.3;"#,
         name: "procedure_bumps",
         sampling: None,
         uses: &["BUMP_BESIDE", "BUMP_LEAST", "bits_of_point", "mixed", "sine_of", "unit_of"],
-        text: r#"// The parameters: bumps along a tile, their radius, and how far they lie beside the middles of cells.
+        text: r#"// The parameters: bumps along a tile, their radius, and their distance from the middles of cells.
 fn procedure_bumps(place: vec2f, time: f32, seed: u32, params: vec4f) -> f32 {
     let at = place * params.x;
     let own = floor(at);
@@ -12333,7 +12438,7 @@ const NOISE_MOST = 0.7071068;"#,
         name: "gradient_at",
         sampling: None,
         uses: &["bits_of_point", "turned", "unit_of"],
-        text: r#"// What the gradient of a point of the lattice adds at a way from it.
+        text: r#"// The contribution of a lattice point's gradient at a place `way` from it.
 fn gradient_at(point: vec2f, way: vec2f, count: f32, turns: f32, seed: u32) -> f32 {
     return dot(turned(unit_of(bits_of_point(point, count, seed)) + turns), way);
 }"#,
@@ -12343,7 +12448,7 @@ fn gradient_at(point: vec2f, way: vec2f, count: f32, turns: f32, seed: u32) -> f
         name: "gradient_noise",
         sampling: None,
         uses: &["gradient_at"],
-        text: r#"// Gradient noise on a lattice of so many points a tile.
+        text: r#"// Gradient noise on a lattice with `count` points along a tile.
 fn gradient_noise(at: vec2f, count: f32, turns: f32, seed: u32) -> f32 {
     let cell = floor(at);
     let part = at - cell;
@@ -12364,8 +12469,8 @@ fn gradient_noise(at: vec2f, count: f32, turns: f32, seed: u32) -> f32 {
         name: "procedure_fbm",
         sampling: None,
         uses: &["NOISE_MOST", "gradient_noise"],
-        text: r#"// The parameters: the points of the coarsest lattice along a tile, the octaves, and how strong each is beside
-// the one before.
+        text: r#"// The parameters: points of the coarsest lattice along a tile, octaves, and the strength of each
+// octave relative to the one before.
 fn procedure_fbm(place: vec2f, time: f32, seed: u32, params: vec4f) -> f32 {
     var height = 0.0;
     var sum = 0.0;
@@ -12388,7 +12493,7 @@ fn procedure_fbm(place: vec2f, time: f32, seed: u32, params: vec4f) -> f32 {
         name: "WAVE_RANGE",
         sampling: None,
         uses: &[],
-        text: r#"// How many times as long the longest waves are as the shortest.
+        text: r#"// Ratio of the longest to the shortest wave's length.
 const WAVE_RANGE = 7.0;"#,
     },
     Declaration {
@@ -12396,7 +12501,7 @@ const WAVE_RANGE = 7.0;"#,
         name: "WAVE_PACE",
         sampling: None,
         uses: &[],
-        text: r#"// How often the longest wave goes by in a unit of time.
+        text: r#"// Number of times that the longest wave goes by in a unit of time.
 const WAVE_PACE = 2.0;"#,
     },
     Declaration {
@@ -12404,8 +12509,8 @@ const WAVE_PACE = 2.0;"#,
         name: "procedure_waves",
         sampling: None,
         uses: &["WAVE_PACE", "WAVE_RANGE", "mixed", "sine_of", "unit_of"],
-        text: r#"// The parameters: the longest waves of a tile, how many there are, how much their ways differ, and how sharp
-// their crests are.
+        text: r#"// The parameters: longest waves along a tile, number of waves, spread of their directions, and
+// sharpness of their crests.
 fn procedure_waves(place: vec2f, time: f32, seed: u32, params: vec4f) -> f32 {
     var height = 0.0;
     var sum = 0.0;
@@ -12454,7 +12559,7 @@ fn draw_box_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) 
         name: "drawn_pixel",
         sampling: None,
         uses: &["PixelOut", "Varying", "numbered_pixel", "shade_pixel", "side_of"],
-        text: r#"// What the pixel of a fragment shows.
+        text: r#"// The shaded pixel of a fragment.
 fn drawn_pixel(in: Varying, front: bool) -> PixelOut {
     return shade_pixel(numbered_pixel(in.triangle, side_of(in, front), in.position.xy));
 }"#,
@@ -12501,7 +12606,7 @@ fn draw_fragment(in: Varying, @builtin(front_facing) front: bool) -> @location(0
         name: "draw_depth_fragment",
         sampling: None,
         uses: &["Drawn", "Varying", "drawn_pixel", "drawn_with_depth"],
-        text: r#"// The same, and what the depth buffer holds for the hit.
+        text: r#"// The linear colour, and the hit's value for the depth buffer.
 @fragment
 fn draw_depth_fragment(in: Varying, @builtin(front_facing) front: bool) -> Drawn {
     return drawn_with_depth(drawn_pixel(in, front));
@@ -12512,7 +12617,7 @@ fn draw_depth_fragment(in: Varying, @builtin(front_facing) front: bool) -> Drawn
         name: "draw_box_fragment",
         sampling: None,
         uses: &["Drawn", "NEVER", "Varying", "drawn_with_depth", "may_meet", "numbered_pixel", "numbered_triangle", "shade_pixel"],
-        text: r#"// The same of boxes around shells.
+        text: r#"// The colour and the depth of a fragment of a box around a shell.
 @fragment
 fn draw_box_fragment(in: Varying) -> Drawn {
     if (!may_meet(in.position.xy, numbered_triangle(in.triangle), in.side, NEVER)) {
@@ -12549,7 +12654,7 @@ fn probe_main(@builtin(global_invocation_id) id: vec3u) {
     }
     let pixel = pixels[index];
     let at = enter_relief(pixel);
-    // As `first_hit`, with what it does not tell.
+    // The same loop as in `first_hit`, with the results in between.
     var k = 0u;
     while (k < at.segments) {
         let path = segment_of(pixel, at, k);
@@ -12626,7 +12731,7 @@ fn node_bits(column: u32, row: u32) -> vec2u {
         name: "extremes_of_children",
         sampling: None,
         uses: &["node_bits", "pyramid_pass"],
-        text: r#"// The extremes of the node's children; of nothing where there are none.
+        text: r#"// The extremes of the node's children; of the empty set if it has none.
 fn extremes_of_children(first: vec2u) -> vec2u {
     let size = pyramid_pass.nodes_size;
     if (any(first >= size)) {
@@ -12645,7 +12750,7 @@ fn extremes_of_children(first: vec2u) -> vec2u {
         name: "extremes_of_heights",
         sampling: None,
         uses: &["height_bits", "pyramid_pass"],
-        text: r#"// The extremes of the heights that are new in the node; of nothing where none are.
+        text: r#"// The extremes of the heights that are new in the node; of the empty set if none are.
 fn extremes_of_heights(first: vec2u) -> vec2u {
     let size = pyramid_pass.heights_size;
     var least = 0xffffffffu;
@@ -12783,7 +12888,7 @@ fn show_main(@builtin(global_invocation_id) id: vec3u) {
         name: "stencil_vertex",
         sampling: None,
         uses: &["OnStencil", "clip_of_pass", "corner_varying"],
-        text: r#"// The image is the number of the instance.
+        text: r#"// The number of the instance is the image.
 @vertex
 fn stencil_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) image: u32) -> OnStencil {
     let corner = corner_varying(vertex);
@@ -12804,7 +12909,7 @@ fn stencil_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) i
         name: "stencil_test_fragment",
         sampling: None,
         uses: &["OnStencil", "enter_relief", "passes_image", "stencil_pixel"],
-        text: r#"// Leaves what the image sees as high as the slice.
+        text: r#"// Keeps a point where the image sees something at least as high as the slice.
 @fragment
 fn stencil_test_fragment(in: OnStencil, @builtin(front_facing) front: bool) {
     let at = enter_relief(stencil_pixel(in, select(-1.0, 1.0, front)));
@@ -12818,7 +12923,7 @@ fn stencil_test_fragment(in: OnStencil, @builtin(front_facing) front: bool) {
         name: "stencil_hit_fragment",
         sampling: None,
         uses: &["Hit", "NO_COST", "OnStencil", "Traced", "enter_relief", "hit_on_segment", "passes_image", "segment_of", "stencil_pixel", "traced_hit_of"],
-        text: r#"// The same for the last image: what the count lets pass here is seen.
+        text: r#"// The last image's test; points that pass it and the count are hits.
 @fragment
 fn stencil_hit_fragment(in: OnStencil, @builtin(front_facing) front: bool) -> Traced {
     let side = select(-1.0, 1.0, front);
@@ -12837,7 +12942,7 @@ fn stencil_hit_fragment(in: OnStencil, @builtin(front_facing) front: bool) -> Tr
         name: "stencil_clear_fragment",
         sampling: None,
         uses: &["OnStencil"],
-        text: r#"// All of a slice.
+        text: r#"// Covers all of a slice.
 @fragment
 fn stencil_clear_fragment(in: OnStencil) {
 }"#,
@@ -12847,33 +12952,34 @@ fn stencil_clear_fragment(in: OnStencil) {
         name: "Tally",
         sampling: None,
         uses: &[],
-        text: r#"// What is made of an edge or a triangle of the base.
+        text: r#"// The number of points and triangles that an edge or a triangle of the base yields.
 struct Tally {
-    // The parts of an edge; of a triangle 1 where it is made, and SWEPT where the grid says what is inside.
+    // For an edge its parts. For a triangle 0 if it is culled, SWEPT if the grid fills it,
+    // otherwise 1.
     parts: u32,
-    // Its points and triangles; and in the end those of all before it.
+    // Its points and triangles; in the end the points and triangles of all tallies before it.
     points: u32,
     triangles: u32,
 }"#,
     },
     Declaration {
         module: "roots/tessellate",
-        name: "MadeTotals",
+        name: "TessellationTotals",
         sampling: None,
         uses: &[],
-        text: r#"// How much is made, and what draws it.
-struct MadeTotals {
+        text: r#"// Totals of all points and triangles, and the arguments of the draw call.
+struct TessellationTotals {
     // Vertices, instances, and the first of each.
     drawn: vec4u,
-    // Groups that make points, and that make triangles.
+    // Workgroups that make points, and workgroups that make triangles.
     point_groups: vec4u,
     triangle_groups: vec4u,
     // Points besides the base's vertices, and triangles.
     points: u32,
     triangles: u32,
-    // By how many doublings the grid is coarser.
+    // Number of doublings by which the grid is coarser.
     level: u32,
-    // 1 when that is known.
+    // 1 when the totals are known.
     is_known: u32,
 }"#,
     },
@@ -12882,7 +12988,7 @@ struct MadeTotals {
         name: "SWEPT",
         sampling: None,
         uses: &[],
-        text: r#"// What stands for a triangle that is swept.
+        text: r#"// The tally's mark of a triangle that is swept.
 const SWEPT = 2u;"#,
     },
     Declaration {
@@ -12890,7 +12996,7 @@ const SWEPT = 2u;"#,
         name: "sums_of_group",
         sampling: None,
         uses: &["TESSELLATE_GROUP"],
-        text: r#"// Sums of each of a group, to be added up.
+        text: r#"// Sums of each invocation in a group, to be added up.
 var<workgroup> sums_of_group: array<vec2u, TESSELLATE_GROUP>;"#,
     },
     Declaration {
@@ -12898,7 +13004,7 @@ var<workgroup> sums_of_group: array<vec2u, TESSELLATE_GROUP>;"#,
         name: "added",
         sampling: None,
         uses: &["COUNTLESS"],
-        text: r#"// A sum that stays at the greatest number.
+        text: r#"// A sum that saturates at the greatest number.
 fn added(a: vec2u, b: vec2u) -> vec2u {
     let sum = a + b;
     return select(sum, vec2u(COUNTLESS, COUNTLESS), sum < a);
@@ -12917,11 +13023,11 @@ fn added(a: vec2u, b: vec2u) -> vec2u {
         module: "roots/tessellate",
         name: "begin_main",
         sampling: None,
-        uses: &["MadeTotals", "made_totals"],
-        text: r#"// Begins: nothing is known yet.
+        uses: &["TessellationTotals", "made_totals"],
+        text: r#"// Begins: no totals are known yet.
 @compute @workgroup_size(1)
 fn begin_main() {
-    made_totals[0] = MadeTotals(vec4u(0u), vec4u(0u), vec4u(0u), 0u, 0u, 0u, 0u);
+    made_totals[0] = TessellationTotals(vec4u(0u), vec4u(0u), vec4u(0u), 0u, 0u, 0u, 0u);
 }"#,
     },
     Declaration {
@@ -12929,7 +13035,7 @@ fn begin_main() {
         name: "voxels_main",
         sampling: None,
         uses: &["TESSELLATE_GROUP", "base_vertices", "number_of", "tessellation", "voxel_of", "voxels"],
-        text: r#"// Where each vertex lies in grid space.
+        text: r#"// Places each vertex in grid space.
 @compute @workgroup_size(TESSELLATE_GROUP)
 fn voxels_main(@builtin(global_invocation_id) id: vec3u) {
     let vertex = number_of(id);
@@ -12943,7 +13049,7 @@ fn voxels_main(@builtin(global_invocation_id) id: vec3u) {
         name: "seen_main",
         sampling: None,
         uses: &["TESSELLATE_GROUP", "base_patches", "base_vertices", "is_left_out", "number_of", "tallies", "tessellation"],
-        text: r#"// Which triangles are made.
+        text: r#"// Culls triangles.
 @compute @workgroup_size(TESSELLATE_GROUP)
 fn seen_main(@builtin(global_invocation_id) id: vec3u) {
     let number = number_of(id);
@@ -12964,7 +13070,7 @@ fn seen_main(@builtin(global_invocation_id) id: vec3u) {
         name: "edges_main",
         sampling: None,
         uses: &["COUNTLESS", "TESSELLATE_GROUP", "Tally", "base_edges", "made_totals", "number_of", "parts_between", "tallies", "tessellation", "voxels"],
-        text: r#"// In how many parts edges are divided. One whose triangles are left out has no points.
+        text: r#"// Counts the parts of edges. An edge whose triangles are all culled has no points.
 @compute @workgroup_size(TESSELLATE_GROUP)
 fn edges_main(@builtin(global_invocation_id) id: vec3u) {
     let number = number_of(id);
@@ -13000,7 +13106,7 @@ fn rows_of(number: u32) -> DiceRows {
         name: "sweep_of_patch",
         sampling: None,
         uses: &["Sweep", "base_patches", "made_totals", "sweep_on", "voxels"],
-        text: r#"// The sweep of a triangle of the base that is swept.
+        text: r#"// The sweep of a triangle of the base.
 fn sweep_of_patch(number: u32) -> Sweep {
     let at = base_patches[number].corners;
     return sweep_on(voxels[at.x], voxels[at.y], voxels[at.z], made_totals[0].level);
@@ -13011,8 +13117,8 @@ fn sweep_of_patch(number: u32) -> Sweep {
         name: "tally_of_swept",
         sampling: None,
         uses: &["SWEPT", "Tally", "base_patches", "tallies"],
-        text: r#"// What a triangle of the base has once its points inside are counted: every corner of its triangles lies
-// inside or on its border.
+        text: r#"// The tally of a swept triangle of the base with that number of points inside. All corners of its
+// triangles lie inside or on its border.
 fn tally_of_swept(number: u32, points: u32) -> Tally {
     let edges = base_patches[number].edges;
     let border = tallies[edges.x].parts + tallies[edges.y].parts + tallies[edges.z].parts;
@@ -13024,7 +13130,7 @@ fn tally_of_swept(number: u32, points: u32) -> Tally {
         name: "patches_main",
         sampling: None,
         uses: &["TESSELLATE_GROUP", "Tally", "base_patches", "dice_points", "dice_triangles", "is_swept", "made_totals", "number_of", "rows_of", "sweep_of_patch", "swept_points_of", "tallies", "tally_of_swept", "tessellation", "voxels"],
-        text: r#"// How many points and triangles those have.
+        text: r#"// Counts the points and triangles of the base's triangles.
 @compute @workgroup_size(TESSELLATE_GROUP)
 fn patches_main(@builtin(global_invocation_id) id: vec3u) {
     let number = number_of(id);
@@ -13050,7 +13156,7 @@ fn patches_main(@builtin(global_invocation_id) id: vec3u) {
         name: "tally_count",
         sampling: None,
         uses: &["tessellation"],
-        text: r#"// How many tallies there are.
+        text: r#"// The number of tallies.
 fn tally_count() -> u32 {
     return tessellation.edges + tessellation.patches;
 }"#,
@@ -13060,7 +13166,7 @@ fn tally_count() -> u32 {
         name: "blocks_main",
         sampling: None,
         uses: &["TESSELLATE_BLOCK", "TESSELLATE_GROUP", "added", "made_totals", "number_of", "tallies", "tally_blocks", "tally_count"],
-        text: r#"// The sums of blocks of tallies.
+        text: r#"// Sums up blocks of tallies.
 @compute @workgroup_size(TESSELLATE_GROUP)
 fn blocks_main(@builtin(global_invocation_id) id: vec3u) {
     let block = number_of(id);
@@ -13081,7 +13187,7 @@ fn blocks_main(@builtin(global_invocation_id) id: vec3u) {
         name: "groups_for",
         sampling: None,
         uses: &["TESSELLATE_GROUP", "TESSELLATE_ROW"],
-        text: r#"// Groups, in a row or in rows, for so many of something.
+        text: r#"// Workgroups, in a row or in rows, for `count` invocations.
 fn groups_for(count: u32) -> vec4u {
     let groups = (count + TESSELLATE_GROUP - 1u) / TESSELLATE_GROUP;
     let in_row = TESSELLATE_ROW / TESSELLATE_GROUP;
@@ -13092,8 +13198,8 @@ fn groups_for(count: u32) -> vec4u {
         module: "roots/tessellate",
         name: "totals_main",
         sampling: None,
-        uses: &["COARSEST", "MadeTotals", "TESSELLATE_BLOCK", "TESSELLATE_GROUP", "added", "groups_for", "made_totals", "sums_of_group", "tally_blocks", "tally_count", "tessellation"],
-        text: r#"// What comes before each block, and whether there is room for all. One group.
+        uses: &["COARSEST", "TESSELLATE_BLOCK", "TESSELLATE_GROUP", "TessellationTotals", "added", "groups_for", "made_totals", "sums_of_group", "tally_blocks", "tally_count", "tessellation"],
+        text: r#"// Sums up what comes before each block, and checks that all fits into memory. One workgroup.
 @compute @workgroup_size(TESSELLATE_GROUP)
 fn totals_main(@builtin(local_invocation_index) lane: u32) {
     let is_known = made_totals[0].is_known == 1u;
@@ -13123,7 +13229,7 @@ fn totals_main(@builtin(local_invocation_index) lane: u32) {
         if (fits || level == COARSEST) {
             let points = groups_for(tessellation.vertices + all.x);
             let drawn = vec4u(3u * all.y, 1u, 0u, 0u);
-            made_totals[0] = MadeTotals(drawn, points, groups_for(all.y), all.x, all.y, level, 1u);
+            made_totals[0] = TessellationTotals(drawn, points, groups_for(all.y), all.x, all.y, level, 1u);
         } else {
             made_totals[0].level = level + 1u;
         }
@@ -13140,7 +13246,7 @@ fn totals_main(@builtin(local_invocation_index) lane: u32) {
         name: "starts_main",
         sampling: None,
         uses: &["TESSELLATE_BLOCK", "TESSELLATE_GROUP", "Tally", "number_of", "tallies", "tally_blocks", "tally_count"],
-        text: r#"// What comes before each tally.
+        text: r#"// Turns each tally into the sums of all tallies before it.
 @compute @workgroup_size(TESSELLATE_GROUP)
 fn starts_main(@builtin(global_invocation_id) id: vec3u) {
     let block = number_of(id);
@@ -13162,7 +13268,7 @@ fn starts_main(@builtin(global_invocation_id) id: vec3u) {
         name: "tally_of_point",
         sampling: None,
         uses: &["tallies", "tally_count"],
-        text: r#"// The last tally before which there are no more points than so many.
+        text: r#"// The last tally whose number of points before it is at most `point`.
 fn tally_of_point(point: u32) -> u32 {
     var first = 0u;
     var end = tally_count();
@@ -13182,7 +13288,7 @@ fn tally_of_point(point: u32) -> u32 {
         name: "patch_of_triangle",
         sampling: None,
         uses: &["tallies", "tally_count", "tessellation"],
-        text: r#"// The triangle of the base that has the made triangle of that number.
+        text: r#"// The triangle of the base that yields the triangle of that number.
 fn patch_of_triangle(triangle: u32) -> u32 {
     var first = tessellation.edges;
     var end = tally_count();
@@ -13211,7 +13317,7 @@ fn patch_of_triangle(triangle: u32) -> u32 {
         name: "edge_site",
         sampling: None,
         uses: &["BaseEdge", "BaseSite", "site_between", "vertex_site", "voxels"],
-        text: r#"// A point of an edge that so many parts lie before.
+        text: r#"// The point of an edge with `at` of `parts` parts before it.
 fn edge_site(edge: BaseEdge, at: u32, parts: u32) -> BaseSite {
     let a = vertex_site(edge.ends.x, edge.seen.x);
     let b = vertex_site(edge.ends.y, edge.seen.y);
@@ -13224,8 +13330,8 @@ fn edge_site(edge: BaseEdge, at: u32, parts: u32) -> BaseSite {
         name: "weights_inside",
         sampling: None,
         uses: &["SWEPT", "dice_place", "dice_point", "made_corners", "rows_of", "tallies", "tessellation"],
-        text: r#"// The weights of a point inside of a triangle of the base, by its number there. Those of swept ones stand
-// where the point will be.
+        text: r#"// The weights of a point inside a triangle of the base, by its number there. A swept point's
+// weights are stored in the point's place in `made_corners`.
 fn weights_inside(number: u32, point: u32) -> vec3f {
     let tally = tallies[tessellation.edges + number];
     if (tally.parts == SWEPT) {
@@ -13240,7 +13346,7 @@ fn weights_inside(number: u32, point: u32) -> vec3f {
         name: "patch_site",
         sampling: None,
         uses: &["BaseSite", "base_patches", "site_inside", "vertex_site", "voxels", "weights_inside"],
-        text: r#"// A point inside of a triangle of the base, by its number there.
+        text: r#"// A point inside a triangle of the base, by its number there.
 fn patch_site(number: u32, point: u32) -> BaseSite {
     let at = base_patches[number].corners;
     let weights = weights_inside(number, point);
@@ -13273,7 +13379,8 @@ fn patch_site(number: u32, point: u32) -> BaseSite {
         name: "points_main",
         sampling: None,
         uses: &["TESSELLATE_GROUP", "displaced_site", "made_corners", "made_totals", "number_of", "site_of_point", "tessellation"],
-        text: r#"// Makes points: the base's vertices, those of its edges, then those inside of its triangles.
+        text: r#"// Makes points: first the base's vertices, then points of its edges, then points inside its
+// triangles.
 @compute @workgroup_size(TESSELLATE_GROUP)
 fn points_main(@builtin(global_invocation_id) id: vec3u) {
     let point = number_of(id);
@@ -13359,7 +13466,8 @@ fn triangles_main(@builtin(global_invocation_id) id: vec3u) {
         name: "write_zip",
         sampling: None,
         uses: &["Sweep", "Zip", "swept_point", "write_face", "zip_goes_left", "zip_next", "zip_rest"],
-        text: r#"// Makes the triangles of what is zipped, the first of which has that number; gives the number after the last.
+        text: r#"// Makes the triangles of a zip, beginning with the number `first`. Returns the number after the
+// last.
 fn write_zip(number: u32, sweep: Sweep, zipped: Zip, first: u32) -> u32 {
     var zip = zipped;
     var triangle = first;
@@ -13383,9 +13491,9 @@ fn write_zip(number: u32, sweep: Sweep, zipped: Zip, first: u32) -> u32 {
         name: "write_strips",
         sampling: None,
         uses: &["Sweep", "made_corners", "swept_column", "swept_weights", "tallies", "tessellation", "write_zip", "zip_of"],
-        text: r#"// Makes the strips of a swept triangle of the base between some columns, before which there are so many
-// points and triangles: the weights of the points inside of each next column, which are displaced later, and
-// triangles.
+        text: r#"// Makes the strips of a swept triangle of the base between some columns: the weights of the points
+// inside each next column, which are displaced later, and triangles. `before` counts the points and
+// triangles before these columns.
 fn write_strips(number: u32, sweep: Sweep, first: i32, end: i32, before: vec2u) {
     let tally = tallies[tessellation.edges + number];
     var triangle = tally.triangles + before.y;
@@ -13409,8 +13517,9 @@ fn write_strips(number: u32, sweep: Sweep, first: i32, end: i32, before: vec2u) 
         name: "swept_main",
         sampling: None,
         uses: &["SWEPT", "TESSELLATE_GROUP", "TESSELLATE_ROW", "sweep_of_patch", "swept_column", "swept_triangles", "tallies", "tessellation", "write_strips"],
-        text: r#"// Makes swept triangles: a group takes a triangle of the base, and each of its invocations some of the strips
-// between columns. It counts those before by itself, which is less work than to make them.
+        text: r#"// Makes swept triangles. A workgroup takes a triangle of the base, and each of its invocations some
+// of the strips between columns. It counts the strips before these by itself, which is less work
+// than to make them.
 @compute @workgroup_size(TESSELLATE_GROUP)
 fn swept_main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lane: u32) {
     let number = group.y * (TESSELLATE_ROW / TESSELLATE_GROUP) + group.x;
@@ -13504,7 +13613,7 @@ fn light_main(in: Varying, @builtin(front_facing) front: bool) -> SeenByLight {
         name: "BeforeShading",
         sampling: None,
         uses: &[],
-        text: r#"// What a depth buffer is to hold before the surfaces are shaded.
+        text: r#"// The depth buffer's value before the surfaces are shaded.
 struct BeforeShading {
     @builtin(frag_depth) z: f32,
 }"#,
@@ -13538,7 +13647,7 @@ fn prepass_main(in: Varying, @builtin(front_facing) front: bool) -> BeforeShadin
         name: "shell_prepass_main",
         sampling: None,
         uses: &["BeforeShading", "NEVER", "Varying", "may_meet", "numbered_pixel", "numbered_triangle", "point_of_pass", "prepass_of"],
-        text: r#"// The same of boxes around shells.
+        text: r#"// The depth of a fragment of a box around a shell.
 @fragment
 fn shell_prepass_main(in: Varying) -> BeforeShading {
     let point = point_of_pass(in.position.xy);
@@ -13564,7 +13673,7 @@ fn cover_vertex(@builtin(vertex_index) vertex: u32) -> @builtin(position) vec4f 
         name: "NearestInShells",
         sampling: None,
         uses: &["FirstHit"],
-        text: r#"// What a ray first hits in all shells, and the triangle and the side of it.
+        text: r#"// The first hit of a ray in all shells, with its triangle and side.
 struct NearestInShells {
     first: FirstHit,
     triangle: u32,
@@ -13585,8 +13694,8 @@ struct NearestInShells {
         name: "nearer_in_shells",
         sampling: None,
         uses: &["NearestInShells", "is_before"],
-        text: r#"// The nearer of what is known and of another hit; of equally near ones that of the triangle with the lowest
-// number, first of those that are not turned over.
+        text: r#"// The nearer of two hits. Ties go to the lower triangle number, and to the side that is not turned
+// over.
 fn nearer_in_shells(known: NearestInShells, other: NearestInShells) -> NearestInShells {
     let is_before = other.side > known.side || (other.side == known.side && other.triangle < known.triangle);
     let is_nearer = other.first.key > known.first.key || (other.first.key == known.first.key && is_before);
@@ -13601,7 +13710,7 @@ fn nearer_in_shells(known: NearestInShells, other: NearestInShells) -> NearestIn
         name: "last_side",
         sampling: None,
         uses: &["SHELL_BOTH_SIDES"],
-        text: r#"// The last side of a leaf's triangle that is looked at, after 1.
+        text: r#"// The last side of a leaf's triangle that is traced; the first is 1.
 fn last_side(leaf: u32) -> f32 {
     return select(1.0, -1.0, (leaf & SHELL_BOTH_SIDES) != 0u);
 }"#,
@@ -13613,8 +13722,9 @@ fn last_side(leaf: u32) -> f32 {
         uses: &["FirstHit", "NEVER", "NOWHERE", "NO_COST", "NearestInShells", "PixelIn", "SHELL_FOLDED", "SHELL_TRIANGLE", "enter_relief", "hit_on_segment", "last_side", "may_meet", "miss", "nearer_in_shells", "nothing_in_shells", "numbered_pixel", "numbered_triangle", "passed_by", "reach_of", "segment_of", "shell_nodes", "trace", "tree_ray", "walk_begin", "walk_on"],
         text: r#"// The nearest hit of the ray through a point of the picture in the relief of all shells.
 //
-// A turn of the loop is a segment. Rays that are traced side by side wait for each other in every turn: so a
-// ray that is through with its shell goes on to the next, instead of waiting for those that are not.
+// One step of the loop is a segment. Rays that are traced side by side wait for each other in every
+// step. So a ray that is through with its shell goes on to the next, instead of waiting for the
+// others.
 fn nearest_in_shells(point: vec2f) -> NearestInShells {
     let ray = tree_ray(point);
     var nearest = nothing_in_shells();
@@ -13681,7 +13791,8 @@ fn nearest_in_shells(point: vec2f) -> NearestInShells {
         name: "nearest_of_objects",
         sampling: None,
         uses: &["NEVER", "NOWHERE", "NearestInShells", "SHELL_TRIANGLE", "enter_relief", "first_hit", "last_side", "nearer_in_shells", "nothing_in_shells", "numbered_pixel", "reach_of", "shell_nodes", "tree_ray", "walk_begin", "walk_on"],
-        text: r#"// The same of objects: they fill all of their boxes, and know themselves what of them is hit first.
+        text: r#"// The nearest hit of the ray through a point of the picture in all objects. Objects fill all of
+// their boxes, and find their first hit themselves.
 fn nearest_of_objects(point: vec2f) -> NearestInShells {
     let ray = tree_ray(point);
     var nearest = nothing_in_shells();

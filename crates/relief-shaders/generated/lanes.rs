@@ -54,36 +54,6 @@ lanes! { fn zero_hit() -> Hit {
 } }
 
 #[derive(Clone, Copy)]
-pub struct Found {
-    pub status: U,
-    pub near: F,
-    pub far: F,
-    pub near_gap: F,
-    pub far_gap: F,
-    pub cost: Vec3<U>,
-}
-lanes! { fn sel_found(m: M, a: &Found, b: &Found) -> Found {
-    Found {
-        status: sel_u(m, a.status, b.status),
-        near: sel(m, a.near, b.near),
-        far: sel(m, a.far, b.far),
-        near_gap: sel(m, a.near_gap, b.near_gap),
-        far_gap: sel(m, a.far_gap, b.far_gap),
-        cost: Vec3 { x: sel_u(m, a.cost.x, b.cost.x), y: sel_u(m, a.cost.y, b.cost.y), z: sel_u(m, a.cost.z, b.cost.z) },
-    }
-} }
-lanes! { fn zero_found() -> Found {
-    Found {
-        status: splat_u(0u32),
-        near: splat(0f32),
-        far: splat(0f32),
-        near_gap: splat(0f32),
-        far_gap: splat(0f32),
-        cost: Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) },
-    }
-} }
-
-#[derive(Clone, Copy)]
 pub struct Grid {
     pub origin: Vec2<F>,
     pub step: Vec2<F>,
@@ -143,6 +113,36 @@ lanes! { fn zero_path() -> Path {
         start: splat(0f32),
         share: splat(0f32),
         bend: splat(0f32),
+    }
+} }
+
+#[derive(Clone, Copy)]
+pub struct SearchResult {
+    pub status: U,
+    pub near: F,
+    pub far: F,
+    pub near_gap: F,
+    pub far_gap: F,
+    pub cost: Vec3<U>,
+}
+lanes! { fn sel_search_result(m: M, a: &SearchResult, b: &SearchResult) -> SearchResult {
+    SearchResult {
+        status: sel_u(m, a.status, b.status),
+        near: sel(m, a.near, b.near),
+        far: sel(m, a.far, b.far),
+        near_gap: sel(m, a.near_gap, b.near_gap),
+        far_gap: sel(m, a.far_gap, b.far_gap),
+        cost: Vec3 { x: sel_u(m, a.cost.x, b.cost.x), y: sel_u(m, a.cost.y, b.cost.y), z: sel_u(m, a.cost.z, b.cost.z) },
+    }
+} }
+lanes! { fn zero_search_result() -> SearchResult {
+    SearchResult {
+        status: splat_u(0u32),
+        near: splat(0f32),
+        far: splat(0f32),
+        near_gap: splat(0f32),
+        far_gap: splat(0f32),
+        cost: Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) },
     }
 } }
 
@@ -282,9 +282,9 @@ lanes! { fn path_gap(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F) -> F
     let e_5 = height_at(r, ex, e_3, path_a0.level);
     return sub(e_2, e_5);
 } }
-lanes! { fn bracket_between(r: &Resources<'_>, within: M, path_a0: &Path, near_a1: F, far_a2: F, cost_a3: Vec3<U>) -> Found {
+lanes! { fn bracket_between(r: &Resources<'_>, within: M, path_a0: &Path, near_a1: F, far_a2: F, cost_a3: Vec3<U>) -> SearchResult {
     let mut ex = within;
-    let mut ret: Found = zero_found();
+    let mut ret: SearchResult = zero_search_result();
     let mut both_v0: M = splat_m(false);
     let gap_4 = path_gap(r, ex, path_a0, near_a1);
     both_v0 = and(eq(near_a1, splat(0.0f32)), lt(gap_4, splat(0.0f32)));
@@ -292,13 +292,13 @@ lanes! { fn bracket_between(r: &Resources<'_>, within: M, path_a0: &Path, near_a
     let (b1, c2) = (ex, e_12);
     ex = and(b1, c2);
     if any(ex) {
-        ret = Found { status: splat_u(5u32), near: splat(0.0f32), far: splat(0.0f32), near_gap: gap_4, far_gap: gap_4, cost: Vec3 { x: add_u(cost_a3.x, splat_u(1u32)), y: add_u(cost_a3.y, splat_u(0u32)), z: add_u(cost_a3.z, splat_u(16u32)) }, };
+        ret = SearchResult { status: splat_u(5u32), near: splat(0.0f32), far: splat(0.0f32), near_gap: gap_4, far_gap: gap_4, cost: Vec3 { x: add_u(cost_a3.x, splat_u(1u32)), y: add_u(cost_a3.y, splat_u(0u32)), z: add_u(cost_a3.z, splat_u(16u32)) }, };
         ex = no_lane();
     }
     ex = and_not(b1, c2);
     if none(ex) { return ret; }
     let e_20 = path_gap(r, ex, path_a0, far_a2);
-    return sel_found(ex, &Found { status: splat_u(3u32), near: near_a1, far: far_a2, near_gap: gap_4, far_gap: e_20, cost: Vec3 { x: add_u(add_u(cost_a3.x, splat_u(1u32)), splat_u(1u32)), y: add_u(add_u(cost_a3.y, splat_u(0u32)), splat_u(0u32)), z: add_u(add_u(cost_a3.z, splat_u(16u32)), splat_u(16u32)) }, }, &ret);
+    return sel_search_result(ex, &SearchResult { status: splat_u(3u32), near: near_a1, far: far_a2, near_gap: gap_4, far_gap: e_20, cost: Vec3 { x: add_u(add_u(cost_a3.x, splat_u(1u32)), splat_u(1u32)), y: add_u(add_u(cost_a3.y, splat_u(0u32)), splat_u(0u32)), z: add_u(add_u(cost_a3.z, splat_u(16u32)), splat_u(16u32)) }, }, &ret);
 } }
 lanes! { fn cell_after(r: &Resources<'_>, grid_a0: &Grid, cell_a1: Vec2<F>, leave_a2: Vec2<F>, forward_a3: Vec2<M>, t_a4: F) -> Vec2<F> {
     let near_9 = cell_of(r, Vec2 { x: add(grid_a0.origin.x, mul(grid_a0.step.x, t_a4)), y: add(grid_a0.origin.y, mul(grid_a0.step.y, t_a4)) });
@@ -550,9 +550,9 @@ lanes! { fn distance_at(r: &Resources<'_>, within: M, path_a0: &Path, uv_a1: Vec
     let e_21 = search_texel_between_lll(r, ex, path_a0, uv_a1, i_of_f(min(add(below_11, splat(1.0f32)), splat((slices_a3 - 1.0f32)))));
     return add(e_13.x, mul(sub(e_21.x, e_13.x), sub(place_10, below_11)));
 } }
-stage! { fn entered_once(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: &Grid, above_a2: F, below_a3: F, above_gap_a4: F, below_gap_a5: F, so_far_a6: Vec3<U>) -> Found {
+stage! { fn entered_once(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: &Grid, above_a2: F, below_a3: F, above_gap_a4: F, below_gap_a5: F, so_far_a6: Vec3<U>) -> SearchResult {
     let mut ex = within;
-    let mut ret: Found = zero_found();
+    let mut ret: SearchResult = zero_search_result();
     let mut near_v0: F = splat(0f32);
     let mut far_v1: F = splat(0f32);
     let mut near_gap_v2: F = splat(0f32);
@@ -600,7 +600,7 @@ stage! { fn entered_once(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: 
     let e_51 = near_gap_v2;
     let e_52 = far_gap_v3;
     let e_53 = cost_v4;
-    return Found { status: splat_u(3u32), near: e_49, far: e_50, near_gap: e_51, far_gap: e_52, cost: e_53, };
+    return SearchResult { status: splat_u(3u32), near: e_49, far: e_50, near_gap: e_51, far_gap: e_52, cost: e_53, };
 } }
 lanes! { fn least_at(r: &Resources<'_>, within: M, c_a0: Vec3<F>, span_a1: F) -> F {
     let mut ex = within;
@@ -662,7 +662,7 @@ lanes! { fn hit_on_path(r: &Resources<'_>, within: M, path_a0: &Path, t_a1: F, e
     let e_20 = path_height(r, path_a0, inside_17);
     return sel_hit(ex, &Hit { found: splat_u(1u32), exhausted: exhausted_a2, uv: e_19, height: e_20, t: inside_17, cost: cost_a3, }, &ret);
 } }
-lanes! { fn starting_point(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found) -> F {
+lanes! { fn starting_point(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult) -> F {
     let mut ex = within;
     let mut ret: F = splat(0f32);
     let mut both_v0: M = splat_m(false);
@@ -676,7 +676,7 @@ lanes! { fn starting_point(r: &Resources<'_>, within: M, path_a0: &Path, found_a
     ex = and_not(ex, c2);
     return sel(ex, found_a1.near, ret);
 } }
-lanes! { fn refine_none(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+lanes! { fn refine_none(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult, params_a2: Vec4<f32>) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
     let (b1, c2) = (ex, eq_u(found_a1.status, splat_u(0u32)));
@@ -693,7 +693,7 @@ lanes! { fn refine_none(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: 
     let e_16 = hit_on_path(r, ex, path_a0, e_14, exhausted_13, Vec3 { x: found_a1.cost.x, y: found_a1.cost.y, z: found_a1.cost.z });
     return sel_hit(ex, &e_16, &ret);
 } }
-lanes! { fn refine_offset(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+lanes! { fn refine_offset(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult, params_a2: Vec4<f32>) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
     let mut t_v0: F = splat(0f32);
@@ -722,7 +722,7 @@ lanes! { fn refine_offset(r: &Resources<'_>, within: M, path_a0: &Path, found_a1
     let e_30 = hit_on_path(r, ex, path_a0, e_20, sel_u(eq_u(found_a1.status, splat_u(4u32)), splat_u(1u32), splat_u(0u32)), Vec3 { x: add_u(found_a1.cost.x, splat_u(1u32)), y: add_u(found_a1.cost.y, splat_u(0u32)), z: add_u(found_a1.cost.z, splat_u(16u32)) });
     return sel_hit(ex, &e_30, &ret);
 } }
-lanes! { fn refine_offset_limited(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+lanes! { fn refine_offset_limited(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult, params_a2: Vec4<f32>) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
     let mut hit_v0: Hit = zero_hit();
@@ -754,7 +754,7 @@ lanes! { fn normal_z(r: &Resources<'_>, path_a0: &Path, slope_a1: Vec2<F>) -> F 
     let squared_29 = div(add(sub(mul(mul(slope_a1.x, slope_a1.x), path_a0.metric.z), mul(mul(mul(splat(2.0f32), slope_a1.x), slope_a1.y), path_a0.metric.y)), mul(mul(slope_a1.y, slope_a1.y), path_a0.metric.x)), area_9);
     return div(splat(1.0f32), sqrt(add(splat(1.0f32), mul(mul(path_a0.metric.w, path_a0.metric.w), squared_29))));
 } }
-lanes! { fn refine_slope(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+lanes! { fn refine_slope(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult, params_a2: Vec4<f32>) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
     let mut t_v0: F = splat(0f32);
@@ -786,7 +786,7 @@ lanes! { fn refine_slope(r: &Resources<'_>, within: M, path_a0: &Path, found_a1:
     let e_53 = hit_on_path(r, ex, path_a0, e_43, sel_u(eq_u(found_a1.status, splat_u(4u32)), splat_u(1u32), splat_u(0u32)), Vec3 { x: add_u(found_a1.cost.x, splat_u(1u32)), y: add_u(found_a1.cost.y, splat_u(0u32)), z: add_u(found_a1.cost.z, splat_u(16u32)) });
     return sel_hit(ex, &e_53, &ret);
 } }
-stage! { fn refine_slope_iterative(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+stage! { fn refine_slope_iterative(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult, params_a2: Vec4<f32>) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
     let mut t_v0: F = splat(0f32);
@@ -842,7 +842,7 @@ stage! { fn refine_slope_iterative(r: &Resources<'_>, within: M, path_a0: &Path,
     let e_76 = hit_on_path(r, ex, path_a0, e_68, sel_u(eq_u(found_a1.status, splat_u(4u32)), splat_u(1u32), splat_u(0u32)), e_75);
     return sel_hit(ex, &e_76, &ret);
 } }
-lanes! { fn has_interval(r: &Resources<'_>, within: M, found_a0: &Found) -> M {
+lanes! { fn has_interval(r: &Resources<'_>, within: M, found_a0: &SearchResult) -> M {
     let mut ex = within;
     let mut ret: M = splat_m(false);
     let mut both_v0: M = splat_m(false);
@@ -865,7 +865,7 @@ lanes! { fn has_interval(r: &Resources<'_>, within: M, found_a0: &Found) -> M {
     let e_26 = both_v0;
     return e_26;
 } }
-stage! { fn refine_binary(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+stage! { fn refine_binary(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult, params_a2: Vec4<f32>) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
     let mut near_v0: F = splat(0f32);
@@ -939,7 +939,7 @@ stage! { fn refine_binary(r: &Resources<'_>, within: M, path_a0: &Path, found_a1
     let e_59 = hit_on_path(r, ex, path_a0, mul(splat(0.5f32), add(e_52, e_53)), splat_u(0u32), e_58);
     return sel_hit(ex, &e_59, &ret);
 } }
-stage! { fn refine_secant(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+stage! { fn refine_secant(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult, params_a2: Vec4<f32>) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
     let mut near_v0: F = splat(0f32);
@@ -1039,7 +1039,7 @@ stage! { fn refine_secant(r: &Resources<'_>, within: M, path_a0: &Path, found_a1
     let e_75 = hit_on_path(r, ex, path_a0, e_72, splat_u(0u32), e_74);
     return sel_hit(ex, &e_75, &ret);
 } }
-stage! { fn refine_true_secant(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+stage! { fn refine_true_secant(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult, params_a2: Vec4<f32>) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
     let mut before_v0: F = splat(0f32);
@@ -1134,7 +1134,7 @@ stage! { fn refine_true_secant(r: &Resources<'_>, within: M, path_a0: &Path, fou
     let e_72 = hit_on_path(r, ex, path_a0, e_69, splat_u(0u32), e_71);
     return sel_hit(ex, &e_72, &ret);
 } }
-stage! { fn refine_patch(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+stage! { fn refine_patch(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult, params_a2: Vec4<f32>) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
     let mut alive = ex;
@@ -1258,7 +1258,7 @@ stage! { fn refine_patch(r: &Resources<'_>, within: M, path_a0: &Path, found_a1:
     let e_103 = hit_on_path(r, ex, path_a0, e_100, splat_u(1u32), e_102);
     return sel_hit(ex, &e_103, &ret);
 } }
-lanes! { fn refine_half_texel(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found, params_a2: Vec4<f32>) -> Hit {
+lanes! { fn refine_half_texel(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult, params_a2: Vec4<f32>) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
     let mut part_v0: F = splat(0.5f32);
@@ -1297,7 +1297,7 @@ lanes! { fn refine_half_texel(r: &Resources<'_>, within: M, path_a0: &Path, foun
     let e_49 = hit_on_path(r, ex, path_a0, add(backward_23, mul(sub(forward_27, backward_23), e_45)), splat_u(0u32), cost_43);
     return sel_hit(ex, &e_49, &ret);
 } }
-lanes! { fn refine_stage(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &Found) -> Hit {
+lanes! { fn refine_stage(r: &Resources<'_>, within: M, path_a0: &Path, found_a1: &SearchResult) -> Hit {
     let mut ex = within;
     let mut ret: Hit = zero_hit();
     match r.surface_settings.choices[6].number {
@@ -1343,12 +1343,12 @@ lanes! { fn refine_stage(r: &Resources<'_>, within: M, path_a0: &Path, found_a1:
         }
     }
 } }
-lanes! { fn search_none(r: &Resources<'_>, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
-    return Found { status: splat_u(6u32), near: splat(0.0f32), far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) }, };
+lanes! { fn search_none(r: &Resources<'_>, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
+    return SearchResult { status: splat_u(6u32), near: splat(0.0f32), far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: Vec3 { x: splat_u(0u32), y: splat_u(0u32), z: splat_u(0u32) }, };
 } }
-stage! { fn search_linear(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+stage! { fn search_linear(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
     let mut ex = within;
-    let mut ret: Found = zero_found();
+    let mut ret: SearchResult = zero_search_result();
     let mut alive = ex;
     let mut near_v0: F = splat(0.0f32);
     let mut near_gap_v1: F = splat(0f32);
@@ -1365,7 +1365,7 @@ stage! { fn search_linear(r: &Resources<'_>, within: M, path_a0: &Path, params_a
         let e_32 = near_gap_v1;
         let e_33 = near_gap_v1;
         let e_34 = cost_v2;
-        ret = Found { status: splat_u(5u32), near: splat(0.0f32), far: splat(0.0f32), near_gap: e_32, far_gap: e_33, cost: e_34, };
+        ret = SearchResult { status: splat_u(5u32), near: splat(0.0f32), far: splat(0.0f32), near_gap: e_32, far_gap: e_33, cost: e_34, };
         ex = no_lane();
     }
     ex = and_not(b1, c2);
@@ -1391,7 +1391,7 @@ stage! { fn search_linear(r: &Resources<'_>, within: M, path_a0: &Path, params_a
             let e_56 = near_v0;
             let e_57 = near_gap_v1;
             let e_58 = cost_v2;
-            ret = sel_found(ex, &Found { status: splat_u(3u32), near: e_56, far: t_48, near_gap: e_57, far_gap: gap_49, cost: e_58, }, &ret);
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(3u32), near: e_56, far: t_48, near_gap: e_57, far_gap: gap_49, cost: e_58, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -1408,11 +1408,11 @@ stage! { fn search_linear(r: &Resources<'_>, within: M, path_a0: &Path, params_a
     let e_66 = near_gap_v1;
     let e_67 = near_gap_v1;
     let e_68 = cost_v2;
-    return sel_found(ex, &Found { status: splat_u(0u32), near: e_64, far: e_65, near_gap: e_66, far_gap: e_67, cost: e_68, }, &ret);
+    return sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: e_64, far: e_65, near_gap: e_66, far_gap: e_67, cost: e_68, }, &ret);
 } }
-lanes! { fn found_in_cell(r: &Resources<'_>, within: M, c_a0: Vec3<F>, t_a1: F, span_a2: F, first_a3: M, cost_a4: Vec3<U>) -> Found {
+lanes! { fn found_in_cell(r: &Resources<'_>, within: M, c_a0: Vec3<F>, t_a1: F, span_a2: F, first_a3: M, cost_a4: Vec3<U>) -> SearchResult {
     let mut ex = within;
-    let mut ret: Found = zero_found();
+    let mut ret: SearchResult = zero_search_result();
     let mut both_v0: M = splat_m(false);
     let (b1, c2) = (ex, le(c_a0.x, splat(0.0f32)));
     ex = and(b1, c2);
@@ -1422,22 +1422,22 @@ lanes! { fn found_in_cell(r: &Resources<'_>, within: M, c_a0: Vec3<F>, t_a1: F, 
         let (b3, c4) = (ex, e_14);
         ex = and(b3, c4);
         if any(ex) {
-            ret = Found { status: splat_u(5u32), near: splat(0.0f32), far: splat(0.0f32), near_gap: c_a0.x, far_gap: c_a0.x, cost: cost_a4, };
+            ret = SearchResult { status: splat_u(5u32), near: splat(0.0f32), far: splat(0.0f32), near_gap: c_a0.x, far_gap: c_a0.x, cost: cost_a4, };
             ex = no_lane();
         }
         ex = and_not(b3, c4);
-        ret = sel_found(ex, &Found { status: splat_u(3u32), near: t_a1, far: t_a1, near_gap: c_a0.x, far_gap: c_a0.x, cost: cost_a4, }, &ret);
+        ret = sel_search_result(ex, &SearchResult { status: splat_u(3u32), near: t_a1, far: t_a1, near_gap: c_a0.x, far_gap: c_a0.x, cost: cost_a4, }, &ret);
         ex = no_lane();
     }
     ex = and_not(b1, c2);
     if none(ex) { return ret; }
     let s_25 = least_at(r, ex, c_a0, span_a2);
     let e_29 = quadratic(r, c_a0, s_25);
-    return sel_found(ex, &Found { status: splat_u(3u32), near: t_a1, far: add(t_a1, s_25), near_gap: c_a0.x, far_gap: e_29, cost: cost_a4, }, &ret);
+    return sel_search_result(ex, &SearchResult { status: splat_u(3u32), near: t_a1, far: add(t_a1, s_25), near_gap: c_a0.x, far_gap: e_29, cost: cost_a4, }, &ret);
 } }
-stage! { fn search_cells(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+stage! { fn search_cells(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
     let mut ex = within;
-    let mut ret: Found = zero_found();
+    let mut ret: SearchResult = zero_search_result();
     let mut alive = ex;
     let mut cell_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
     let mut t_v1: F = splat(0.0f32);
@@ -1474,7 +1474,7 @@ stage! { fn search_cells(r: &Resources<'_>, within: M, path_a0: &Path, params_a1
             let e_38 = cost_v2.x;
             let e_41 = cost_v2;
             let e_42 = found_in_cell(r, ex, c_20, e_36, span_34, eq_u(e_38, splat_u(1u32)), e_41);
-            ret = sel_found(ex, &e_42, &ret);
+            ret = sel_search_result(ex, &e_42, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -1486,7 +1486,7 @@ stage! { fn search_cells(r: &Resources<'_>, within: M, path_a0: &Path, params_a1
             let e_46 = t_v1;
             let e_49 = quadratic(r, c_20, span_34);
             let e_50 = cost_v2;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_46, far: path_a0.exit, near_gap: c_20.x, far_gap: e_49, cost: e_50, }, &ret);
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: e_46, far: path_a0.exit, near_gap: c_20.x, far_gap: e_49, cost: e_50, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -1501,7 +1501,7 @@ stage! { fn search_cells(r: &Resources<'_>, within: M, path_a0: &Path, params_a1
     ex = and(b2, alive);
     let e_57 = t_v1;
     let e_59 = cost_v2;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_57, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_59, }, &ret);
+    return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_57, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_59, }, &ret);
 } }
 lanes! { fn image_of(r: &Resources<'_>, within: M, cell_a0: I, n_a1: i32) -> Vec2<I> {
     let mut ex = within;
@@ -1580,9 +1580,9 @@ lanes! { fn stays_above(r: &Resources<'_>, within: M, above_a0: Vec3<F>, slope_a
     ex = and_not(ex, c4);
     return sel(ex, splat(3e38f32), ret);
 } }
-stage! { fn search_frustum(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+stage! { fn search_frustum(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
     let mut ex = within;
-    let mut ret: Found = zero_found();
+    let mut ret: SearchResult = zero_search_result();
     let mut alive = ex;
     let mut cell_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
     let mut t_v1: F = splat(0.0f32);
@@ -1668,7 +1668,7 @@ stage! { fn search_frustum(r: &Resources<'_>, within: M, path_a0: &Path, params_
                 let e_107 = t_v1;
                 let e_108 = cost_v2;
                 let e_109 = found_in_cell(r, ex, c_105, e_107, span_44, first_26, e_108);
-                ret = sel_found(ex, &e_109, &ret);
+                ret = sel_search_result(ex, &e_109, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
@@ -1706,7 +1706,7 @@ stage! { fn search_frustum(r: &Resources<'_>, within: M, path_a0: &Path, params_
         if any(ex) {
             let e_166 = t_v1;
             let e_168 = cost_v2;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_166, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_168, }, &ret);
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: e_166, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_168, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -1736,7 +1736,7 @@ stage! { fn search_frustum(r: &Resources<'_>, within: M, path_a0: &Path, params_
     ex = and(b2, alive);
     let e_182 = t_v1;
     let e_184 = cost_v2;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_182, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_184, }, &ret);
+    return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_182, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_184, }, &ret);
 } }
 lanes! { fn nearest_corner(r: &Resources<'_>, at_a0: Vec2<F>) -> Vec2<F> {
     return Vec2 { x: sel(ge(at_a0.x, splat(0.5f32)), splat(1.0f32), splat(0.0f32)), y: sel(ge(at_a0.y, splat(0.5f32)), splat(1.0f32), splat(0.0f32)) };
@@ -1798,9 +1798,9 @@ lanes! { fn stays_inside(r: &Resources<'_>, within: M, path_a0: &Path, grid_a1: 
     ex = and_not(ex, c7);
     return sel(ex, splat(0.0f32), ret);
 } }
-stage! { fn search_cone(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+stage! { fn search_cone(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
     let mut ex = within;
-    let mut ret: Found = zero_found();
+    let mut ret: SearchResult = zero_search_result();
     let mut alive = ex;
     let mut cell_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
     let mut t_v1: F = splat(0.0f32);
@@ -1877,7 +1877,7 @@ stage! { fn search_cone(r: &Resources<'_>, within: M, path_a0: &Path, params_a1:
                 let e_78 = t_v1;
                 let e_79 = cost_v2;
                 let e_80 = found_in_cell(r, ex, c_76, e_78, span_44, first_26, e_79);
-                ret = sel_found(ex, &e_80, &ret);
+                ret = sel_search_result(ex, &e_80, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
@@ -1895,7 +1895,7 @@ stage! { fn search_cone(r: &Resources<'_>, within: M, path_a0: &Path, params_a1:
         if any(ex) {
             let e_87 = t_v1;
             let e_89 = cost_v2;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_87, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_89, }, &ret);
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: e_87, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_89, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -1911,7 +1911,7 @@ stage! { fn search_cone(r: &Resources<'_>, within: M, path_a0: &Path, params_a1:
     ex = and(b2, alive);
     let e_98 = t_v1;
     let e_100 = cost_v2;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_98, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_100, }, &ret);
+    return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_98, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_100, }, &ret);
 } }
 lanes! { fn node_extent(r: &Resources<'_>, within: M, cell_a0: I, image_a1: Vec2<I>, n_a2: i32, level_a3: U) -> Vec2<I> {
     let mut ex = within;
@@ -1948,9 +1948,9 @@ lanes! { fn leaves_extent(r: &Resources<'_>, within: M, origin_a0: F, step_a1: F
     ex = and_not(ex, c2);
     return sel(ex, splat(3e38f32), ret);
 } }
-stage! { fn search_pyramid(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+stage! { fn search_pyramid(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
     let mut ex = within;
-    let mut ret: Found = zero_found();
+    let mut ret: SearchResult = zero_search_result();
     let mut alive = ex;
     let mut top_v0: u32 = 0u32;
     let mut level_v1: U = splat_u(0u32);
@@ -2046,7 +2046,7 @@ stage! { fn search_pyramid(r: &Resources<'_>, within: M, path_a0: &Path, params_
                     let e_155 = t_v4;
                     let e_158 = cost_v5;
                     let e_159 = found_in_cell(r, ex, c_152, e_154, span_129, eq(e_155, splat(0.0f32)), e_158);
-                    ret = sel_found(ex, &e_159, &ret);
+                    ret = sel_search_result(ex, &e_159, &ret);
                     alive = and_not(alive, ex);
                     live6 = and_not(live6, ex);
                     ex = no_lane();
@@ -2104,7 +2104,7 @@ stage! { fn search_pyramid(r: &Resources<'_>, within: M, path_a0: &Path, params_
             if any(ex) {
                 let e_231 = t_v4;
                 let e_233 = cost_v5;
-                ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_231, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_233, }, &ret);
+                ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: e_231, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_233, }, &ret);
                 alive = and_not(alive, ex);
                 live6 = and_not(live6, ex);
                 ex = no_lane();
@@ -2131,7 +2131,7 @@ stage! { fn search_pyramid(r: &Resources<'_>, within: M, path_a0: &Path, params_
     ex = and(b5, alive);
     let e_280 = t_v4;
     let e_282 = cost_v5;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_280, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_282, }, &ret);
+    return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_280, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_282, }, &ret);
 } }
 lanes! { fn texel_extent(r: &Resources<'_>, within: M, texel_a0: I, n_a1: i32, level_a2: U) -> Vec2<I> {
     let mut ex = within;
@@ -2159,9 +2159,9 @@ lanes! { fn texel_extent(r: &Resources<'_>, within: M, texel_a0: I, n_a1: i32, l
     let y5 = Vec2 { x: texel_a0, y: add_i(texel_a0, splat_i(1i32)) };
     return Vec2 { x: sel_i(ex, y5.x, ret.x), y: sel_i(ex, y5.y, ret.y) };
 } }
-stage! { fn search_pyramid_texels(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+stage! { fn search_pyramid_texels(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
     let mut ex = within;
-    let mut ret: Found = zero_found();
+    let mut ret: SearchResult = zero_search_result();
     let mut alive = ex;
     let mut level_v0: U = splat_u(0u32);
     let mut texel_v1: Vec2<I> = Vec2 { x: splat_i(0i32), y: splat_i(0i32) };
@@ -2274,7 +2274,7 @@ stage! { fn search_pyramid_texels(r: &Resources<'_>, within: M, path_a0: &Path, 
             if any(ex) {
                 let e_148 = t_v2;
                 let e_149 = cost_v3;
-                ret = sel_found(ex, &Found { status: splat_u(2u32), near: splat(0.0f32), far: e_148, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_149, }, &ret);
+                ret = sel_search_result(ex, &SearchResult { status: splat_u(2u32), near: splat(0.0f32), far: e_148, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_149, }, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
@@ -2294,7 +2294,7 @@ stage! { fn search_pyramid_texels(r: &Resources<'_>, within: M, path_a0: &Path, 
             if any(ex) {
                 let e_166 = t_v2;
                 let e_168 = cost_v3;
-                ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_166, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_168, }, &ret);
+                ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: e_166, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_168, }, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
@@ -2314,7 +2314,7 @@ stage! { fn search_pyramid_texels(r: &Resources<'_>, within: M, path_a0: &Path, 
     ex = and(b5, alive);
     let e_200 = t_v2;
     let e_202 = cost_v3;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_200, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_202, }, &ret);
+    return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_200, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_202, }, &ret);
 } }
 lanes! { fn leaves_window(r: &Resources<'_>, grid_a0: &Grid, cell_a1: Vec2<F>, radius_a2: f32) -> F {
     let wide_3 = Vec2 { x: radius_a2, y: radius_a2 };
@@ -2323,9 +2323,9 @@ lanes! { fn leaves_window(r: &Resources<'_>, grid_a0: &Grid, cell_a1: Vec2<F>, r
     let leave_13 = Vec2 { x: sel(gt(grid_a0.step.x, splat(0.0f32)), leave_high_7.x, leave_low_5.x), y: sel(gt(grid_a0.step.y, splat(0.0f32)), leave_high_7.y, leave_low_5.y) };
     return min(leave_13.x, leave_13.y);
 } }
-stage! { fn search_dilation_erosion(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+stage! { fn search_dilation_erosion(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
     let mut ex = within;
-    let mut ret: Found = zero_found();
+    let mut ret: SearchResult = zero_search_result();
     let mut alive = ex;
     let mut cell_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
     let mut t_v1: F = splat(0.0f32);
@@ -2431,7 +2431,7 @@ stage! { fn search_dilation_erosion(r: &Resources<'_>, within: M, path_a0: &Path
                 let e_140 = safe_v2;
                 let e_141 = cost_v3;
                 let e_142 = bracket_between(r, ex, path_a0, e_140, end_33, e_141);
-                ret = sel_found(ex, &e_142, &ret);
+                ret = sel_search_result(ex, &e_142, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
@@ -2465,7 +2465,7 @@ stage! { fn search_dilation_erosion(r: &Resources<'_>, within: M, path_a0: &Path
                     let e_164 = t_v1;
                     let e_167 = cost_v3;
                     let e_168 = found_in_cell(r, ex, c_161, e_163, span_37, eq(e_164, splat(0.0f32)), e_167);
-                    ret = sel_found(ex, &e_168, &ret);
+                    ret = sel_search_result(ex, &e_168, &ret);
                     alive = and_not(alive, ex);
                     ex = no_lane();
                 }
@@ -2487,7 +2487,7 @@ stage! { fn search_dilation_erosion(r: &Resources<'_>, within: M, path_a0: &Path
         if any(ex) {
             let e_175 = t_v1;
             let e_177 = cost_v3;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_175, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_177, }, &ret);
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: e_175, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_177, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -2503,11 +2503,11 @@ stage! { fn search_dilation_erosion(r: &Resources<'_>, within: M, path_a0: &Path
     ex = and(b2, alive);
     let e_186 = t_v1;
     let e_188 = cost_v3;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_186, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_188, }, &ret);
+    return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_186, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_188, }, &ret);
 } }
-stage! { fn search_sphere(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+stage! { fn search_sphere(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
     let mut ex = within;
-    let mut ret: Found = zero_found();
+    let mut ret: SearchResult = zero_search_result();
     let mut alive = ex;
     let mut cell_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
     let mut t_v1: F = splat(0.0f32);
@@ -2566,7 +2566,7 @@ stage! { fn search_sphere(r: &Resources<'_>, within: M, path_a0: &Path, params_a
             if any(ex) {
                 let e_110 = t_v1;
                 let e_112 = cost_v2;
-                ret = sel_found(ex, &Found { status: splat_u(1u32), near: e_110, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_112, }, &ret);
+                ret = sel_search_result(ex, &SearchResult { status: splat_u(1u32), near: e_110, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_112, }, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
@@ -2596,7 +2596,7 @@ stage! { fn search_sphere(r: &Resources<'_>, within: M, path_a0: &Path, params_a
                     let e_138 = t_v1;
                     let e_141 = cost_v2;
                     let e_142 = found_in_cell(r, ex, c_135, e_137, span_76, eq(e_138, splat(0.0f32)), e_141);
-                    ret = sel_found(ex, &e_142, &ret);
+                    ret = sel_search_result(ex, &e_142, &ret);
                     alive = and_not(alive, ex);
                     ex = no_lane();
                 }
@@ -2615,7 +2615,7 @@ stage! { fn search_sphere(r: &Resources<'_>, within: M, path_a0: &Path, params_a
         if any(ex) {
             let e_149 = t_v1;
             let e_151 = cost_v2;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_149, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_151, }, &ret);
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: e_149, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_151, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -2631,11 +2631,11 @@ stage! { fn search_sphere(r: &Resources<'_>, within: M, path_a0: &Path, params_a
     ex = and(b2, alive);
     let e_160 = t_v1;
     let e_162 = cost_v2;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_160, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_162, }, &ret);
+    return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_160, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_162, }, &ret);
 } }
-stage! { fn search_cone_moved(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+stage! { fn search_cone_moved(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
     let mut ex = within;
-    let mut ret: Found = zero_found();
+    let mut ret: SearchResult = zero_search_result();
     let mut alive = ex;
     let mut t_v0: F = splat(0.0f32);
     let mut near_v1: F = splat(0.0f32);
@@ -2668,7 +2668,7 @@ stage! { fn search_cone_moved(r: &Resources<'_>, within: M, path_a0: &Path, para
             ex = and(b10, c11);
             if any(ex) {
                 let e_37 = cost_v3;
-                ret = sel_found(ex, &Found { status: splat_u(5u32), near: splat(0.0f32), far: splat(0.0f32), near_gap: gap_21, far_gap: gap_21, cost: e_37, }, &ret);
+                ret = sel_search_result(ex, &SearchResult { status: splat_u(5u32), near: splat(0.0f32), far: splat(0.0f32), near_gap: gap_21, far_gap: gap_21, cost: e_37, }, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
@@ -2677,7 +2677,7 @@ stage! { fn search_cone_moved(r: &Resources<'_>, within: M, path_a0: &Path, para
             let e_43 = t_v0;
             let e_44 = near_gap_v2;
             let e_45 = cost_v3;
-            ret = sel_found(ex, &Found { status: splat_u(3u32), near: e_42, far: e_43, near_gap: e_44, far_gap: gap_21, cost: e_45, }, &ret);
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(3u32), near: e_42, far: e_43, near_gap: e_44, far_gap: gap_21, cost: e_45, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -2712,7 +2712,7 @@ stage! { fn search_cone_moved(r: &Resources<'_>, within: M, path_a0: &Path, para
         if any(ex) {
             let e_112 = t_v0;
             let e_114 = cost_v3;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_112, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_114, }, &ret);
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: e_112, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_114, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -2726,7 +2726,7 @@ stage! { fn search_cone_moved(r: &Resources<'_>, within: M, path_a0: &Path, para
         if any(ex) {
             let e_128 = near_v1;
             let e_130 = cost_v3;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_128, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_130, }, &ret);
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: e_128, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_130, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -2741,11 +2741,11 @@ stage! { fn search_cone_moved(r: &Resources<'_>, within: M, path_a0: &Path, para
     if none(ex) { return ret; }
     let e_141 = path_height(r, path_a0, e_140);
     let e_142 = cost_v3;
-    return sel_found(ex, &Found { status: splat_u(1u32), near: e_138, far: path_a0.exit, near_gap: e_141, far_gap: splat(0.0f32), cost: e_142, }, &ret);
+    return sel_search_result(ex, &SearchResult { status: splat_u(1u32), near: e_138, far: path_a0.exit, near_gap: e_141, far_gap: splat(0.0f32), cost: e_142, }, &ret);
 } }
-stage! { fn search_relaxed_cone(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+stage! { fn search_relaxed_cone(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
     let mut ex = within;
-    let mut ret: Found = zero_found();
+    let mut ret: SearchResult = zero_search_result();
     let mut alive = ex;
     let mut cell_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
     let mut t_v1: F = splat(0.0f32);
@@ -2806,7 +2806,7 @@ stage! { fn search_relaxed_cone(r: &Resources<'_>, within: M, path_a0: &Path, pa
                 let e_90 = near_gap_v3;
                 let e_92 = cost_v4;
                 let e_93 = entered_once(r, ex, path_a0, &grid_2, e_88, e_89, e_90, c_71.x, e_92);
-                ret = sel_found(ex, &e_93, &ret);
+                ret = sel_search_result(ex, &e_93, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
@@ -2815,7 +2815,7 @@ stage! { fn search_relaxed_cone(r: &Resources<'_>, within: M, path_a0: &Path, pa
             let e_95 = t_v1;
             let e_98 = cost_v4;
             let e_99 = found_in_cell(r, ex, c_71, e_94, span_64, eq(e_95, splat(0.0f32)), e_98);
-            ret = sel_found(ex, &e_99, &ret);
+            ret = sel_search_result(ex, &e_99, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -2833,7 +2833,7 @@ stage! { fn search_relaxed_cone(r: &Resources<'_>, within: M, path_a0: &Path, pa
                 let e_109 = t_v1;
                 let e_112 = cost_v4;
                 let e_113 = found_in_cell(r, ex, c_71, e_108, span_64, eq(e_109, splat(0.0f32)), e_112);
-                ret = sel_found(ex, &e_113, &ret);
+                ret = sel_search_result(ex, &e_113, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
@@ -2851,7 +2851,7 @@ stage! { fn search_relaxed_cone(r: &Resources<'_>, within: M, path_a0: &Path, pa
         if any(ex) {
             let e_121 = t_v1;
             let e_123 = cost_v4;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_121, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_123, }, &ret);
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: e_121, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_123, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -2899,7 +2899,7 @@ stage! { fn search_relaxed_cone(r: &Resources<'_>, within: M, path_a0: &Path, pa
             let e_186 = t_v1;
             let e_188 = gap_v7;
             let e_189 = cost_v4;
-            ret = sel_found(ex, &Found { status: splat_u(1u32), near: e_186, far: path_a0.exit, near_gap: e_188, far_gap: splat(0.0f32), cost: e_189, }, &ret);
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(1u32), near: e_186, far: path_a0.exit, near_gap: e_188, far_gap: splat(0.0f32), cost: e_189, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -2920,14 +2920,14 @@ stage! { fn search_relaxed_cone(r: &Resources<'_>, within: M, path_a0: &Path, pa
                 let e_204 = gap_v7;
                 let e_205 = cost_v4;
                 let e_206 = entered_once(r, ex, path_a0, &grid_2, e_202, path_a0.exit, e_204, last_196, e_205);
-                ret = sel_found(ex, &e_206, &ret);
+                ret = sel_search_result(ex, &e_206, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
             ex = and_not(b27, c28);
             let e_208 = start_v6;
             let e_210 = cost_v4;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_208, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_210, }, &ret);
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: e_208, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_210, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -2943,11 +2943,11 @@ stage! { fn search_relaxed_cone(r: &Resources<'_>, within: M, path_a0: &Path, pa
     ex = and(b2, alive);
     let e_219 = t_v1;
     let e_221 = cost_v4;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_219, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_221, }, &ret);
+    return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_219, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_221, }, &ret);
 } }
-stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> Found {
+stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &Path, params_a1: Vec4<f32>) -> SearchResult {
     let mut ex = within;
-    let mut ret: Found = zero_found();
+    let mut ret: SearchResult = zero_search_result();
     let mut alive = ex;
     let mut cell_v0: Vec2<F> = Vec2 { x: splat(0f32), y: splat(0f32) };
     let mut t_v1: F = splat(0.0f32);
@@ -3000,7 +3000,7 @@ stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &
                 let e_63 = near_gap_v3;
                 let e_65 = cost_v4;
                 let e_66 = entered_once(r, ex, path_a0, &grid_2, e_61, e_62, e_63, c_47.x, e_65);
-                ret = sel_found(ex, &e_66, &ret);
+                ret = sel_search_result(ex, &e_66, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
@@ -3009,7 +3009,7 @@ stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &
             let e_68 = t_v1;
             let e_71 = cost_v4;
             let e_72 = found_in_cell(r, ex, c_47, e_67, span_44, eq(e_68, splat(0.0f32)), e_71);
-            ret = sel_found(ex, &e_72, &ret);
+            ret = sel_search_result(ex, &e_72, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -3023,7 +3023,7 @@ stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &
             let e_75 = t_v1;
             let e_78 = cost_v4;
             let e_79 = found_in_cell(r, ex, c_47, e_74, span_44, eq(e_75, splat(0.0f32)), e_78);
-            ret = sel_found(ex, &e_79, &ret);
+            ret = sel_search_result(ex, &e_79, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -3036,7 +3036,7 @@ stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &
         if any(ex) {
             let e_85 = t_v1;
             let e_87 = cost_v4;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: e_85, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_87, }, &ret);
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: e_85, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_87, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -3083,13 +3083,13 @@ stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &
                 let e_125 = near_gap_v3;
                 let e_126 = cost_v4;
                 let e_127 = entered_once(r, ex, path_a0, &grid_2, start_81, path_a0.exit, e_125, last_118, e_126);
-                ret = sel_found(ex, &e_127, &ret);
+                ret = sel_search_result(ex, &e_127, &ret);
                 alive = and_not(alive, ex);
                 ex = no_lane();
             }
             ex = and_not(b26, c27);
             let e_130 = cost_v4;
-            ret = sel_found(ex, &Found { status: splat_u(0u32), near: start_81, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_130, }, &ret);
+            ret = sel_search_result(ex, &SearchResult { status: splat_u(0u32), near: start_81, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_130, }, &ret);
             alive = and_not(alive, ex);
             ex = no_lane();
         }
@@ -3105,11 +3105,11 @@ stage! { fn search_relaxed_cone_resting(r: &Resources<'_>, within: M, path_a0: &
     ex = and(b2, alive);
     let e_139 = t_v1;
     let e_141 = cost_v4;
-    return sel_found(ex, &Found { status: splat_u(4u32), near: e_139, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_141, }, &ret);
+    return sel_search_result(ex, &SearchResult { status: splat_u(4u32), near: e_139, far: path_a0.exit, near_gap: splat(0.0f32), far_gap: splat(0.0f32), cost: e_141, }, &ret);
 } }
-lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> Found {
+lanes! { fn search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> SearchResult {
     let mut ex = within;
-    let mut ret: Found = zero_found();
+    let mut ret: SearchResult = zero_search_result();
     match r.surface_settings.choices[5].number {
         0u32 => {
             let e_11 = search_none(r, path_a0, r.surface_settings.choices[5].params);
@@ -3168,9 +3168,9 @@ stage! { pub(super) fn trace(r: &Resources<'_>, within: M, path_a0: &Path) -> Hi
     let e_2 = refine_stage(r, ex, path_a0, &e_1);
     return e_2;
 } }
-stage! { pub(super) fn shadow_search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> Found {
+stage! { pub(super) fn shadow_search_stage(r: &Resources<'_>, within: M, path_a0: &Path) -> SearchResult {
     let mut ex = within;
-    let mut ret: Found = zero_found();
+    let mut ret: SearchResult = zero_search_result();
     match r.surface_settings.choices[9].number {
         0u32 => {
             let e_11 = search_none(r, path_a0, r.surface_settings.choices[9].params);

@@ -170,17 +170,18 @@ impl Shared for Face {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-/// What one pass works on: some rows of the picture, and of their pixels one sample. The host keeps 256 bytes
-/// for each, so there is room for more.
+/// Settings of one pass: some rows of the picture, and one sample of their pixels. The host keeps
+/// 256 bytes for each pass, so more members fit.
 pub struct PassSettings {
-    /// From a pixel's centre to the point of it that is seen, in pixels.
+    /// Offset in pixels from a pixel's centre to its sample point.
     pub offset: rt::Vec2<f32>,
-    /// From clip space to that of the rows: y is multiplied by the zoom, then the shift is added.
+    /// From clip space to the clip space of the rows: y is multiplied by the zoom, then the shift is
+    /// added.
     pub shift: rt::Vec2<f32>,
     pub zoom: f32,
-    /// The part of the pixel's colour that the sample is.
+    /// The weight of the sample in the pixel's colour.
     pub weight: f32,
-    /// The rows of the picture that are traced, shaded and read back at once, so that the records fit the
+    /// The rows of the picture that are traced, shaded and read back at once. The records fit the
     /// least buffer that adapters offer.
     pub first_row: u32,
     pub rows: u32,
@@ -351,11 +352,12 @@ impl Shared for SurfaceSettings {
 /// of a node follow each other, the first at an odd place, and along the node's axis it lies lower.
 pub struct ShellNode {
     pub low: rt::Vec3<f32>,
-    /// Of a node with children the place of the first. Of a leaf SHELL_TRIANGLE times its triangle's number,
-    /// and SHELL_BOTH_SIDES where that is seen turned over, too.
+    /// For a node with children the place of the first. For a leaf SHELL_TRIANGLE times its
+    /// triangle's number, plus SHELL_BOTH_SIDES if the triangle is seen turned over, too.
     pub first: u32,
     pub high: rt::Vec3<f32>,
-    /// 16 times the place of the node above, 4 times the axis of that, and its own axis: of a leaf 3.
+    /// 16 times the place of the parent, plus 4 times the parent's axis, plus the node's own axis; a
+    /// leaf has 3 as its axis.
     pub above: u32,
 }
 
@@ -380,7 +382,7 @@ impl Shared for ShellNode {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-/// What is read back of a pixel. 23 words, and one that is left over.
+/// A pixel as it is read back: 23 words, and one for padding.
 pub struct Record {
     pub color: rt::Vec4<f32>,
     pub position: rt::Vec3<f32>,
@@ -469,7 +471,7 @@ impl Shared for PixelIn {
 #[derive(Clone, Copy, Debug, PartialEq)]
 /// Every stage's result for a ray, on the last segment that was traced.
 pub struct Probe {
-    /// Which one that was, counted from 1; 0 where none was.
+    /// The number of that segment, counted from 1; 0 if there was none.
     pub segment: u32,
     pub entry: rt::Vec2<f32>,
     pub duv: rt::Vec2<f32>,
@@ -489,7 +491,7 @@ pub struct Probe {
     pub bytes: u32,
     /// The part of `mirrored_light` that arrives at the hit.
     pub lit: f32,
-    /// What orders the hit among others of the ray.
+    /// The key that orders the hit among others of the ray.
     pub key: f32,
 }
 
@@ -602,19 +604,18 @@ impl Shared for Path {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-/// What a pass over a level of a pyramid reads.
+/// Settings of a pass over a level of a pyramid.
 pub struct PyramidPass {
-    /// Columns and rows of the level of nodes before, without what it is padded with; zeros where there is
-    /// none.
+    /// Columns and rows of the previous level of nodes, without padding; zeros for the first level.
     pub nodes_size: rt::Vec2<u32>,
-    /// Columns and rows of the level of the height map that is read; zeros where none is.
+    /// Columns and rows of the level of the height map that is read; zeros if none is.
     pub heights_size: rt::Vec2<u32>,
-    /// The column and the row of it that stand for those after the last.
+    /// The column and the row that stand for those after the last.
     pub beyond: rt::Vec2<u32>,
-    /// How many columns and rows of it besides its own two a node covers: 1 of texels where it is over dual
-    /// cells, which reach to the next texels.
+    /// Columns and rows of the height map that a node covers besides its own two: 1 for a pyramid
+    /// over dual cells, which reach to the next texels.
     pub reach: u32,
-    /// The number of that level.
+    /// The number of the level of the height map.
     pub level: u32,
 }
 
@@ -643,14 +644,15 @@ impl Shared for PyramidPass {
 #[derive(Clone, Copy, Debug, PartialEq)]
 /// An edge between two vertices of the base.
 pub struct BaseEdge {
-    /// Its ends, in an order that all edges between the same positions agree on.
+    /// The ends, in an order that all edges between the same positions agree on.
     pub ends: rt::Vec2<u32>,
-    /// Those of the edge between these positions that says where points are.
+    /// The ends of the edge between these positions that gives the points' places.
     pub seen: rt::Vec2<u32>,
-    /// By how much u and v change along it; the most of all edges between the same positions.
+    /// The change of u and v along the edge; the greatest among all edges between the same
+    /// positions.
     pub along: rt::Vec2<f32>,
-    /// The triangles that have it, the second the first again where it has one; COUNTLESS twice where it has
-    /// more than two.
+    /// The triangles at the edge. An edge with one triangle has it twice; an edge with more than two
+    /// has COUNTLESS twice.
     pub patches: rt::Vec2<u32>,
 }
 
@@ -739,23 +741,23 @@ impl Shared for BaseVertex {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-/// How much is made, and what draws it.
-pub struct MadeTotals {
+/// Totals of all points and triangles, and the arguments of the draw call.
+pub struct TessellationTotals {
     /// Vertices, instances, and the first of each.
     pub drawn: rt::Vec4<u32>,
-    /// Groups that make points, and that make triangles.
+    /// Workgroups that make points, and workgroups that make triangles.
     pub point_groups: rt::Vec4<u32>,
     pub triangle_groups: rt::Vec4<u32>,
     /// Points besides the base's vertices, and triangles.
     pub points: u32,
     pub triangles: u32,
-    /// By how many doublings the grid is coarser.
+    /// Number of doublings by which the grid is coarser.
     pub level: u32,
-    /// 1 when that is known.
+    /// 1 when the totals are known.
     pub is_known: u32,
 }
 
-impl Shared for MadeTotals {
+impl Shared for TessellationTotals {
     const SIZE: usize = 64;
 
     fn write(&self, bytes: &mut [u8]) {
@@ -782,11 +784,12 @@ impl Shared for MadeTotals {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-/// What is made of an edge or a triangle of the base.
+/// The number of points and triangles that an edge or a triangle of the base yields.
 pub struct Tally {
-    /// The parts of an edge; of a triangle 1 where it is made, and SWEPT where the grid says what is inside.
+    /// For an edge its parts. For a triangle 0 if it is culled, SWEPT if the grid fills it,
+    /// otherwise 1.
     pub parts: u32,
-    /// Its points and triangles; and in the end those of all before it.
+    /// Its points and triangles; in the end the points and triangles of all tallies before it.
     pub points: u32,
     pub triangles: u32,
 }

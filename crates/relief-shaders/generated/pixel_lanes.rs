@@ -5086,18 +5086,18 @@ lanes! { fn table_part(r: &Resources<'_>, at_a0: &Entered) -> F {
     return mul(at_a0.fade, min_with(max_with(sub(mul(at_a0.footprint, splat(0.25f32)), splat(1.0f32)), splat(0.0f32)), splat(1.0f32)));
 } }
 lanes! { fn with_table(r: &Resources<'_>, at_a0: &Entered, seen_a1: &SeenNormals, table_a2: &SeenTable, part_a3: F) -> SeenNormals {
-    let mut told_v0: SeenNormals = zero_seen_normals();
-    told_v0 = *seen_a1;
+    let mut blended_v0: SeenNormals = zero_seen_normals();
+    blended_v0 = *seen_a1;
     let before_7 = Vec3 { x: mul(seen_a1.normal.x, seen_a1.length), y: mul(seen_a1.normal.y, seen_a1.length), z: mul(seen_a1.normal.z, seen_a1.length) };
     let e_9 = from_tangent_space(r, at_a0, Vec3 { x: table_a2.mean.x, y: table_a2.mean.y, z: table_a2.mean.z });
     let mean_12 = Vec3 { x: add(before_7.x, mul(sub(e_9.x, before_7.x), part_a3)), y: add(before_7.y, mul(sub(e_9.y, before_7.y), part_a3)), z: add(before_7.z, mul(sub(e_9.z, before_7.z), part_a3)) };
     let length1 = sqrt(add(add(mul(mean_12.x, mean_12.x), mul(mean_12.y, mean_12.y)), mul(mean_12.z, mean_12.z)));
     let e_14 = Vec3 { x: div(mean_12.x, length1), y: div(mean_12.y, length1), z: div(mean_12.z, length1) };
-    told_v0.normal = e_14;
-    told_v0.length = min_with(sqrt(add(add(mul(mean_12.x, mean_12.x), mul(mean_12.y, mean_12.y)), mul(mean_12.z, mean_12.z))), splat(1.0f32));
-    told_v0.table_part = part_a3;
-    told_v0.table = *table_a2;
-    let e_21 = told_v0;
+    blended_v0.normal = e_14;
+    blended_v0.length = min_with(sqrt(add(add(mul(mean_12.x, mean_12.x), mul(mean_12.y, mean_12.y)), mul(mean_12.z, mean_12.z))), splat(1.0f32));
+    blended_v0.table_part = part_a3;
+    blended_v0.table = *table_a2;
+    let e_21 = blended_v0;
     return e_21;
 } }
 lanes! { fn seen_between(r: &Resources<'_>, a_a0: &SeenTexel, b_a1: &SeenTexel, part_a2: F) -> SeenTexel {

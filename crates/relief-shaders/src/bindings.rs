@@ -1,5 +1,5 @@
-//! What the shaders bind: one table, from which the shaders' declarations, the header of every assembled
-//! shader and the GPU backend's layouts are made.
+//! Bindings of the shaders: one table, which gives the shaders' declarations, the header of every
+//! assembled shader and the GPU backend's layouts.
 
 use std::fmt::Write as _;
 
@@ -10,29 +10,29 @@ use crate::slots::MapSlot;
 pub struct Binding {
     /// The bind group.
     pub group: u32,
-    /// Its number in the group.
+    /// The binding's number in the group.
     pub number: u32,
     /// The variable's name.
     pub name: &'static str,
-    /// What is bound.
+    /// The kind of resource.
     pub kind: BindingKind,
-    /// What it holds, for people.
+    /// The content, in words.
     pub holds: &'static str,
 }
 
-/// What is bound.
+/// A kind of resource.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BindingKind {
-    /// A uniform buffer of that struct.
+    /// A uniform buffer of the named struct.
     Uniform(&'static str),
-    /// A storage buffer of an array of that struct.
+    /// A storage buffer of an array of structs.
     Storage {
         /// The struct.
         of: &'static str,
         /// Whether the shaders only read it.
         read_only: bool,
     },
-    /// A float texture, which fast sampling filters where it says so.
+    /// A texture of floats.
     Texture {
         /// Whether it has layers.
         layers: bool,
@@ -43,7 +43,7 @@ pub enum BindingKind {
     IntegerTexture,
     /// The sampler of fast sampling; there is none in exact sampling.
     Sampler,
-    /// A picture of 16-bit floats that is written.
+    /// A storage texture of 16-bit floats, written by the shaders.
     Picture,
 }
 
@@ -75,23 +75,13 @@ const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'sta
     Binding { group: 2, number, name, kind, holds }
 }
 
-/// All bindings. Group 0 is the same for every program; a program of the other groups binds those of them
-/// that it names.
+/// All bindings. Group 0 is the same for every program. Of the other groups a program binds the
+/// variables that it uses.
 pub static BINDINGS: [Binding; 42] = [
-    uniform(0, "surface_settings", "SurfaceSettings", "what changes with the surface"),
+    uniform(0, "surface_settings", "SurfaceSettings", "settings of the surface"),
     filtered(1, "height_map", false, "heights"),
-    filtered(
-        2,
-        "color_map",
-        false,
-        "linear colours; a single texel where the settings say that there are none",
-    ),
-    filtered(
-        3,
-        "normal_map",
-        true,
-        "tangent-space normals; a single texel where the settings say that there are none",
-    ),
+    filtered(2, "color_map", false, "linear colours; a single texel if the settings turn them off"),
+    filtered(3, "normal_map", true, "tangent-space normals; a single texel if the settings turn them off"),
     Binding {
         group: 0,
         number: 4,
@@ -107,31 +97,26 @@ pub static BINDINGS: [Binding; 42] = [
     slot(MapSlot::Environment),
     slot(MapSlot::Lights),
     slot(MapSlot::Object),
-    uniform(13, "frame", "Frame", "what changes with the frame"),
-    uniform(14, "pass_settings", "PassSettings", "what changes with the pass"),
+    uniform(13, "frame", "Frame", "settings of the frame"),
+    uniform(14, "pass_settings", "PassSettings", "settings of the pass"),
     Binding {
         group: 0,
         number: 15,
         name: "hole_map",
         kind: BindingKind::Texture { layers: false, filtered: false },
-        holds: "above 0 the texels that are holes; a single texel where the settings say that there are none",
+        holds: "holes, the texels above 0; a single texel if the settings turn them off",
     },
     storage(1, 0, "mesh_faces", "Face", true, "the base mesh's triangles"),
-    storage(1, 1, "mesh_corners", "Corner", true, "the base mesh's corners, which triangles share"),
+    storage(1, 1, "mesh_corners", "Corner", true, "the base mesh's corners, shared by triangles"),
     storage(1, 8, "pixels", "PixelIn", true, "rays to probe"),
     storage(1, 2, "probes", "Probe", false, "the stages' results for these rays"),
     storage(1, 19, "given_paths", "Path", true, "paths to trace"),
     storage(1, 20, "found_hits", "Hit", false, "the hits of these paths"),
-    traced(
-        0,
-        "traced_hit",
-        BindingKind::Texture { layers: false, filtered: false },
-        "what the first pass found",
-    ),
-    traced(1, "traced_what", BindingKind::IntegerTexture, "what the first pass found, in integers"),
+    traced(0, "traced_hit", BindingKind::Texture { layers: false, filtered: false }, "the first pass's hits"),
+    traced(1, "traced_what", BindingKind::IntegerTexture, "the first pass's triangles and costs"),
     storage(2, 2, "records", "Record", false, "every pixel's record"),
     storage(2, 3, "sums", "vec4f", false, "the colours of every pixel's samples so far, added up"),
-    storage(2, 4, "shell_nodes", "ShellNode", true, "the hierarchy of boxes around the base mesh's shells"),
+    storage(2, 4, "shell_nodes", "ShellNode", true, "the BVH of the base mesh's shells"),
     storage(1, 3, "shown_records", "Record", true, "every pixel's record, to be shown"),
     Binding { group: 1, number: 4, name: "picture", kind: BindingKind::Picture, holds: "the linear picture" },
     Binding {
@@ -153,33 +138,40 @@ pub static BINDINGS: [Binding; 42] = [
         number: 7,
         name: "pyramid_pass",
         kind: BindingKind::Uniform("PyramidPass"),
-        holds: "what changes with the level of a pyramid",
+        holds: "settings of a level of a pyramid",
     },
     Binding {
         group: 1,
         number: 9,
         name: "tessellation",
         kind: BindingKind::Uniform("Tessellation"),
-        holds: "the view that a base is tessellated for, and how much there is of it",
+        holds: "the view that a base is tessellated for, and the base's sizes",
     },
-    storage(1, 10, "base_vertices", "BaseVertex", true, "the vertices of a base that is tessellated"),
-    storage(1, 11, "base_edges", "BaseEdge", true, "its edges"),
-    storage(1, 12, "base_patches", "BasePatch", true, "its triangles"),
-    storage(1, 13, "voxels", "Voxel", false, "where its vertices lie in grid space"),
-    storage(1, 14, "tallies", "Tally", false, "what is made of each of its edges, then of its triangles"),
-    storage(1, 15, "tally_blocks", "vec2u", false, "points and triangles of blocks of these"),
-    storage(1, 16, "made_totals", "MadeTotals", false, "how much is made, and what draws it"),
+    storage(1, 10, "base_vertices", "BaseVertex", true, "the vertices of a tessellated base"),
+    storage(1, 11, "base_edges", "BaseEdge", true, "the edges of a tessellated base"),
+    storage(1, 12, "base_patches", "BasePatch", true, "the triangles of a tessellated base"),
+    storage(1, 13, "voxels", "Voxel", false, "the base's vertices in grid space"),
+    storage(1, 14, "tallies", "Tally", false, "the yield of each of the base's edges, then of its triangles"),
+    storage(1, 15, "tally_blocks", "vec2u", false, "points and triangles of blocks of tallies"),
+    storage(
+        1,
+        16,
+        "made_totals",
+        "TessellationTotals",
+        false,
+        "the number of points and triangles that are made, and the draw call's arguments",
+    ),
     storage(1, 17, "made_corners", "Corner", false, "the points that are made"),
     storage(1, 18, "made_faces", "Face", false, "the triangles that are made"),
 ];
 
 impl Binding {
-    /// The binding of that variable.
+    /// Returns the binding of a variable, by its name.
     pub fn named(name: &str) -> Option<&'static Binding> {
         BINDINGS.iter().find(|binding| binding.name == name)
     }
 
-    /// Its declaration in WGSL.
+    /// Returns the declaration in WGSL.
     pub fn declaration(&self) -> String {
         let Self { group, number, name, kind, .. } = self;
         let (space, kind) = match kind {
@@ -197,7 +189,7 @@ impl Binding {
         format!("@group({group}) @binding({number}) var{space} {name}: {kind};")
     }
 
-    /// The struct of a buffer.
+    /// Returns the name of a buffer's struct; `None` for other kinds.
     pub fn structure(&self) -> Option<&'static str> {
         match self.kind {
             BindingKind::Uniform(of) | BindingKind::Storage { of, .. } => Some(of),
@@ -206,7 +198,7 @@ impl Binding {
     }
 }
 
-/// A comment that lists bindings: for the head of a shader.
+/// Lists bindings in a comment for the head of a shader, one line each.
 pub fn table(bindings: &[Binding]) -> String {
     let mut text = String::new();
     for Binding { group, number, name, holds, .. } in bindings {

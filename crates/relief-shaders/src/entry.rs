@@ -1,8 +1,8 @@
-//! What the list of a stage says of a variant.
+//! Registry entries of variants.
 //!
-//! Each variant of a stage, such as a search or a shadow, has one [`Entry`] beside its source. The command's
-//! help, the tables in the documentation, the tests' matrix and the benchmarks read the lists of these. A
-//! variant's name stands in its own file: what other code must know of it is its [`Role`].
+//! Each variant of a stage, such as a search or a shadow, has one [`Entry`] beside its source. The
+//! command's help, the tables in the documentation, the tests' matrix and the benchmarks read the
+//! lists of entries. A variant's name stands in its own file only: other code asks its [`Role`].
 
 use relief_core::FoundState;
 use relief_core::registry::{Guarantees, MAX_PARAMS, MapInput, Param, Publication, UnknownName, Weakened};
@@ -18,34 +18,34 @@ use crate::surface::Paths;
 pub struct Entry {
     /// The name on the command line and in scenes.
     pub name: &'static str,
-    /// One line on what it does.
+    /// A line that says what it does.
     pub summary: &'static str,
     /// Where it was published.
     pub publication: Publication,
     /// The baked maps that it reads besides the height map.
     pub maps: &'static [MapInput],
-    /// Its parameters, at most [`MAX_PARAMS`], in the order of the shader's parameter vector.
+    /// The parameters, at most [`MAX_PARAMS`], in the order of the shader's parameter vector.
     pub params: &'static [Param],
-    /// Of a search, the states in which it ends after a find; of a refinement or a shadow, the states that it
-    /// takes. Empty for all others.
+    /// For a search, the results with which it ends if it finds something. For a refinement or a
+    /// shadow, the results that it takes. Empty for all others.
     pub states: &'static [FoundState],
-    /// What it promises for each class of rays.
+    /// The guarantee for each class of rays.
     pub guarantee: Guarantees,
-    /// Where it promises less.
+    /// Parameter values with a weaker guarantee.
     pub weakened: &'static [Weakened],
     /// Why the guarantee holds: the claim, the rays, the rounding slack in `f32`.
     pub argument: &'static str,
-    /// What programs must know of it beside its shader.
+    /// Data for programs beside its shader.
     pub role: Role,
 }
 
-/// What programs must know of a variant beside its shader: which other variants go with it, and what they must
-/// provide for it.
+/// Data about a variant for programs, beside its shader: which other variants go with it, and what
+/// programs must provide for it.
 #[derive(Clone, Copy, Debug)]
 pub enum Role {
-    /// Programs need to know nothing: its shader, its maps and its parameters say all.
+    /// No such data: its shader, its maps and its parameters say all.
     Plain,
-    /// It does nothing: its stage is as good as left out.
+    /// A variant that does nothing: its stage can be left out.
     Idle,
     /// A geometry: the triangles that it draws.
     Geometry(GeometryRole),
@@ -59,9 +59,9 @@ pub enum Role {
     Flattened,
     /// A search or a refinement: the paths that it serves.
     Tracing(TracingRole),
-    /// A shadow: how it tests what is between a hit and a light.
+    /// A shadow: its test between a hit and a light.
     Shadow(ShadowRole),
-    /// An ambient light that shows the surroundings: in reflections, and through the surface.
+    /// An ambient light that shows the environment map: in reflections, and through the surface.
     Surroundings,
 }
 
@@ -91,19 +91,19 @@ impl TracingRole {
 pub struct Companion {
     /// The key of its stage.
     pub stage: &'static str,
-    /// Its name.
+    /// The variant's name.
     pub name: &'static str,
-    /// Its parameters that differ from their defaults, by name.
+    /// Parameters that differ from their defaults, by name.
     pub settings: &'static [(&'static str, f32)],
 }
 
 impl Companion {
-    /// A variant with its default parameters, by its stage's key and its name.
+    /// Returns a variant with its default parameters, by its stage's key and its name.
     pub const fn new(stage: &'static str, name: &'static str) -> Self {
         Self { stage, name, settings: &[] }
     }
 
-    /// The same variant with other values of some parameters.
+    /// Returns the variant with other values of some parameters.
     #[must_use]
     pub const fn with(self, settings: &'static [(&'static str, f32)]) -> Self {
         Self { settings, ..self }
@@ -111,12 +111,12 @@ impl Companion {
 }
 
 impl Entry {
-    /// The parameter of that name and its place in the parameter vector.
+    /// Returns the parameter of that name and its place in the parameter vector.
     pub fn param(&self, name: &str) -> Option<(usize, &'static Param)> {
         self.params.iter().enumerate().find(|(_, param)| param.name == name)
     }
 
-    /// What it promises with these parameters, in the order of its own.
+    /// Returns the guarantee with these parameters, given in the entry's order.
     pub fn promises(&self, params: &[f32; MAX_PARAMS]) -> Guarantees {
         let is_met = |weakened: &&Weakened| {
             self.param(weakened.param).is_some_and(|(place, _)| params[place] == weakened.value)
@@ -124,7 +124,7 @@ impl Entry {
         self.weakened.iter().find(is_met).map_or(self.guarantee, |weakened| weakened.to)
     }
 
-    /// The default of every parameter, as the vector that the shader takes.
+    /// Returns the default of every parameter, as the vector that the shader takes.
     pub fn defaults(&self) -> [f32; MAX_PARAMS] {
         let mut values = [0.0; MAX_PARAMS];
         for (value, param) in values.iter_mut().zip(self.params) {
@@ -138,12 +138,12 @@ impl Entry {
         self.maps.iter().any(|map| map.kind == kind)
     }
 
-    /// Whether it does nothing, so that its stage is as good as left out.
+    /// Whether it does nothing, so that its stage can be left out.
     pub const fn is_idle(&self) -> bool {
         matches!(self.role, Role::Idle)
     }
 
-    /// The triangles that it draws as a geometry: the base, unless it says otherwise.
+    /// Returns the triangles that it draws as a geometry: the base's for all other variants.
     pub const fn geometry(&self) -> GeometryRole {
         match self.role {
             Role::Geometry(geometry) => geometry,
@@ -151,7 +151,8 @@ impl Entry {
         }
     }
 
-    /// The path segments of a ray on this surface: one straight segment unless it says otherwise.
+    /// Returns the path segments of a ray on this surface: one straight segment for all other
+    /// variants.
     pub const fn paths(&self) -> &Paths {
         match &self.role {
             Role::Surface(paths) => paths,
@@ -164,7 +165,7 @@ impl Entry {
         matches!(self.role, Role::NearSurface)
     }
 
-    /// The solid that its images show as an object; none for a relief.
+    /// Returns the solid that its images show as an object; `None` for a relief.
     pub const fn object(&self) -> Option<ObjectRole> {
         match self.role {
             Role::Object(object) => Some(object),
@@ -172,12 +173,13 @@ impl Entry {
         }
     }
 
-    /// Whether relief is flatter with distance in it as a level of detail.
+    /// Whether it is a level of detail in which relief is flatter with distance.
     pub const fn flattens(&self) -> bool {
         matches!(self.role, Role::Flattened)
     }
 
-    /// The paths that it serves as a search or a refinement: those over a relief unless it says otherwise.
+    /// Returns the paths that it serves as a search or a refinement: by default those over a
+    /// relief.
     pub const fn tracing(&self) -> TracingRole {
         match self.role {
             Role::Tracing(tracing) => tracing,
@@ -185,7 +187,7 @@ impl Entry {
         }
     }
 
-    /// How it tests as a shadow what is between a hit and a light; none where its shader says all.
+    /// Returns its test between a hit and a light as a shadow; `None` if its shader says all.
     pub const fn shadow(&self) -> Option<ShadowRole> {
         match self.role {
             Role::Shadow(shadow) => Some(shadow),
@@ -193,13 +195,13 @@ impl Entry {
         }
     }
 
-    /// Whether it shows the surroundings as an ambient light.
+    /// Whether it shows the environment map as an ambient light.
     pub const fn sees_surroundings(&self) -> bool {
         matches!(self.role, Role::Surroundings)
     }
 }
 
-/// The place of the entry of that name.
+/// Returns the place of the entry of that name.
 ///
 /// # Errors
 ///

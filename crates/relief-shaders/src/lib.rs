@@ -61,10 +61,10 @@ pub use variants::Variants;
 /// The most lights of a picture: the length of the shaders' array of lights.
 pub const MAX_LIGHTS: usize = 8;
 
-/// The most views that a light has: one for each face of a cube around it.
+/// The most shadow maps of a light: one for each face of a cube around it.
 pub const LIGHT_FACES: usize = 6;
 
-/// The most views of lights in a picture.
+/// The most shadow maps in a picture.
 pub const MAX_LIGHT_VIEWS: usize = LIGHT_FACES * MAX_LIGHTS;
 
 /// The survey that classifies every per-pixel method by its search and its refinement.

@@ -1,15 +1,15 @@
-//! What is known of a ray to a light.
+//! States of a ray to a light.
 
-/// What is known of a ray to a light before it is searched. The discriminants are the numbers that the
-/// shaders use.
+/// State of a ray to a light before it is searched. The discriminants are the numbers in the
+/// shaders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
 pub enum LightRayState {
-    /// Nothing is in its way.
+    /// Nothing is in the ray's way.
     Lit = 0,
-    /// Something is.
+    /// Something is in the ray's way.
     Dark = 1,
-    /// Neither: its path is to be searched.
+    /// Not known yet: the ray's path must be searched.
     Open = 2,
 }
 
@@ -17,7 +17,7 @@ impl LightRayState {
     /// Every state.
     pub const ALL: [LightRayState; 3] = [LightRayState::Lit, LightRayState::Dark, LightRayState::Open];
 
-    /// Its name in the shaders' constants, after `LIGHT_RAY_`.
+    /// Name in the shaders' constants, after `LIGHT_RAY_`.
     pub const fn name(self) -> &'static str {
         match self {
             LightRayState::Lit => "LIT",

@@ -1,4 +1,4 @@
-//! The baked maps that a selection reads, and whether a map is the right one.
+//! The baked maps that a selection reads, and tests whether given maps are the right ones.
 
 use relief_core::registry::{MapInput, MapLevels, MapMetric, MapSetting};
 use relief_core::{BakedMap, HeightMap, Metric, Wrap};
@@ -10,82 +10,82 @@ use crate::{Choice, Selection};
 /// A baked map that a chosen variant reads.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapNeed {
-    /// Where the shaders read it.
+    /// The slot in which the shaders find it.
     pub slot: MapSlot,
-    /// What reads it: the title of its stage, and its name.
+    /// The reader: the title of its stage, and its name.
     pub reader: (&'static str, &'static str),
-    /// The map.
+    /// The kind and texture of the map, with its requirements.
     pub input: MapInput,
-    /// The kind's settings that it needs, with their values. Of the others it takes the defaults.
+    /// The kind's settings that differ from the defaults, with their values.
     pub settings: Vec<(&'static str, f32)>,
-    /// The most texels of the longer side of the height map's level that it is baked from; none: it is baked
-    /// from the height map itself.
+    /// The most texels of the longer side of the height map's level that it is baked from; `None`:
+    /// it is baked from the height map itself.
     pub side: Option<u32>,
 }
 
-/// Why a selection has no map to read.
+/// The reason why a selection has no map to read.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("the {} '{}' reads a baked map of the kind '{kind}': {problem}", .reader.0, .reader.1)]
 pub struct MapError {
-    /// What reads it: the title of its stage, and its name.
+    /// The reader: the title of its stage, and its name.
     pub reader: (&'static str, &'static str),
     /// The kind of map.
     pub kind: &'static str,
-    /// What is wrong.
+    /// The fault.
     pub problem: MapProblem,
 }
 
-/// Why a map is not the one that is read.
+/// The fault of a map that cannot be read.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MapProblem {
-    /// There is no map of that kind and texture.
+    /// No map of that kind and texture was given.
     #[error("there is none: bake it first")]
     Missing,
-    /// It was baked from other heights.
+    /// The map was baked from other heights.
     #[error("the one given was baked from other heights: bake it from this height map")]
     Heights,
-    /// It was baked for another wrap.
+    /// The map was baked for another wrap.
     #[error("the one given was baked for the wrap '{given}', the height map's is '{wanted}'")]
     Wrap {
-        /// The map's.
+        /// The map's wrap.
         given: Wrap,
-        /// The height map's.
+        /// The height map's wrap.
         wanted: Wrap,
     },
-    /// It was baked in another metric.
+    /// The map was baked in another metric.
     #[error("the one given was baked in another metric, {given:?}; it must be {wanted:?}")]
     Metric {
-        /// The map's.
+        /// The map's metric.
         given: Metric,
-        /// The one that is read.
+        /// The metric that is read.
         wanted: Metric,
     },
-    /// It was baked with another setting.
+    /// The map was baked with another setting.
     #[error("the one given was baked with {name} = {}; it must be {wanted}", given.map_or("none".to_owned(), |given| given.to_string()))]
     Setting {
-        /// The setting.
+        /// The name of the setting.
         name: &'static str,
-        /// The map's; none where the kind has no such setting.
+        /// The map's value; `None` if the kind has no such setting.
         given: Option<f32>,
-        /// The one that is read.
+        /// The value that is read.
         wanted: f32,
     },
-    /// It was baked from another level of the height map.
+    /// The map was baked from another level of the height map.
     #[error("the one given lies on level {given} of the height map; it must be level {wanted}")]
     HeightLevel {
-        /// The map's.
+        /// The map's level.
         given: u32,
-        /// The one that is read.
+        /// The level that is read.
         wanted: u32,
     },
-    /// It has other levels.
+    /// The map has other levels.
     #[error("the one given begins with level {given} of its texture and has {levels}; it must be {wanted:?}")]
     Levels {
         /// The level of the kind's texture that is the map's finest.
         given: u32,
-        /// How many levels it has.
+        /// Number of the map's levels.
         levels: u32,
-        /// What is read.
+        /// The levels that are read.
         wanted: MapLevels,
     },
 }
@@ -96,7 +96,7 @@ impl MapNeed {
         self.input == other.input && self.settings == other.settings && self.side == other.side
     }
 
-    /// The metric that the map is to be baked in, on a surface of that metric.
+    /// Returns the metric that the map must be baked in, for a surface with the metric `surface`.
     pub fn metric(&self, surface: Metric) -> Metric {
         match self.input.metric {
             MapMetric::Texture => Metric::UNIT,
@@ -104,7 +104,7 @@ impl MapNeed {
         }
     }
 
-    /// The level of the kind's texture that is the map's finest.
+    /// Returns the level of the kind's texture that is the map's finest.
     pub fn first_level(&self) -> u32 {
         match self.input.levels {
             MapLevels::One | MapLevels::EachDetail | MapLevels::MeansFrom(_) => 0,
@@ -112,19 +112,20 @@ impl MapNeed {
         }
     }
 
-    /// The level that it is baked from, of a height map of so many columns and rows: the finest whose longer
-    /// side is short enough, or the last.
+    /// Returns the level of a height map of `width` x `height` texels that it is baked from: the
+    /// finest whose longer side is short enough, or the last.
     pub fn height_level(&self, [width, height]: [u32; 2]) -> u32 {
         let (longer, side) = (width.max(height).max(1), self.side.unwrap_or(u32::MAX).max(1));
-        // Sides are halved and rounded down.
+        // Each level halves the sides, rounded down.
         (0..longer.ilog2()).find(|level| longer >> level <= side).unwrap_or(longer.ilog2())
     }
 
-    /// Whether that map is the one that is read, over that height map on a surface of that metric.
+    /// Checks that `map` is the one that is read, for the height map `heights` on a surface with
+    /// the metric `surface`.
     ///
     /// # Errors
     ///
-    /// When it is another one; the error says in what.
+    /// When it is another one; the error names the difference.
     pub fn check(&self, map: &BakedMap, heights: &HeightMap, surface: Metric) -> Result<(), MapError> {
         self.problem(map, heights, surface).map_or(Ok(()), |problem| Err(self.error(problem)))
     }
@@ -179,7 +180,7 @@ impl MapNeed {
 pub struct SlotMaps<'a>([Option<&'a BakedMap>; MapSlot::ALL.len()]);
 
 impl<'a> FromIterator<(MapSlot, &'a BakedMap)> for SlotMaps<'a> {
-    /// Nothing is checked: see [`Selection::slot_maps`].
+    /// Collects maps without any check; see [`Selection::slot_maps`].
     fn from_iter<T: IntoIterator<Item = (MapSlot, &'a BakedMap)>>(maps: T) -> Self {
         let mut slots = Self::default();
         for (slot, map) in maps {
@@ -190,14 +191,14 @@ impl<'a> FromIterator<(MapSlot, &'a BakedMap)> for SlotMaps<'a> {
 }
 
 impl<'a> SlotMaps<'a> {
-    /// The map of a slot, if one is read there.
+    /// Returns the map of a slot, if one is read there.
     pub fn get(&self, slot: MapSlot) -> Option<&'a BakedMap> {
         self.0[slot as usize]
     }
 }
 
 impl Selection {
-    /// The baked maps that the chosen variants read.
+    /// Returns the baked maps that the chosen variants read.
     pub fn map_needs(&self) -> Vec<MapNeed> {
         let mut needs = Vec::new();
         for (place, (stage, choice)) in STAGES.iter().zip(&self.choices).enumerate() {
@@ -221,7 +222,7 @@ impl Selection {
         needs
     }
 
-    /// The same map in all levels of detail where these are seen.
+    /// The input with all levels of detail, if the selection has any.
     fn in_levels(&self, input: MapInput) -> MapInput {
         match input.levels {
             MapLevels::One if self.has_levels() => MapInput { levels: MapLevels::EachDetail, ..input },
@@ -229,12 +230,12 @@ impl Selection {
         }
     }
 
-    /// Of the maps given, those that the chosen variants read over that height map on a surface of that
-    /// metric, each in its slot.
+    /// Picks from `maps` those that the chosen variants read, for that height map on a surface with
+    /// that metric, each in its slot.
     ///
     /// # Errors
     ///
-    /// When one is missing or is another one than is read; the error says in what.
+    /// When a map is missing or does not fit; the error names the difference.
     pub fn slot_maps<'a>(
         &self,
         given: impl IntoIterator<Item = &'a BakedMap> + Clone,
@@ -247,7 +248,7 @@ impl Selection {
             for map in given.clone() {
                 match need.problem(map, heights, surface) {
                     None => maps.0[need.slot as usize] = Some(map),
-                    // What is wrong with a map of that kind says more than that there is none.
+                    // A fault of a map of that kind says more than that there is none.
                     Some(MapProblem::Missing) => {}
                     Some(other) => problem = other,
                 }

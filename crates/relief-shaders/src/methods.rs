@@ -1,4 +1,5 @@
-//! Methods by name: a geometry, a search, a refinement and the settings under which they were published.
+//! Methods by name: a geometry, a search, a refinement and the settings under which they were
+//! published.
 
 use relief_core::registry::{Publication, UnknownName};
 
@@ -7,15 +8,15 @@ use crate::slice::SliceDirection;
 use crate::stages::{GEOMETRY, STAGES, entry_place};
 use crate::{DEPTH_OBJECTS, SURVEY, object, slice};
 
-/// A published pair of search and refinement, or triangles of their own, of which nothing is searched:
-/// displaced ones, or slices.
+/// A published pair of search and refinement, or a geometry without a search: displaced triangles,
+/// or slices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Method {
     /// The name on the command line and in scenes.
     pub name: &'static str,
-    /// What the literature calls it.
+    /// The name in the literature.
     pub summary: &'static str,
-    /// Name of the geometry: `none` where the relief is found pixel by pixel.
+    /// Name of the geometry; `none` if the relief is traced for each pixel.
     pub geometry: &'static str,
     /// Name of the search.
     pub search: &'static str,
@@ -27,19 +28,19 @@ pub struct Method {
     pub publication: Publication,
 }
 
-/// What a method makes its pictures of.
+/// A family of methods, by what its pictures are made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// Rays into the relief of a base, or displaced triangles.
     Ray,
     /// Slices through the relief.
     Slices,
-    /// What is known from images with depth.
+    /// Objects of images with depth.
     Object,
 }
 
 impl Family {
-    /// The word used in tables.
+    /// Returns the word used in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Family::Ray => "ray",
@@ -55,14 +56,14 @@ impl Method {
         self.family() != Family::Object
     }
 
-    /// The family that it belongs to.
+    /// Returns the family that it belongs to.
     pub fn family(&self) -> Family {
         let geometry = STAGES[GEOMETRY].first(|entry| entry.name == self.geometry);
         geometry.map_or(Family::Ray, |(_, entry)| entry.geometry().family)
     }
 }
 
-/// The settings of a method that has none of its own.
+/// No settings of its own.
 const DEFAULTS: &[(&str, f32)] = &[];
 
 /// The settings of slices along the base, drawn down to their floor.
@@ -150,7 +151,7 @@ pub static METHODS: &[Method] = &[
         "patch",
         DEFAULTS,
         "4.3.5",
-        "cone stepping: the same first hit by fewer reads, over empty cones",
+        "cone stepping: the exact first hit with fewer reads, over empty cones",
     ),
     survey(
         "ray-casting",
@@ -174,7 +175,7 @@ pub static METHODS: &[Method] = &[
         "patch",
         DEFAULTS,
         "4.3.2",
-        "the same first hit over boxes of equal size",
+        "the exact first hit over boxes of equal size",
     ),
     survey(
         "quadtree",
@@ -182,7 +183,7 @@ pub static METHODS: &[Method] = &[
         "patch",
         DEFAULTS,
         "4.3.3",
-        "the same first hit over the nodes of a pyramid that bounds the surface",
+        "the exact first hit over the nodes of a pyramid that bounds the surface",
     ),
     survey(
         "pyramidal",
@@ -206,7 +207,7 @@ pub static METHODS: &[Method] = &[
         "patch",
         DEFAULTS,
         "4.3.4",
-        "the same first hit over spheres of a distance field",
+        "the exact first hit over spheres of a distance field",
     ),
     survey(
         "cone-stepping",
@@ -214,7 +215,7 @@ pub static METHODS: &[Method] = &[
         "none",
         DEFAULTS,
         "4.3.5",
-        "cone stepping as published: so many steps, and no more",
+        "cone stepping as published: a fixed number of steps",
     ),
     survey(
         "relaxed-cone-stepping",
@@ -226,7 +227,7 @@ pub static METHODS: &[Method] = &[
     ),
     Method {
         name: "relaxed",
-        summary: "over relaxed cones that rest on their texel: few reads, rarely a hit passed",
+        summary: "relaxed cones that stay on their texel: few reads, rarely misses a hit",
         geometry: "none",
         search: "relaxed-cone-resting",
         refine: "patch",
@@ -235,7 +236,7 @@ pub static METHODS: &[Method] = &[
     },
     Method {
         name: "frustum",
-        summary: "the same first hit by fewer reads, over quadrant frusta",
+        summary: "the exact first hit with fewer reads, over quadrant frusta",
         geometry: "none",
         search: "frustum",
         refine: "patch",
@@ -244,7 +245,7 @@ pub static METHODS: &[Method] = &[
     },
     Method {
         name: "vertex",
-        summary: "displaced triangles: the base with a vertex every texel, or every so many",
+        summary: "displaced triangles: the base with vertices one texel apart, or more",
         geometry: "vertex",
         search: "none",
         refine: "none",
@@ -253,7 +254,7 @@ pub static METHODS: &[Method] = &[
     },
     Method {
         name: "remesh",
-        summary: "displaced triangles: the base divided anew for each view, as finely as its pixels are",
+        summary: "displaced triangles: the base divided anew for each view, as fine as its pixels",
         geometry: "remesh",
         search: "none",
         refine: "none",
@@ -265,7 +266,7 @@ pub static METHODS: &[Method] = &[
     },
     Method {
         name: "tessellate",
-        summary: "displaced triangles: each base triangle cut by itself, as finely as the view's pixels are",
+        summary: "displaced triangles: each base triangle cut by itself, as fine as the view's pixels",
         geometry: "tessellate",
         search: "none",
         refine: "none",
@@ -286,7 +287,7 @@ pub static METHODS: &[Method] = &[
     },
     Method {
         name: "slices-orthogonal",
-        summary: "slices along the base or upright on it, whichever face the eye, drawn inside the relief",
+        summary: "slices along the base or upright on it, whichever face the eye; drawn inside the relief",
         geometry: "slices",
         search: "none",
         refine: "none",
@@ -304,7 +305,7 @@ pub static METHODS: &[Method] = &[
     },
     Method {
         name: "depth-object",
-        summary: "an object of images with depth: what all of them see",
+        summary: "an object of images with depth: the intersection of what they show",
         geometry: "object",
         search: "pyramid",
         refine: "patch",
@@ -313,7 +314,7 @@ pub static METHODS: &[Method] = &[
     },
     Method {
         name: "depth-object-slices",
-        summary: "slices through an object of images with depth, drawn where all of them see something",
+        summary: "slices through an object of images with depth, drawn where all of them show something",
         geometry: "object-slices",
         search: "none",
         refine: "none",
@@ -322,7 +323,7 @@ pub static METHODS: &[Method] = &[
     },
     Method {
         name: "visual-hull",
-        summary: "the visual hull of an object: what lies in the silhouettes of all images",
+        summary: "the visual hull of an object: the intersection of the silhouettes of all images",
         geometry: "object",
         search: "cells",
         refine: "patch",
@@ -349,7 +350,7 @@ pub static METHODS: &[Method] = &[
     },
 ];
 
-/// The method of that name.
+/// Returns the method of that name.
 ///
 /// # Errors
 ///

@@ -1,8 +1,8 @@
-//! What entries have in common that read maps of the surroundings of every texel.
+//! Parameters of entries that read baked maps of a texel's surroundings.
 
 use relief_core::registry::{MapInput, MapMetric, MapSetting, Param};
 
-/// How many azimuths are baked.
+/// The number of baked azimuths.
 pub const AZIMUTHS: Param = Param {
     name: "azimuths",
     summary: "azimuths that are baked",
@@ -14,7 +14,7 @@ pub const AZIMUTHS: Param = Param {
     names: &[],
 };
 
-/// In how many elevations of each azimuth is looked.
+/// The number of baked elevations of each azimuth.
 pub const ELEVATIONS: Param = Param {
     name: "elevations",
     summary: "elevations of the directions in which light is gathered",

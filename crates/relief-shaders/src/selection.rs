@@ -19,13 +19,13 @@ use crate::stages::{
 pub struct Choice {
     /// The variant.
     pub entry: &'static Entry,
-    /// Its number in the shaders: its place in the stage's list.
+    /// The variant's number in the shaders: its place in the stage's list.
     pub number: u32,
-    /// Its parameters, in its entry's order.
+    /// The parameters, in the entry's order.
     pub params: [f32; MAX_PARAMS],
 }
 
-/// What to run: a choice for every stage.
+/// A choice of a variant for every stage, with parameters.
 #[derive(Clone, Copy, Debug)]
 pub struct Selection {
     /// The choices, in the order of [`STAGES`].
@@ -55,14 +55,14 @@ impl Choice {
         Ok(())
     }
 
-    /// What the variant promises with these parameters.
+    /// The guarantee of the variant with these parameters.
     fn promises(&self) -> Guarantees {
         self.entry.promises(&self.params)
     }
 }
 
 impl Default for Selection {
-    /// The first variant of every stage, and for shadows a search that can.
+    /// Chooses the first variant of every stage, and for shadows a search that can trace them.
     fn default() -> Self {
         let choices = std::array::from_fn(|place| Choice::new(&STAGES[place], 0));
         Self { choices }.with_search_for_shadows()
@@ -70,7 +70,8 @@ impl Default for Selection {
 }
 
 impl Selection {
-    /// A search and a refinement by name, with default parameters; of all other stages the first variant.
+    /// Chooses a search and a refinement by name, with default parameters, and the first variant of
+    /// all other stages.
     ///
     /// # Errors
     ///
@@ -82,12 +83,12 @@ impl Selection {
         Ok(selection)
     }
 
-    /// The pair that has the exact answer without a baked map.
+    /// Chooses the pair that has the exact answer without a baked map.
     pub fn exact() -> Self {
         Self::default().with_reference().with_search_for_shadows()
     }
 
-    /// A method by name, with its settings.
+    /// Chooses a method by name, with its settings.
     ///
     /// # Errors
     ///
@@ -96,7 +97,7 @@ impl Selection {
         Self::of(crate::method(name)?)
     }
 
-    /// A method, with its settings.
+    /// Chooses a method, with its settings.
     ///
     /// # Errors
     ///
@@ -110,11 +111,12 @@ impl Selection {
         Ok(selection)
     }
 
-    /// Chooses a variant by its stage's key and its name, as in `choose("search", "linear")`, with default
-    /// parameters. With a search or a shadow the search for shadows is chosen, too: the one of the view, or
-    /// the reference where that is of no use for shadows. Another `shadow-search` is chosen after these. With
-    /// a geometry its [companions](crate::geometry::GeometryRole::companions) are chosen, or a surface that
-    /// shows its triangles.
+    /// Chooses a variant by its stage's key and its name, as in `choose("search", "linear")`, with
+    /// default parameters. A search or a shadow also chooses the search for shadows: the view's
+    /// search, or the reference if the view's cannot trace shadows. To choose another, set
+    /// `shadow-search` afterwards. A geometry also chooses its
+    /// [companions](crate::geometry::GeometryRole::companions), or a surface that shows its
+    /// triangles.
     ///
     /// # Errors
     ///
@@ -132,8 +134,8 @@ impl Selection {
         Ok(())
     }
 
-    /// Sets a parameter, as in `set("search.steps", 64.0)`. Where the search for shadows is that of the view,
-    /// with the same parameters, it stays that.
+    /// Sets a parameter, as in `set("search.steps", 64.0)`. If the search for shadows is the
+    /// view's, with the same parameters, both are set.
     ///
     /// # Errors
     ///
@@ -144,7 +146,7 @@ impl Selection {
         if stage.chosen_as == Some(name) {
             let greatest = (stage.entries.len() - 1) as f32;
             let number = checked(key, &whole_to(greatest), value)? as usize;
-            // Its variants have the same parameters.
+            // All variants of the stage have the same parameters.
             let chosen = Choice::new(stage, number);
             self.choices[place] = Choice { params: self.choices[place].params, ..chosen };
             if place == OBJECT {
@@ -167,7 +169,8 @@ impl Selection {
         Ok(())
     }
 
-    /// The number that a setting's value is, which may be said by a name, as in `slices.test=band`.
+    /// Returns the number of a setting's value, which may be given by name, as in
+    /// `slices.test=band`.
     ///
     /// # Errors
     ///
@@ -180,7 +183,8 @@ impl Selection {
         Self::value_named(key, text)?.ok_or_else(no_number)
     }
 
-    /// The number that a name stands for as a setting's value; none where its values are plain numbers.
+    /// Returns the number that a name stands for as a setting's value; `None` if its values are
+    /// plain numbers.
     ///
     /// # Errors
     ///
@@ -194,14 +198,14 @@ impl Selection {
         }
     }
 
-    /// The name of a setting's value where its values have names.
+    /// Returns the name of a setting's value, if its values have names.
     pub fn name_of(key: &str, value: f64) -> Option<&'static str> {
         let (_, stage, name) = stage_of_setting(key)?;
         stage.names_of(name).into_iter().enumerate().find_map(|(k, name)| (k as f64 == value).then_some(name))
     }
 }
 
-/// A number from 0 to that one.
+/// A whole number from 0 to `max`.
 const fn whole_to(max: f32) -> Param {
     Param { name: "", summary: "", unit: "", min: 0.0, max, default: 0.0, integer: true, names: &[] }
 }

@@ -1,21 +1,21 @@
-//! The slots that the shaders read baked maps from.
+//! The slots in which the shaders find baked maps.
 
 /// A slot: a texture of layers and levels that one stage reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MapSlot {
-    /// What is seen of normals that are far away.
+    /// Visible normals of distant surfaces.
     Detail,
-    /// What the search of view rays reads.
+    /// The map of the search of view rays.
     Search,
-    /// What the search of shadow rays reads.
+    /// The map of the search of shadow rays.
     ShadowSearch,
-    /// What shadows are looked up in: horizons, visibility.
+    /// The map of shadows: horizons, or visibility.
     Shadow,
-    /// Light from all around: occlusion, bent normals, bounced light.
+    /// The map of ambient light: occlusion, bent normals, or bounced light.
     Ambient,
-    /// The surroundings, on the faces of a cube.
+    /// The environment map, on the faces of a cube.
     Environment,
-    /// What lights see.
+    /// The shadow maps.
     Lights,
     /// The images of an object.
     Object,
@@ -34,7 +34,7 @@ impl MapSlot {
         MapSlot::Object,
     ];
 
-    /// Its key in names.
+    /// Returns the key in names.
     pub const fn key(self) -> &'static str {
         match self {
             MapSlot::Detail => "detail",
@@ -48,7 +48,7 @@ impl MapSlot {
         }
     }
 
-    /// The texture's name in the shaders.
+    /// Returns the texture's name in the shaders.
     pub const fn name(self) -> &'static str {
         match self {
             MapSlot::Detail => "detail_map",
@@ -62,21 +62,21 @@ impl MapSlot {
         }
     }
 
-    /// What it holds, for people.
+    /// Returns the content, in words.
     pub const fn holds(self) -> &'static str {
         match self {
-            MapSlot::Detail => "the baked map of the normals that are seen from fixed directions",
+            MapSlot::Detail => "the baked map of visible normals from fixed directions",
             MapSlot::Search => "the baked map that the search of view rays reads",
             MapSlot::ShadowSearch => "the baked map that the search of shadow rays reads",
-            MapSlot::Shadow => "the baked map that shadows are looked up in",
-            MapSlot::Ambient => "the baked map of light from all around",
-            MapSlot::Environment => "the surroundings, the faces of a cube as layers",
-            MapSlot::Lights => "what lights see, a layer for each view: near / (near + depth)",
-            MapSlot::Object => "how the images of an object look at it, a row for each",
+            MapSlot::Shadow => "the baked map that the shadow reads",
+            MapSlot::Ambient => "the baked map of ambient light",
+            MapSlot::Environment => "the environment map, the faces of a cube as layers",
+            MapSlot::Lights => "shadow maps, a layer for each: near / (near + depth)",
+            MapSlot::Object => "the views of an object's images, a row for each",
         }
     }
 
-    /// The texture's binding in group 0.
+    /// Returns the texture's binding in group 0.
     pub const fn binding(self) -> u32 {
         FIRST_BINDING + self as u32
     }

@@ -1,5 +1,5 @@
-//! The stages of a pixel: one table, from which selections, settings, the shaders' dispatch, help and tests
-//! are made.
+//! The stages of a pixel: one table, the source of selections, settings, the shaders' dispatch,
+//! help and tests.
 
 use relief_core::registry::RayClass;
 
@@ -7,44 +7,47 @@ use crate::entry::Entry;
 use crate::slots::MapSlot;
 use crate::{ambient, detail, geometry, object, refine, search, shade, shadow, slice, surface};
 
-/// A stage: a list of variants that do the same task, each in a way of its own.
+/// A stage: a list of variants that do the same task in different ways.
 ///
-/// A variant is a pair of files in the stage's folder: the shader, and the registry entry beside it; of a
-/// stage that renderers run before any shader it is the entry alone. The
-/// shader's function is called by the folder and the variant's name, as in `search_linear`; where a stage has
-/// several functions, each by its own name after that, as in `surface_plane_enter`. It takes the stage's
-/// inputs, and after them the variant's parameters, a `vec4f`.
+/// A variant is a pair of files in the stage's folder: the shader, and the registry entry beside
+/// it. For a stage that renderers run before any shader it is the entry alone.
+///
+/// The shader's function is named after the folder and the variant, as in `search_linear`. If a
+/// stage has several functions, their own names follow, as in `surface_plane_enter`. A function
+/// takes the stage's inputs, then the variant's parameters, a `vec4f`.
 #[derive(Clone, Copy, Debug)]
 pub struct Stage {
     /// The key in settings and scenes, as in `search.steps`.
     pub key: &'static str,
-    /// The folder of its variants, with which their functions' names begin; two stages may have the same.
+    /// The folder of its variants, with which their functions' names begin. Two stages may share
+    /// one.
     pub folder: &'static str,
-    /// What messages call one variant.
+    /// The name of one variant in messages.
     pub title: &'static str,
-    /// What tables call all of them.
+    /// The name of all variants in tables.
     pub plural: &'static str,
     /// The variants; the place of each is its number in the shaders.
     pub entries: &'static [Entry],
-    /// The setting that chooses the variant, as in `slices.test`; none where the stage's key itself does.
+    /// The setting that chooses the variant, as in `slices.test`; `None` if the stage's key itself
+    /// does.
     pub chosen_as: Option<&'static str>,
-    /// The functions that each variant has; none where no shader runs it.
+    /// The functions that each variant has; empty if no shader runs it.
     pub calls: &'static [Call],
-    /// Where its variants read baked maps, if they may read any.
+    /// The slot in which its variants find baked maps, if they may read any.
     pub slot: Option<MapSlot>,
-    /// The rays that it is given when a picture is rendered. A variant for which these are impossible is
-    /// refused.
+    /// The rays that it gets when a picture is rendered. A variant whose guarantee for one of these
+    /// is `impossible` is refused.
     pub rays: &'static [RayClass],
 }
 
 /// A function that each variant of a stage has.
 #[derive(Clone, Copy, Debug)]
 pub struct Call {
-    /// What its name ends with, after the variant's; empty for a stage's only one.
+    /// The end of its name, after the variant's; empty if it is the stage's only one.
     pub name: &'static str,
-    /// Its inputs: names and types, as WGSL writes them.
+    /// The inputs: names and types, as WGSL writes them.
     pub inputs: &'static [(&'static str, &'static str)],
-    /// What it returns.
+    /// The type of the result, as WGSL writes it.
     pub returns: &'static str,
 }
 
@@ -143,7 +146,7 @@ pub static STAGES: [Stage; 11] = [
         plural: "searches",
         entries: search::ENTRIES,
         chosen_as: None,
-        calls: &[only(&[("path", "Path")], "Found")],
+        calls: &[only(&[("path", "Path")], "SearchResult")],
         slot: Some(MapSlot::Search),
         rays: &[RayClass::View],
     },
@@ -154,7 +157,7 @@ pub static STAGES: [Stage; 11] = [
         plural: "refinements",
         entries: refine::ENTRIES,
         chosen_as: None,
-        calls: &[only(&[("path", "Path"), ("found", "Found")], "Hit")],
+        calls: &[only(&[("path", "Path"), ("found", "SearchResult")], "Hit")],
         slot: None,
         rays: &[RayClass::View],
     },
@@ -197,7 +200,7 @@ pub static STAGES: [Stage; 11] = [
         plural: "shadow searches",
         entries: search::ENTRIES,
         chosen_as: None,
-        calls: &[only(&[("path", "Path")], "Found")],
+        calls: &[only(&[("path", "Path")], "SearchResult")],
         slot: Some(MapSlot::ShadowSearch),
         rays: &[RayClass::Shadow],
     },
@@ -248,18 +251,18 @@ pub const SHADOW_SEARCH: usize = place("shadow-search");
 pub const AMBIENT: usize = place("ambient");
 
 impl Stage {
-    /// Its first variant for which that holds, and its number.
+    /// Returns the first variant for which `holds` is true, and its number.
     pub fn first(&self, holds: impl Fn(&Entry) -> bool) -> Option<(usize, &'static Entry)> {
         self.entries.iter().enumerate().find(|(_, entry)| holds(entry))
     }
 
-    /// Whether scenes choose its variant by its key; else a setting does.
+    /// Whether scenes choose its variant by its key; if not, a setting does.
     pub fn has_key(&self) -> bool {
         self.chosen_as.is_none()
     }
 
-    /// The names of a setting's values, from 0 on: of variants where it chooses one, else of a
-    /// parameter's. None where its values are plain numbers.
+    /// Returns the names of a setting's values, from 0 on: names of variants if it chooses one,
+    /// otherwise the parameter's names. Empty if its values are plain numbers.
     pub fn names_of(&self, setting: &str) -> Vec<&'static str> {
         if self.chosen_as == Some(setting) {
             return self.entries.iter().map(|entry| entry.name).collect();
@@ -268,43 +271,43 @@ impl Stage {
         param.map_or(Vec::new(), |(_, param)| param.names.to_vec())
     }
 
-    /// The functions through which the shaders call it.
+    /// Returns the functions through which the shaders call it.
     pub fn functions(&self) -> impl Iterator<Item = String> {
         self.calls.iter().map(|call| self.function(call))
     }
 
-    /// The function through which the shaders call one of its functions.
+    /// Returns the function through which the shaders call one of its functions.
     pub fn function(&self, call: &Call) -> String {
         format!("{}{}_stage", self.key.replace('-', "_"), call.ending())
     }
 
-    /// A variant's function.
+    /// Returns the name of a variant's function.
     pub fn function_of(&self, call: &Call, entry: &Entry) -> String {
         format!("{}_{}{}", self.folder, entry.name.replace('-', "_"), call.ending())
     }
 }
 
 impl Call {
-    /// What the names of functions end with.
+    /// The end of functions' names.
     fn ending(&self) -> String {
         if self.name.is_empty() { String::new() } else { format!("_{}", self.name) }
     }
 }
 
-/// The stage that a setting such as `search.steps` is of, its place in [`STAGES`], and the setting's own
-/// name.
+/// Returns the stage of a setting such as `search.steps`, its place in [`STAGES`], and the
+/// setting's own name.
 pub fn stage_of_setting(key: &str) -> Option<(usize, &'static Stage, &str)> {
     let (of, name) = key.split_once('.')?;
     let (place, stage) = stage(of)?;
     Some((place, stage, name))
 }
 
-/// The stage of that key and its place in [`STAGES`].
+/// Returns the stage of that key and its place in [`STAGES`].
 pub fn stage(key: &str) -> Option<(usize, &'static Stage)> {
     STAGES.iter().enumerate().find(|(_, stage)| stage.key == key)
 }
 
-/// The same for keys that are known to be there.
+/// The place of a stage that is known to exist.
 const fn place(key: &str) -> usize {
     let mut place = 0;
     while !is_same(STAGES[place].key.as_bytes(), key.as_bytes()) {
@@ -313,7 +316,7 @@ const fn place(key: &str) -> usize {
     place
 }
 
-/// The place of an entry that is known to be there.
+/// The place of an entry that is known to exist.
 pub(crate) const fn entry_place(entries: &[Entry], name: &str) -> usize {
     let mut place = 0;
     while !is_same(entries[place].name.as_bytes(), name.as_bytes()) {

@@ -3,13 +3,13 @@
 use crate::Entry;
 use crate::stages::STAGES;
 
-/// Some variants of a stage, as messages name them: in the order of the stage's list, one that does nothing
+/// Some variants of a stage, as messages name them: in the order of the stage's list, an idle one
 /// last.
 #[derive(Clone, Debug)]
 pub struct Variants(Vec<&'static Entry>);
 
 impl Variants {
-    /// The variants of the stage at `place` in [`STAGES`] for which `is_named` holds.
+    /// Returns the variants of the stage at `place` in [`STAGES`] for which `is_named` holds.
     ///
     /// ```
     /// use relief_shaders::{AMBIENT, Entry, Variants};
@@ -22,13 +22,13 @@ impl Variants {
         Self(named)
     }
 
-    /// The same without the one that does nothing.
+    /// Returns the variants without an idle one.
     #[must_use]
     pub fn active(&self) -> Self {
         Self(self.0.iter().filter(|entry| !entry.is_idle()).copied().collect())
     }
 
-    /// The one that does nothing, if it is among them.
+    /// Returns the idle variant, if it is among them.
     #[must_use]
     pub fn idle(&self) -> Self {
         Self(self.0.iter().filter(|entry| entry.is_idle()).copied().collect())
@@ -39,12 +39,12 @@ impl Variants {
         self.0.len() > 1
     }
 
-    /// The names as alternatives: `'a', 'b' or 'c'`.
+    /// Lists the names as alternatives: `'a', 'b' or 'c'`.
     pub fn or(&self) -> String {
         self.listed("or")
     }
 
-    /// The names together: `'a', 'b' and 'c'`.
+    /// Lists the names together: `'a', 'b' and 'c'`.
     pub fn and(&self) -> String {
         self.listed("and")
     }

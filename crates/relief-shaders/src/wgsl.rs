@@ -27,7 +27,7 @@ use crate::{Choice, Selection};
 /// Rows and columns of a workgroup of the passes over pixels.
 pub const SHADE_GROUP: u32 = 8;
 
-/// Rays of a workgroup of the probe, and paths.
+/// Rays or paths of a workgroup of the probe and path passes.
 pub const PROBE_GROUP: u32 = 64;
 
 /// Rays of a row of these workgroups, so that more rays fit than a dispatch has columns.
@@ -36,7 +36,7 @@ pub const PROBE_ROW: u32 = 65_536;
 /// Vertices, edges, triangles, blocks or points of a workgroup of the passes that tessellate.
 pub const TESSELLATE_GROUP: u32 = 64;
 
-/// Those of a row of workgroups, as [`PROBE_ROW`].
+/// Vertices, edges, triangles, blocks or points of a row of such workgroups; see [`PROBE_ROW`].
 pub const TESSELLATE_ROW: u32 = 65_536;
 
 /// Tallies that one invocation adds up.
@@ -45,23 +45,23 @@ pub const TESSELLATE_BLOCK: u32 = 256;
 /// The coarsest level of a grid that divides bases: no side is divided there.
 pub const TESSELLATE_COARSEST: u32 = 20;
 
-/// What stands in place of one of three sides for a point that lies inside of a triangle.
+/// The value in place of the number of a side for a point inside a triangle.
 pub const TESSELLATE_INSIDE: u32 = 3;
 
-/// What stands in place of an edge's triangles where there are too many to be counted.
+/// The value in place of an edge's triangles if it has more than two.
 pub const TESSELLATE_COUNTLESS: u32 = u32::MAX;
 
 /// Vertices of the box that [`Root::DrawShells`] draws for a triangle.
 pub const BOX_VERTICES: u32 = 36;
 
-/// Added to what a leaf of the hierarchy of [`Root::TraceShells`] says of its triangle where that is seen
+/// The number that is added in a leaf of the BVH of [`Root::TraceShells`] if its triangle is seen
 /// turned over, too.
 pub const SHELL_BOTH_SIDES: u32 = 1;
 
-/// What a leaf multiplies the number of its triangle by.
+/// The factor on the number of a leaf's triangle.
 pub const SHELL_TRIANGLE: u32 = 2;
 
-/// How textures are read.
+/// The way in which textures are read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Sampling {
     /// Texels are loaded and interpolated in plain arithmetic: the same bits on every machine.
@@ -99,53 +99,56 @@ impl FromStr for Sampling {
     }
 }
 
-/// What a shader is assembled for.
+/// The purpose of an assembled shader, with the names of its entry points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Root {
-    /// The functions alone, for a program of one's own: `shade_pixel` is a whole pixel, `pixel_of` makes what
-    /// it takes of a point of the picture and a triangle's corners.
+    /// Only the functions, for a program with its own entry points. `shade_pixel` shades a whole
+    /// pixel; `pixel_of` makes its input from a point of the picture and a triangle's corners.
     Functions,
     /// Rasterises the base mesh and traces it: `vertex_main`, `fragment_main`.
     Trace,
-    /// The same of shells, which rays find in a hierarchy of boxes: `cover_vertex`, of which three vertices
-    /// cover the picture, `shells_main`.
+    /// Traces shells, which rays find in a BVH: `cover_vertex`, whose three vertices cover the
+    /// picture, and `shells_main`.
     TraceShells,
-    /// The same of objects of images: `cover_vertex`, `objects_main`.
+    /// Traces objects of images: `cover_vertex`, `objects_main`.
     TraceObjects,
-    /// As [`Root::Trace`], for what a light sees: the keys of the hits alone: `vertex_main`, `light_main`.
+    /// Fills a shadow map like [`Root::Trace`], with the keys of the hits alone: `vertex_main`,
+    /// `light_main`.
     Light,
-    /// The same of shells: `cover_vertex`, `shells_light_main`.
+    /// Fills a shadow map of shells: `cover_vertex`, `shells_light_main`.
     LightShells,
-    /// The same of objects of images: `cover_vertex`, `objects_light_main`.
+    /// Fills a shadow map of objects of images: `cover_vertex`, `objects_light_main`.
     LightObjects,
-    /// Rasterises slices through an object, a pass for each of its images: `stencil_vertex`, of which the
-    /// instance is the image; `stencil_test_fragment`, of which what is left is to be counted;
-    /// `stencil_hit_fragment`, the same for the last image, with what [`Root::Trace`] gives;
-    /// `stencil_clear_fragment`, for all of a slice.
+    /// Rasterises slices through an object, one pass per image. `stencil_vertex` takes the image as
+    /// the instance. `stencil_test_fragment` keeps the points that must be counted.
+    /// `stencil_hit_fragment` does so for the last image, with the output of [`Root::Trace`].
+    /// `stencil_clear_fragment` covers all of a slice.
     Stencil,
-    /// As [`Root::Trace`], for a program's own depth buffer, which it fills before its own pass: to the bit
-    /// the `z` that shading gives: `vertex_main`, `prepass_main`.
+    /// Fills a program's own depth buffer before its own pass, with the very bits of `z` that
+    /// shading gives: `vertex_main`, `prepass_main`.
     Prepass,
-    /// The same of shells, of which boxes are rasterised: `shell_vertex`, `shell_prepass_main`. Each triangle
-    /// has [`BOX_VERTICES`]; a second instance is the mesh turned over.
+    /// Fills a depth buffer with shells, whose boxes are rasterised: `shell_vertex`,
+    /// `shell_prepass_main`. Each triangle has [`BOX_VERTICES`]; a second instance is the mesh
+    /// turned over.
     PrepassShells,
-    /// The same of objects of images, which fill these boxes: `shell_vertex`, `prepass_main`.
+    /// Fills a depth buffer with objects of images, which fill these boxes: `shell_vertex`,
+    /// `prepass_main`.
     PrepassObjects,
-    /// A surface in a single pass, for a program's own: traces and shades it, and gives linear colours:
-    /// `draw_vertex`, `draw_fragment`. What lies nearer is for the depth test of the triangles to say.
+    /// Traces and shades a surface in a single pass of a program's own, and gives linear colours:
+    /// `draw_vertex`, `draw_fragment`. The depth test of the triangles decides what lies nearer.
     Draw,
-    /// The same with the `z` of what is seen, for a program's own depth buffer: `draw_vertex`,
+    /// Draws with the `z` of the hits, for a program's own depth buffer: `draw_vertex`,
     /// `draw_depth_fragment`.
     DrawDepth,
-    /// The same of shells: `draw_box_vertex`, `draw_box_fragment`.
+    /// Draws shells with the `z` of the hits: `draw_box_vertex`, `draw_box_fragment`.
     DrawShells,
-    /// The same of objects of images: `draw_box_vertex`, `draw_depth_fragment`.
+    /// Draws objects of images with the `z` of the hits: `draw_box_vertex`, `draw_depth_fragment`.
     DrawObjects,
-    /// Shades what was traced: `shade_main`.
+    /// Shades the traced hits: `shade_main`.
     Shade,
-    /// Adds what was shaded to the samples before: `resolve_main`.
+    /// Adds the shaded colours to the samples before: `resolve_main`.
     Resolve,
-    /// Makes a picture of what was shaded: `show_main`.
+    /// Makes a picture of the shaded colours: `show_main`.
     Show,
     /// Runs the stages over a list of rays and writes every stage's result: `probe_main`.
     Probe,
@@ -187,7 +190,7 @@ impl Root {
         Root::Tessellate,
     ];
 
-    /// The functions that it is assembled for.
+    /// Returns the functions that it is assembled for.
     pub const fn functions(self) -> &'static [&'static str] {
         match self {
             Root::Functions => &["pixel_of", "shade_pixel"],
@@ -232,7 +235,7 @@ impl Root {
 
 /// A module of the sources.
 pub(crate) struct Module {
-    /// Its path, such as `search/linear`.
+    /// The path, such as `search/linear`.
     pub path: &'static str,
     /// The comment at its head.
     pub head: &'static str,
@@ -243,15 +246,16 @@ pub(crate) struct Declaration {
     /// The path of its module.
     pub module: &'static str,
     pub name: &'static str,
-    /// The sampling that it is for, where there is one for each.
+    /// The sampling that it belongs to; `None` if it serves both.
     pub sampling: Option<Sampling>,
     /// The other declarations that it uses, and the stages that it calls.
     pub uses: &'static [&'static str],
-    /// As it is written, its comment first.
+    /// The declaration as it is written, with its comment first.
     pub text: &'static str,
 }
 
-/// The shader of a selection: what its root reaches, and nothing else. The same text on every run.
+/// Assembles the shader of a selection: all that its root reaches, and nothing else. The text is
+/// the same on every run.
 pub fn assemble(selection: &Selection, root: Root, sampling: Sampling) -> String {
     let parts = Parts::new(selection, root, sampling);
     let mut text = parts.choices();
@@ -279,25 +283,25 @@ pub struct Parts {
     selection: Selection,
     sampling: Sampling,
     reached: BTreeSet<String>,
-    /// What is bound, in the order of [`BINDINGS`](bindings::BINDINGS). The declarations have the groups and
-    /// numbers that are found here.
+    /// The bindings, in the order of [`BINDINGS`](bindings::BINDINGS). [`Parts::code`] declares
+    /// variables with the groups and numbers given here.
     pub bindings: Vec<Binding>,
 }
 
 impl Parts {
-    /// Those of a selection that a root reaches.
+    /// Collects the parts of a selection that a root reaches.
     pub fn new(selection: &Selection, root: Root, sampling: Sampling) -> Self {
         let reached = reached(selection, root.functions(), sampling);
         let bindings = bindings::BINDINGS.into_iter().filter(|binding| reached.contains(binding.name));
         Self { selection: *selection, sampling, bindings: bindings.collect(), reached }
     }
 
-    /// Whether the stage of that place in [`STAGES`] is run.
+    /// Whether the stage at `place` in [`STAGES`] is run.
     pub fn has_stage(&self, place: usize) -> bool {
         STAGES[place].functions().any(|function| self.reached.contains(&function))
     }
 
-    /// A comment on what is chosen: of each stage its variant, where that was published, what it reads and
+    /// Returns a comment on the choices: for each stage the variant, its publication, its map and
     /// its parameters.
     pub fn choices(&self) -> String {
         let mut text = head(&format!("{} sampling", self.sampling));
@@ -307,7 +311,7 @@ impl Parts {
         text
     }
 
-    /// The declarations, with the comments of their sources.
+    /// Returns the declarations, with the comments of their sources.
     pub fn code(&self) -> String {
         let declared = || {
             DECLARATIONS.iter().filter(|declaration| {
@@ -325,7 +329,7 @@ impl Parts {
             text.push_str(head);
             let mut was_short = false;
             for declaration in of_module {
-                // Declarations of a line stand together.
+                // Declarations of one line stand together.
                 let is_short = !declaration.text.contains('\n');
                 if !(is_short && was_short) {
                     text.push('\n');
@@ -350,7 +354,7 @@ impl Parts {
     }
 }
 
-/// A function that is part of no stage and reads nothing that is bound, with what it calls.
+/// A function that is part of no stage and reads no binding, with all that it calls.
 pub(crate) fn of_function(name: &str) -> String {
     let (selection, sampling) = (Selection::default(), Sampling::Exact);
     let reached = reached(&selection, &[name], sampling);
@@ -358,7 +362,7 @@ pub(crate) fn of_function(name: &str) -> String {
     format!("{}{}", head(&format!("the function {name}")), parts.code())
 }
 
-/// The first lines of a shader, which say what it is.
+/// The first lines of a shader, which name it.
 fn head(what: &str) -> String {
     format!("// Relief: displacement mapping, {what}.\n// SPDX-License-Identifier: MIT OR Apache-2.0\n")
 }
@@ -386,12 +390,12 @@ fn reached(selection: &Selection, functions: &[&str], sampling: Sampling) -> BTr
     reached
 }
 
-/// The call of a function of the variant that is chosen for a stage.
+/// The function that calls the variant chosen for a stage.
 fn called(place: usize, stage: &Stage, call: &Call, choice: &Choice) -> String {
     let declared: Vec<String> = call.inputs.iter().map(|(name, kind)| format!("{name}: {kind}")).collect();
     let passed: Vec<&str> = call.inputs.iter().map(|(name, _)| *name).collect();
     format!(
-        "\n// The {} that is chosen: {}.\nfn {}({}) -> {} {{\n    return {}({}, surface_settings.choices[{place}].params);\n}}\n",
+        "\n// The chosen {}: {}.\nfn {}({}) -> {} {{\n    return {}({}, surface_settings.choices[{place}].params);\n}}\n",
         stage.title,
         choice.entry.summary,
         stage.function(call),
@@ -402,7 +406,7 @@ fn called(place: usize, stage: &Stage, call: &Call, choice: &Choice) -> String {
     )
 }
 
-/// What is chosen for a stage, where it was published, what it reads and what its parameters are.
+/// Writes the choice for a stage: its publication, its map and its parameters.
 fn chosen(text: &mut String, place: usize, stage: &Stage, choice: &Choice) {
     let Choice { entry, .. } = choice;
     let published = [entry.publication.paper, entry.publication.section].join(", ");
@@ -416,7 +420,7 @@ fn chosen(text: &mut String, place: usize, stage: &Stage, choice: &Choice) {
     for (param, component) in entry.params.iter().zip(["x", "y", "z", "w"]) {
         let _ = writeln!(
             text,
-            "//   surface_settings.choices[{place}].params.{component}: {}, {} ({} to {}, usually {})",
+            "//   surface_settings.choices[{place}].params.{component}: {}, {} ({} to {}, default {})",
             param.name, param.summary, param.min, param.max, param.default
         );
     }

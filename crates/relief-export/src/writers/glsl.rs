@@ -6,11 +6,12 @@ use naga::{Module, ResourceBinding, ShaderStage};
 use relief_shaders::bindings::{Binding, BindingKind};
 
 use super::{Body, Text, UNCHECKED, stage_name};
-use crate::manifest::{At, EntryPoint, Renamed, ShaderFile};
+use crate::manifest::{BindingPoint, EntryPoint, FileBinding, ShaderFile};
 use crate::program::{Checked, Program};
 use crate::{ExportError, Profile, Target};
 
-/// What naga adds to the number of an instance: the first one's, which is always 0 here.
+/// The summand that naga adds to the number of an instance: the first instance, which is always 0
+/// here.
 const FIRST_INSTANCE: [&str; 2] = ["uniform uint naga_vs_first_instance;\n\n", " + naga_vs_first_instance"];
 
 /// The name of every entry point.
@@ -19,11 +20,11 @@ const MAIN: &str = "main";
 pub fn write(
     program: &Program,
     profile: Profile,
-    places: &[At],
+    points: &[BindingPoint],
     name: &str,
 ) -> Result<Vec<Text>, ExportError> {
     [ShaderStage::Vertex, ShaderStage::Fragment]
-        .map(|stage| of_stage(program, profile, places, name, stage))
+        .map(|stage| of_stage(program, profile, points, name, stage))
         .into_iter()
         .collect()
 }
@@ -31,7 +32,7 @@ pub fn write(
 fn of_stage(
     program: &Program,
     profile: Profile,
-    places: &[At],
+    points: &[BindingPoint],
     name: &str,
     stage: ShaderStage,
 ) -> Result<Text, ExportError> {
@@ -44,10 +45,10 @@ fn of_stage(
         writer_flags: glsl::WriterFlags::empty(),
         ..glsl::Options::default()
     };
-    for (binding, place) in program.parts.bindings.iter().zip(places) {
-        if let At::Binding { binding: number } = place {
+    for (binding, place) in program.parts.bindings.iter().zip(points) {
+        if let BindingPoint::Binding { binding: number } = place {
             let resource = ResourceBinding { group: binding.group, binding: binding.number };
-            // The number has been found to fit.
+            // The number was checked to fit.
             options.binding_map.insert(resource, *number as u8);
         }
     }
@@ -63,7 +64,7 @@ fn of_stage(
     let (text, names) = written(&checked.module, &checked.info).map_err(refused)?;
     let [declared, added] = FIRST_INSTANCE;
     let text = text.replacen(declared, "", 1).replace(added, "");
-    let renamed = program.parts.bindings.iter().zip(places);
+    let renamed = program.parts.bindings.iter().zip(points);
     let renamed = renamed.filter_map(|(binding, at)| renamed_of(&checked, binding, at, &names, program));
     let ending = if stage == ShaderStage::Vertex { "vert" } else { "frag" };
     let file = ShaderFile {
@@ -76,15 +77,15 @@ fn of_stage(
     Ok(Text { file, body: Body::Source(text, 1) })
 }
 
-/// A binding under its name in a stage's file; none where the stage does not read it, and for samplers, which
-/// are parts of textures here.
+/// A binding under its name in a stage's file; none if the stage does not read it, and for
+/// samplers, which are parts of textures here.
 fn renamed_of(
     checked: &Checked,
     binding: &Binding,
-    at: &At,
+    at: &BindingPoint,
     names: &glsl::ReflectionInfo,
     program: &Program,
-) -> Option<Renamed> {
+) -> Option<FileBinding> {
     let (variable, _) = checked.variable(binding)?;
     let (here, sampler) = match binding.kind {
         BindingKind::Sampler => return None,
@@ -101,5 +102,5 @@ fn renamed_of(
             (name.clone(), program.parts.bindings.iter().find(is_sampler).map(|binding| binding.name))
         }
     };
-    Some(Renamed { name: binding.name, here, at: at.clone(), sampler })
+    Some(FileBinding { name: binding.name, here, at: at.clone(), sampler })
 }

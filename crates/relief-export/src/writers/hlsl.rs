@@ -7,11 +7,16 @@ use naga::{Module, ResourceBinding};
 use super::hlsl_samplers::with_plain_samplers;
 use super::hlsl_zeros::with_listed_zeros;
 use super::{Body, Text, entry_points, same_name};
-use crate::manifest::{At, ShaderFile};
+use crate::manifest::{BindingPoint, ShaderFile};
 use crate::program::Program;
 use crate::{ExportError, Profile, Target};
 
-pub fn write(program: &Program, profile: Profile, places: &[At], name: &str) -> Result<Text, ExportError> {
+pub fn write(
+    program: &Program,
+    profile: Profile,
+    points: &[BindingPoint],
+    name: &str,
+) -> Result<Text, ExportError> {
     let mut options = hlsl::Options {
         shader_model: match profile {
             Profile::Hlsl60 => hlsl::ShaderModel::V6_0,
@@ -23,7 +28,7 @@ pub fn write(program: &Program, profile: Profile, places: &[At], name: &str) -> 
         ..hlsl::Options::default()
     };
     for binding in &program.parts.bindings {
-        // The numbers have been found to fit.
+        // The numbers were checked to fit.
         let space = binding.group as u8;
         let target = hlsl::BindTarget { space, register: binding.number, ..hlsl::BindTarget::default() };
         let resource = ResourceBinding { group: binding.group, binding: binding.number };
@@ -47,7 +52,7 @@ pub fn write(program: &Program, profile: Profile, places: &[At], name: &str) -> 
     let [vertex, fragment] = names.as_slice() else {
         return Err(ExportError::Invalid(format!("{} entry points", names.len())));
     };
-    let bindings = program.parts.bindings.iter().zip(places);
+    let bindings = program.parts.bindings.iter().zip(points);
     let file = ShaderFile {
         file: format!("{name}.hlsl"),
         entry_points: entry_points([vertex, fragment]),

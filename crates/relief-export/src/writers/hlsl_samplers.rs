@@ -1,22 +1,24 @@
-//! Samplers of HLSL as everybody binds them.
+//! Plain samplers for HLSL.
 //!
-//! naga declares an array of all samplers of a program and looks each of them up there by a number from a
-//! buffer, as its own host wants it. Here each becomes a `SamplerState` with a register of its own.
+//! naga declares an array of all samplers of a program and looks each of them up there by a number
+//! from a buffer, as its own host wants it. Here each becomes a `SamplerState` with a register of
+//! its own.
 
-/// The beginnings of the lines that declare the arrays of samplers, and how those of the buffers of numbers
-/// begin and end.
+/// The beginnings of the lines that declare the arrays of samplers, and the beginning and end of
+/// the buffers of numbers.
 const ARRAYS: [&str; 2] =
     ["SamplerState nagaSamplerHeap[", "SamplerComparisonState nagaComparisonSamplerHeap["];
 const NUMBERS: &str = "StructuredBuffer<uint> nagaGroup";
 
-/// What each sampler is found by: the group and the number of its binding are in it.
+/// The parts of a sampler's look-up; the group and the number of its binding stand between them.
 const LOOKUP: [&str; 3] = [" = nagaSamplerHeap[nagaGroup", "SamplerIndexArray[", "]];"];
 
-/// The text with a register for each sampler: that of its binding, in the space of its group.
+/// Returns the text with a register for each sampler: its binding's number, in the space of its
+/// group.
 ///
 /// # Errors
 ///
-/// When something of the array of samplers is left.
+/// When something of the array of samplers remains.
 pub fn with_plain_samplers(text: &str) -> Result<String, String> {
     let is_kept =
         |line: &&str| !ARRAYS.iter().any(|begin| line.starts_with(begin)) && !line.starts_with(NUMBERS);
@@ -38,7 +40,7 @@ pub fn with_plain_samplers(text: &str) -> Result<String, String> {
     }
 }
 
-/// Name, number and group of the sampler that a line declares.
+/// The name, number and group of the sampler that a line declares.
 fn register(line: &str) -> Option<(&str, u32, u32)> {
     let [begin, middle, end] = LOOKUP;
     let declared = line.strip_prefix("static const SamplerState ")?.strip_suffix(end)?;

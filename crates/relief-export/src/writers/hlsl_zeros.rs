@@ -1,9 +1,9 @@
-//! Zeros of arrays in HLSL as every compiler reads them.
+//! Zeros of arrays in HLSL that every compiler reads.
 //!
-//! naga casts a 0 to the type of an array, as in `(float4[8])0`. Not every compiler knows that; a list of
-//! zeros, one for each element, all of them do.
+//! naga casts a 0 to the type of an array, as in `(float4[8])0`. Not every compiler accepts that;
+//! all accept a list of zeros, one for each element.
 
-/// The text with lists of zeros in place of such casts.
+/// Returns the text with lists of zeros in place of such casts.
 pub fn with_listed_zeros(text: &str) -> String {
     let mut listed = String::with_capacity(text.len());
     for line in text.lines() {

@@ -1,7 +1,7 @@
-//! The texts and words of each target, through naga's writers.
+//! Files of each target, through naga's writers.
 //!
-//! No writer turns the picture around or changes depths: the clip space is that of the matrix that a program
-//! gives. Loops are not bounded a second time, and indices are not checked, since the shaders do both.
+//! No writer flips the picture or changes depths: the program's matrix gives the clip space. Loops
+//! are not bounded a second time, and indices are not checked, since the shaders do both.
 
 mod glsl;
 mod hlsl;
@@ -15,11 +15,11 @@ use naga::ShaderStage;
 use naga::proc::{BoundsCheckPolicies, BoundsCheckPolicy};
 use relief_shaders::bindings::Binding;
 
-use crate::manifest::{At, EntryPoint, Renamed, ShaderFile};
+use crate::manifest::{BindingPoint, EntryPoint, FileBinding, ShaderFile};
 use crate::program::Program;
-use crate::{ExportError, Options, Profile, Target, places};
+use crate::{ExportError, Options, Profile, Target, binding_points};
 
-/// Textures are read and buffers indexed as the shaders say.
+/// Textures and buffers are indexed without further checks.
 const UNCHECKED: BoundsCheckPolicies = BoundsCheckPolicies {
     index: BoundsCheckPolicy::Unchecked,
     buffer: BoundsCheckPolicy::Unchecked,
@@ -33,15 +33,15 @@ pub struct Text {
     pub body: Body,
 }
 
-/// What a file holds.
+/// The content of a file.
 pub enum Body {
-    /// A text, and how many of its first lines must stay first.
+    /// A text, and the number of its first lines that must stay first.
     Source(String, usize),
     /// SPIR-V.
     Words(Vec<u32>),
 }
 
-/// The files of a profile.
+/// Writes the files of a profile.
 pub fn write(
     program: &Program,
     profile: Profile,
@@ -49,17 +49,17 @@ pub fn write(
     options: &Options,
 ) -> Result<Vec<Text>, ExportError> {
     let target = profile.target();
-    let places = places::places(target, &program.parts.bindings, options)?;
+    let points = binding_points::points(target, &program.parts.bindings, options)?;
     match target {
-        Target::Wgsl => Ok(vec![wgsl::write(program, &places, name)]),
-        Target::Glsl => glsl::write(program, profile, &places, name),
-        Target::Hlsl => hlsl::write(program, profile, &places, name).map(|text| vec![text]),
-        Target::Msl => msl::write(program, &places, name, options).map(|text| vec![text]),
-        Target::Spirv => spirv::write(program, &places, name).map(|text| vec![text]),
+        Target::Wgsl => Ok(vec![wgsl::write(program, &points, name)]),
+        Target::Glsl => glsl::write(program, profile, &points, name),
+        Target::Hlsl => hlsl::write(program, profile, &points, name).map(|text| vec![text]),
+        Target::Msl => msl::write(program, &points, name, options).map(|text| vec![text]),
+        Target::Spirv => spirv::write(program, &points, name).map(|text| vec![text]),
     }
 }
 
-/// The name of a stage in manifests.
+/// Returns the name of a stage in manifests.
 pub fn stage_name(stage: ShaderStage) -> &'static str {
     match stage {
         ShaderStage::Vertex => "vertex",
@@ -67,7 +67,7 @@ pub fn stage_name(stage: ShaderStage) -> &'static str {
     }
 }
 
-/// Both stages' functions under the names that they have in a file.
+/// The functions of both stages, under their names in a file.
 fn entry_points(names: [&str; 2]) -> Vec<EntryPoint> {
     let stages = [ShaderStage::Vertex, ShaderStage::Fragment].map(stage_name);
     let entry = |(stage, name): (&'static str, &str)| EntryPoint { stage, name: name.to_owned() };
@@ -75,6 +75,6 @@ fn entry_points(names: [&str; 2]) -> Vec<EntryPoint> {
 }
 
 /// A binding that keeps its name.
-fn same_name(binding: &Binding, at: &At) -> Renamed {
-    Renamed { name: binding.name, here: binding.name.to_owned(), at: at.clone(), sampler: None }
+fn same_name(binding: &Binding, at: &BindingPoint) -> FileBinding {
+    FileBinding { name: binding.name, here: binding.name.to_owned(), at: at.clone(), sampler: None }
 }

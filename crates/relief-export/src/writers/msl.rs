@@ -6,25 +6,30 @@ use naga::{Module, ResourceBinding, TypeInner};
 use relief_shaders::bindings::Binding;
 
 use super::{Body, Text, UNCHECKED, entry_points, same_name};
-use crate::manifest::{At, ShaderFile, SizesBuffer};
+use crate::manifest::{BindingPoint, ShaderFile, SizesBuffer};
 use crate::program::Program;
-use crate::{ExportError, Options, Target, places};
+use crate::{ExportError, Options, Target, binding_points};
 
-pub fn write(program: &Program, places: &[At], name: &str, options: &Options) -> Result<Text, ExportError> {
+pub fn write(
+    program: &Program,
+    points: &[BindingPoint],
+    name: &str,
+    options: &Options,
+) -> Result<Text, ExportError> {
     let checked = &program.checked;
     let bindings = &program.parts.bindings;
-    let sizes = sizes(program, places, options)?;
+    let sizes = sizes(program, points, options)?;
     let mut resources = msl::EntryPointResources {
         sizes_buffer: sizes.as_ref().map(|sizes| sizes.buffer as u8),
         ..msl::EntryPointResources::default()
     };
-    for (binding, place) in bindings.iter().zip(places) {
+    for (binding, place) in bindings.iter().zip(points) {
         let mut target = msl::BindTarget::default();
-        // The slots have been found to fit.
+        // The slots were checked to fit.
         match place {
-            At::Buffer { buffer } => target.buffer = Some(*buffer as u8),
-            At::Texture { texture } => target.texture = Some(*texture as u8),
-            At::Sampler { sampler_state } => {
+            BindingPoint::Buffer { buffer } => target.buffer = Some(*buffer as u8),
+            BindingPoint::Texture { texture } => target.texture = Some(*texture as u8),
+            BindingPoint::Sampler { sampler_state } => {
                 target.sampler = Some(msl::BindSamplerTarget::Resource(*sampler_state as u8));
             }
             _ => {}
@@ -55,15 +60,19 @@ pub fn write(program: &Program, places: &[At], name: &str, options: &Options) ->
     let file = ShaderFile {
         file: format!("{name}.metal"),
         entry_points: entry_points([vertex, fragment]),
-        bindings: bindings.iter().zip(places).map(|(binding, at)| same_name(binding, at)).collect(),
+        bindings: bindings.iter().zip(points).map(|(binding, at)| same_name(binding, at)).collect(),
         sizes,
     };
     Ok(Text { file, body: Body::Source(text, 0) })
 }
 
-/// Metal's arrays do not know their lengths: those that have none in the shader come with their buffers'
-/// sizes, in the order of the module's variables.
-fn sizes(program: &Program, places: &[At], options: &Options) -> Result<Option<SizesBuffer>, ExportError> {
+/// The buffer of sizes, if one is needed. Metal's arrays do not know their lengths: arrays without
+/// one in the shader come with their buffers' sizes, in the order of the module's variables.
+fn sizes(
+    program: &Program,
+    points: &[BindingPoint],
+    options: &Options,
+) -> Result<Option<SizesBuffer>, ExportError> {
     let checked = &program.checked;
     let is_open = |binding: &&Binding| {
         checked.variable(binding).is_some_and(|(_, variable)| {
@@ -76,6 +85,6 @@ fn sizes(program: &Program, places: &[At], options: &Options) -> Result<Option<S
     if of.is_empty() {
         return Ok(None);
     }
-    let buffer = places::next_buffer(places, options)?;
+    let buffer = binding_points::next_buffer(points, options)?;
     Ok(Some(SizesBuffer { buffer, of: of.into_iter().map(|binding| binding.name).collect() }))
 }

@@ -3,11 +3,11 @@
 use naga::back::spv;
 
 use super::{Body, Text, UNCHECKED, entry_points, same_name};
-use crate::manifest::{At, ShaderFile};
+use crate::manifest::{BindingPoint, ShaderFile};
 use crate::program::Program;
 use crate::{ExportError, Target};
 
-pub fn write(program: &Program, places: &[At], name: &str) -> Result<Text, ExportError> {
+pub fn write(program: &Program, points: &[BindingPoint], name: &str) -> Result<Text, ExportError> {
     let options = spv::Options {
         lang_version: (1, 3),
         // Names of variables and members stay, so that reflection finds them.
@@ -23,7 +23,7 @@ pub fn write(program: &Program, places: &[At], name: &str) -> Result<Text, Expor
     let checked = &program.checked;
     let words = written(&checked.module, &checked.info);
     let words = words.map_err(|error| checked.refused(Target::Spirv, error, written))?;
-    let bindings = program.parts.bindings.iter().zip(places);
+    let bindings = program.parts.bindings.iter().zip(points);
     let file = ShaderFile {
         file: format!("{name}.spv"),
         entry_points: entry_points(program.entry_points),

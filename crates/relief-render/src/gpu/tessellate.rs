@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use relief_shaders::cpu::{
-    BaseEdge, BasePatch, BaseVertex, Corner, Face, MadeTotals, Shared, Tally, Tessellation as Grid, Vec2,
-    Voxel,
+    BaseEdge, BasePatch, BaseVertex, Corner, Face, Shared, Tally, Tessellation as Grid, TessellationTotals,
+    Vec2, Voxel,
 };
 use relief_shaders::wgsl::{TESSELLATE_BLOCK, TESSELLATE_COARSEST, TESSELLATE_GROUP, TESSELLATE_ROW};
 use wgpu::{BindGroup, BindGroupLayout, Buffer, BufferUsages, ComputePass, ComputePipeline, Device};
@@ -121,7 +121,7 @@ impl Tessellated {
         let blocks = tallies.div_ceil(TESSELLATE_BLOCK as usize);
         let blocks = storage("tally_blocks", blocks, <Vec2<u32> as Shared>::SIZE);
         let tallies = storage("tallies", tallies, Tally::SIZE);
-        let size = MadeTotals::SIZE as u64;
+        let size = TessellationTotals::SIZE as u64;
         let totals = gpu.buffer("made_totals", size, BufferUsages::STORAGE | BufferUsages::COPY_SRC);
         let drawn = gpu.buffer("drawn", size, BufferUsages::INDIRECT | BufferUsages::COPY_DST);
         let corners = storage("made_corners", vertices.len() + room.points as usize, Corner::SIZE);
@@ -184,7 +184,7 @@ impl Tessellated {
 
     /// How many triangles were made, once that is done.
     pub async fn triangles(&self, gpu: &Gpu) -> Result<u64, GpuError> {
-        let size = MadeTotals::SIZE as u64;
+        let size = TessellationTotals::SIZE as u64;
         let readable = gpu
             .guarded(|| {
                 let readable = gpu.buffer("made", size, BufferUsages::MAP_READ | BufferUsages::COPY_DST);
@@ -195,7 +195,7 @@ impl Tessellated {
             })
             .await?;
         let mut made = 0;
-        gpu.read(&readable, size, |bytes| made = MadeTotals::read(bytes).triangles).await?;
+        gpu.read(&readable, size, |bytes| made = TessellationTotals::read(bytes).triangles).await?;
         Ok(made.into())
     }
 
@@ -222,7 +222,7 @@ impl Tessellated {
             pass.set_bind_group(1, &self.counting, &[]);
             self.count(&mut pass, tessellator, &grid);
         }
-        encoder.copy_buffer_to_buffer(&self.totals, 0, &self.drawn, 0, MadeTotals::SIZE as u64);
+        encoder.copy_buffer_to_buffer(&self.totals, 0, &self.drawn, 0, TessellationTotals::SIZE as u64);
         {
             let mut pass = encoder.begin_compute_pass(&timed());
             // Nothing of a frame or a pass is read.

@@ -8,7 +8,7 @@ use crate::scene_maps::{AZIMUTHS, ELEVATIONS, scene_map};
 /// Light that bounces within the relief.
 pub const ENTRY: Entry = Entry {
     name: "bounce",
-    summary: "the sky's light, and what the relief throws to itself of it, baked",
+    summary: "the sky's light, and the light that the relief reflects onto itself, baked",
     publication: Publication {
         paper: "Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008",
         section: "6.2",
@@ -27,7 +27,7 @@ pub const ENTRY: Entry = Entry {
         ELEVATIONS,
         Param {
             name: "albedo",
-            summary: "the part of the light that the relief throws back",
+            summary: "part of the light that the relief reflects",
             unit: "",
             min: 0.0,
             max: 1.0,
@@ -37,7 +37,7 @@ pub const ENTRY: Entry = Entry {
         },
         Param {
             name: "bounces",
-            summary: "how often light is thrown back",
+            summary: "number of reflections",
             unit: "",
             min: 0.0,
             max: 256.0,
@@ -49,7 +49,8 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "What a texel receives is a mean over fixed directions of what it sees there, about the base's \
-        normal. All of the relief throws back the same part; the colours that light takes on are not known.",
+    argument: "A texel receives a mean over fixed directions of the light that it sees there, \
+        about the base's normal. All of the relief reflects the same part; the colours that light \
+        takes on are not known.",
     role: Role::Plain,
 };

@@ -5,7 +5,7 @@ use relief_core::registry::{Guarantee, Guarantees, Publication};
 use crate::SURVEY;
 use crate::entry::{Entry, Role};
 
-/// The same light everywhere.
+/// Constant light, the same everywhere.
 pub const ENTRY: Entry = Entry {
     name: "constant",
     summary: "the same light everywhere, as if the relief hid none of the sky",

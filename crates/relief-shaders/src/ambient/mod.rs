@@ -1,5 +1,7 @@
-//! Light from all around: what of a uniform sky's light a hit reflects. A new one is a `.wesl` and a `.rs`
-//! file here and its name in the list below; the first is what is run where nothing is said.
+//! Ambient light: each variant gives the light from all around that a hit reflects.
+//!
+//! A new variant is a `.wesl` and a `.rs` file here and its name in the list below; the first is
+//! the default.
 
 use relief_core::registry::Param;
 
@@ -13,7 +15,7 @@ mod hemisphere;
 mod occlusion;
 mod sky;
 
-/// All of them.
+/// All ambient lights, in the order of their numbers in the shaders. The first is the default.
 pub static ENTRIES: &[Entry] = &[
     constant::ENTRY,
     occlusion::ENTRY,
@@ -24,7 +26,7 @@ pub static ENTRIES: &[Entry] = &[
     sky::ENTRY,
 ];
 
-/// How bright the ground is under a sky.
+/// Brightness of the ground under a sky.
 const GROUND: Param = Param {
     name: "ground",
     summary: "the ground's light, as a part of the sky's",

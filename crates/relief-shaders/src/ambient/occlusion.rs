@@ -8,7 +8,7 @@ use crate::scene_maps::{AZIMUTHS, scene_map};
 /// Ambient occlusion.
 pub const ENTRY: Entry = Entry {
     name: "occlusion",
-    summary: "the part of the sky that is seen, baked, as a factor on the light",
+    summary: "the visible part of the sky, baked, as a factor on the light",
     publication: Publication {
         paper: "Zhukov, Iones and Kronin 1998; Szirmay-Kalos and Umenhoffer 2008",
         section: "6.1",
@@ -18,7 +18,8 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "The part is that of a plane parallel to the base: slopes receive as much as level ground that \
-        sees as much of the sky. Between azimuths a mean stands for the horizon.",
+    argument: "The part holds for a plane parallel to the base: slopes receive as much as \
+        level ground that sees as much of the sky. Between azimuths a mean stands for the \
+        horizon.",
     role: Role::Plain,
 };

@@ -9,7 +9,7 @@ use crate::scene_maps::{AZIMUTHS, scene_map};
 /// An occluded sky above and ground below.
 pub const ENTRY: Entry = Entry {
     name: "sky",
-    summary: "as hemisphere, as much of it as the relief leaves open: baked from a coarser level",
+    summary: "like hemisphere, limited to what the relief leaves open; baked from a coarser level",
     publication: Publication { paper: "Landis 2002; Hargreaves 2003", section: "" },
     maps: &[MapInput {
         side: Some(MapSetting::Param("side")),
@@ -35,8 +35,9 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "The part of the sky that arrives is that of bent-normal, of heights as fine as the baked \
-        level. All of it has the radiance that planes across the mean open direction and across the normal \
-        see on the mean: right where nothing is hidden. What the relief hides throws no light.",
+    argument: "The visible part of the sky is taken from bent-normal, for heights as fine as \
+        the baked level. All of it has the mean radiance that two planes see: one across the mean \
+        open direction, one across the normal. This is right where nothing is hidden. The hidden \
+        directions give no light.",
     role: Role::Plain,
 };

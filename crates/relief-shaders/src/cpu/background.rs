@@ -1,4 +1,4 @@
-//! The shaders' background, for hosts that lay pictures over it.
+//! The shaders' background, for programs that lay pictures over it.
 
 use relief_core::{BakedMap, HeightMap, Wrap};
 
@@ -6,8 +6,9 @@ use super::generated::Resources;
 use super::{Bound, Frame, Vec2};
 use crate::{MapSlot, SlotMaps};
 
-/// A row of the background of a frame: linear red, green and blue at the centres of `size[0]` pixels, in a
-/// picture of `size[1]` rows, over surroundings as the slot `Environment` has them, where they are seen.
+/// Computes a row of the background of a frame: linear red, green and blue at the centres of
+/// `size[0]` pixels, in a picture of `size[1]` rows. If the environment map is seen, it is read
+/// from the slot `Environment`.
 pub fn background_row(
     frame: Frame,
     environment: Option<&BakedMap>,

@@ -1,4 +1,4 @@
-//! Bytes of the values that the GPU shares with the host, little-endian as WebGPU has them.
+//! Bytes of the values that the GPU shares with the host, little-endian as in WebGPU.
 
 use super::runtime::{Vec2, Vec3, Vec4};
 
@@ -7,14 +7,14 @@ pub trait Shared: Sized {
     /// Bytes from one array element to the next.
     const SIZE: usize;
 
-    /// Writes the value to the front of `bytes`, which must hold `SIZE` of them.
+    /// Writes the value to the front of `bytes`, which must hold at least `SIZE` bytes.
     fn write(&self, bytes: &mut [u8]);
 
-    /// Reads a value from the front of `bytes`, which must hold `SIZE` of them.
+    /// Reads a value from the front of `bytes`, which must hold at least `SIZE` bytes.
     fn read(bytes: &[u8]) -> Self;
 }
 
-/// The bytes of a slice of values, as of an array in a storage buffer.
+/// Returns the bytes of a slice of values, laid out like an array in a storage buffer.
 pub fn write_all<T: Shared>(values: &[T]) -> Vec<u8> {
     let mut bytes = vec![0; values.len() * T::SIZE];
     for (value, place) in values.iter().zip(bytes.chunks_exact_mut(T::SIZE)) {
@@ -23,7 +23,8 @@ pub fn write_all<T: Shared>(values: &[T]) -> Vec<u8> {
     bytes
 }
 
-/// The values of an array in a storage buffer. Bytes after the last whole value are left over.
+/// Returns the values of an array in a storage buffer. Bytes after the last whole value are
+/// ignored.
 pub fn read_all<T: Shared>(bytes: &[u8]) -> Vec<T> {
     bytes.chunks_exact(T::SIZE).map(T::read).collect()
 }

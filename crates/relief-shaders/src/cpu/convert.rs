@@ -1,4 +1,4 @@
-//! Between the shaders' structs and the core's.
+//! Conversions between the shaders' structs and the core's.
 
 use relief_core::object::JumpCells;
 use relief_core::{BakedMap, Cost, HeightMap, MapFormat, PathMetric, RayUse};
@@ -10,7 +10,7 @@ use super::{
 use crate::{MAX_LIGHT_VIEWS, MAX_LIGHTS, MapSlot, Selection, SlotMaps};
 
 impl From<&Path> for relief_core::Path {
-    /// The same path, in `f64`.
+    /// Converts the path to `f64`.
     fn from(path: &Path) -> Self {
         let [uu, uv, vv, scale_m] =
             [path.metric.x, path.metric.y, path.metric.z, path.metric.w].map(f64::from);
@@ -26,7 +26,7 @@ impl From<&Path> for relief_core::Path {
 }
 
 impl From<&relief_core::Path> for Path {
-    /// The path rounded to `f32`, of a view ray over the finest level of detail.
+    /// Rounds the path to `f32`, as a view ray over the finest level of detail.
     fn from(path: &relief_core::Path) -> Self {
         let metric = &path.metric;
         Self::new(
@@ -73,20 +73,20 @@ impl From<&relief_core::Hit> for Hit {
 }
 
 impl Shell {
-    /// A shell of which nothing is known but that heights are from 0 to 1, with corners in the order of the
-    /// triangle.
+    /// Returns a shell with heights from 0 to 1 and corners in the order of the triangle, for a
+    /// shell without other data.
     pub fn whole() -> Self {
         Self::between([0.0, 1.0], [0, 1, 2], [0.0; 3])
     }
 
-    /// A shell between two heights with corners in that order, and with the numbers of a smooth base in the
-    /// same order.
+    /// Returns a shell between two heights with corners in the order `places`. `lift` has the
+    /// coefficients of a smooth base in the same order.
     pub fn between(heights: [f32; 2], places: [u32; 3], lift: [f32; 3]) -> Self {
         Self::new(heights, places[0] | (places[1] << 2) | (places[2] << 4), lift)
     }
 
-    /// The offsets along the normals, in metres, between which the relief lies, where the heights 0 and 1 lie
-    /// at those two.
+    /// Returns the offsets along the normals, in metres, between which the relief lies. The heights
+    /// 0 and 1 lie at `bottom` and `top`, in metres.
     pub fn offsets_m(&self, [bottom, top]: [f32; 2]) -> [f32; 2] {
         let lifts = [self.lift.x, self.lift.y, self.lift.z];
         // The product of two weights is at most a quarter.
@@ -95,14 +95,14 @@ impl Shell {
         [at(self.heights.x) + lifted(f32::min), at(self.heights.y) + lifted(f32::max)]
     }
 
-    /// The same shell, which overlaps itself.
+    /// Returns the shell with the mark that it overlaps itself.
     #[must_use]
     pub fn folded(self) -> Self {
         Self { order: self.order | crate::surface::FOLDED, ..self }
     }
 
-    /// The places of a triangle's corners by rising numbers, by which all triangles know a corner that they
-    /// share.
+    /// Returns the places of a triangle's corners by rising `numbers`, so that all triangles agree
+    /// on the order of a side that they share.
     pub fn places_of(numbers: [u32; 3]) -> [u32; 3] {
         let mut places = [0u32, 1, 2];
         places.sort_by_key(|place| numbers[*place as usize]);
@@ -117,7 +117,7 @@ impl From<&crate::Choice> for Choice {
 }
 
 impl From<Option<&BakedMap>> for MapSettings {
-    /// Of no map where none is given.
+    /// Settings of a map; without one, settings of no map.
     fn from(map: Option<&BakedMap>) -> Self {
         let Some(map) = map else {
             return Self::new(0u32, 0u32, 0u32, 0u32, [0.0; 4], [0.0; 4], [1.0; 2]);
@@ -134,36 +134,39 @@ impl From<Option<&BakedMap>> for MapSettings {
 }
 
 impl SlotMaps<'_> {
-    /// What the settings say of the maps, in the order of the slots.
+    /// Returns the settings of the maps, in the order of the slots.
     pub fn settings(&self) -> [MapSettings; MapSlot::ALL.len()] {
         MapSlot::ALL.map(|slot| MapSettings::from(self.get(slot)))
     }
 }
 
-/// The thickness of shells of relief without any, in metres, where nothing is known of the mesh.
+/// The least thickness of shells, in metres, if nothing is known of the mesh.
 const LEAST_SHELL_M: f32 = 1e-9;
 
-/// How far along the normals the heights 0 and 1 lie in shells of at least that thickness, in metres.
+/// The metres along the normals at which heights 0 and 1 lie in shells with at least that
+/// thickness, in metres.
 fn shell_m(map: &HeightMap, least_m: f32) -> Vec2<f32> {
     let (low, scale) = (map.bias_m() as f32, map.scale_m() as f32);
     [low, low + scale.max(least_m)].into()
 }
 
 impl SurfaceSettings {
-    /// The same with shells of at least that thickness, in metres: where the relief is thinner than a
-    /// hundred-thousandth of the mesh, `f32` has no room between the lower and the upper side.
+    /// Returns the settings with shells of at least that thickness, in metres. Where the relief is
+    /// thinner than a hundred-thousandth of the mesh, `f32` cannot separate the lower from the
+    /// upper side.
     #[must_use]
     pub fn with_least_shell(self, map: &HeightMap, least_m: f32) -> Self {
         Self { shell_m: shell_m(map, least_m), ..self }
     }
 
-    /// The same with other parameters of the stages that were chosen.
+    /// Returns the settings with the parameters of another selection of the same variants.
     #[must_use]
     pub fn with_choices_of(self, selection: &Selection) -> Self {
         Self { choices: selection.choices.map(|choice| Choice::from(&choice)), ..self }
     }
 
-    /// Settings for tracing a map with the stages chosen and the baked maps that they read: no colours.
+    /// Returns settings for tracing a map by a selection with the baked maps that it reads, without
+    /// colours.
     pub fn tracing(map: &HeightMap, selection: &Selection, maps: &SlotMaps) -> Self {
         let surroundings = maps.get(MapSlot::Environment).map(BakedMap::layout);
         let [environment_side, environment_levels] =
@@ -213,10 +216,10 @@ impl SurfaceSettings {
 }
 
 impl Frame {
-    /// How the directions of rays of neighbouring pixels differ where there is no camera.
+    /// The difference in direction between rays of neighbouring pixels without a camera.
     pub const BESIDE: f32 = 0.0625;
 
-    /// No camera and no light; of rays that are said to be of pixels, those beside one differ by
+    /// Returns a frame without a camera and without lights. Rays of neighbouring pixels differ by
     /// [`BESIDE`](Self::BESIDE) in direction.
     pub fn none() -> Self {
         let nowhere = || Vec4::splat(0.0);
@@ -243,7 +246,7 @@ impl Frame {
 }
 
 impl LightView {
-    /// A view of nothing.
+    /// Returns the camera of a shadow map that sees nothing.
     pub fn none() -> Self {
         let nowhere = || Vec4::splat(0.0);
         Self {
@@ -263,7 +266,8 @@ impl LightView {
 }
 
 impl<'a> Bound<'a> {
-    /// A frame without a surface, for functions that read no height map: `level` stands for it.
+    /// A frame without a surface, for functions that read no height map. `level` is bound in its
+    /// place.
     pub(super) fn of_nothing(frame: Frame, level: &'a HeightMap, maps: SlotMaps<'a>) -> Self {
         Self {
             frame,
@@ -276,7 +280,7 @@ impl<'a> Bound<'a> {
         }
     }
 
-    /// The texture of a slot.
+    /// Returns the texture of a slot.
     pub(super) fn slot(&self, slot: MapSlot) -> MapTexture<'a> {
         MapTexture::new(self.maps.get(slot))
     }

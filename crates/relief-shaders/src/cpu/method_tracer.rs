@@ -6,11 +6,11 @@ use super::{BLOCK, HitBlock, PathBlock};
 use super::{Bound, ColorTexture, Frame, HeightTexture, HoleTexture, Program, SurfaceSettings};
 use crate::{MapError, Selection, SlotMaps};
 
-/// A method, ready to trace rays through a height map: what a shader finds, without a picture.
+/// A method that traces rays through a height map: the hits of its shader, without a picture.
 ///
-/// A [`Path`] is rounded to `f32`, as shaders have it. How near the answers come to the truth is what the
-/// method's [guarantees](crate::Selection::guarantee) say; [`FastTracer`](relief_core::exact::FastTracer) has
-/// the truth.
+/// A [`Path`] is rounded to `f32`, as in shaders. The method's
+/// [guarantees](crate::Selection::guarantee) say how near the answers come to the truth;
+/// [`FastTracer`](relief_core::exact::FastTracer) gives the truth.
 ///
 /// ```
 /// use relief_core::{HeightMap, Metric, Path, Wrap};
@@ -31,12 +31,12 @@ pub struct MethodTracer<'a> {
 }
 
 impl<'a> MethodTracer<'a> {
-    /// The method over that height map, on a surface of that metric, with the baked maps that it reads. Maps
-    /// that it does not read may be among them.
+    /// Creates a tracer of a method for the height map `heights`, on a surface with the metric
+    /// `surface`, with the baked maps that it reads. Other maps may be among them.
     ///
     /// # Errors
     ///
-    /// When a map that the method reads is missing, or is another one than it reads; the error says in what.
+    /// When a map that the method reads is missing or does not fit; the error names the difference.
     pub fn new(
         heights: &'a HeightMap,
         metric: Metric,
@@ -46,8 +46,8 @@ impl<'a> MethodTracer<'a> {
         Ok(Self::over(heights, selection, selection.slot_maps(maps, heights, metric)?))
     }
 
-    /// The same over maps that are known to be the right ones: nothing is checked, and wrong maps give wrong
-    /// answers.
+    /// Creates a tracer with maps that are known to fit. Nothing is checked, and wrong maps give
+    /// wrong answers.
     pub fn over(heights: &'a HeightMap, selection: &Selection, maps: SlotMaps<'a>) -> Self {
         let levels = selection.levels_of(heights);
         let program = Program::new(&Bound {
@@ -62,15 +62,15 @@ impl<'a> MethodTracer<'a> {
         Self { program, levels }
     }
 
-    /// Where a path ends by this method.
+    /// Returns the method's hit on a path.
     #[inline]
     pub fn first_hit(&self, path: &Path) -> Hit {
         Hit::from(&self.program.trace(super::Path::from(path)))
     }
 
-    /// Where each of some paths ends, many at once in lanes of that width: the answers of
-    /// [`first_hit`](Self::first_hit), with the same bits. Paths that are near each other are the faster
-    /// the nearer they stand in the slice. Where the machine lacks the width they go one by one.
+    /// Traces many paths at once in lanes of that width, with the very bits of
+    /// [`first_hit`](Self::first_hit). Paths that are near each other are traced faster if they are
+    /// near in the slice, too. If the machine lacks the width, they are traced one by one.
     ///
     /// # Panics
     ///
@@ -90,16 +90,17 @@ impl<'a> MethodTracer<'a> {
         }
     }
 
-    /// Where those paths of a block end that `which` has bits for: the answers of
-    /// [`first_hits`](Self::first_hits), which puts its paths into such blocks. That takes up to a quarter
-    /// of the time of a plain search over sixteen lanes, and a program with blocks of its own saves it.
+    /// Traces the paths of a block that `which` has bits for, with the very bits of
+    /// [`first_hits`](Self::first_hits). That function puts its paths into such blocks, which takes
+    /// up to a quarter of the time of a plain search over sixteen lanes. A program with blocks of
+    /// its own saves it.
     #[inline]
     pub fn trace_block(&self, paths: &PathBlock, which: u16, lanes: Lanes, hits: &mut HitBlock) {
         self.program.trace_block(paths, which, lanes, hits);
     }
 
-    /// Where a path ends in a [level](HeightMap::level) of the height map. Beyond the coarsest level that one
-    /// is traced; a method whose detail is `none` has the finest alone.
+    /// Returns the method's hit on a path in a [level](HeightMap::level) of the height map. Beyond
+    /// the coarsest level that one is traced; a method whose detail is `none` has only the finest.
     #[inline]
     pub fn first_hit_in(&self, level: u32, path: &Path) -> Hit {
         let level = level.min(self.levels - 1);

@@ -1,9 +1,10 @@
 //! The shaders as Rust: the same functions, translated, with the same bits in exact sampling.
 //!
 //! * [`MethodTracer`] traces rays through a method.
-//! * [`Program`] is the whole shader over what is [`Bound`], for renderers.
-//! * [`Program::trace_block`] and [`MethodTracer::first_hits`] trace many paths at once, over lanes.
-//! * The other structs are those of the shaders, and [`Shared`] has their bytes in a GPU's buffers.
+//! * [`Program`] is the whole shader over everything in [`Bound`], for renderers.
+//! * [`Program::trace_block`] and [`MethodTracer::first_hits`] trace many paths at once, in SIMD
+//!   lanes.
+//! * The other structs are the shaders' own, and [`Shared`] has their bytes in a GPU's buffers.
 
 use crate::SlotMaps;
 
@@ -30,17 +31,17 @@ pub use background::background_row;
 pub use bytes::{Shared, read_all, write_all};
 pub use generated::{
     BaseSite, BaseVertex, Choice, Corner, DicePlace, DicePoint, DiceRows, DiceTriangle, Entered, FirstHit,
-    Found, Frame, Hit, Light, LightRay, LightView, MapSettings, Path, PixelIn, PixelOut, Shell,
+    Frame, Hit, Light, LightRay, LightView, MapSettings, Path, PixelIn, PixelOut, SearchResult, Shell,
     SurfaceSettings, Sweep, SweptColumn, Tessellation, Toward, Voxel,
 };
 pub use lanes::{
     BLOCK, EnteredBlock, HitBlock, LightPoint, PathBlock, PixelOutBlock, Row, TriangleRays, places,
 };
 pub use layout::{
-    BaseEdge, BasePatch, Face, MadeTotals, PassSettings, Probe, PyramidPass, Record, ShellNode, Tally,
+    BaseEdge, BasePatch, Face, PassSettings, Probe, PyramidPass, Record, ShellNode, Tally, TessellationTotals,
 };
 pub use method_tracer::MethodTracer;
-/// A vector, as shaders have it.
+/// A vector of the shaders.
 pub use naga_rust_rt::{Vec2, Vec3, Vec4};
 pub(crate) use procedure::procedure_rows;
 pub use program::Program;
@@ -48,12 +49,12 @@ pub use runtime::{ColorTexture, HeightTexture, HoleTexture, MapTexture};
 pub use tessellator::Tessellator;
 pub use triangle::Triangle;
 
-/// Everything that can be bound to a [`Program`].
+/// The settings and textures of a [`Program`].
 #[derive(Clone, Copy, Debug)]
 pub struct Bound<'a> {
-    /// What changes with the frame.
+    /// Settings of the frame.
     pub frame: Frame,
-    /// What changes with the surface.
+    /// Settings of the surface.
     pub surface_settings: SurfaceSettings,
     /// Heights.
     pub height_map: HeightTexture<'a>,

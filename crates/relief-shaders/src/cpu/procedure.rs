@@ -1,4 +1,4 @@
-//! The shaders' procedures, for hosts that fill height maps.
+//! The shaders' procedures, for programs that fill height maps.
 
 use std::ops::Range;
 
@@ -9,14 +9,14 @@ use super::generated::Resources;
 use super::{Bound, Frame, Vec2, Vec4};
 use crate::SlotMaps;
 
-/// The heights at the centres of the texels of some rows, by the procedure of that number.
+/// Computes the heights at the centres of the texels of some rows, by the procedure of that number.
 pub(crate) fn procedure_rows(
     (number, params): (u32, [f32; MAX_PARAMS]),
     (time, seed): (f32, u32),
     [width, height]: [u32; 2],
     rows: Range<u32>,
 ) -> Result<Vec<f32>, HeightMapError> {
-    // No procedure reads what is bound.
+    // Procedures read no binding.
     let level = HeightMap::new(1, 1, vec![0.0], Wrap::Repeat)?;
     let resources = Resources::of(&Bound::of_nothing(Frame::none(), &level, SlotMaps::default()));
     let at = |texel: u32, of: u32| ((f64::from(texel) + 0.5) / f64::from(of)) as f32;

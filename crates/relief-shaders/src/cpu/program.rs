@@ -6,72 +6,75 @@ use super::generated::Resources;
 use super::lanes::{
     self, EnteredBlock, HitBlock, LightPoint, PathBlock, PixelOutBlock, Row, Task, TriangleRays,
 };
-use super::{Bound, Entered, FirstHit, Found, Hit, Path, PixelIn, PixelOut, Toward, Triangle, Vec3, Vec4};
+use super::{
+    Bound, Entered, FirstHit, Hit, Path, PixelIn, PixelOut, SearchResult, Toward, Triangle, Vec3, Vec4,
+};
 use crate::MAX_LIGHTS;
 
-/// The shaders with what is bound to them: the same functions that GPUs run, with the same bits in exact
+/// The shaders with their bindings: the same functions that GPUs run, with the same bits in exact
 /// sampling.
 ///
-/// A renderer calls [`Self::shade_pixel`] for every pixel that a triangle covers. Rays without a picture have
-/// [`MethodTracer`](super::MethodTracer).
+/// A renderer calls [`Self::shade_pixel`] for every pixel that a triangle covers. For rays without
+/// a picture there is [`MethodTracer`](super::MethodTracer).
 #[derive(Clone, Copy, Debug)]
 pub struct Program<'a>(Resources<'a>);
 
 impl<'a> Program<'a> {
-    /// The shaders over these settings and maps.
+    /// Creates the shaders over these settings and maps.
     pub fn new(bound: &Bound<'a>) -> Self {
         Self(Resources::of(bound))
     }
 
-    /// Where the ray begins along which the camera sees a point of the picture, in pixels from its upper left
-    /// corner.
+    /// Returns the origin of the camera's ray through a point of the picture, in pixels from its
+    /// top-left corner.
     #[inline]
     pub fn pixel_eye(&self, point: [f32; 2]) -> Vec3<f32> {
         self.0.pixel_eye(point)
     }
 
-    /// The direction in which the camera sees a point of the picture, in pixels from its upper left corner.
-    /// Its component along the camera's axis is 1.
+    /// Returns the direction of the camera's ray through a point of the picture, in pixels from its
+    /// top-left corner. Its component along the camera's axis is 1.
     #[inline]
     pub fn pixel_direction(&self, point: [f32; 2]) -> Vec3<f32> {
         self.0.pixel_direction(point)
     }
 
-    /// What the stages are given of a point of the picture that a triangle covers. `side` is 1 on its front,
-    /// -1 on its back.
+    /// Returns the stages' input for a point of the picture that a triangle covers. `side` is 1 on
+    /// its front, -1 on its back.
     #[inline]
     pub fn pixel_of(&self, triangle: &Triangle, side: f32, point: [f32; 2]) -> PixelIn {
         let Triangle { a, b, c, shell } = *triangle;
         self.0.pixel_of(a, b, c, shell, side, point)
     }
 
-    /// The stages surface and detail: where the ray meets the surface, in how many segments it goes through
-    /// the relief, and the level of detail.
+    /// Runs the stages surface and detail: the point where the ray meets the surface, the number of
+    /// its segments through the relief, and the level of detail.
     #[inline]
     pub fn enter(&self, pixel: PixelIn) -> Entered {
         self.0.enter_relief(pixel)
     }
 
-    /// A segment of the ray's way through the relief, by its number. One whose exit is not positive is none.
+    /// Returns a segment of the ray's way through the relief, by its number. A segment whose exit
+    /// is not positive is empty.
     #[inline]
     pub fn segment(&self, pixel: PixelIn, entered: Entered, number: u32) -> Path {
         self.0.segment_of(pixel, entered, number)
     }
 
-    /// The first hit, segment after segment.
+    /// Returns the first hit, segment after segment.
     #[inline]
     pub fn first_hit(&self, pixel: PixelIn, entered: Entered) -> FirstHit {
         self.0.first_hit(pixel, entered)
     }
 
-    /// A hit that was found on a segment, where the segment's ray truly is.
+    /// Moves a hit on a segment onto the segment's ray.
     #[inline]
     pub fn polish(&self, pixel: PixelIn, entered: Entered, path: Path, hit: Hit) -> Hit {
         self.0.polish_hit(pixel, entered, path, hit)
     }
 
-    /// What was found on the segment of that number, as what the ray meets there: a hit where the segment's
-    /// ray truly is, and none in a hole.
+    /// Returns the result of search and refinement on segment `number` as the first hit of the ray:
+    /// moved onto the ray, and a miss in a hole.
     #[inline]
     pub fn hit_on_segment(
         &self,
@@ -84,52 +87,52 @@ impl<'a> Program<'a> {
         self.0.hit_on_segment(pixel, entered, path, found, number)
     }
 
-    /// What orders the hits of a pixel's ray: the greater, the nearer. From 0, infinitely far away, to 1 at
-    /// the eye.
+    /// Returns a key that orders the hits of a pixel's ray: the greater, the nearer. From 0,
+    /// infinitely far away, to 1 at the eye.
     #[inline]
     pub fn key(&self, pixel: PixelIn, path: Path, hit: Hit) -> f32 {
         self.0.key_of(self.0.depth_on_ray(pixel, path, hit))
     }
 
-    /// That of a depth in metres along the view axis.
+    /// Returns the key of a depth in metres along the view axis.
     #[inline]
     pub fn key_of_depth(&self, depth_m: f32) -> f32 {
         self.0.key_of(depth_m)
     }
 
-    /// A hit on the displaced surface: its place in the world, and the frame there.
+    /// Places a hit on the displaced surface: its position in the world, and the frame there.
     #[inline]
     pub fn place(&self, pixel: PixelIn, entered: Entered, segment: u32, hit: Hit) -> Entered {
         self.0.place_hit(pixel, entered, segment, hit)
     }
 
-    /// The search stage.
+    /// Runs the search stage.
     #[inline]
-    pub fn search(&self, path: Path) -> Found {
+    pub fn search(&self, path: Path) -> SearchResult {
         self.0.search_stage(path)
     }
 
-    /// The refinement stage.
+    /// Runs the refinement stage.
     #[inline]
-    pub fn refine(&self, path: Path, found: Found) -> Hit {
+    pub fn refine(&self, path: Path, found: SearchResult) -> Hit {
         self.0.refine_stage(path, found)
     }
 
-    /// Search and refinement of a path.
+    /// Runs search and refinement on a path.
     #[inline]
     pub fn trace(&self, path: Path) -> Hit {
         self.0.trace(path)
     }
 
-    /// The same of the paths of a block that `which` has bits for, over lanes. The hits of the others stay as
-    /// they were.
+    /// Runs search and refinement in SIMD lanes on the paths of a block that `which` has bits for.
+    /// The other hits stay as they were.
     #[inline]
     pub fn trace_block(&self, paths: &PathBlock, which: u16, lanes: Lanes, hits: &mut HitBlock) {
         lanes::run(&self.0, lanes, which, Task::Trace { paths, hits });
     }
 
-    /// Of the paths to lights of a block that `which` has bits for, those that are free by the search for
-    /// shadows, over lanes.
+    /// Runs the search for shadows in SIMD lanes on the paths to lights that `which` has bits for.
+    /// Returns bits of the free ones.
     #[inline]
     pub fn free_block(&self, paths: &PathBlock, which: u16, lanes: Lanes) -> u16 {
         let mut free = 0;
@@ -137,8 +140,8 @@ impl<'a> Program<'a> {
         free
     }
 
-    /// Of the rays that `which` has bits for, where they meet the surface, and their first segments where
-    /// they have any: [`Self::enter`] and [`Self::segment`] over lanes.
+    /// Runs [`Self::enter`] and [`Self::segment`] in SIMD lanes for the rays that `which` has bits
+    /// for: the points where they meet the surface, and their first segments, if they have any.
     #[inline]
     pub fn enter_block(
         &self,
@@ -151,7 +154,7 @@ impl<'a> Program<'a> {
         lanes::run(&self.0, lanes, which, Task::Enter { rays, at, paths });
     }
 
-    /// [`Self::segment`] over lanes, of rays that have a segment of that number.
+    /// Runs [`Self::segment`] in SIMD lanes, for rays that have a segment of that number.
     #[inline]
     pub fn segment_block(
         &self,
@@ -165,8 +168,8 @@ impl<'a> Program<'a> {
         lanes::run(&self.0, lanes, which, Task::Segment { rays, number, at, paths });
     }
 
-    /// [`Self::hit_on_segment`] over lanes, of what was found on segments of that number, with what orders
-    /// it.
+    /// Runs [`Self::hit_on_segment`] in SIMD lanes, for hits on segments of that number. `keys`
+    /// receives the keys of the hits.
     #[inline]
     pub fn meet_block(
         &self,
@@ -180,7 +183,7 @@ impl<'a> Program<'a> {
         lanes::run(&self.0, lanes, which, Task::Meet { rays, number, at, paths, hits, keys });
     }
 
-    /// The places in the world of hits on those paths, and the frames there, over lanes.
+    /// Places hits on these paths in SIMD lanes: positions in the world, and the frames there.
     #[inline]
     pub fn place_block(
         &self,
@@ -193,8 +196,8 @@ impl<'a> Program<'a> {
         lanes::run(&self.0, lanes, which, Task::Place { rays, at, paths, hits, placed });
     }
 
-    /// The rays from placed hits to a point of a light, over lanes, and the states of them, each a
-    /// [`LightRayState`](crate::LightRayState).
+    /// Makes the rays from placed hits to a point of a light in SIMD lanes. `states` receives their
+    /// states, each a [`LightRayState`](crate::LightRayState).
     #[inline]
     pub fn rays_to_light_block(
         &self,
@@ -208,7 +211,7 @@ impl<'a> Program<'a> {
         lanes::run(&self.0, lanes, which, Task::RaysToLight { to, placed, hits, states, paths });
     }
 
-    /// The part of the light of that number that arrives at placed hits, over lanes.
+    /// Returns the part of light number `light` that arrives at placed hits, in SIMD lanes.
     #[inline]
     pub fn visible_block(
         &self,
@@ -221,8 +224,8 @@ impl<'a> Program<'a> {
         lanes::run(&self.0, lanes, which, Task::Visible { light, placed, hits, parts });
     }
 
-    /// Pixels whose hits are known and placed, and the parts of the lights that arrive there, over lanes.
-    /// `points` are columns and rows in the picture.
+    /// Shades pixels with placed hits in SIMD lanes. `visible` holds the parts of the lights that
+    /// arrive there; `points` are columns and rows in the picture.
     #[inline]
     pub fn shade_block(
         &self,
@@ -235,28 +238,28 @@ impl<'a> Program<'a> {
         lanes::run(&self.0, lanes, which, Task::Shade { points, placed, hits, visible, pixels });
     }
 
-    /// A whole pixel: all stages.
+    /// Runs all stages for a pixel.
     #[inline]
     pub fn shade_pixel(&self, pixel: PixelIn) -> PixelOut {
         self.0.shade_pixel(pixel)
     }
 
-    /// The light of that number from a placed hit: a point of its disc, by its
-    /// number and how many there are, as the shadow `soft` has them, or its centre where there are none.
+    /// Returns light number `light` from a placed hit: point `k` of `count` on its disc, as for the
+    /// shadow `soft`, or its centre if `count` is 0.
     #[inline]
     pub fn point_of_light(&self, placed: Entered, hit: Hit, light: u32, [k, count]: [u32; 2]) -> Toward {
         self.0.point_of_light(placed, hit, light, k, count)
     }
 
-    /// The part of a light that arrives at a placed hit, for a light of some degrees whose direction is that
-    /// of the pixel's ray after a mirror in the base surface.
+    /// Returns the part of a light that arrives at a placed hit. The light has a disc of some
+    /// degrees, and its direction is the pixel's ray after a mirror in the base surface.
     #[inline]
     pub fn mirrored_light(&self, pixel: PixelIn, placed: Entered, hit: Hit) -> f32 {
         self.0.mirrored_light(pixel, placed, hit)
     }
 
-    /// The colour of a pixel's samples so far with one more, of that weight. The fourth part is how much of
-    /// the pixel is covered.
+    /// Returns the colour of a pixel's samples so far, with one more sample of that weight. The
+    /// fourth part is the covered part of the pixel.
     #[inline]
     pub fn add_sample(&self, sum: Vec4<f32>, color: Vec4<f32>, weight: f32) -> Vec4<f32> {
         self.0.add_sample(sum, color, weight)

@@ -1,5 +1,5 @@
-//! What the translated shaders need at run time: the translator's library, the textures, a function that it
-//! lacks, and conversions that are compiled into their callers.
+//! Runtime of the translated shaders: the translator's library, textures, a missing function, and
+//! conversions that are compiled into their callers.
 
 pub use naga_rust_rt::*;
 
@@ -16,7 +16,7 @@ pub struct HeightTexture<'a> {
     coarser: &'a [HeightMap],
 }
 
-/// Holes as a texture: 1 in the texels that are some.
+/// Holes as a texture: 1 in texels that are holes.
 #[derive(Clone, Copy, Debug)]
 pub struct HoleTexture<'a>(Option<&'a TexelMask>);
 
@@ -51,7 +51,7 @@ pub(super) enum Texels<'a> {
 }
 
 impl<'a> MapTexture<'a> {
-    /// The texture of a map; without one a texture without texels.
+    /// Returns the texture of a map; without one, a texture without texels.
     pub fn new(map: Option<&'a BakedMap>) -> Self {
         let Some(map) = map else {
             return Self { texels: Texels::One(&[]), width: 0, layers: 0, places: &[] };
@@ -83,11 +83,11 @@ impl<'a> MapTexture<'a> {
         i32::try_from(count).is_ok()
     }
 
-    /// The number of a texel among all; of none where there is no such texel.
+    /// The number of a texel among all; a number beyond all if there is no such texel.
     #[inline(always)]
     fn place(&self, at: Vec2<i32>, layer: i32, level: i32) -> usize {
         if layer | level == 0 {
-            // The shaders wrap before they read, so that nothing is outside of the finest level.
+            // The shaders wrap before they read, so that all places are inside the finest level.
             return (at.y as isize * self.width + at.x as isize) as usize;
         }
         let inside = || {
@@ -125,7 +125,7 @@ impl super::generated::Resources<'_> {
     }
 }
 
-/// The channels of a texel that is stored otherwise than as 32-bit floats; what it lacks is as GPUs have it.
+/// The channels of a texel that is not stored in 32-bit floats; missing channels are as on GPUs.
 #[inline(always)]
 fn channels<T: Copy>(values: &[T], channels: usize, at: usize, value: impl Fn(T) -> f32) -> [f32; 4] {
     let mut texel = [0.0, 0.0, 0.0, 1.0];
@@ -139,13 +139,13 @@ fn channels<T: Copy>(values: &[T], channels: usize, at: usize, value: impl Fn(T)
 }
 
 impl<'a> HeightTexture<'a> {
-    /// The texture of a map, with its coarser levels where it is read in more than one.
+    /// Returns the texture of a map, with its coarser levels if `levels` is more than one.
     pub fn new(map: &'a HeightMap, levels: u32) -> Self {
         let coarser = if levels > 1 { map.coarser() } else { &[] };
         Self { width: map.width() as i32, texels: map.texels(), coarser }
     }
 
-    /// Columns and texels of a level; none where there is no such level.
+    /// Returns columns and texels of a level; none if there is no such level.
     #[inline(always)]
     pub(super) fn level(&self, level: i32) -> (i32, &'a [f32]) {
         match level {
@@ -159,24 +159,24 @@ impl<'a> HeightTexture<'a> {
 }
 
 impl<'a> HoleTexture<'a> {
-    /// The texture of the holes of a map, if it has any.
+    /// Returns the texture of the holes of a map; without holes, a texture without texels.
     pub fn new(holes: Option<&'a TexelMask>) -> Self {
         Self(holes)
     }
 }
 
 impl<'a> ColorTexture<'a> {
-    /// A single black texel, for a map that the settings say is not there.
+    /// A single black texel, for a map that the settings turn off.
     pub const BLANK: Self = Self { size: [1, 1], layers: 1, texels: &[[0.0; 4]], coarser: &[] };
 
-    /// A texture of so many columns, rows and layers; where the finest level holds fewer layers, the others
-    /// are not read. What `coarser` holds are the levels that follow, one after the other, each with half the
-    /// sides of the one before, rounded down but at least 1.
+    /// Returns a texture of `size` columns and rows and of `layers` layers. If the finest level
+    /// holds fewer layers, the others are not read. `coarser` holds the following levels, one after
+    /// the other, each with half the sides of the one before, rounded down but at least 1.
     pub fn new(size: [u32; 2], layers: usize, texels: &'a [[f32; 4]], coarser: &'a [[f32; 4]]) -> Self {
         Self { size, layers, texels, coarser }
     }
 
-    /// Columns and texels of a layer of a level.
+    /// Returns columns and texels of a layer of a level.
     #[inline(always)]
     pub(super) fn layer(&self, layer: i32, level: i32) -> (i32, &'a [[f32; 4]]) {
         let [width, height] = self.size;
@@ -186,7 +186,7 @@ impl<'a> ColorTexture<'a> {
         }
     }
 
-    /// The same after the finest level.
+    /// Columns and texels of a layer of a level after the finest.
     fn coarser_layer(&self, layer: i32, level: i32) -> (i32, &'a [[f32; 4]]) {
         let area = |[width, height]: [u32; 2]| width as usize * height as usize;
         let (mut size, mut start) = (coarser_size(self.size), 0);
@@ -261,7 +261,7 @@ impl Read for MapTexture<'_> {
             }
             Texels::Four(texels) => texels.get(at).copied().unwrap_or([0.0; 4]),
             Texels::Half { values, channels: count } => channels(values, count, at, half::value),
-            // As a GPU gives codes back; the shader makes values of them.
+            // Codes as a GPU gives them; the shader decodes them.
             Texels::Codes { values, channels: count } => {
                 channels(values, count, at, |code| f32::from(code) / 255.0)
             }
@@ -282,7 +282,7 @@ impl SquareRoot for Scalar<f32> {
     }
 }
 
-/// A number that becomes one of another type as `as` has it.
+/// A number that converts to other types like `as`.
 pub(crate) trait Number: Copy {
     fn as_f32(self) -> f32;
     fn as_i32(self) -> i32;
@@ -315,7 +315,7 @@ number!(i32);
 number!(u32);
 number!(bool, u8);
 
-/// Numbers as those of another type. The library's own conversions are calls each time.
+/// Numbers as another type. The library's own conversions are calls each time.
 pub(crate) trait Convert {
     type With<T>;
 

@@ -6,8 +6,9 @@ use super::generated::{
 };
 use super::{Bound, Vec2, Vec3};
 
-/// Cuts the triangles of a base and displaces them: the functions of
-/// [`Root::Tessellate`](crate::wgsl::Root::Tessellate) that a GPU runs for each edge, triangle and point.
+/// Cuts the triangles of a base and displaces them, with the functions of
+/// [`Root::Tessellate`](crate::wgsl::Root::Tessellate) that a GPU runs for each edge, triangle and
+/// point.
 #[derive(Clone, Copy, Debug)]
 pub struct Tessellator<'a> {
     resources: Resources<'a>,
@@ -15,47 +16,48 @@ pub struct Tessellator<'a> {
 }
 
 impl<'a> Tessellator<'a> {
-    /// Those over a surface's settings and height map, for a view.
+    /// Creates the functions over a surface's settings and height map, for a view.
     pub fn new(bound: &Bound<'a>, grid: Tessellation) -> Self {
         Self { resources: Resources::of(bound), grid }
     }
 
-    /// A position in grid space.
+    /// Returns the voxel of a position in grid space.
     pub fn voxel_of(&self, position: Vec3<f32>) -> Voxel {
         self.resources.voxel_of(self.grid, position)
     }
 
-    /// In how many parts an edge between two voxels is divided, along which `u` and `v` change by so much,
-    /// where the grid is coarser by so many doublings.
+    /// Returns the number of parts of an edge between two voxels, in a grid that is coarser by
+    /// `level` doublings. `along` is the edge's change of `u` and `v`.
     pub fn parts_between(&self, [a, b]: [Voxel; 2], along: Vec2<f32>, level: u32) -> u32 {
         self.resources.parts_between(self.grid, a, b, along, level)
     }
 
-    /// The sweep of a triangle with corners in those voxels, in the same grid; none where it is not swept.
+    /// Returns the sweep of a triangle with corners in those voxels, in the same grid; `None` if it
+    /// is not swept.
     pub fn sweep(&self, [a, b, c]: [Voxel; 3], level: u32) -> Option<Sweep> {
         let is_swept = self.resources.is_swept(self.grid, a, b, c, level);
         is_swept.then(|| self.resources.sweep_on(a, b, c, level))
     }
 
-    /// How many points a swept triangle has inside.
+    /// Returns the number of points inside a swept triangle.
     pub fn swept_points(&self, sweep: Sweep) -> u32 {
         self.resources.swept_points_of(sweep)
     }
 
-    /// A column of a swept triangle whose first point inside has that number.
+    /// Returns a column of a swept triangle. `first` is the number of its first point inside.
     pub fn swept_column(&self, sweep: Sweep, column: i32, first: u32) -> SweptColumn {
         self.resources.swept_column(sweep, column, first)
     }
 
-    /// The weights of the corners at the points inside of a column, from below.
+    /// Returns the weights of the corners at the points inside a column, from below.
     pub fn swept_weights(&self, sweep: Sweep, column: SweptColumn) -> impl Iterator<Item = Vec3<f32>> {
         let inside = column.inside..column.inside + column.inner;
         inside.map(move |y| self.resources.swept_weights(sweep, column.column, y))
     }
 
-    /// The triangles between two neighbouring columns, in the sense of rotation of the whole one: for each
-    /// corner the side that it lies on and how many parts lie before it there, or 3 and the number of a point
-    /// inside.
+    /// Returns the triangles between two neighbouring columns, with the winding of the whole one.
+    /// Each corner is the side that it lies on and the number of parts before it there, or 3 and
+    /// the number of a point inside.
     pub fn swept_triangles(&self, sweep: Sweep, columns: [SweptColumn; 2]) -> Vec<[[u32; 2]; 3]> {
         let mut pieces = Vec::new();
         for which in 0..3 {
@@ -69,63 +71,64 @@ impl<'a> Tessellator<'a> {
         pieces
     }
 
-    /// Whether nothing of a triangle is made that is displaced by between so many metres.
+    /// Whether a triangle is culled that is displaced by between `low_m` and `high_m` metres.
     pub fn is_left_out(&self, [a, b, c]: [BaseVertex; 3], [low_m, high_m]: [f32; 2]) -> bool {
         self.resources.is_left_out(self.grid, a, b, c, low_m, high_m)
     }
 
-    /// The pattern of a triangle whose sides have so many parts, at least 1 and at most 32,767 each.
+    /// Returns the pattern of a triangle whose sides have `parts` parts, from 1 to 32,767 each.
     pub fn rows(&self, parts: [u32; 3]) -> DiceRows {
         self.resources.dice_rows(parts)
     }
 
-    /// How many points it has inside.
+    /// Returns the number of points inside the pattern.
     pub fn points(&self, rows: DiceRows) -> u32 {
         self.resources.dice_points(rows)
     }
 
-    /// How many triangles it has.
+    /// Returns the number of the pattern's triangles.
     pub fn triangles(&self, rows: DiceRows) -> u32 {
         self.resources.dice_triangles(rows)
     }
 
-    /// The place of an inner point by its number.
+    /// Returns the place of a point inside, by its number.
     pub fn place(&self, rows: DiceRows, number: u32) -> DicePlace {
         self.resources.dice_place(rows, number)
     }
 
-    /// The point at a place.
+    /// Returns the point at a place.
     pub fn point(&self, rows: DiceRows, place: DicePlace) -> DicePoint {
         self.resources.dice_point(rows, place)
     }
 
-    /// A triangle by its number.
+    /// Returns a triangle by its number.
     pub fn triangle(&self, rows: DiceRows, number: u32) -> DiceTriangle {
         self.resources.dice_triangle(rows, number)
     }
 
-    /// A vertex of the base, displaced as another one at its position says, which lies in that voxel.
+    /// Returns a vertex of the base with the displacement of `seen`, another one at its position.
+    /// `voxel` is the voxel of `seen`.
     pub fn site_of_vertex(&self, vertex: BaseVertex, seen: BaseVertex, voxel: Voxel) -> BaseSite {
         self.resources.site_of_vertex(vertex, seen, voxel)
     }
 
-    /// The point of an edge that so many of its parts lie before.
+    /// Returns the point of an edge with `at` of its `parts` parts before it.
     pub fn site_between(&self, [a, b]: [BaseSite; 2], shares: Vec2<f32>, [at, parts]: [u32; 2]) -> BaseSite {
         self.resources.site_between(a, b, shares, at, parts)
     }
 
-    /// The point inside of a triangle that has those weights in the picture.
+    /// Returns the point inside a triangle with those weights in the picture.
     pub fn site_inside(&self, [a, b, c]: [BaseSite; 3], shares: Vec3<f32>, weights: Vec3<f32>) -> BaseSite {
         self.resources.site_inside(a, b, c, shares, weights)
     }
 
-    /// What a point of the base becomes.
+    /// Returns the displaced corner at a point of the base.
     pub fn displaced(&self, site: BaseSite) -> Corner {
         self.resources.displaced_site(self.grid, site)
     }
 }
 
-/// The triangle up to the next point of what is zipped.
+/// The triangle up to the next point of a zip.
 fn piece(sweep: Sweep, zip: Zip, goes_left: bool) -> [[u32; 2]; 3] {
     let next = if goes_left { zip.next_left } else { zip.next_right };
     let [a, b, c] = [zip.at_left, zip.at_right, next].map(|point| [point.side, point.at]);

@@ -11,6 +11,6 @@ pub struct Triangle {
     pub b: Corner,
     /// The third corner.
     pub c: Corner,
-    /// The space that its relief may take.
+    /// The space that its relief may fill.
     pub shell: Shell,
 }

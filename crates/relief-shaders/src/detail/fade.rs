@@ -7,10 +7,11 @@ use super::{ANISOTROPY, TEXELS};
 use crate::entry::{Entry, Role};
 use crate::scene_maps::scene_map;
 
-/// Flatter with distance, down to bump mapping.
+/// Displacement that flattens with distance, down to bump mapping.
 pub const ENTRY: Entry = Entry {
     name: "fade",
-    summary: "as footprint, and with distance flatter, down to bump mapping with the normals that are seen",
+    summary: "like footprint; flattens the relief with distance, down to bump mapping with \
+        visible normals",
     publication: Publication {
         paper: "Becker and Max 1993, Smooth transitions between bump rendering algorithms; \
             Szirmay-Kalos and Umenhoffer 2008, Displacement mapping on the GPU",
@@ -31,7 +32,7 @@ pub const ENTRY: Entry = Entry {
         TEXELS,
         Param {
             name: "flat",
-            summary: "how many pixels the relief is deep, at most, where it is traced as a plane",
+            summary: "greatest depth of a relief that is traced as a plane",
             unit: "pixels",
             min: 0.01,
             max: 1024.0,
@@ -41,7 +42,7 @@ pub const ENTRY: Entry = Entry {
         },
         Param {
             name: "begin",
-            summary: "how many times as deep it is where it begins to be flattened",
+            summary: "factor on that depth at which flattening begins",
             unit: "",
             min: 1.0,
             max: 1024.0,
@@ -53,11 +54,11 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "Heights are drawn toward the map's mean: what is traced is a flatter surface than the \
-        level's, and what a search and a refinement promise holds for that one. With the defaults a point of \
-        it moves by two thirds of a pixel at most. Normals, and the rays of shadows, are those of the relief \
-        as it is. Where a footprint is wider than \
-        four texels, what an eye sees of the normals is looked up by its direction, as baked from 32 \
-        directions; elsewhere, and of a given normal map, it is made from the moments of the normals.",
+    argument: "Heights are drawn toward the map's mean: the traced surface is flatter than the \
+        level's, and the promises of search and refinement hold for the flatter one. With the \
+        defaults a point of it moves by two thirds of a pixel at most. Normals and shadow rays use \
+        the relief as it is. Where a footprint is wider than four texels, the visible normals are \
+        looked up by the direction of view, as baked from 32 directions. Elsewhere, and for a \
+        given normal map, they follow from the moments of the normals.",
     role: Role::Flattened,
 };

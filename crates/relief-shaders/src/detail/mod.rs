@@ -1,5 +1,6 @@
-//! Detail: in which level of its maps a pixel is seen. A new one is a `.wesl` and a `.rs` file here and its
-//! name in the list below.
+//! Detail: each variant chooses the level of its maps in which a pixel is traced.
+//!
+//! A new variant is a `.wesl` and a `.rs` file here and its name in the list below.
 
 use relief_core::registry::Param;
 
@@ -9,13 +10,13 @@ mod fade;
 mod footprint;
 mod none;
 
-/// All of them.
+/// All levels of detail, in the order of their numbers in the shaders.
 pub static ENTRIES: &[Entry] = &[none::ENTRY, footprint::ENTRY, fade::ENTRY];
 
-/// How long a footprint may be beside its width.
+/// The greatest length of a footprint beside its width.
 const ANISOTROPY: Param = Param {
     name: "anisotropy",
-    summary: "the most that a footprint may be longer than it is taken to be wide",
+    summary: "greatest length of a footprint, relative to the width that is used",
     unit: "",
     min: 1.0,
     max: 64.0,
@@ -24,11 +25,12 @@ const ANISOTROPY: Param = Param {
     names: &[],
 };
 
-/// How fine a level is traced. Texels of a level are twice as wide as those of the finer one: with 1.4, 1.4 to
-/// 2.8 of them are beside each other, and so the level is traced that comes nearest to two.
+/// The fineness of the traced level. Texels of a level are twice as wide as on the finer one. With
+/// 1.4, the footprint has 1.4 to 2.8 texels side by side: the traced level comes nearest to two.
 const TEXELS: Param = Param {
     name: "texels",
-    summary: "texels of the traced level beside each other in a footprint, at least; more show more",
+    summary: "least number of texels of the traced level side by side in a footprint; more \
+        show more detail",
     unit: "",
     min: 1.0,
     max: 64.0,

@@ -7,13 +7,13 @@ use crate::entry::{Entry, Role};
 /// The finest level of all maps.
 pub const ENTRY: Entry = Entry {
     name: "none",
-    summary: "the finest level of all maps, however small it is seen",
+    summary: "the finest level of all maps, at any distance",
     publication: Publication { paper: "Relief", section: "" },
     maps: &[],
     params: &[],
     states: &[],
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],
-    argument: "What is traced is the surface of the height map itself.",
+    argument: "The traced surface is the height map's own.",
     role: Role::Idle,
 };

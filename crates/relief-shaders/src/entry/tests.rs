@@ -11,7 +11,7 @@ use crate::{METHODS, Selection, SelectionError};
 /// The stages that can be left out.
 const LEFT_OUT: [usize; 6] = [GEOMETRY, OBJECT, DETAIL, SEARCH, REFINE, SHADOW];
 
-/// What is wrong with the roles of the entries in these stages.
+/// The faults in the roles of the entries in these stages.
 fn faults(stages: &[Stage]) -> Vec<String> {
     let mut faults = Vec::new();
     for (place, Stage { key, entries, .. }) in stages.iter().enumerate() {

@@ -1,6 +1,7 @@
-//! Geometry: which triangles a picture shows of a surface. A new one is a `.rs` file here and its name in the
-//! list below; what makes its triangles is the renderer's. No shader belongs to it: triangles that are
-//! displaced are shaded by the surface `facets`.
+//! Geometries: each chooses the triangles that a picture shows of a surface.
+//!
+//! A new geometry is a `.rs` file here and its name in the list below; the renderer makes its
+//! triangles. No shader belongs to it: the surface `facets` shades displaced triangles.
 
 use relief_core::registry::{MAX_PARAMS, Param};
 
@@ -18,7 +19,7 @@ mod slices;
 mod tessellate;
 mod vertex;
 
-/// All of them.
+/// All geometries, in the order of their numbers.
 pub static ENTRIES: &[Entry] = &[
     none::ENTRY,
     vertex::ENTRY,
@@ -35,16 +36,17 @@ pub type TrianglesOf = fn(params: [f32; MAX_PARAMS], slices: [f32; MAX_PARAMS]) 
 /// The triangles that a geometry draws in place of the base's.
 #[derive(Clone, Copy, Debug)]
 pub struct GeometryRole {
-    /// The family of methods that it makes.
+    /// The family of methods to which it belongs.
     pub family: Family,
-    /// What the triangles show: surfaces that show the same go with it.
+    /// The content of the triangles; surfaces with the same content go with it.
     pub shown: Shown,
-    /// The triangles for its parameters and the ones of the stage `slices`; none where the mesh itself is drawn.
+    /// The triangles by its parameters and the parameters of the stage `slices`; none if the mesh
+    /// itself is drawn.
     pub triangles: Option<TrianglesOf>,
     /// The parameter that asks for a stencil buffer where it is not 0.
     pub stencil: Option<&'static str>,
-    /// The variants of other stages that are chosen with it. Without any the surface is the first that shows
-    /// the same.
+    /// The variants of other stages that are chosen with it. Without any, the surface is the first
+    /// with the same content.
     pub companions: &'static [Companion],
 }
 
@@ -53,7 +55,8 @@ impl GeometryRole {
     pub const BASE: Self =
         Self { family: Family::Ray, shown: Shown::Relief, triangles: None, stencil: None, companions: &[] };
 
-    /// Displaced triangles, on which nothing is searched. Lights see them, as no relief lies on them.
+    /// Displaced triangles, on which nothing is searched. Shadow maps serve them, as no relief lies
+    /// on them.
     const DISPLACED: Self = Self {
         shown: Shown::Triangles,
         companions: &[
@@ -66,14 +69,14 @@ impl GeometryRole {
     };
 }
 
-/// Which triangles a selection shows in place of the base's.
+/// The triangles that a selection shows in place of the base's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Geometry {
-    /// The base with a vertex every so many texels of the height map.
+    /// The base with vertices this number of texels of the height map apart.
     Texels(u32),
-    /// The base divided by voxels that are so many pixels of the picture wide.
+    /// The base divided by voxels this number of pixels of the picture wide.
     Pixels(f32),
-    /// The same, each triangle cut by itself.
+    /// The base divided in the same ways, each triangle cut by itself.
     Tessellated(Tessellated),
     /// Slices through the relief.
     Slices(Slices),
@@ -82,7 +85,7 @@ pub enum Geometry {
 }
 
 impl Geometry {
-    /// Why such triangles can't be made; none where they can.
+    /// Reason why such triangles can't be made, if they can't.
     pub(crate) fn refused(&self) -> Option<&'static str> {
         match self {
             Geometry::Tessellated(tessellated) => tessellated.refused(),
@@ -92,7 +95,7 @@ impl Geometry {
     }
 }
 
-/// How many texels or pixels lie between vertices.
+/// A parameter with the number of texels or pixels between vertices.
 const fn spacing(name: &'static str, summary: &'static str, least: f32, integer: bool) -> Param {
     Param { name, summary, unit: name, min: least, max: 4_096.0, default: 1.0, integer, names: &[] }
 }

@@ -10,14 +10,15 @@ use crate::surface::Shown;
 /// A box around an object that is known from images.
 pub const ENTRY: Entry = Entry {
     name: "object",
-    summary: "object: a box around what images with depth look at",
+    summary: "object: the box around an object of images with depth",
     publication: Publication { paper: crate::DEPTH_OBJECTS, section: "4" },
     maps: &[],
     params: &[],
     states: &[],
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],
-    argument: "The box holds all that every image may see: rays that pass it by see nothing of the object.",
+    argument: "The box holds all that every image may see: rays that miss the box see nothing \
+        of the object.",
     role: Role::Geometry(GeometryRole {
         family: Family::Object,
         shown: Shown::Object,
@@ -33,6 +34,6 @@ pub const ENTRY: Entry = Entry {
     }),
 };
 
-/// The texels of a side of what lights see: about as fine as an object's images. More take long on CPUs, since
-/// each texel is a ray through all images.
+/// Texels of a shadow map's side: about as fine as an object's images. More take long on CPUs,
+/// since each texel is a ray through all images.
 const SHADOW_MAP_TEXELS: f32 = 512.0;

@@ -11,21 +11,21 @@ use crate::surface::Shown;
 /// Polygons through the box around an object.
 pub const ENTRY: Entry = Entry {
     name: "object-slices",
-    summary: "object: polygons through the box around what images with depth look at",
+    summary: "object: polygons through the box around an object of images with depth",
     publication: Publication { paper: crate::DEPTH_OBJECTS, section: "4.1" },
     maps: &[],
     params: &[Param::of_names(
         "pass",
-        "product: all images are asked at each point of a slice; stencil: a pass for each of them, counted \
-         in a GPU's stencil buffer, slice by slice from front to back",
+        "product: each point of a slice reads all images; stencil: one pass per image, counted in a GPU's \
+         stencil buffer, slice by slice from front to back",
         &["product", "stencil"],
     )],
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "A slice is drawn where all images see something as high as it is. Between two slices there is \
-        nothing, so that a ray sees the object as far behind it as slices are apart, and past what is \
-        thinner.",
+    argument: "A slice is drawn where all images see something at least as high. Between two \
+        slices there is nothing, so a ray sees the object up to the distance of two slices too far \
+        behind, and passes thinner parts.",
     role: Role::Geometry(GeometryRole {
         family: Family::Object,
         shown: Shown::ObjectSlices,

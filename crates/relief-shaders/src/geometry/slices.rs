@@ -16,15 +16,16 @@ pub const ENTRY: Entry = Entry {
     maps: &[],
     params: &[Param::of_names(
         "clip",
-        "where slices at equal depths end: at the sides of the space that the relief fills; or all are quads \
-         of one size over flat polygons, which the texture's border clips",
+        "the end of slices at equal depths; volume: at the sides of the space that the relief fills; border: \
+         at the texture's border, which clips quads of one size over flat polygons",
         &["volume", "border"],
     )],
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "A slice is drawn where the relief is as high as it is. Between two slices there is nothing, \
-        so that a ray sees the relief as far behind it as slices are apart, and past what is thinner.",
+    argument: "A slice is drawn where the relief is at least as high. Between two slices there \
+        is nothing, so a ray sees the relief up to the distance of two slices too far behind, and \
+        passes thinner parts.",
     role: Role::Geometry(GeometryRole {
         family: Family::Slices,
         shown: Shown::Slices,

@@ -5,19 +5,19 @@ use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
 use super::{Geometry, GeometryRole};
 use crate::entry::{Entry, Role};
 
-/// A vertex every so many texels, displaced.
+/// Displaced triangles with vertices a fixed number of texels apart.
 pub const ENTRY: Entry = Entry {
     name: "vertex",
-    summary: "displaced triangles: the base with a vertex every so many texels",
+    summary: "displaced triangles: the base with vertices at a fixed distance in texels",
     publication: Publication { paper: crate::SURVEY, section: "3.1" },
     maps: &[],
     params: PARAMS,
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "Vertices lie on the displaced surface, with its normals. Between them it is replaced by \
-        triangles: at one texel by two for the bilinear patch of four texels on a plane, elsewhere across \
-        patches.",
+    argument: "Vertices lie on the displaced surface, with its normals. Between them triangles \
+        replace it: on a plane, at one texel, two for the bilinear patch of four texels; elsewhere \
+        across patches.",
     role: Role::Geometry(GeometryRole {
         triangles: Some(|[texels, ..], _| Geometry::Texels(texels as u32)),
         ..GeometryRole::DISPLACED

@@ -5,7 +5,7 @@ use relief_core::registry::{Guarantee, Guarantees, Publication};
 use super::{ObjectRole, Solid};
 use crate::entry::{Companion, Entry, Role};
 
-/// What game engines draw of a grid of frames.
+/// Octahedral impostors as game engines draw them.
 pub const ENTRY: Entry = Entry {
     name: "blend",
     summary: "an octahedral impostor as engines draw it: three frames, blended",
@@ -15,11 +15,11 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "Each frame is asked at a place that parallax mapping guesses, and what three of them show is \
-        mixed: a point may be where none of them has one.",
+    argument: "Each frame is read at a place that parallax mapping guesses, and the results of \
+        three frames are mixed: a point may be where none of them has one.",
     role: Role::Object(ObjectRole {
         solid: Solid::Blend,
-        // What lights see of blends lies elsewhere than what eyes do, and would shade all of it.
+        // Lights see blends at other places than the eye does, and would shade all of it.
         companions: &[
             Companion::new("surface", "frames"),
             Companion::new("search", "none"),

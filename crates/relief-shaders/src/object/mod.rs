@@ -1,5 +1,6 @@
-//! Objects: what a ray meets in images that look at something from around it. A new kind is a `.wesl` and a
-//! `.rs` file here and its name in the list below.
+//! Objects: each combines a ray's hits in images that look at something from around it.
+//!
+//! A new kind is a `.wesl` and a `.rs` file here and its name in the list below.
 
 use relief_core::object::{DEFAULT_JUMP_TEXELS, JumpCells};
 use relief_core::registry::Param;
@@ -11,16 +12,16 @@ mod depth;
 mod hull;
 mod none;
 
-/// All of them.
+/// All objects, in the order of their numbers in the shaders.
 pub static ENTRIES: &[Entry] = &[none::ENTRY, depth::ENTRY, hull::ENTRY, blend::ENTRY];
 
-/// Most images of an object that all of them are asked of.
+/// The most images of an object that a ray may read all of.
 pub const MAX_IMAGES: usize = 64;
 
-/// How many texels of the map of images each of them has.
+/// Texels of each image's row in the map of images.
 pub const IMAGE_TEXELS: u32 = 7;
 
-/// What [`JumpCells`] are called, in their order.
+/// The names of [`JumpCells`], in their order.
 const CELLS: &[&str] = &[
     JumpCells::Bilinear.name(),
     JumpCells::Step.name(),
@@ -34,14 +35,14 @@ const PARAMS: &[Param] = &[
         default: JumpCells::Highest as u32 as f32,
         ..Param::of_names(
             "cells",
-            "where heights jump from texel to texel: bilinear as elsewhere; as high as the nearest texel \
-             (step), or as the highest around (highest); nearest: the nearest texel everywhere",
+            "the surface where heights jump from texel to texel: bilinear, as elsewhere; step: as high as the \
+             nearest texel; highest: as the highest around; nearest: the nearest texel, everywhere",
             CELLS,
         )
     },
     Param {
         name: "jump",
-        summary: "by how many texels' width heights differ where they jump",
+        summary: "difference of heights, in widths of a texel, beyond which they jump",
         unit: "texels",
         min: 0.0,
         max: 1e9,
@@ -53,14 +54,15 @@ const PARAMS: &[Param] = &[
         default: 1.0,
         ..Param::of_names(
             "color",
-            "of the three images that look along the view most; of those alone that see the place; of none, \
-             but light on the images' normals; blend: of the three frames of a grid that are around the view",
+            "three: from the three images that look along the view most; seen: only from images that see the \
+             place; normals: none, light on the images' normals; blend: from the three frames of a grid \
+             around the view",
             &["three", "seen", "normals", "blend"],
         )
     },
     Param {
         name: "steps",
-        summary: "of blended frames: how often a place is moved by the depth that is seen there",
+        summary: "for blended frames: how often a place is moved by the depth that is seen there",
         unit: "steps",
         min: 0.0,
         max: 16.0,
@@ -73,52 +75,52 @@ const PARAMS: &[Param] = &[
 /// The solid that the images of an object show.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObjectRole {
-    /// What it is.
+    /// The kind of solid.
     pub solid: Solid,
-    /// The variants of other stages that are chosen with it where those that are chosen do not serve it.
+    /// The variants of other stages that are chosen with it if the chosen ones do not serve it.
     pub companions: &'static [Companion],
 }
 
-/// How the images of an object are read.
+/// The way in which the images of an object are read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObjectCells {
-    /// What cells are in which heights jump.
+    /// The kind of cells in which heights jump.
     pub cells: JumpCells,
-    /// By how many texels' width heights differ there.
+    /// Difference of heights beyond which they jump, in widths of a texel.
     pub jump_texels: f32,
-    /// What is made of them.
+    /// The solid that the images define.
     pub solid: Solid,
-    /// Whether colours are those of a grid's frames, blended.
+    /// Whether colours are blended from a grid's frames.
     pub has_blended_colors: bool,
 }
 
-/// What is made of the images of an object.
+/// The solid that the images of an object define.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Solid {
-    /// The intersection of what they see.
+    /// The intersection of the solids of all images.
     Depth,
-    /// That of their silhouettes.
+    /// The intersection of their silhouettes.
     Hull,
     /// A blend of three frames.
     Blend,
 }
 
 impl ObjectCells {
-    /// Those of a solid with the settings of objects, in the order of these.
+    /// Cells by a solid and the settings of objects, in their order.
     pub(crate) fn of(solid: Solid, [cells, jump_texels, color, _]: [f32; 4]) -> Self {
         let cells = JumpCells::ALL.get(cells as usize).copied().unwrap_or_default();
         Self { cells, jump_texels, solid, has_blended_colors: color == BLENDED_COLORS }
     }
 
-    /// Whether no cell is higher than the highest of its corners' texels says, and cells lie between the
-    /// centres of texels: so that what bounds texels bounds them.
+    /// Whether bounds of texels bound cells: no cell is higher than the highest of its corners'
+    /// texels, and cells lie between the centres of texels.
     pub(crate) fn is_under_texels(&self) -> bool {
         self.solid == Solid::Depth && matches!(self.cells, JumpCells::Bilinear | JumpCells::Highest)
     }
 }
 
-/// The value of the setting `object.color` for those of blended frames.
+/// The value of the setting `object.color` for blended frames.
 pub(crate) const BLENDED_COLORS: f32 = 3.0;
 
-/// What the shaders call cells of silhouettes, after those of [`JumpCells`].
+/// The number of cells of silhouettes in the shaders, after the numbers of [`JumpCells`].
 pub const MASK_CELLS: u32 = JumpCells::ALL.len() as u32;

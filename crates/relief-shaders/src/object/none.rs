@@ -1,4 +1,4 @@
-//! Registry entry of what is no object.
+//! Registry entry for no object.
 
 use relief_core::registry::{Guarantee, Guarantees, Publication};
 
@@ -14,7 +14,8 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],
-    argument: "The segments follow each other along the ray, so that the first hit on any is the first of \
-        all. In a shell that overlaps itself they do not, and the nearest of all hits is taken.",
+    argument: "The segments follow each other along the ray, so that the first hit on any is \
+        the first of all. In a shell that overlaps itself they do not, and the nearest of all hits \
+        is taken.",
     role: Role::Idle,
 };

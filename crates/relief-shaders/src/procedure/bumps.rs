@@ -8,12 +8,12 @@ use crate::entry::Entry;
 /// Round bumps.
 pub const ENTRY: Entry = entry(
     "bumps",
-    "round bumps on level ground, each of which grows and shrinks in time",
+    "round bumps on level ground, which grow and shrink in time",
     &[
         count("bumps along the tile", 256.0, 12.0),
         Param {
             name: "radius",
-            summary: "their radius, as a part of the distance from one to the next",
+            summary: "radius, as a part of the distance from one bump to the next",
             unit: "",
             min: 0.01,
             max: 1.0,
@@ -23,7 +23,7 @@ pub const ENTRY: Entry = entry(
         },
         Param {
             name: "jitter",
-            summary: "how far they lie beside a regular pattern",
+            summary: "distance from a regular pattern",
             unit: "",
             min: 0.0,
             max: 1.0,

@@ -23,7 +23,7 @@ pub const ENTRY: Entry = entry(
         },
         Param {
             name: "gain",
-            summary: "how strong an octave is beside the one before",
+            summary: "strength of an octave relative to the one before",
             unit: "",
             min: 0.0,
             max: 1.0,

@@ -1,8 +1,9 @@
-//! Procedures: formulas that fill height maps, and that shaders may displace vertices by. A new one is a
-//! `.wesl` and a `.rs` file here and its name in the list below.
+//! Procedures: formulas that fill height maps, and by which shaders may displace vertices.
 //!
-//! All of them tile without a seam, and come round in a unit of time: what they show at times 0 and 1 is the
-//! same.
+//! A new procedure is a `.wesl` and a `.rs` file here and its name in the list below.
+//!
+//! All procedures tile without a seam. Their period in time is 1: the heights at times 0 and 1 are
+//! the same.
 //!
 //! Source: Szirmay-Kalos and Umenhoffer 2008, section 3.1.
 //!
@@ -31,10 +32,10 @@ mod bumps;
 mod fbm;
 mod waves;
 
-/// All of them.
+/// All procedures, in the order of their numbers in the shaders.
 pub static ENTRIES: &[Entry] = &[waves::ENTRY, fbm::ENTRY, bumps::ENTRY];
 
-/// The function of a procedure in the shaders.
+/// Returns the name of a procedure's function in the shaders.
 pub fn function_of(entry: &Entry) -> String {
     format!("procedure_{}", entry.name.replace('-', "_"))
 }
@@ -42,7 +43,7 @@ pub fn function_of(entry: &Entry) -> String {
 /// A procedure with its settings, at a time.
 #[derive(Clone, Copy, Debug)]
 pub struct Procedure {
-    /// Its place in the list.
+    /// Place in the list.
     number: usize,
     params: [f32; MAX_PARAMS],
     time: f32,
@@ -50,32 +51,32 @@ pub struct Procedure {
 }
 
 impl Procedure {
-    /// The procedure of that name with its default settings, at time 0.
+    /// Returns the procedure of that name with its default settings, at time 0.
     ///
     /// # Errors
     ///
-    /// When there is none.
+    /// When there is none; the error names the nearest.
     pub fn named(name: &str) -> Result<Self, UnknownName> {
         let number = find("procedure", ENTRIES, name)?;
         Ok(Self { number, params: ENTRIES[number].defaults(), time: 0.0, seed: 0 })
     }
 
-    /// What it is, with its parameters.
+    /// Returns the registry entry: name, summary and parameters.
     pub fn entry(&self) -> &'static Entry {
         &ENTRIES[self.number]
     }
 
-    /// Its parameters, in its entry's order.
+    /// Returns the parameters, in the entry's order.
     pub fn params(&self) -> [f32; MAX_PARAMS] {
         self.params
     }
 
-    /// Its time, from 0 up to 1.
+    /// Returns the time, from 0 up to 1.
     pub fn time(&self) -> f32 {
         self.time
     }
 
-    /// With what its random numbers begin.
+    /// Returns the seed of the random numbers.
     pub fn seed(&self) -> u32 {
         self.seed
     }
@@ -84,7 +85,7 @@ impl Procedure {
     ///
     /// # Errors
     ///
-    /// When it has no such parameter, or the value is not one that it takes.
+    /// When it has no such parameter, or the value is not accepted.
     pub fn set(&mut self, name: &str, value: f64) -> Result<(), SelectionError> {
         let Some((place, param)) = self.entry().param(name) else {
             return Err(SelectionError::NoParam {
@@ -102,38 +103,40 @@ impl Procedure {
         Ok(())
     }
 
-    /// The same at another time, of which 1 is once around; only what is beyond whole numbers counts, and
-    /// what is not finite is 0.
+    /// Returns the procedure at another time. One period is 1; whole periods are dropped. A time
+    /// that is not finite counts as 0.
     #[must_use]
     pub fn at_time(self, time: f64) -> Self {
         let part = time - time.floor();
         Self { time: if part.is_finite() { part as f32 } else { 0.0 }, ..self }
     }
 
-    /// The same with other random numbers.
+    /// Returns the procedure with another seed of its random numbers. Default: 0.
     #[must_use]
     pub fn with_seed(self, seed: u32) -> Self {
         Self { seed, ..self }
     }
 
-    /// Its function for a program's own shaders, with what it needs, as plain WGSL: of texture coordinates,
-    /// the time, a seed and the parameters, the height from 0 to 1.
+    /// Returns its function and all that it calls as plain WGSL, for a program's own shaders. The
+    /// function takes texture coordinates, the time, a seed and the parameters, and returns the
+    /// height from 0 to 1.
     pub fn wgsl(&self) -> String {
         crate::wgsl::of_function(&function_of(self.entry()))
     }
 
-    /// The heights of some rows of a map of that size, from 0 to 1, at the centres of its texels, row by row.
+    /// Computes some rows of a height map of `size` texels: heights from 0 to 1 at the centres of
+    /// the texels, row by row.
     ///
     /// # Errors
     ///
-    /// None is known: a map of a texel, over which it runs, can be made.
+    /// None is known: it runs over a map of one texel, which can always be made.
     #[cfg(feature = "cpu")]
     pub fn rows(&self, size: [u32; 2], rows: Range<u32>) -> Result<Vec<f32>, HeightMapError> {
         let Self { number, params, time, seed } = *self;
         crate::cpu::procedure_rows((number as u32, params), (time, seed), size, rows)
     }
 
-    /// A height map of it, which tiles.
+    /// Makes a height map of `size` texels, which tiles.
     ///
     /// ```
     /// let bumps = relief_shaders::procedure::Procedure::named("bumps")?.at_time(0.25).fill([64, 64])?;
@@ -143,7 +146,7 @@ impl Procedure {
     ///
     /// # Errors
     ///
-    /// When there is no map of that size.
+    /// When a map cannot have that size.
     #[cfg(feature = "cpu")]
     pub fn fill(&self, size: [u32; 2]) -> Result<HeightMap, HeightMapError> {
         let [width, height] = size;
@@ -163,12 +166,12 @@ const fn entry(name: &'static str, summary: &'static str, params: &'static [Para
         states: &[],
         guarantee: Guarantees::all(Guarantee::Exact),
         weakened: &[],
-        argument: "It is a formula.",
+        argument: "The heights follow from a formula.",
         role: Role::Plain,
     }
 }
 
-/// How many there are along a tile.
+/// A parameter with a number along a tile.
 const fn count(summary: &'static str, max: f32, default: f32) -> Param {
     Param { name: "count", summary, unit: "", min: 1.0, max, default, integer: true, names: &[] }
 }

@@ -8,12 +8,12 @@ use crate::entry::Entry;
 /// Waves on water.
 pub const ENTRY: Entry = entry(
     "waves",
-    "waves on water of many lengths, which run as fast as their lengths let them",
+    "water waves of many lengths, each as fast as its length allows",
     &[
         count("the longest waves along the tile", 64.0, 3.0),
         Param {
             name: "waves",
-            summary: "how many waves are added",
+            summary: "number of waves that are added",
             unit: "waves",
             min: 1.0,
             max: 64.0,
@@ -23,7 +23,7 @@ pub const ENTRY: Entry = entry(
         },
         Param {
             name: "spread",
-            summary: "how much their directions differ: 0, they all run along u; 2, anywhere",
+            summary: "spread of their directions: 0, all along u; 2, anywhere",
             unit: "",
             min: 0.0,
             max: 2.0,
@@ -33,7 +33,7 @@ pub const ENTRY: Entry = entry(
         },
         Param {
             name: "sharpness",
-            summary: "how sharp their crests are",
+            summary: "sharpness of their crests",
             unit: "",
             min: 0.0,
             max: 1.0,

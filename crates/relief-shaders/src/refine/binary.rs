@@ -4,15 +4,15 @@ use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
 
 use crate::entry::{Entry, Role};
 
-/// The interval is halved.
+/// Binary search: halves the interval.
 pub const ENTRY: Entry = Entry {
     name: "binary",
-    summary: "the interval is halved",
+    summary: "halves the interval in each step",
     publication: Publication { paper: super::SURVEY, section: "4.2.2" },
     maps: &[],
     params: &[Param {
         name: "steps",
-        summary: "halvings",
+        summary: "number of halvings",
         unit: "",
         min: 1.0,
         max: 64.0,

@@ -1,5 +1,6 @@
-//! Refinements: what converges inside a search's bracket. A new one is a `.wesl` and a `.rs` file here and
-//! its name in the list below.
+//! Refinements: each converges inside a search's bracket.
+//!
+//! A new refinement is a `.wesl` and a `.rs` file here and its name in the list below.
 
 use relief_core::FoundState;
 
@@ -17,7 +18,7 @@ mod slope;
 mod slope_iterative;
 mod true_secant;
 
-/// All of them.
+/// All refinements, in the order of their numbers in the shaders.
 pub static ENTRIES: &[Entry] = &[
     none::ENTRY,
     offset::ENTRY,
@@ -31,9 +32,9 @@ pub static ENTRIES: &[Entry] = &[
     half_texel::ENTRY,
 ];
 
-/// What a refinement takes that narrows an interval or corrects a point on the way.
+/// Inputs of a refinement that narrows an interval or corrects a point on the way.
 const ANY_INTERVAL: &[FoundState] = &[FoundState::Above, FoundState::Bracket, FoundState::Unbracketed];
 
-/// What a refinement takes that does nothing to it.
+/// Inputs of a refinement that changes nothing.
 const ALL_STATES: &[FoundState] =
     &[FoundState::Above, FoundState::Below, FoundState::Bracket, FoundState::Unbracketed];

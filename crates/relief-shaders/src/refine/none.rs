@@ -4,16 +4,16 @@ use relief_core::registry::{Guarantee, Guarantees, Publication};
 
 use crate::entry::{Entry, Role};
 
-/// What the search found: the processed point, or the first sample below.
+/// The search's result as it is: the processed point, or the first sample below.
 pub const ENTRY: Entry = Entry {
     name: "none",
-    summary: "what the search found: the processed point, or the first sample below",
+    summary: "returns the search's result: the processed point, or the first sample below",
     publication: Publication { paper: super::SURVEY, section: "4.1.1" },
     maps: &[],
     params: &[],
     states: super::ALL_STATES,
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "It adds nothing to what the search knows.",
+    argument: "Nothing is added to the search's result.",
     role: Role::Idle,
 };

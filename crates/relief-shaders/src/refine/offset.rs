@@ -8,7 +8,7 @@ use crate::entry::{Entry, Role};
 /// Parallax mapping: a level surface at the starting point's height.
 pub const ENTRY: Entry = Entry {
     name: "offset",
-    summary: "parallax mapping: a level surface at the starting point's height",
+    summary: "parallax mapping: takes the surface for level at the starting point's height",
     publication: Publication { paper: super::SURVEY, section: "4.1.2" },
     maps: &[],
     params: &[],

@@ -8,7 +8,7 @@ use crate::entry::{Entry, Role};
 /// Parallax mapping with offset limiting: never farther than the height.
 pub const ENTRY: Entry = Entry {
     name: "offset-limited",
-    summary: "parallax mapping with offset limiting: never farther than the height",
+    summary: "parallax mapping with offset limiting: never moves farther than the height",
     publication: Publication { paper: super::SURVEY, section: "4.1.3" },
     maps: &[],
     params: &[],

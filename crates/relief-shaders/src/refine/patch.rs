@@ -4,10 +4,10 @@ use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
 
 use crate::entry::{Entry, Role, TracingRole};
 
-/// Ray against bilinear patch in closed form, cell by cell.
+/// The exact refinement: ray against bilinear patch in closed form, cell by cell.
 pub const ENTRY: Entry = Entry {
     name: "patch",
-    summary: "ray against bilinear patch in closed form, cell by cell",
+    summary: "solves ray against bilinear patch in closed form, cell by cell",
     publication: Publication { paper: super::SURVEY, section: "4.3.1" },
     maps: &[],
     params: &[Param {

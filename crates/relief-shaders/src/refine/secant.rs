@@ -4,10 +4,10 @@ use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
 
 use crate::entry::{Entry, Role, TracingRole};
 
-/// False position: the surface between the two ends is a plane.
+/// False position: takes the surface between the two ends for a plane.
 pub const ENTRY: Entry = Entry {
     name: "secant",
-    summary: "false position: the surface between the two ends is a plane",
+    summary: "false position: takes the surface between the two ends for a plane",
     publication: Publication { paper: super::SURVEY, section: "4.2.3" },
     maps: &[],
     params: &[Param {

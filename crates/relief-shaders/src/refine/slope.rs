@@ -4,15 +4,15 @@ use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
 
 use crate::entry::{Entry, Role};
 
-/// The tangent plane at the starting point.
+/// Parallax mapping with the tangent plane at the starting point.
 pub const ENTRY: Entry = Entry {
     name: "slope",
-    summary: "the tangent plane at the starting point",
+    summary: "takes the surface for its tangent plane at the starting point",
     publication: Publication { paper: super::SURVEY, section: "4.1.4" },
     maps: &[],
     params: &[Param {
         name: "divide",
-        summary: "1 divides by N·V (ray against plane), 0 is the safer form without",
+        summary: "1 divides by N·V (ray against plane); 0 is the safer form without",
         unit: "",
         min: 0.0,
         max: 1.0,

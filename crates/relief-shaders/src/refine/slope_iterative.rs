@@ -7,13 +7,13 @@ use crate::entry::{Entry, Role};
 /// Iterative parallax mapping: the slope correction, repeated.
 pub const ENTRY: Entry = Entry {
     name: "slope-iterative",
-    summary: "iterative parallax mapping: the slope correction, repeated",
+    summary: "iterative parallax mapping: repeats the slope correction",
     publication: Publication { paper: super::SURVEY, section: "4.2.1" },
     maps: &[],
     params: &[
         Param {
             name: "steps",
-            summary: "corrections",
+            summary: "number of corrections",
             unit: "",
             min: 1.0,
             max: 64.0,
@@ -23,7 +23,7 @@ pub const ENTRY: Entry = Entry {
         },
         Param {
             name: "divide",
-            summary: "1 divides by N·V (Newton's method), 0 is the safer form without",
+            summary: "1 divides by N·V (Newton's method); 0 is the safer form without",
             unit: "",
             min: 0.0,
             max: 1.0,

@@ -4,10 +4,10 @@ use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
 
 use crate::entry::{Entry, Role};
 
-/// The secant method proper: the last two guesses.
+/// The secant method proper: always uses the last two guesses.
 pub const ENTRY: Entry = Entry {
     name: "true-secant",
-    summary: "the secant method proper: the last two guesses",
+    summary: "the secant method proper: always uses the last two guesses",
     publication: Publication { paper: super::SURVEY, section: "4.2.3" },
     maps: &[],
     params: &[Param {

@@ -8,13 +8,13 @@ use crate::entry::{Entry, Role};
 /// Cone stepping as published.
 pub const ENTRY: Entry = Entry {
     name: "cone-moved",
-    summary: "cone stepping as published: over cones that are moved to the ray",
+    summary: "cone stepping as published: steps over cones that are moved to the ray",
     publication: Publication { paper: super::SURVEY, section: "4.3.5" },
     maps: &[MapInput::new("cone", "").with(&[("apex", MapSetting::Param("apex"))])],
     params: &[
         Param {
             name: "steps",
-            summary: "steps, after which the last point is the answer",
+            summary: "number of steps; the last point is the answer",
             unit: "",
             min: 1.0,
             max: 4096.0,
@@ -24,7 +24,8 @@ pub const ENTRY: Entry = Entry {
         },
         Param {
             name: "apex",
-            summary: "cones that are safe 0 on texel centres, as their author had them, 1 over a texel, 2 through a filter",
+            summary: "where cones are safe: 0 on texel centres, as their author had them; 1 \
+                over a texel; 2 through a filter",
             unit: "",
             min: 0.0,
             max: 2.0,
@@ -39,9 +40,9 @@ pub const ENTRY: Entry = Entry {
         Weakened { param: "apex", value: 0.0, to: Guarantees::all(Guarantee::Approximate) },
         Weakened { param: "apex", value: 1.0, to: Guarantees::all(Guarantee::Approximate) },
     ],
-    argument: "A cone that is safe through a filter holds no surface wherever it stands, so a step to where \
-        the path leaves it passes nothing. Steps get shorter toward the surface, and after the last of them \
-        the point that it reached is the answer. In f32 a step is shortened by 8 roundings of the heights \
-        and, times the slope, of the places that it is computed from.",
+    argument: "A cone that is safe through a filter holds no surface wherever it stands, so a \
+        step to the cone's border passes nothing. Steps get shorter toward the surface, and the \
+        last point is the answer. In f32 a step is shortened by 8 roundings of the heights and, \
+        times the slope, of the places that it is computed from.",
     role: Role::Plain,
 };

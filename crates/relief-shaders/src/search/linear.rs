@@ -24,7 +24,7 @@ pub const ENTRY: Entry = Entry {
         },
         Param {
             name: "grazing",
-            summary: "times as many steps for a grazing ray",
+            summary: "factor on the number of steps of a grazing ray",
             unit: "",
             min: 1.0,
             max: 64.0,

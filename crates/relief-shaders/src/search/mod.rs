@@ -1,5 +1,7 @@
-//! Searches: what brackets the first hit. A new one is a `.wesl` and a `.rs` file here and its name in the
-//! list below; one that reads a baked map names it in its entry, and finds it bound.
+//! Searches: each brackets the first hit of a path.
+//!
+//! A new search is a `.wesl` and a `.rs` file here and its name in the list below. If it reads a
+//! baked map, its entry names the map, and the shader finds it bound.
 
 use relief_core::registry::Param;
 
@@ -19,7 +21,7 @@ mod relaxed_cone;
 mod relaxed_cone_resting;
 mod sphere;
 
-/// All of them.
+/// All searches, in the order of their numbers in the shaders.
 pub static ENTRIES: &[Entry] = &[
     none::ENTRY,
     linear::ENTRY,
@@ -47,10 +49,10 @@ const LIMIT: Param = Param {
     names: &[],
 };
 
-/// The parameter of searches that were published without a look at the surface's patches.
+/// The parameter of searches that were published without a test of the surface's patches.
 const PATCHES: Param = Param {
     name: "patches",
-    summary: "1 looks at the surface's patch where steps are shorter than a cell, 0 is as published",
+    summary: "1 tests the surface's patch where steps are shorter than a cell; 0 is as published",
     unit: "",
     min: 0.0,
     max: 1.0,

@@ -13,7 +13,7 @@ pub const ENTRY: Entry = Entry {
         paper: "Oh, Ki and Lee 2006, Pyramidal Displacement Mapping: A GPU based Artifacts-free Ray Tracing Through an Image Pyramid",
         section: "3.2, 3.4",
     },
-    // The finest level is the heights' own.
+    // The finest level is the height map's own.
     maps: &[MapInput {
         levels: MapLevels::ChainFrom(1),
         ..MapInput::new("pyramid", "").with(&[("over", MapSetting::Fixed(1.0))])
@@ -22,7 +22,7 @@ pub const ENTRY: Entry = Entry {
         super::LIMIT,
         Param {
             name: "level",
-            summary: "the level of the pyramid that view rays do not go below; 0 is that of the texels",
+            summary: "finest level of the pyramid for view rays; 0 is the level of texels",
             unit: "",
             min: 0.0,
             max: 20.0,
@@ -34,8 +34,8 @@ pub const ENTRY: Entry = Entry {
     states: &[FoundState::Below],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "It is exact for the surface of level columns over texels, which is another one than the \
-        bilinear surface: it is off by up to half a texel, and where the bilinear surface is steep by as \
-        much in height. Above level 0 a column is as high as the highest texel in it.",
+    argument: "The result is exact for the surface of level columns over texels, which differs \
+        from the bilinear surface: by up to half a texel, and where the bilinear surface is steep \
+        by as much in height. Above level 0 a column is as high as the highest texel in it.",
     role: Role::Plain,
 };

@@ -5,10 +5,10 @@ use relief_core::registry::{Guarantee, Guarantees, MapInput, MapSetting, Publica
 
 use crate::entry::{Entry, Role};
 
-/// Over cones that a view ray leaves after at most one entry.
+/// Relaxed cone stepping: over cones that a view ray leaves after at most one entry.
 pub const ENTRY: Entry = Entry {
     name: "relaxed-cone",
-    summary: "over cones that a view ray leaves after at most one entry into the surface",
+    summary: "steps over cones that a view ray leaves after at most one entry into the surface",
     publication: Publication { paper: super::SURVEY, section: "4.4.3" },
     maps: &[MapInput::new("relaxed-cone", "").with(&[("apex", MapSetting::Fixed(1.0))])],
     params: &[super::LIMIT, super::PATCHES],
@@ -27,14 +27,15 @@ pub const ENTRY: Entry = Entry {
             shadow: Guarantee::Impossible,
         },
     }],
-    argument: "A falling ray over any place of the texel's square that is below the surface inside of the \
-        cone stays below until it leaves it. So where it is above behind a step it has met nothing, and \
-        where it is below it has entered exactly once, and halving finds the entry. A shorter step than to \
-        the cone's border is as good. Where a step ends within the cell, the cell's patch is bounded in \
-        closed form as in `cells`. In f32 a step is shortened by 8 roundings of the heights and, times the \
-        slope, of the places. So the ray is known as well as to `cells`: rays that clear the surface by less \
-        than 2 roundings of the path's heights and, times the map's steepest slope, of its places in texels \
-        may be judged either way. Rays that rise or bend may enter several times. Without patches the search \
-        may stop before the surface, where steps get no further.",
+    argument: "Over any place of the texel's square, a falling ray that is below the surface \
+        inside the cone stays below until it leaves the cone. So where it is above behind a step \
+        it has met nothing, and where it is below it has entered exactly once, and halving finds \
+        the entry. A step that ends before the cone's border is as good. Where a step ends within \
+        the cell, the cell's patch is bounded in closed form as in `cells`. In f32 a step is \
+        shortened by 8 roundings of the heights and, times the slope, of the places. So the ray is \
+        known as well as to `cells`: rays that clear the surface by less than 2 roundings of the \
+        path's heights and, times the map's steepest slope, of its places in texels may be judged \
+        either way. Rays that rise or bend may enter several times. Without patches the search may \
+        stop before the surface, where steps get no further.",
     role: Role::Plain,
 };

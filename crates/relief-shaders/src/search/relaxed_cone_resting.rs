@@ -5,10 +5,10 @@ use relief_core::registry::{Guarantee, Guarantees, MapInput, MapSetting, Publica
 
 use crate::entry::{Entry, Role};
 
-/// Over relaxed cones that rest on their texel.
+/// Cone stepping over relaxed cones that stay on their texel.
 pub const ENTRY: Entry = Entry {
     name: "relaxed-cone-resting",
-    summary: "over relaxed cones of texel centres that rest on their texel",
+    summary: "steps over relaxed cones of texel centres, which stay on their texel",
     publication: Publication { paper: "Relief", section: "" },
     maps: &[MapInput::new("relaxed-cone", "").with(&[("apex", MapSetting::Fixed(0.0))])],
     params: &[super::LIMIT],

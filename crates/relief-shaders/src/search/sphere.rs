@@ -5,10 +5,10 @@ use relief_core::registry::{Guarantee, Guarantees, MapInput, MapSetting, Param, 
 
 use crate::entry::{Entry, Role};
 
-/// As far as the distance field says that nothing is near.
+/// Sphere tracing: steps as far as the distance field is empty.
 pub const ENTRY: Entry = Entry {
     name: "sphere",
-    summary: "sphere tracing: as far as a distance field says that nothing is near",
+    summary: "sphere tracing: steps as far as a distance field is empty",
     publication: Publication { paper: super::SURVEY, section: "4.3.4" },
     maps: &[MapInput::new("distance", "").with(&[("slices", MapSetting::Param("slices"))])],
     params: &[

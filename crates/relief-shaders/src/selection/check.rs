@@ -1,4 +1,4 @@
-//! Whether the chosen variants go together.
+//! Tests whether the chosen variants go together.
 
 use relief_core::registry::{Guarantee, MapInput, MapLevels, MapSetting, RayClass};
 
@@ -12,11 +12,11 @@ use crate::stages::{
 use crate::surface::{AskedImages, Paths, Shown};
 
 impl Selection {
-    /// Whether every chosen variant can be used for the rays that its stage is given, and with the others.
+    /// Checks that every chosen variant can trace the rays of its stage, and goes with the others.
     ///
     /// # Errors
     ///
-    /// When one cannot.
+    /// When one does not.
     pub fn check(&self) -> Result<(), SelectionError> {
         let used = STAGES.iter().zip(&self.choices).enumerate().filter(|(place, _)| self.uses(*place));
         for (_, (stage, choice)) in used {
@@ -33,9 +33,9 @@ impl Selection {
         if self.uses(SHADOW_SEARCH) { self.check_taken(SHADOW_SEARCH, SHADOW) } else { Ok(()) }
     }
 
-    /// Whether a variant of a stage, with default parameters, goes with all that is chosen for the other
-    /// stages. Displaced triangles and objects, for example, read no bent normals: `sky` does not go with
-    /// them, `hemisphere` does.
+    /// Whether a variant of a stage, with default parameters, goes with the choices for all other
+    /// stages. Displaced triangles and objects, for example, read no bent normals: `sky` does not
+    /// go with them, `hemisphere` does.
     ///
     /// # Errors
     ///
@@ -46,11 +46,11 @@ impl Selection {
         Ok(other.check().is_ok())
     }
 
-    /// Whether all other stages make something of the surface's segments.
+    /// Checks that all other stages can handle the surface's segments.
     ///
     /// # Errors
     ///
-    /// When one does not.
+    /// When one cannot.
     fn check_surface(&self) -> Result<(), SelectionError> {
         let Paths { rays, shown, refused, .. } = self.paths();
         let surface = self.choices[SURFACE].entry.name;
@@ -67,8 +67,8 @@ impl Selection {
             return error(GEOMETRY, reason.to_owned());
         }
         match (self.is_of_images(), !self.choices[OBJECT].entry.is_idle()) {
-            (true, false) => return error(OBJECT, "choose what the object is of its images".to_owned()),
-            (false, true) => return error(OBJECT, "there are no images that it could be made of".to_owned()),
+            (true, false) => return error(OBJECT, "choose how the object is made of its images".to_owned()),
+            (false, true) => return error(OBJECT, "the geometry shows no images".to_owned()),
             _ => {}
         }
         if let Some((place, reason)) = self.at_odds_with_object() {
@@ -91,7 +91,8 @@ impl Selection {
         Ok(())
     }
 
-    /// Whether all baked maps that are read can have the levels of detail that are seen.
+    /// Checks that all baked maps that are read can have levels of detail, if the selection has
+    /// any.
     ///
     /// # Errors
     ///
@@ -116,7 +117,7 @@ impl Selection {
         Ok(())
     }
 
-    /// Whether the refinement makes something of what the search gives.
+    /// Checks that the refinement takes the search's results.
     ///
     /// # Errors
     ///
@@ -125,8 +126,8 @@ impl Selection {
         self.check_taken(SEARCH, REFINE)
     }
 
-    /// Whether the variant of the stage `taker` makes something of what the search of the stage `giver`
-    /// gives.
+    /// Checks that the variant of the stage `taker` takes the results of the search of the stage
+    /// `giver`.
     pub(super) fn check_taken(&self, giver: usize, taker: usize) -> Result<(), SelectionError> {
         let [search, other] = [giver, taker].map(|place| self.choices[place].entry);
         if search.states.iter().any(|state| other.states.contains(state)) {
@@ -137,7 +138,7 @@ impl Selection {
         Err(SelectionError::Pair { giver, taker, gives: search.states, takes: other.states })
     }
 
-    /// The stage that does not go with what is made of an object's images, and why.
+    /// The stage that does not go with the object of images, and the reason.
     fn at_odds_with_object(&self) -> Option<(usize, String)> {
         let object = self.object_cells()?;
         let [search, refine] = [self.search(), self.refine()];

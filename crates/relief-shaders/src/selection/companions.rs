@@ -1,4 +1,4 @@
-//! What is chosen together with a variant.
+//! Choices that follow from another choice.
 
 use super::{Choice, Selection, SelectionError};
 use crate::entry::{Companion, Entry, find};
@@ -9,8 +9,8 @@ use crate::stages::{
 use relief_core::registry::Guarantee;
 
 impl Choice {
-    /// The first variant of a stage for which that holds, with its default parameters. The tests hold that
-    /// there is one for all that is asked here; without it the stage's first.
+    /// The first variant of a stage for which `holds` is true, with its default parameters; without
+    /// any, the stage's first. Tests check that there is one for every call.
     fn first(place: usize, holds: impl Fn(&Entry) -> bool) -> Self {
         let number = STAGES[place].first(holds).map_or(0, |(number, _)| number);
         Self::new(&STAGES[place], number)
@@ -18,7 +18,7 @@ impl Choice {
 }
 
 impl Selection {
-    /// The same with the search and the refinement that have the exact answer without a baked map.
+    /// Chooses the search and the refinement that have the exact answer without a baked map.
     pub(super) fn with_reference(mut self) -> Self {
         for place in [SEARCH, REFINE] {
             self.choices[place] = Choice::first(place, |entry| entry.tracing().is_reference);
@@ -26,8 +26,8 @@ impl Selection {
         self
     }
 
-    /// The same with the search for shadows that goes with the view's: that one with its parameters, or the
-    /// reference where it is of no use for shadows.
+    /// Chooses the search for shadows that goes with the view's: the same search with its
+    /// parameters, or the reference if that cannot trace shadows.
     pub(super) fn with_search_for_shadows(mut self) -> Self {
         self.choices[SHADOW_SEARCH] = self.choices[SEARCH];
         let promised = self.choices[SEARCH].promises().shadow;
@@ -38,7 +38,7 @@ impl Selection {
         self
     }
 
-    /// The same without shadows.
+    /// Returns the selection without shadows.
     #[must_use]
     pub fn without_shadows(&self) -> Self {
         let mut without = *self;
@@ -46,8 +46,7 @@ impl Selection {
         without.with_search_for_shadows()
     }
 
-    /// The same with variants that go with the geometry: its companions, or a surface that shows its
-    /// triangles.
+    /// Chooses the geometry's companions, or a surface that shows its triangles.
     pub(super) fn with_companions_of_geometry(mut self) -> Result<Self, SelectionError> {
         let geometry = self.choices[GEOMETRY].entry.geometry();
         self.choices[OBJECT] = Choice::first(OBJECT, Entry::is_idle);
@@ -60,8 +59,7 @@ impl Selection {
         Ok(self)
     }
 
-    /// The same with variants that serve what is made of an object's images, where those that are chosen do
-    /// not.
+    /// Chooses variants that serve an object of images, in place of chosen ones that do not.
     pub(super) fn with_companions_of_object(self) -> Result<Self, SelectionError> {
         let (Some(role), Some(object)) = (self.object_role(), self.object_cells()) else { return Ok(self) };
         let is_searched = role.solid != Solid::Blend;
@@ -77,13 +75,14 @@ impl Selection {
         Ok(with.with_search_for_shadows())
     }
 
-    /// Whether the search's map bounds heights between texels, and the images of that object have others.
+    /// Whether the search's map bounds heights between texels, but the cells of that object are
+    /// others.
     pub(super) fn searches_beyond_texels(&self, object: &ObjectCells) -> bool {
         let search = self.search();
         search.tracing().serves_images && !search.maps.is_empty() && !object.is_under_texels()
     }
 
-    /// The same with the refinement that the slices ask for.
+    /// Chooses the refinement that the slices ask for.
     pub(super) fn with_refinement_of_slices(mut self) -> Self {
         let steps = self.choices[SLICES].value("refine");
         self.choices[REFINE] = if steps > 0.0 {
@@ -97,7 +96,7 @@ impl Selection {
         self
     }
 
-    /// The same with variants by name.
+    /// Chooses variants by name.
     fn with_companions(mut self, companions: &[Companion]) -> Result<Self, SelectionError> {
         for Companion { stage: key, name, settings } in companions {
             let (place, stage) = stage(key).ok_or_else(|| SelectionError::NoStage((*key).to_owned()))?;

@@ -1,4 +1,4 @@
-//! Why there is no such selection.
+//! Reasons why a selection cannot be made.
 
 use relief_core::FoundState;
 use relief_core::registry::UnknownName;
@@ -6,7 +6,7 @@ use relief_core::registry::UnknownName;
 use crate::stages::{DETAIL, STAGES, SURFACE, stage};
 use crate::{Entry, Variants};
 
-/// Why a selection cannot be made.
+/// Reason why a selection cannot be made.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SelectionError {
     /// No stage has that key.
@@ -18,7 +18,7 @@ pub enum SelectionError {
     /// No variant has that name.
     #[error(transparent)]
     Unknown(#[from] UnknownName),
-    /// A setting's key has another form.
+    /// A setting's key does not begin with a stage.
     #[error("the setting '{0}' must begin with {begin}, as in search.steps=64", begin = beginnings())]
     Key(String),
     /// The variant has no such parameter.
@@ -28,17 +28,17 @@ pub enum SelectionError {
         stage: &'static str,
         /// The chosen variant.
         entry: &'static str,
-        /// What was asked for.
+        /// The name that was asked for.
         name: String,
-        /// What there is.
+        /// The names that exist.
         entries: Vec<&'static str>,
     },
-    /// The value is a text.
+    /// The value is not a number.
     #[error("{key} is '{text}': it must be a number")]
     NoNumber {
         /// The setting.
         key: String,
-        /// What was given.
+        /// The value given.
         text: String,
     },
     /// The value is not accepted.
@@ -67,24 +67,24 @@ pub enum SelectionError {
         key: &'static str,
         /// The chosen variant.
         entry: &'static str,
-        /// The rays.
+        /// The ray class.
         rays: &'static str,
     },
-    /// A surface's segments are of no use to another stage's variant.
+    /// Another stage's variant cannot handle the surface's segments.
     #[error("the {stage} '{entry}' cannot be used with the surface '{surface}': {reason}")]
     Surface {
         /// The other stage's title.
         stage: &'static str,
         /// The other stage's key.
         key: &'static str,
-        /// What is chosen for it.
+        /// The variant chosen for it.
         entry: &'static str,
         /// The chosen surface.
         surface: &'static str,
-        /// Why.
+        /// The reason, with a remedy.
         reason: String,
     },
-    /// A variant's baked map knows the finest level of detail alone.
+    /// A variant's baked map has only the finest level of detail.
     #[error(
         "the {stage} '{entry}' cannot be used with the detail '{detail}': the levels of its map are not \
             levels of detail; choose another, or the detail {none}", none = Variants::of(DETAIL, Entry::is_idle).or()
@@ -94,30 +94,31 @@ pub enum SelectionError {
         stage: &'static str,
         /// The key of that stage.
         key: &'static str,
-        /// What is chosen for it.
+        /// The variant chosen for it.
         entry: &'static str,
         /// The chosen detail.
         detail: &'static str,
     },
-    /// A variant makes nothing of what the search before it gives.
+    /// A variant does not take the results of the search before it.
     #[error(
-        "the {} '{}' makes nothing of what the {} '{}' gives: it takes {}, not {}",
+        "the {} '{}' cannot use the result of the {} '{}': it takes {}, not {}",
         title(.taker.0), .taker.1, title(.giver.0), .giver.1, named(.takes), named(.gives)
     )]
     Pair {
-        /// The key of the search's stage, and its name.
+        /// The key of the search's stage, and the search.
         giver: (&'static str, &'static str),
-        /// The key of the stage that is to go on from there, and what is chosen for it.
+        /// The key of the next stage, and the variant chosen for it.
         taker: (&'static str, &'static str),
-        /// How the search ends.
+        /// The results with which the search ends.
         gives: &'static [FoundState],
-        /// What the other takes.
+        /// The results that the other variant takes.
         takes: &'static [FoundState],
     },
 }
 
 impl SelectionError {
-    /// The keys of the stages whose variants do not go together; none where a single value is wrong.
+    /// Returns the keys of the stages whose variants do not go together; empty if a single value is
+    /// wrong.
     pub fn keys(&self) -> Vec<&'static str> {
         match self {
             SelectionError::Impossible { key, .. } => vec![key],
@@ -129,7 +130,7 @@ impl SelectionError {
     }
 }
 
-/// What messages call a variant of the stage of that key.
+/// The title of a stage in messages, by its key.
 fn title(key: &str) -> &str {
     stage(key).map_or(key, |(_, stage)| stage.title)
 }
@@ -138,7 +139,7 @@ fn named(states: &[FoundState]) -> String {
     states.iter().map(|state| state.description()).collect::<Vec<_>>().join(" or ")
 }
 
-/// How settings may begin: the keys of the stages of which a variant has parameters.
+/// The beginnings of settings: the keys of all stages that have parameters.
 fn beginnings() -> String {
     let settable = STAGES.iter().filter(|stage| stage.entries.iter().any(|entry| !entry.params.is_empty()));
     settable.map(|stage| format!("'{}.'", stage.key)).collect::<Vec<_>>().join(" or ")

@@ -1,4 +1,4 @@
-//! What the chosen variants need and show, as their entries say.
+//! Needs and effects of the chosen variants, by their entries.
 
 use relief_core::HeightMap;
 use relief_core::mesh::QuadricCoefficients;
@@ -15,25 +15,25 @@ use crate::stages::{
 use crate::surface::{AskedImages, Paths, Shown};
 
 impl Selection {
-    /// The triangles that are shown in place of the base's; none where the base's are.
+    /// Returns the triangles that are shown in place of the base's; `None` for the base's own.
     pub fn geometry(&self) -> Option<Geometry> {
         let [geometry, slices] = [GEOMETRY, SLICES].map(|place| &self.choices[place]);
         let triangles = geometry.entry.geometry().triangles?;
         Some(triangles(geometry.params, slices.params))
     }
 
-    /// What the triangles of the geometry show.
+    /// The content of the geometry's triangles.
     pub(super) fn shown_by_geometry(&self) -> Shown {
         self.choices[GEOMETRY].entry.geometry().shown
     }
 
-    /// Whether the images of an object are counted in a stencil buffer, which GPUs alone have.
+    /// Whether the images of an object are counted in a stencil buffer, which only GPUs have.
     pub fn counts_in_stencil(&self) -> bool {
         let geometry = &self.choices[GEOMETRY];
         geometry.entry.geometry().stencil.is_some_and(|param| geometry.value(param) != 0.0)
     }
 
-    /// The path segments of rays on the chosen surface.
+    /// Returns the path segments of rays on the chosen surface.
     pub fn paths(&self) -> &'static Paths {
         self.choices[SURFACE].entry.paths()
     }
@@ -43,8 +43,8 @@ impl Selection {
         self.choices[SURFACE].value("lift") != 0.0
     }
 
-    /// The same with segments that run at most so many texels beside their rays, on surfaces that know such a
-    /// tolerance.
+    /// Returns the selection with segments that run at most `texels` texels beside their rays, on
+    /// surfaces with such a tolerance.
     #[must_use]
     pub fn with_tolerance_within(mut self, texels: f32) -> Self {
         let Choice { entry, params, .. } = &mut self.choices[SURFACE];
@@ -54,21 +54,22 @@ impl Selection {
         self
     }
 
-    /// How far beside a shell its hits may lie, in texels: segments reach as far beyond its sides, so that
-    /// nothing passes between neighbours.
+    /// Returns the greatest distance of hits beside a shell, in texels. Segments reach that far
+    /// beyond its sides, so that nothing passes between neighbours.
     pub fn beside_shells_texels(&self) -> f32 {
         2.0 * self.choices[SURFACE].value("tolerance")
     }
 
-    /// Which quadrics the surface follows around the corners of its triangles, where it follows any. Its
-    /// triangles are moved out along their normals where relief would rise above them.
+    /// Returns the kind of quadrics that the surface follows around the corners of its triangles,
+    /// if it follows any. Its triangles are moved out along their normals where relief would rise
+    /// above them.
     pub fn quadrics(&self) -> Option<QuadricCoefficients> {
         let Choice { entry, params, .. } = &self.choices[SURFACE];
         let (place, _) = entry.param("coefficients")?;
         Some(if params[place] < 3.0 { QuadricCoefficients::Two } else { QuadricCoefficients::Three })
     }
 
-    /// Whether normals are those of a relief, not of triangles or silhouettes.
+    /// Whether a relief gives the normals, not triangles or silhouettes.
     pub fn has_normals_of_relief(&self) -> bool {
         self.paths().has_normals_of_relief()
             && !self.object_cells().is_some_and(|object| object.solid == Solid::Hull)
@@ -79,46 +80,45 @@ impl Selection {
         self.shown_by_geometry().is_of_images()
     }
 
-    /// What is made of the images of an object, where one is shown: the first of the stage's list where
-    /// nothing is said.
+    /// The solid of an object of images, if one is shown; by default the first of the stage's list.
     pub(super) fn object_role(&self) -> Option<ObjectRole> {
         let first = || STAGES[OBJECT].entries.iter().find_map(Entry::object);
         self.choices[OBJECT].entry.object().or_else(first).filter(|_| self.is_of_images())
     }
 
-    /// How the images of an object are read, where one is shown.
+    /// Returns the way in which the images of an object are read, if one is shown.
     pub fn object_cells(&self) -> Option<ObjectCells> {
         self.object_role().map(|role| ObjectCells::of(role.solid, self.choices[OBJECT].params))
     }
 
-    /// Whether all images of an object are asked, and not only some of them that a grid tells.
+    /// Whether rays read all images of an object, and not only some that a grid gives.
     pub fn asks_all_images(&self) -> bool {
         self.is_of_images() && self.paths().images == Some(AskedImages::All)
     }
 
-    /// Whether frames of a grid are asked, which an object's images must make.
+    /// Whether rays read the frames of a grid, which an object's images must make.
     pub fn needs_grid(&self) -> bool {
         let is_of_frames = self.paths().images == Some(AskedImages::OfGrid);
         self.object_cells().is_some_and(|object| is_of_frames || object.has_blended_colors)
     }
 
-    /// Whether normals are blended of several images'.
+    /// Whether normals are blended from several images.
     pub fn blends_normals(&self) -> bool {
         self.object_cells().is_some_and(|object| object.solid == Solid::Blend)
     }
 
-    /// Whether pixels are seen in several levels of detail.
+    /// Whether pixels have different levels of detail.
     pub fn has_levels(&self) -> bool {
         !self.choices[DETAIL].entry.is_idle()
     }
 
-    /// How many levels of a height map are read.
+    /// Returns the number of levels of a height map that are read.
     pub fn levels_of(&self, map: &HeightMap) -> u32 {
         if self.has_levels() { map.levels() } else { 1 }
     }
 
-    /// Whether a stage is asked for anything: the search for shadows is not where no shadow sends rays,
-    /// and the test of slices where there are none.
+    /// Whether a stage is used. The search for shadows is not if no shadow sends rays, and the test
+    /// of slices is not without slices.
     pub fn uses(&self, stage: usize) -> bool {
         match stage {
             SHADOW_SEARCH => !self.choices[SHADOW].entry.states.is_empty(),
@@ -128,29 +128,31 @@ impl Selection {
         }
     }
 
-    /// The chosen search.
+    /// Returns the chosen search.
     pub fn search(&self) -> &'static Entry {
         self.choices[SEARCH].entry
     }
 
-    /// The chosen refinement.
+    /// Returns the chosen refinement.
     pub fn refine(&self) -> &'static Entry {
         self.choices[REFINE].entry
     }
 
-    /// What search and refinement together promise for a class of rays: the weaker of the two promises.
+    /// Returns the guarantee of search and refinement together for a class of rays: the weaker of
+    /// the two.
     pub fn guarantee(&self, rays: RayClass) -> Guarantee {
         let [search, refine] = [SEARCH, REFINE].map(|stage| self.choices[stage].promises().of(rays));
         search.min(refine)
     }
 
-    /// Whether this is the pair that has the exact answer without a baked map, whatever its parameters.
+    /// Whether this is the pair that has the exact answer without a baked map, whatever its
+    /// parameters.
     pub fn is_exact(&self) -> bool {
         self.search().tracing().is_reference && self.refine().tracing().is_reference && !self.uses(OBJECT)
     }
 
-    /// Whether paths are searched, or what is found of them refined: of bump mapping and of surfaces without a
-    /// relief neither is.
+    /// Whether paths are searched or refined. Bump mapping and surfaces without a relief do
+    /// neither.
     pub fn is_traced(&self) -> bool {
         self.paths().has_relief() && !(self.search().is_idle() && self.refine().is_idle())
     }
@@ -160,18 +162,19 @@ impl Selection {
         !self.choices[SHADOW].entry.is_idle()
     }
 
-    /// Whether shadows are those of rays through the exact search without a baked map.
+    /// Whether shadows come from rays through the exact search without a baked map.
     pub fn has_exact_shadows(&self) -> bool {
         self.sends_rays_to_lights() && self.choices[SHADOW_SEARCH].entry.tracing().is_reference
     }
 
-    /// Whether shadows are those of rays from the hit to the light, or to points of its disc, through the
-    /// relief of the same surface.
+    /// Whether shadows come from rays from the hit to the light, or to points of its disc, through
+    /// the relief of the same surface.
     pub fn sends_rays_to_lights(&self) -> bool {
         matches!(self.choices[SHADOW].entry.shadow(), Some(ShadowRole::ToLights { .. }))
     }
 
-    /// To how many points of a light's disc shadows send rays: 0 where they send one to its centre, or none.
+    /// Returns the number of points of a light's disc to which shadows send rays: 0 if they send
+    /// one to its centre, or none.
     pub fn points_of_lights(&self) -> u32 {
         let shadow = &self.choices[SHADOW];
         match shadow.entry.shadow() {
@@ -180,8 +183,8 @@ impl Selection {
         }
     }
 
-    /// The sides, in texels, of what lights are to see, and how many pictures of it there are of a light that
-    /// is far away; none where shadows are not looked up there.
+    /// Returns the side of shadow maps, in texels, and the number of cascades of a distant light;
+    /// `None` if shadows do not read shadow maps.
     pub fn light_views(&self) -> Option<[u32; 2]> {
         let shadow = &self.choices[SHADOW];
         match shadow.entry.shadow() {
@@ -192,8 +195,8 @@ impl Selection {
         }
     }
 
-    /// To how many points of a light's disc rays go through the whole scene; none where shadows are others.
-    /// Such rays no surface can trace alone, and no GPU.
+    /// Returns the number of points of a light's disc to which rays go through the whole scene;
+    /// `None` for other shadows. No surface can trace such rays alone, and no GPU.
     pub fn rays_through_scene(&self) -> Option<u32> {
         let shadow = &self.choices[SHADOW];
         match shadow.entry.shadow() {
@@ -202,7 +205,7 @@ impl Selection {
         }
     }
 
-    /// Whether the surroundings are seen: in reflections, and through the surface.
+    /// Whether the environment map is seen: in reflections, and through the surface.
     pub fn sees_environment(&self) -> bool {
         self.choices[AMBIENT].entry.sees_surroundings()
     }

@@ -8,7 +8,7 @@ use crate::entry::{Entry, Role};
 /// A ray from where the light enters the relief, down to the hit.
 pub const ENTRY: Entry = Entry {
     name: "entry",
-    summary: "a view ray from where the light enters the relief; lit where it ends at the hit",
+    summary: "traces a view ray from the light's entry into the relief; lit if it ends at the hit",
     publication: Publication {
         paper: "Oliveira and Policarpo 2005, An Efficient Representation for Surface Details",
         section: "2.1",
@@ -16,7 +16,7 @@ pub const ENTRY: Entry = Entry {
     maps: &[],
     params: &[Param {
         name: "tolerance",
-        summary: "how far apart the two ends may be",
+        summary: "greatest distance between the two ends",
         unit: "texels",
         min: 0.0,
         max: 16.0,
@@ -27,9 +27,10 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "The ray enters at the top of the relief, at the footprint's edge or at the light, and \
-        descends to the hit: search and refinement of the view serve it, with their map. Where it ends \
-        within the tolerance of the hit nothing is taken to be in the way, though a thin ridge may be; where \
-        light grazes the surface, rounding alone can be more than the tolerance.",
+    argument: "The ray enters at the top of the relief, at the footprint's edge or at the \
+        light, and descends to the hit. Search and refinement of the view serve it, with their \
+        map. If it ends within the tolerance of the hit, nothing is taken to be in the way, though \
+        a thin ridge may be. Where light grazes the surface, rounding alone can exceed the \
+        tolerance.",
     role: Role::Shadow(ShadowRole::FromEntry),
 };

@@ -7,7 +7,7 @@ use crate::entry::{Entry, Role};
 /// The heuristic of interactive engines.
 pub const ENTRY: Entry = Entry {
     name: "heuristic",
-    summary: "what stands out of the ray to the light at some points of it, the more the nearer",
+    summary: "darkens by the heights above some points of the ray to the light, nearer ones more",
     publication: Publication {
         paper: "Tatarchuk 2006, Practical Parallax Occlusion Mapping; Szirmay-Kalos and Umenhoffer 2008",
         section: "6",
@@ -16,7 +16,7 @@ pub const ENTRY: Entry = Entry {
     params: &[
         Param {
             name: "samples",
-            summary: "points of the ray",
+            summary: "points along the ray",
             unit: "",
             min: 2.0,
             max: 256.0,
@@ -38,7 +38,7 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "It looks plausible, no more: what lies between two points is not seen, and the softness has \
-        nothing to do with the size of the light.",
+    argument: "The result is plausible, no more. Occluders between two points are missed, and \
+        the softness does not depend on the size of the light.",
     role: Role::Plain,
 };

@@ -5,10 +5,10 @@ use relief_core::registry::{Guarantee, Guarantees, Param, Publication};
 use super::ShadowRole;
 use crate::entry::{Entry, Role};
 
-/// A picture of depths that the light sees.
+/// A shadow map.
 pub const ENTRY: Entry = Entry {
     name: "map",
-    summary: "depths that the light sees: all surfaces of the scene throw shadows on each other",
+    summary: "shadow maps: all surfaces of the scene cast shadows on each other",
     publication: Publication {
         paper: "Williams 1978, Casting curved shadows; Oliveira and Policarpo 2005",
         section: "3.5",
@@ -17,7 +17,8 @@ pub const ENTRY: Entry = Entry {
     params: &[
         Param {
             name: "size",
-            summary: "most texels of a shadow map's side, small frames take fewer; of several surfaces the most count",
+            summary: "most texels of a shadow map's side; small frames take fewer; the largest \
+                value of all surfaces counts",
             unit: "",
             min: 16.0,
             max: 16_384.0,
@@ -27,7 +28,8 @@ pub const ENTRY: Entry = Entry {
         },
         Param {
             name: "cascades",
-            summary: "pictures of a light far away, each of a part of what the camera sees; likewise",
+            summary: "shadow maps of a distant light, each for a part of the view; the largest \
+                value of all surfaces counts",
             unit: "",
             min: 1.0,
             max: super::MAX_CASCADES as f32,
@@ -47,7 +49,8 @@ pub const ENTRY: Entry = Entry {
         },
         Param {
             name: "bias",
-            summary: "how far above the surface a point is compared, so that it does not hide itself",
+            summary: "height above the surface at which a point is compared, so that it does \
+                not shadow itself",
             unit: "texels",
             min: 0.0,
             max: 64.0,
@@ -59,9 +62,10 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "Depths are those of the first hits of the light's rays in the finest level of detail, by the \
-        surface's own search. A point is compared in the plane that touches the surface's patch, so that a \
-        straight slope hides nothing of itself. What differs is what lies between two of the light's rays: \
-        a shadow's edge is known to about a texel. What is outside of all pictures is lit.",
+    argument: "Depths come from the first hits of the light's rays in the finest level of \
+        detail, by the surface's own search. A point is compared in the plane that touches the \
+        surface's patch, so that a straight slope does not shadow itself. Errors come from between \
+        two of the light's rays: a shadow's edge is known to about a texel. A point outside all \
+        shadow maps is lit.",
     role: Role::Shadow(ShadowRole::LightViews { size: "size", cascades: "cascades" }),
 };

@@ -1,6 +1,8 @@
-//! Shadows: the part of a light that arrives at a hit. A new one is a `.wesl` and a `.rs` file here and its
-//! name in the list below; the first is what is run where nothing is said. One that sends rays by
-//! `shared/shadow_ray.wesl` asks the stage `shadow-search`; its entry says which ends of a search it takes.
+//! Shadows: each gives the part of a light that arrives at a hit.
+//!
+//! A new shadow is a `.wesl` and a `.rs` file here and its name in the list below; the first is the
+//! default. A shadow that sends rays by `shared/shadow_ray.wesl` uses the stage `shadow-search`;
+//! its entry lists the search results that it takes.
 
 use crate::entry::Entry;
 use crate::stages::SHADOW;
@@ -16,7 +18,7 @@ mod scene;
 mod soft;
 mod visibility;
 
-/// All of them.
+/// All shadows, in the order of their numbers in the shaders. The first is the default.
 pub static ENTRIES: &[Entry] = &[
     ray::ENTRY,
     none::ENTRY,
@@ -29,31 +31,32 @@ pub static ENTRIES: &[Entry] = &[
     scene::ENTRY,
 ];
 
-/// The most pictures of what a light that is far away sees.
+/// The most cascades of a distant light's shadow map.
 pub const MAX_CASCADES: usize = 4;
 
-/// The shadows that are looked up in what lights see.
+/// The shadows that read shadow maps.
 pub fn of_light_views() -> Variants {
     Variants::of(SHADOW, |entry| matches!(entry.shadow(), Some(ShadowRole::LightViews { .. })))
 }
 
-/// How a shadow tests what is between a hit and a light.
+/// The test that a shadow makes between a hit and a light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShadowRole {
-    /// It looks up or estimates the part of a light's disc that the relief leaves free.
+    /// A look-up or an estimate of the part of a light's disc that the relief leaves free.
     Discs,
     /// A ray from where the light enters the relief, down to the hit.
     FromEntry,
     /// Rays from the hit through the relief of the same surface.
     ToLights {
-        /// The parameter that counts rays to points of a light's disc; none: one ray goes to its centre.
+        /// The parameter that counts rays to points of a light's disc; none: one ray goes to its
+        /// centre.
         rays: Option<&'static str>,
     },
-    /// Depths that lights see.
+    /// A look-up in shadow maps.
     LightViews {
-        /// The parameter with the most texels of a view's side.
+        /// The parameter with the greatest side of a shadow map, in texels.
         size: &'static str,
-        /// The parameter with the number of views of a light that is far away.
+        /// The parameter with the number of cascades of a distant light.
         cascades: &'static str,
     },
     /// Rays through all surfaces of the scene, which need a CPU.
@@ -64,12 +67,12 @@ pub enum ShadowRole {
 }
 
 impl ShadowRole {
-    /// Whether all surfaces throw shadows on each other.
+    /// Whether all surfaces cast shadows on each other.
     pub const fn sees_scene(self) -> bool {
         matches!(self, ShadowRole::LightViews { .. } | ShadowRole::ThroughScene { .. })
     }
 
-    /// Whether a light's disc makes it soft at its edges, as wide as it is.
+    /// Whether the shadow's edges are as soft as the light's disc is wide.
     pub const fn knows_discs(self) -> bool {
         matches!(self, ShadowRole::Discs | ShadowRole::ToLights { rays: Some(_) })
     }

@@ -24,11 +24,11 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],
-    argument: "A ray from the light ends a little before the point that it is to reach: what it hits before \
-        is in its way. It is traced as the camera's are, in the finest level of detail, by each surface's \
-        own search, and is as exact as that; segments run at most a hundredth of a texel beside it. Three \
-        thousandths of the displacement and the rounding of places are left, so that no point hides itself. \
-        On the surface `plane` each polygon has a relief of its own: where polygons meet at an angle, rays \
-        from elsewhere see another one.",
+    argument: "A ray from the light ends a little before its target; what it hits before \
+        blocks the light. It is traced like the camera's rays, in the finest level of detail, by \
+        each surface's own search, and is as exact. Segments run at most a hundredth of a texel \
+        beside it. The ray ends three thousandths of the displacement and the rounding of places \
+        early, so that no point shadows itself. On the surface `plane` each polygon has a relief \
+        of its own: where polygons meet at an angle, rays from elsewhere see another relief.",
     role: Role::Shadow(ShadowRole::ThroughScene { rays: "samples" }),
 };

@@ -14,7 +14,7 @@ pub const ENTRY: Entry = Entry {
     maps: &[],
     params: &[Param {
         name: "samples",
-        summary: "points of the disc that rays are sent to",
+        summary: "points on the disc, one ray each",
         unit: "",
         min: 1.0,
         max: 256.0,
@@ -25,9 +25,9 @@ pub const ENTRY: Entry = Entry {
     states: &[FoundState::Above, FoundState::Below, FoundState::Bracket],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "Each ray is one of the shadow `ray`. The points lie in rings of the same area of the disc, at \
-        random in each and turned at random together, by the bits of the hit's texture coordinates: the \
-        part that is free is the disc's visible part at the mean, and its squared error falls at least \
-        as fast as the number of points grows.",
+    argument: "Each ray is traced like the shadow `ray`'s. The points lie at random in \
+        rings of equal area of the disc, and are turned at random together, by the bits of the \
+        hit's texture coordinates. The mean free part is the disc's visible part, and its squared \
+        error falls at least as fast as the number of points grows.",
     role: Role::Shadow(ShadowRole::ToLights { rays: Some("samples") }),
 };

@@ -8,7 +8,8 @@ use crate::scene_maps::{AZIMUTHS, ELEVATIONS, scene_map};
 /// Precomputed visibility.
 pub const ENTRY: Entry = Entry {
     name: "visibility",
-    summary: "whether something is seen in fixed directions, baked: the nearest one, or three interpolated",
+    summary: "visibility baked for fixed directions: of the nearest one, or interpolated \
+        between three",
     publication: Publication {
         paper: "Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008",
         section: "6.2",
@@ -26,7 +27,7 @@ pub const ENTRY: Entry = Entry {
         },
         Param {
             name: "directions",
-            summary: "directions that are looked at: 1, the nearest, or 3, interpolated",
+            summary: "directions that are looked up: 1, the nearest, or 3, interpolated",
             unit: "",
             min: 1.0,
             max: 3.0,
@@ -38,8 +39,9 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "The texels around a hit see the surface or the sky in each of the directions. The light's own \
-        direction lies between them, and a mean of theirs stands for it. A light at a point is taken to be \
-        behind all of the relief. A light below the lowest elevation is taken to be at it.",
+    argument: "The texels around a hit see the surface or the sky in each of the directions. \
+        The light's own direction lies between them, and a mean of their values stands for it. A \
+        light at a point is taken to be behind all of the relief. A light below the lowest \
+        elevation is taken to be at it.",
     role: Role::Plain,
 };

@@ -4,10 +4,10 @@ use relief_core::registry::{Guarantee, Guarantees, Publication};
 
 use crate::entry::{Entry, Role};
 
-/// What lies at most as high as the relief.
+/// Draws where the relief is at least as high.
 pub const ENTRY: Entry = Entry {
     name: "at-least",
-    summary: "what the relief is at least as high as: the lowest slice is whole",
+    summary: "draws where the relief is at least as high; the lowest slice is whole",
     publication: Publication { paper: crate::DEPTH_OBJECTS, section: "3.1" },
     maps: &[],
     params: super::PARAMS,

@@ -4,10 +4,10 @@ use relief_core::registry::{Guarantee, Guarantees, Publication};
 
 use crate::entry::{Entry, Role};
 
-/// What lies nearer to the relief than to that of other slices.
+/// Draws where the relief is nearer to this slice than to others.
 pub const ENTRY: Entry = Entry {
     name: "band",
-    summary: "what lies within half of the slices' distance from the relief: steps are not joined",
+    summary: "draws within half of the slices' distance from the relief; steps are not joined",
     publication: Publication {
         paper: "Schaufler 1998, Per-Object Image Warping with Layered Impostors",
         section: "",
@@ -17,7 +17,7 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "Each point of the relief has a slice that is so near. Between neighbours of other heights \
-        rays go through, as in warped pictures.",
+    argument: "Each point of the relief has a slice within that distance. Between neighbours \
+        of other heights rays go through, as in warped pictures.",
     role: Role::NearSurface,
 };

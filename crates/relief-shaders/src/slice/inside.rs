@@ -4,10 +4,10 @@ use relief_core::registry::{Guarantee, Guarantees, Publication};
 
 use crate::entry::{Entry, Role};
 
-/// What lies below the relief.
+/// Draws where the relief is higher.
 pub const ENTRY: Entry = Entry {
     name: "inside",
-    summary: "what the relief is higher than: nothing where its height is 0",
+    summary: "draws where the relief is higher; nothing where its height is 0",
     publication: Publication { paper: crate::DEPTH_OBJECTS, section: "3.2" },
     maps: &[],
     params: super::PARAMS,

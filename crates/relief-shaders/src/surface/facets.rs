@@ -9,19 +9,19 @@ use crate::entry::{Entry, Role};
 /// Triangles without relief, shaded by the normals of their vertices.
 pub const ENTRY: Entry = Entry {
     name: "facets",
-    summary: "the triangles as they are, with their vertices' normals: for what is displaced already",
+    summary: "the triangles as they are, with their vertices' normals, for displaced geometry",
     publication: Publication { paper: super::SURVEY, section: "3" },
     maps: &[],
     params: &[],
     states: &[],
     guarantee: Guarantees { view: Guarantee::Exact, bent: Guarantee::Impossible, shadow: Guarantee::Exact },
     weakened: &[],
-    argument: "A ray ends where it meets the plane of its triangle, to the rounding of f32, and nowhere \
-        else.",
+    argument: "A ray ends where it meets the plane of its triangle, to the rounding of f32, \
+        and nowhere else.",
     role: Role::Surface(PATHS),
 };
 
-/// What it makes of rays.
+/// Paths of rays on triangles: none through a relief.
 const PATHS: Paths = Paths {
     rays: &[RayClass::View],
     proposal: Proposal::Polygons,
@@ -40,7 +40,7 @@ const PATHS: Paths = Paths {
             refuses: super::is_shadow_of_one_surface,
             reason: |others| {
                 format!(
-                    "it looks for what is in a light's way in a relief, and none lies on the triangles there; \
+                    "it tests a relief for shadows, and none lies on the triangles there; \
                      {} see triangles",
                     others.active().and()
                 )
@@ -50,17 +50,17 @@ const PATHS: Paths = Paths {
             stage: "ambient",
             refuses: |entry| entry.reads("bent-normal"),
             reason: |_| {
-                "its vectors are told beside the base, and vertices know the normals of the relief alone"
+                "its vectors are relative to the base, and displaced vertices have only the relief's normals"
                     .to_owned()
             },
         },
     ],
 };
 
-/// Why nothing is searched.
+/// Reason why nothing is searched.
 fn is_found(others: &Variants) -> String {
     format!(
-        "a ray ends on the triangle that it meets, and nothing is left to be found: choose {}",
+        "a ray ends on the triangle that it meets, and there is nothing to search: choose {}",
         others.or()
     )
 }

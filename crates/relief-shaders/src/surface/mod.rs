@@ -1,5 +1,6 @@
-//! Surfaces: what turns a fragment into path segments. A new one is a `.wesl` and a `.rs` file here and its
-//! name in the list below.
+//! Surfaces: each turns a pixel's ray into path segments.
+//!
+//! A new surface is a `.wesl` and a `.rs` file here and its name in the list below.
 
 use relief_core::registry::{Param, RayClass};
 
@@ -19,7 +20,7 @@ mod quadric_vertical;
 mod slices;
 mod tetrahedra;
 
-/// All of them.
+/// All surfaces, in the order of their numbers in the shaders.
 pub static ENTRIES: &[Entry] = &[
     plane::ENTRY,
     prism::ENTRY,
@@ -33,54 +34,55 @@ pub static ENTRIES: &[Entry] = &[
     object_slices::ENTRY,
 ];
 
-/// What is added to the order of a shell's corners where the shell overlaps itself.
+/// The number that is added to the order of a shell's corners where the shell overlaps itself.
 pub const FOLDED: u32 = 64;
 
-/// How much larger the hulls of shells and the boxes around them are for a ray, relative to the largest
-/// coordinate in play: more than rounding moves the ray, so that no shell is left out that it would have hit.
+/// Enlargement of the hulls of shells, and of the boxes around them, for a ray, relative to the
+/// largest coordinate in play. It is more than rounding moves the ray, so that no shell is left out
+/// that the ray would have hit.
 pub const SHELL_SLACK: f64 = 5e-6;
 
-/// How far behind a hit, relative to its depth, shells and polygons may begin that are still looked into: keys
-/// and depths are rounded in other ways. Smaller, and the backends may show different ones; larger costs time
-/// only.
+/// The greatest distance behind a hit, relative to its depth, at which a shell or polygon is still
+/// traced: keys and depths are rounded in other ways. Smaller, and the backends may show different
+/// ones; larger costs time only.
 pub const DEPTH_SLACK: f64 = 1e-5;
 
-/// What a surface makes of a pixel's ray.
+/// The path segments of a pixel's ray on a surface.
 #[derive(Clone, Copy, Debug)]
 pub struct Paths {
-    /// The classes of its segments: searches and refinements must be possible for all of them.
+    /// The ray classes of its segments: searches and refinements must be possible for all of them.
     pub rays: &'static [RayClass],
-    /// Where its relief may be seen.
+    /// The place where its relief may be seen.
     pub proposal: Proposal,
-    /// What the triangles show: it goes with geometries that show the same.
+    /// The content of its triangles; geometries with the same content go with it.
     pub shown: Shown,
-    /// Which images of an object its rays ask; none where it shows no object.
+    /// The images of an object that its rays read; none for surfaces without an object.
     pub images: Option<AskedImages>,
-    /// The variants of other stages that make nothing of its segments.
+    /// The variants of other stages that cannot handle its segments.
     pub refused: &'static [Refused],
 }
 
-/// Which images of an object a ray asks.
+/// The images of an object that a ray reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AskedImages {
-    /// All of them.
+    /// All images.
     All,
-    /// Of images that make a grid the three that look along the ray most.
+    /// The three images of a grid that look along the ray most.
     OfGrid,
 }
 
-/// What triangles show.
+/// The content of triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
     /// The height map's relief, which lies on them.
     Relief,
-    /// Where they run through it.
+    /// The height map's relief, which they run through.
     Slices,
-    /// Themselves: they are all that there is to see.
+    /// The triangles themselves, without a relief.
     Triangles,
-    /// What images see in a box around them.
+    /// An object of images with depth, in the box that they make.
     Object,
-    /// Where they run through that.
+    /// An object of images with depth, which they run through.
     ObjectSlices,
 }
 
@@ -90,13 +92,13 @@ impl Shown {
         matches!(self, Shown::Slices | Shown::ObjectSlices)
     }
 
-    /// Whether what is seen is known from images with depth.
+    /// Whether images with depth define the content.
     pub const fn is_of_images(self) -> bool {
         matches!(self, Shown::Object | Shown::ObjectSlices)
     }
 
-    /// Which surfaces show the triangles of a geometry, as the end of a sentence; `other` is what the chosen
-    /// surface shows instead.
+    /// The surfaces that show the triangles of a geometry, as the end of a sentence. `other` is the
+    /// content of the chosen surface.
     pub(crate) fn needs(self, other: Self) -> String {
         let surfaces = Variants::of(SURFACE, |entry| entry.paths().shown == self);
         let [s, y] = if surfaces.are_several() { ["s", ""] } else { ["", "s"] };
@@ -109,8 +111,8 @@ impl Shown {
                 format!("only the surface{s} {} {goes} with the geometry {}", surfaces.and(), geometries.or())
             }
             Shown::Slices => format!("its triangles run through the relief, which {shown}"),
-            Shown::Object => format!("its box holds what images see, which {shown}"),
-            Shown::ObjectSlices => format!("its triangles run through what images see, which {shown}"),
+            Shown::Object => format!("its box holds an object of images, which {shown}"),
+            Shown::ObjectSlices => format!("its triangles run through an object of images, which {shown}"),
             Shown::Triangles => format!(
                 "its triangles are displaced already, and only the surface{s} {} show{y} them as they are",
                 surfaces.and()
@@ -139,18 +141,18 @@ impl Paths {
         matches!(self.shown, Shown::Relief)
     }
 
-    /// Whether normals are those of the relief, not of the triangles.
+    /// Whether the relief gives the normals, not the triangles.
     pub const fn has_normals_of_relief(&self) -> bool {
         !matches!(self.shown, Shown::Triangles)
     }
 }
 
-/// Where a triangle's relief may be seen.
+/// The place where a triangle's relief may be seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Proposal {
-    /// Where the triangle itself is.
+    /// On the triangle itself.
     Polygons,
-    /// Where its shell is: the triangle with its corners moved along their normals.
+    /// In its shell: the triangle with its corners moved along their normals.
     Shells,
 }
 
@@ -159,18 +161,18 @@ pub enum Proposal {
 pub struct Refused {
     /// The key of their stage.
     pub stage: &'static str,
-    /// Whether a variant is one of them, by what its entry says.
+    /// Whether a variant is refused, by its entry.
     pub refuses: fn(&Entry) -> bool,
-    /// Why, as the end of a sentence that may name the stage's other variants.
+    /// The reason, as the end of a sentence that may name the stage's other variants.
     pub reason: fn(others: &Variants) -> String,
 }
 
-/// What surfaces refuse on which a ray has several segments.
+/// Refusals of surfaces on which a ray has several segments.
 const SEGMENTS_REFUSE: &[Refused] = &[
     Refused {
         stage: "search",
         refuses: Entry::is_idle,
-        reason: |_| "a ray has several segments there, none of which begins at the base".to_owned(),
+        reason: |_| "a ray has several segments there, and none begins at the base".to_owned(),
     },
     Refused {
         stage: "detail",
@@ -182,19 +184,19 @@ const SEGMENTS_REFUSE: &[Refused] = &[
     NO_ENTRY_OF_LIGHT,
 ];
 
-/// What surfaces of slices refuse.
+/// Refusals of surfaces of slices.
 const SLICES_ARE_SEARCHED: Refused = Refused {
     stage: "search",
     refuses: is_active,
-    reason: |others| format!("slices are what is searched: choose {}", others.or()),
+    reason: |others| format!("the slices replace the search: choose {}", others.or()),
 };
 
-/// What surfaces of an object's images refuse.
+/// Refusals of surfaces of an object's images.
 const OF_IMAGES_REFUSE: &[Refused] = &[
     Refused {
         stage: "search",
         refuses: serves_no_images,
-        reason: |others| format!("rays come into images from all sides: choose {}", others.active().or()),
+        reason: |others| format!("rays enter images from all sides: choose {}", others.active().or()),
     },
     Refused {
         stage: "refine",
@@ -210,25 +212,25 @@ const OF_IMAGES_REFUSE: &[Refused] = &[
     IMAGES_KNOW_NO_SURROUNDINGS,
 ];
 
-/// What all surfaces of images refuse.
+/// Refusals of levels of detail by all surfaces of images.
 const IMAGES_HAVE_NO_LEVELS: Refused = Refused {
     stage: "detail",
     refuses: is_active,
-    reason: |_| "images lie side by side in one, and would be mixed in coarser levels".to_owned(),
+    reason: |_| "images lie side by side in one map, and would be mixed in coarser levels".to_owned(),
 };
 
-/// What all surfaces of images refuse.
+/// Refusals of baked ambient lights by all surfaces of images.
 const IMAGES_KNOW_NO_SURROUNDINGS: Refused = Refused {
     stage: "ambient",
     refuses: |entry| !entry.maps.is_empty(),
     reason: |_| "one image alone does not know what is around a point of the object".to_owned(),
 };
 
-/// What all surfaces refuse on which the relief bends with the mesh.
+/// Refusals by all surfaces on which the relief bends with the mesh.
 const NO_ENTRY_OF_LIGHT: Refused = Refused {
     stage: "shadow",
     refuses: |entry| entry.shadow() == Some(ShadowRole::FromEntry),
-    reason: |_| "where a ray to a light enters the relief is not known there".to_owned(),
+    reason: |_| "the entry of a ray to a light into the relief is not known there".to_owned(),
 };
 
 /// Whether a variant does something.
@@ -241,7 +243,7 @@ fn serves_no_images(entry: &Entry) -> bool {
     is_active(entry) && !entry.tracing().serves_images
 }
 
-/// Whether a shadow is one of a surface's own relief.
+/// Whether a shadow comes only from a surface's own relief.
 fn is_shadow_of_one_surface(entry: &Entry) -> bool {
     is_active(entry) && !entry.shadow().is_some_and(ShadowRole::sees_scene)
 }
@@ -251,7 +253,7 @@ fn is_shadow_of_one_surface(entry: &Entry) -> bool {
 const QUADRIC_PARAMS: &[Param] = &[
     Param {
         name: "coefficients",
-        summary: "2 leaves out the product of both directions: cheaper, and some saddles are lost",
+        summary: "2 drops the product of both directions: cheaper, but loses some saddles",
         unit: "",
         min: 2.0,
         max: 3.0,

@@ -8,19 +8,20 @@ use crate::entry::{Entry, Role};
 /// Triangles through an object that is known from images.
 pub const ENTRY: Entry = Entry {
     name: "object-slices",
-    summary: "slices through an object, drawn where all its images see something as high as they are",
+    summary: "slices through an object, drawn where all its images see something at least as high",
     publication: Publication { paper: crate::DEPTH_OBJECTS, section: "4.1" },
     maps: &[],
     params: &[],
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "A ray ends on the first slice at which it is in the solids of all images: the first hit lies \
-        between that one and the one before where the object passed no slice in between.",
+    argument: "A ray ends on the first slice at which it is in the solids of all images. The \
+        first hit lies between that slice and the one before, if the object did not pass a slice \
+        in between.",
     role: Role::Surface(PATHS),
 };
 
-/// What it makes of rays.
+/// Paths of rays on slices through the box.
 const PATHS: Paths = Paths {
     rays: &[RayClass::View],
     proposal: Proposal::Polygons,
@@ -31,7 +32,7 @@ const PATHS: Paths = Paths {
             stage: "slices",
             refuses: Entry::is_near_surface,
             reason: |others| {
-                format!("what is near the surfaces of all images are only edges: choose {}", others.or())
+                format!("only edges are near the surfaces of all images: choose {}", others.or())
             },
         },
         super::SLICES_ARE_SEARCHED,
@@ -50,7 +51,7 @@ const PATHS: Paths = Paths {
             stage: "shadow",
             refuses: super::is_active,
             reason: |others| {
-                format!("lights see between slices that stand as an eye sees them: choose {}", others.or())
+                format!("slices face the eye, and light passes between them: choose {}", others.or())
             },
         },
         super::IMAGES_HAVE_NO_LEVELS,

@@ -19,7 +19,7 @@ pub const ENTRY: Entry = Entry {
         QUADRIC_PARAMS[1],
         Param {
             name: "chords",
-            summary: "pieces that a ray is cut into; half as many as the search has steps",
+            summary: "pieces that a ray is cut into; best half the number of the search's steps",
             unit: "",
             min: 1.0,
             max: 64.0,
@@ -35,15 +35,15 @@ pub const ENTRY: Entry = Entry {
         shadow: Guarantee::Approximate,
     },
     weakened: &[],
-    argument: "The distance across the view is no quadratic in the metres along the ray, and jumps to the \
-        one along the normal where the line across misses the quadric. Chords are right at their \
-        ends and in their middle alone, which is where a search of twice as many steps looks. Seen \
-        along its normal a relief is flat, as the distance across the view grows beyond all bounds \
-        there.",
+    argument: "The distance across the view is no quadratic in the metres along the ray, and \
+        jumps to the distance along the normal where the line across misses the quadric. Chords \
+        are right only at their ends and in their middle, where a search with twice as many steps \
+        samples. Seen along its normal a relief is flat, as the distance across the view grows \
+        beyond all bounds there.",
     role: Role::Surface(PATHS),
 };
 
-/// What it makes of rays.
+/// Paths of rays over quadrics.
 const PATHS: Paths = Paths {
     rays: &[RayClass::Bent],
     proposal: Proposal::Polygons,
@@ -54,7 +54,8 @@ const PATHS: Paths = Paths {
             stage: "search",
             refuses: |entry| !entry.tracing().only_samples,
             reason: |_| {
-                "the distance from the quadric jumps along a ray, which only samples are taken of".to_owned()
+                "the distance from the quadric jumps along a ray; only searches by samples can trace it"
+                    .to_owned()
             },
         },
         Refused {

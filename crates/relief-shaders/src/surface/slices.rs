@@ -8,19 +8,20 @@ use crate::entry::{Entry, Role};
 /// Triangles through the relief, drawn where the stage `slices` says so.
 pub const ENTRY: Entry = Entry {
     name: "slices",
-    summary: "slices through the relief, drawn where the relief is as high as they are",
+    summary: "slices through the relief, drawn where the relief is at least as high",
     publication: Publication { paper: crate::DEPTH_OBJECTS, section: "3" },
     maps: &[],
     params: &[],
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "A ray ends on the first slice that passes the test, or by a refinement between that one and \
-        the one before it: the first hit lies between both where the relief passed no slice in between.",
+    argument: "A ray ends on the first slice that passes the test, or, with a refinement, \
+        between that slice and the one before. The first hit lies between both, if the relief did \
+        not pass a slice in between.",
     role: Role::Surface(PATHS),
 };
 
-/// What it makes of rays.
+/// Paths of rays on slices.
 const PATHS: Paths = Paths {
     rays: &[RayClass::View],
     proposal: Proposal::Polygons,
@@ -33,7 +34,7 @@ const PATHS: Paths = Paths {
             refuses: |entry| super::is_active(entry) && !entry.tracing().joins_slices,
             reason: |others| {
                 format!(
-                    "what is known are a slice and the one before it: choose {}, or set 'slices.refine'",
+                    "only a slice and the one before it are known: choose {}, or set 'slices.refine'",
                     others.idle().or()
                 )
             },

@@ -1,4 +1,4 @@
-//! What assembled shaders hold.
+//! Tests of assembled shaders.
 
 use super::*;
 use crate::{refine, search};
@@ -45,7 +45,7 @@ fn a_shader_holds_what_its_root_reaches_and_nothing_else() {
     for gone in ["search_linear", "frustum", "shade_", "normal_map", "map_sampler", "override", "switch"] {
         assert!(!trace.contains(gone), "{gone}");
     }
-    // Shading without rays to the lights is the same whatever was searched for.
+    // Shading without rays to the lights is the same whatever the search.
     let frustum = Selection::method("frustum").expect("a method");
     let shade = |selection: &Selection, shadow| {
         let mut selection = *selection;

@@ -1,7 +1,8 @@
-//! The shaders over lanes: the same functions once more, for many paths or pixels at once.
+//! The shaders in SIMD lanes: the same functions once more, for many paths or pixels at once.
 //!
-//! The generated texts are written in the functions of a width, and included once for each. All of them give
-//! the bits of the translation to single numbers, which serves machines without such vectors.
+//! The generated texts use the functions of a width, and are included once for each width. All of
+//! them give the bits of the translation to single numbers, which serves machines without such
+//! vectors.
 
 // Each width includes the same texts.
 #![allow(clippy::duplicate_mod)]
@@ -24,13 +25,14 @@ pub use block::{BLOCK, EnteredBlock, HitBlock, PathBlock, PixelOutBlock, Row, pl
 pub(in crate::cpu) use task::Task;
 pub use task::{LightPoint, TriangleRays};
 
-/// That width, or one where the places of a map do not fit into the numbers of a lane.
+/// Returns that width, or one if the places of a map do not fit into the numbers of a lane.
 #[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "x86_64")))]
 fn fitting(r: &Resources<'_>, lanes: Lanes) -> Lanes {
     if r.has_places_of_32_bits() { lanes } else { Lanes::One }
 }
 
-/// Does a task for the places that `which` has bits for, in lanes of that width where the machine has them.
+/// Does a task for the places that `which` has bits for, in lanes of that width if the machine has
+/// them.
 pub(super) fn run(r: &Resources<'_>, lanes: Lanes, which: u16, task: Task<'_>) {
     #[cfg(all(feature = "lanes", any(target_arch = "aarch64", target_arch = "x86_64")))]
     match fitting(r, lanes) {

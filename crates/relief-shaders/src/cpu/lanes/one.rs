@@ -1,4 +1,4 @@
-//! Tasks place by place, as single numbers have them.
+//! Tasks place by place, with single numbers.
 
 use relief_core::FoundState;
 

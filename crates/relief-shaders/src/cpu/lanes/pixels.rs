@@ -1,4 +1,5 @@
-//! What comes before and after search and refinement, of blocks of pixels, included once for each width.
+//! Stages before and after search and refinement, for blocks of pixels, included once for each
+//! width.
 
 use super::super::block::{BLOCK, Row};
 use super::super::task::{LightPoint, TriangleRays};
@@ -9,7 +10,7 @@ use super::pixel_stages::{
 };
 use super::*;
 
-/// The parts of a block that hold some of its places, as many as there are lanes in each.
+/// The parts of a block that hold some of its places. A part is as wide as the lanes.
 fn parts(which: u16) -> impl Iterator<Item = (usize, u32)> {
     let every = u32::MAX >> (32 - LANES);
     (0..BLOCK / LANES)

@@ -1,4 +1,4 @@
-//! What is done for the places of a block.
+//! Tasks for the places of a block.
 
 use super::block::{EnteredBlock, HitBlock, PathBlock, PixelOutBlock, Row};
 use crate::MAX_LIGHTS;
@@ -11,34 +11,33 @@ pub struct TriangleRays<'a> {
     pub triangle: &'a Triangle,
     /// 1 on its front, -1 on its back.
     pub side: f32,
-    /// Columns and rows of the points, in pixels from the picture's upper left corner.
+    /// Columns and rows of the points, in pixels from the picture's top-left corner.
     pub points: &'a [Row<f32>; 2],
 }
 
-/// A point of a light, by its number and how many there are, as the shadow `soft` has them; of none the
-/// light's centre.
+/// A point of a light's disc, as for the shadow `soft`, or the light's centre.
 #[derive(Clone, Copy, Debug)]
 pub struct LightPoint {
     /// The number of the light in the frame.
     pub light: u32,
-    /// The number of the point.
+    /// The number of the point, from 0.
     pub point: u32,
-    /// How many points there are.
+    /// The number of points on the disc; 0 stands for the light's centre.
     pub count: u32,
 }
 
-/// What is asked of the shaders for some places of a block, and where the answers go. The answers of other
+/// A task for some places of a block: its inputs, and where the results go. The results of other
 /// places stay as they were.
 pub(in crate::cpu) enum Task<'a> {
     /// Search and refinement.
     Trace { paths: &'a PathBlock, hits: &'a mut HitBlock },
     /// Whether the search for shadows finds nothing: a bit for each place.
     Free { paths: &'a PathBlock, free: &'a mut u16 },
-    /// Where rays meet the surface, and their first segments, where they have any.
+    /// Points where rays meet the surface, and their first segments, if they have any.
     Enter { rays: TriangleRays<'a>, at: &'a mut EnteredBlock, paths: &'a mut PathBlock },
-    /// The segments of that number of rays that have as many.
+    /// The segments with the number `number`, of rays that have as many.
     Segment { rays: TriangleRays<'a>, number: u32, at: &'a EnteredBlock, paths: &'a mut PathBlock },
-    /// What was found on segments of that number, as what rays meet there, and what orders that.
+    /// Hits on the segments with the number `number`, moved onto their rays, and their keys.
     Meet {
         rays: TriangleRays<'a>,
         number: u32,
@@ -65,7 +64,7 @@ pub(in crate::cpu) enum Task<'a> {
     },
     /// The part of a light that arrives at placed hits.
     Visible { light: u32, placed: &'a EnteredBlock, hits: &'a HitBlock, parts: &'a mut Row<f32> },
-    /// What placed hits look like.
+    /// The shaded pixels of placed hits.
     Shade {
         points: &'a [Row<f32>; 2],
         placed: &'a EnteredBlock,

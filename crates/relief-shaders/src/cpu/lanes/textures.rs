@@ -1,10 +1,10 @@
-//! Texels in lanes, included once for each width. Lanes whose place lies outside get some texel or none.
+//! Texels in lanes, included once for each width. Lanes whose place lies outside get any number.
 
 use super::stages::wrapped_cell;
 use super::*;
 
 lanes! {
-    /// A texel of a height map in a level.
+    /// Reads a texel of a height map in a level.
     pub(super) fn height_texel(map: &HeightTexture<'_>, x: I, y: I, level: i32) -> Vec4<F> {
         let (width, texels) = map.level(level);
         let height = gather(texels, add_i(mul_i(y, splat_i(width)), x));
@@ -13,7 +13,7 @@ lanes! {
 }
 
 lanes! {
-    /// The same where each lane has its level.
+    /// Reads a texel of a height map, with a level for each lane.
     pub(super) fn height_texel_of_each(map: &HeightTexture<'_>, within: M, x: I, y: I, level: I) -> Vec4<F> {
         let mut height = splat(0.0);
         let mut rest = bits_of(within);
@@ -25,7 +25,8 @@ lanes! {
 }
 
 lanes! {
-    /// The function `whole_cell` of the shaders. These numbers are all in range, so that none is looked at.
+    /// The function `whole_cell` of the shaders. All numbers are in range here, so that none is
+    /// checked.
     pub(super) fn whole_cell(_r: &Resources<'_>, _within: M, cell: Vec2<F>) -> Vec2<I> {
         Vec2 { x: i_of_small(cell.x), y: i_of_small(cell.y) }
     }
@@ -49,14 +50,14 @@ lanes! {
 }
 
 stage! {
-    /// The same where some lie outside.
+    /// Reads cells, some of them outside.
     fn cell_anywhere(r: &Resources<'_>, within: M, cell: Vec2<I>, level: u32) -> Vec4<F> {
         wrapped_cell(r, within, cell, level)
     }
 }
 
 lanes! {
-    /// A texel of a map of four numbers in a layer and a level.
+    /// Reads a texel of four numbers in a layer and a level.
     pub(super) fn color_texel(map: &ColorTexture<'_>, x: I, y: I, layer: i32, level: i32) -> Vec4<F> {
         let (width, texels) = map.layer(layer, level);
         gather_four(texels, add_i(mul_i(y, splat_i(width)), x))
@@ -64,7 +65,7 @@ lanes! {
 }
 
 lanes! {
-    /// The same where each lane has its layer and its level.
+    /// Reads a texel of four numbers, with a layer and a level for each lane.
     pub(super) fn color_texel_of_each(
         map: &ColorTexture<'_>,
         within: M,
@@ -90,14 +91,14 @@ lanes! {
 }
 
 lanes! {
-    /// A texel of a baked map in a layer and a level.
+    /// Reads a texel of a baked map in a layer and a level.
     pub(super) fn map_texel(map: &MapTexture<'_>, x: I, y: I, layer: i32, level: i32) -> Vec4<F> {
         texel_at(map, place_in(map, x, y, layer, level))
     }
 }
 
 lanes! {
-    /// A texel of a baked map where each lane has its layer and its level.
+    /// Reads a texel of a baked map, with a layer and a level for each lane.
     pub(super) fn map_texel_of_each(
         map: &MapTexture<'_>,
         within: M,
@@ -168,7 +169,7 @@ lanes! {
 }
 
 lanes! {
-    /// The place after so many others, where the first is one.
+    /// The place `by` places after the first, if that is inside.
     fn next(first: I, by: i32) -> I {
         add_i(first, splat_i(by))
     }

@@ -2,14 +2,14 @@
 
 use relief_core::FoundState;
 
-use super::super::block::{BLOCK, Together};
+use super::super::block::{BLOCK, LaneGroup};
 use super::*;
 
 lanes! {
     /// Traces the paths of a block that `which` has bits for.
     pub(super) fn trace(r: &Resources<'_>, which: u16, paths: &PathBlock, hits: &mut HitBlock) {
         let mut rest = which;
-        while let Some(Together { part, which, use_and_level }) = paths.next_together(LANES, &mut rest) {
+        while let Some(LaneGroup { part, which, use_and_level }) = paths.next_group(LANES, &mut rest) {
             let which = lanes_of(which);
             let hit = stages::trace(r, which, &path_of(paths, part, use_and_level));
             let put = |row: &mut [f32; BLOCK], values: F| {
@@ -32,11 +32,11 @@ lanes! {
 }
 
 lanes! {
-    /// Of the paths of a block that `which` has bits for, those on which the search for shadows finds
-    /// nothing.
+    /// Returns bits of the paths of a block on which the search for shadows finds nothing, among
+    /// those that `which` has bits for.
     pub(super) fn free(r: &Resources<'_>, which: u16, paths: &PathBlock) -> u16 {
         let (mut rest, mut free) = (which, 0);
-        while let Some(Together { part, which, use_and_level }) = paths.next_together(LANES, &mut rest) {
+        while let Some(LaneGroup { part, which, use_and_level }) = paths.next_group(LANES, &mut rest) {
             let path = path_of(paths, part, use_and_level);
             let found = stages::shadow_search_stage(r, lanes_of(which), &path);
             let missed = eq_u(found.status, splat_u(FoundState::Miss as u32));
@@ -47,7 +47,7 @@ lanes! {
 }
 
 lanes! {
-    /// Paths of one use and one level.
+    /// Loads paths of one purpose and one level.
     fn path_of(paths: &PathBlock, part: usize, [ray, level]: [u32; 2]) -> stages::Path {
         let row = |row: &[f32; BLOCK]| load(&row.as_chunks().0[part]);
         stages::Path {

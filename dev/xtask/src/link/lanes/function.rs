@@ -9,7 +9,7 @@ use naga::{Expression, Function, Handle, Module, Span, Statement, Type};
 use super::block;
 use super::live::Live;
 use super::reach;
-use super::statement::{LoopAround, Place};
+use super::statement::{BlockContext, LoopAround};
 use super::types::{self, Kind, vector};
 use super::uniform::{Facts, Program, Variant, is_masked_loop};
 
@@ -112,7 +112,7 @@ impl<'a> Writer<'a> {
             self.line("let mut alive = ex;");
         }
         self.locals()?;
-        self.block(&self.function.body, &Place::default())?;
+        self.block(&self.function.body, &BlockContext::default())?;
         if self.is_dead && facts.is_masked && !self.ends_in_return(&self.function.body) {
             self.line("ret");
         }

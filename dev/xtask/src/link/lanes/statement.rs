@@ -11,12 +11,12 @@ use super::uniform::is_masked_loop;
 
 mod branch;
 
-/// Where a statement stands.
+/// Branches and loops around a statement.
 #[derive(Clone, Default)]
-pub struct Place {
-    /// What lanes that wait behind a branch or a loop around will read.
+pub struct BlockContext {
+    /// Local variables read later by lanes that wait behind a branch or loop around.
     keep: Locals,
-    /// How many branches and loops around part the lanes.
+    /// Number of branches and loops around that part the lanes.
     depth: usize,
     /// The condition of the branches around that all lanes go through.
     condition: Option<String>,
@@ -37,41 +37,41 @@ pub struct LoopAround {
 type Done = Result<(), Refusal>;
 
 impl Writer<'_> {
-    pub fn block(&mut self, block: &Block, place: &Place) -> Done {
+    pub fn block(&mut self, block: &Block, context: &BlockContext) -> Done {
         for (statement, span) in block.span_iter() {
             if self.is_dead {
                 break;
             }
-            self.statement(statement, place)
+            self.statement(statement, context)
                 .map_err(|refusal| Refusal { span: refusal.span.or(Some(*span)), ..refusal })?;
         }
         Ok(())
     }
 
-    fn statement(&mut self, statement: &Statement, place: &Place) -> Done {
+    fn statement(&mut self, statement: &Statement, context: &BlockContext) -> Done {
         match statement {
             Statement::Emit(range) => {
                 for handle in range.clone() {
                     let expressions = &self.function.expressions;
                     if matches!(expressions[handle], Expression::ImageLoad { .. }) || self.is_slow(handle) {
-                        self.settle(place);
+                        self.settle(context);
                     }
                     self.emit(handle)?;
                 }
                 Ok(())
             }
-            Statement::Block(inner) => self.block(inner, place),
+            Statement::Block(inner) => self.block(inner, context),
             Statement::If { condition, accept, reject } => {
-                self.branch(statement, *condition, accept, reject, place)
+                self.branch(statement, *condition, accept, reject, context)
             }
-            Statement::Switch { selector, cases } => self.switch(*selector, cases, place),
-            Statement::Loop { body, .. } => self.turns(statement, body, place),
+            Statement::Switch { selector, cases } => self.switch(*selector, cases, context),
+            Statement::Loop { body, .. } => self.turns(statement, body, context),
             Statement::Break => self.leave(true),
             Statement::Continue => self.leave(false),
-            Statement::Return { value: Some(value) } => self.give(*value, place),
-            Statement::Store { pointer, value } => self.store(*pointer, *value, place),
+            Statement::Return { value: Some(value) } => self.give(*value, context),
+            Statement::Store { pointer, value } => self.store(*pointer, *value, context),
             Statement::Call { function, arguments, result: Some(result) } => {
-                self.call(*function, arguments, *result, place)
+                self.call(*function, arguments, *result, context)
             }
             _ => Err(Refusal::from("this statement is not known in lanes".to_owned())),
         }
@@ -87,13 +87,13 @@ impl Writer<'_> {
     }
 
     /// Leaves what no lane is in any more, where some have left since that was asked last.
-    fn settle(&mut self, place: &Place) {
-        if !self.is_unsure || place.is_in_branch || place.condition.is_some() {
+    fn settle(&mut self, context: &BlockContext) {
+        if !self.is_unsure || context.is_in_branch || context.condition.is_some() {
             return;
         }
         self.is_unsure = false;
         let way = match self.loops.last() {
-            _ if place.depth == 0 => "return ret;".to_owned(),
+            _ if context.depth == 0 => "return ret;".to_owned(),
             Some(around) => format!("break {};", around.turn.as_ref().unwrap_or(&around.end)),
             None => return,
         };
@@ -106,7 +106,7 @@ impl Writer<'_> {
         function: Handle<naga::Function>,
         arguments: &[Handle<Expression>],
         result: Handle<Expression>,
-        place: &Place,
+        context: &BlockContext,
     ) -> Done {
         let module = self.module;
         let callee = &module.functions[function];
@@ -121,7 +121,7 @@ impl Writer<'_> {
             self.bind(result, &text);
             return Ok(());
         }
-        self.settle(place);
+        self.settle(context);
         let name = self.program.name(&variant, self.written);
         let mut text = format!("{name}(r");
         if facts.is_masked {
@@ -147,7 +147,12 @@ impl Writer<'_> {
             && self.vector_of(value).is_none()
     }
 
-    fn store(&mut self, pointer: Handle<Expression>, value: Handle<Expression>, place: &Place) -> Done {
+    fn store(
+        &mut self,
+        pointer: Handle<Expression>,
+        value: Handle<Expression>,
+        context: &BlockContext,
+    ) -> Done {
         let Some(local) = reach::local_of(self.function, pointer) else {
             return self.refuse(pointer, "a store there is");
         };
@@ -161,7 +166,7 @@ impl Writer<'_> {
             return self.refuse(pointer, "a store to a member that all lanes share is");
         }
         let value = self.owned(value, true)?;
-        self.assign(pointer, &target, &value, local, place)
+        self.assign(pointer, &target, &value, local, context)
     }
 
     /// What a pointer points at.
@@ -188,9 +193,9 @@ impl Writer<'_> {
         target: &str,
         value: &str,
         local: Handle<naga::LocalVariable>,
-        place: &Place,
+        context: &BlockContext,
     ) -> Done {
-        let mask = match (place.keep.contains(&local), &place.condition) {
+        let mask = match (context.keep.contains(&local), &context.condition) {
             (true, Some(condition)) => Some(format!("and(ex, {condition})")),
             (true, None) => Some("ex".to_owned()),
             (false, condition) => condition.clone(),
@@ -229,9 +234,9 @@ impl Writer<'_> {
     }
 
     /// Gives a value back to the caller, from the lanes that run here.
-    fn give(&mut self, value: Handle<Expression>, place: &Place) -> Done {
+    fn give(&mut self, value: Handle<Expression>, context: &BlockContext) -> Done {
         let value = self.owned(value, true)?;
-        if place.depth == 0 {
+        if context.depth == 0 {
             let text = if self.has_returned { self.returned("ex", &value) } else { value };
             self.line(&format!("return {text};"));
             self.is_dead = true;
@@ -303,7 +308,12 @@ impl Writer<'_> {
         Ok(())
     }
 
-    fn switch(&mut self, selector: Handle<Expression>, cases: &[naga::SwitchCase], place: &Place) -> Done {
+    fn switch(
+        &mut self,
+        selector: Handle<Expression>,
+        cases: &[naga::SwitchCase],
+        context: &BlockContext,
+    ) -> Done {
         if !self.is_uniform(selector) {
             return self.refuse(selector, "a switch by what differs is");
         }
@@ -321,7 +331,7 @@ impl Writer<'_> {
             };
             self.open(&format!("{pattern} =>"));
             self.is_unsure = before;
-            self.block(&case.body, place)?;
+            self.block(&case.body, context)?;
             self.close("");
             all_dead &= self.is_dead;
             any_unsure |= self.is_unsure;
@@ -332,13 +342,13 @@ impl Writer<'_> {
         Ok(())
     }
 
-    fn turns(&mut self, statement: &Statement, body: &Block, place: &Place) -> Done {
-        self.settle(place);
+    fn turns(&mut self, statement: &Statement, body: &Block, context: &BlockContext) -> Done {
+        self.settle(context);
         let is_masked = is_masked_loop(self.facts(), body);
         let has_continue = own_exit(body, |inner| matches!(inner, Statement::Continue));
         let end = self.fresh("'l");
         let turn = has_continue.then(|| self.fresh("'t"));
-        let mut inside = place.clone();
+        let mut inside = context.clone();
         let (mut before, mut live) = (String::new(), None);
         if is_masked {
             before = self.fresh("b");

@@ -1,5 +1,5 @@
-//! What of eight lanes the compiler cannot prove to be safe: memory by index or pointer, and the call of
-//! functions that need instructions which the machine was asked for.
+//! Unsafe code for eight lanes: memory by index or pointer, and calls of functions that need
+//! instructions which the machine was checked for.
 
 #![allow(unsafe_code)]
 
@@ -10,7 +10,7 @@ use super::*;
 pub(in crate::cpu::lanes) struct Eight(());
 
 impl Eight {
-    /// Where the machine has them.
+    /// Returns the proof, if the machine has the instructions.
     pub(in crate::cpu::lanes) fn new() -> Option<Self> {
         let has_all = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("f16c");
         has_all.then_some(Self(()))
@@ -18,13 +18,13 @@ impl Eight {
 
     /// Does a task for the places that `which` has bits for.
     pub(in crate::cpu::lanes) fn run(self, r: &Resources<'_>, which: u16, task: Task<'_>) {
-        // SAFETY: there is a value of this type where the machine has the instructions alone.
+        // SAFETY: values of this type exist only on machines with the instructions.
         unsafe { pixels::run(r, which, task) }
     }
 }
 
 lanes! {
-    /// The numbers at these places; 0 for places that there are not.
+    /// Loads the numbers at these places; 0 for places outside.
     pub(super) fn gather(values: &[f32], at: I) -> F {
         let count = values.len().min(i32::MAX as usize) as u32;
         let inside = lt_u(u_of_i(at), splat_u(count));
@@ -35,15 +35,15 @@ lanes! {
 }
 
 lanes! {
-    /// The number at a place and the one after it, in each lane; 0 for places that there are not.
+    /// Loads the number at a place and the next one, in each lane; 0 for places outside.
     pub(super) fn gather_two(values: &[f32], at: I) -> Vec2<F> {
         Vec2 { x: gather(values, at), y: gather(values, add_i(at, splat_i(1))) }
     }
 }
 
 lanes! {
-    /// The numbers at a place, after it, and the same two a line of so many further on. Any numbers where
-    /// there are not all four. Fetched two by two they take longer here.
+    /// Loads the numbers at a place and after it, and the same two `width` numbers further on. Any
+    /// numbers if not all four exist. Fetched two by two they take longer here.
     pub(super) fn gather_cell(values: &[f32], width: usize, at: I) -> Vec4<F> {
         let count = values.len().min(i32::MAX as usize).saturating_sub(width.saturating_add(1)) as u32;
         let inside = lt_u(u_of_i(at), splat_u(count));
@@ -58,7 +58,7 @@ lanes! {
 }
 
 lanes! {
-    /// The texels of four numbers at these places; 0 for places that there are not. Each is loaded as a
+    /// Loads the texels of four numbers at these places; 0 for places outside. Each is loaded as a
     /// whole: gathers would fetch every number by itself.
     pub(super) fn gather_four(texels: &[[f32; 4]], at: I) -> Vec4<F> {
         let rows = row_i(at).map(|at| {
@@ -78,7 +78,7 @@ lanes! {
 }
 
 lanes! {
-    /// Four bytes from these places on; 0 where not all four are there.
+    /// Loads four bytes from these places on; 0 if not all four exist.
     pub(super) fn gather_of_8(values: &[u8], at: I) -> U {
         let count = values.len().min(i32::MAX as usize).saturating_sub(3) as u32;
         let inside = lt_u(u_of_i(at), splat_u(count));
@@ -92,11 +92,11 @@ lanes! {
 }
 
 lanes! {
-    /// The same of numbers of two bytes; places are those of bytes.
+    /// Loads four bytes from these places on, of numbers of two bytes. Places count bytes.
     pub(super) fn gather_of_16(values: &[u16], at: I) -> U {
         let count = size_of_val(values).min(i32::MAX as usize).saturating_sub(3) as u32;
         let inside = lt_u(u_of_i(at), splat_u(count));
-        // SAFETY: as for single bytes; the count is that of bytes.
+        // SAFETY: as for single bytes; the count is in bytes.
         U(unsafe {
             let (zero, which) = (_mm256_setzero_si256(), _mm256_castps_si256(inside.0));
             _mm256_mask_i32gather_epi32::<1>(zero, values.as_ptr().cast(), at.0, which)
@@ -105,7 +105,7 @@ lanes! {
 }
 
 lanes! {
-    /// A row of numbers.
+    /// Loads a row of numbers.
     pub(super) fn load(row: &[f32; LANES]) -> F {
         // SAFETY: the row has as many numbers as are read, which need no alignment.
         F(unsafe { _mm256_loadu_ps(row.as_ptr()) })
@@ -129,7 +129,7 @@ lanes! {
 }
 
 lanes! {
-    /// The number of each lane.
+    /// Returns the number of each lane.
     pub(super) fn row_i(values: I) -> [i32; LANES] {
         let mut row = [0; LANES];
         // SAFETY: the row has as many numbers as are written, which need no alignment.

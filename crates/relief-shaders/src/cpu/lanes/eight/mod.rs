@@ -1,6 +1,6 @@
 //! Eight lanes: AVX2.
 //!
-//! Whatever is asked of numbers has the bits that the translation to single numbers has.
+//! All operations have the bits of the translation to single numbers.
 
 use std::arch::x86_64::*;
 
@@ -13,7 +13,7 @@ use crate::cpu::generated as single;
 use crate::cpu::generated::Resources;
 use crate::cpu::runtime::{ColorTexture, HeightTexture, MapTexture, Texels};
 
-/// How many lanes there are.
+/// Number of lanes.
 const LANES: usize = 8;
 
 /// A 32-bit float in each lane.
@@ -28,7 +28,7 @@ struct I(__m256i);
 #[derive(Clone, Copy)]
 struct U(__m256i);
 
-/// Yes or no in each lane.
+/// A truth value in each lane.
 #[derive(Clone, Copy)]
 struct M(__m256);
 
@@ -41,7 +41,7 @@ macro_rules! lanes {
     };
 }
 
-/// A function that stands for itself, which keeps compiling short.
+/// A function that is compiled by itself, which keeps compiling short.
 macro_rules! stage {
     ($($item:tt)*) => {
         #[inline(never)]
@@ -100,7 +100,7 @@ operations! {
     // Without NaN the instruction gives its second operand where both are equal; of a NaN the other is left.
     min(a: F, b: F) -> F = sel(ordered(a), F(_mm256_min_ps(b.0, a.0)), b).0;
     max(a: F, b: F) -> F = sel(ordered(a), F(_mm256_max_ps(b.0, a.0)), b).0;
-    // With a second number that is no NaN.
+    // Minimum with a second number that is no NaN.
     min_with(a: F, b: F) -> F = _mm256_min_ps(a.0, b.0);
     max_with(a: F, b: F) -> F = _mm256_max_ps(a.0, b.0);
     lt(a: F, b: F) -> M = _mm256_cmp_ps::<_CMP_LT_OQ>(a.0, b.0);
@@ -139,7 +139,7 @@ operations! {
     sel_i(m: M, a: I, b: I) -> I = _mm256_blendv_epi8(b.0, a.0, _mm256_castps_si256(m.0));
     i_of_u(a: U) -> I = a.0;
     bits_of_f(a: F) -> I = _mm256_castps_si256(a.0);
-    // Of a number that is no NaN and in range.
+    // For a number that is no NaN and in range.
     i_of_small(a: F) -> I = _mm256_cvttps_epi32(a.0);
 }
 
@@ -183,15 +183,15 @@ lanes! { fn any(m: M) -> bool { bits_of(m) != 0 } }
 lanes! { fn none(m: M) -> bool { bits_of(m) == 0 } }
 lanes! { fn bits_of(m: M) -> u32 { _mm256_movemask_ps(m.0) as u32 } }
 
-// Towards zero; NaN gives 0, and what is out of range the nearest number.
+// Converts towards zero. NaN gives 0, and a number out of range the nearest one.
 lanes! { fn i_of_f(a: F) -> I {
-    // Out of range the instruction gives the least number, of which the greatest is the opposite in each bit.
+    // Out of range the instruction gives the least number; its bits inverted are the greatest.
     let above = _mm256_castps_si256(ge(a, splat(2_147_483_648.0)).0);
     let near = _mm256_xor_si256(_mm256_cvttps_epi32(a.0), above);
     I(_mm256_and_si256(near, _mm256_castps_si256(ordered(a).0)))
 } }
 
-// The same to numbers without a sign.
+// Converts to numbers without a sign, in the same way.
 lanes! { fn u_of_f(a: F) -> U {
     let positive = max_with(a, splat(0.0));
     let is_high = ge(positive, splat(2_147_483_648.0));

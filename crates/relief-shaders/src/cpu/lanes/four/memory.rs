@@ -1,5 +1,5 @@
-//! Memory by index, number by number, as NEON has no gathers; and the call of functions that need
-//! instructions which the machine was asked for, which the compiler cannot prove to be safe.
+//! Memory by index, number by number, as NEON has no gathers; and unsafe calls of functions that
+//! need instructions which the machine was checked for.
 
 use std::arch::is_aarch64_feature_detected;
 
@@ -10,7 +10,7 @@ use super::*;
 pub(in crate::cpu::lanes) struct Four(());
 
 impl Four {
-    /// Where the machine has them.
+    /// Returns the proof, if the machine has the instructions.
     pub(in crate::cpu::lanes) fn new() -> Option<Self> {
         is_aarch64_feature_detected!("neon").then_some(Self(()))
     }
@@ -18,13 +18,13 @@ impl Four {
     /// Does a task for the places that `which` has bits for.
     #[allow(unsafe_code)]
     pub(in crate::cpu::lanes) fn run(self, r: &Resources<'_>, which: u16, task: Task<'_>) {
-        // SAFETY: there is a value of this type where the machine has the instructions alone.
+        // SAFETY: values of this type exist only on machines with the instructions.
         unsafe { pixels::run(r, which, task) }
     }
 }
 
 lanes! {
-    /// The numbers at these places; 0 for places that there are not.
+    /// Loads the numbers at these places; 0 for places outside.
     pub(super) fn gather(values: &[f32], at: I) -> F {
         let read = |at: i32| values.get(usize::try_from(at).ok()?).copied();
         load(&row_i(at).map(|at| read(at).unwrap_or(0.0)))
@@ -32,15 +32,15 @@ lanes! {
 }
 
 lanes! {
-    /// The number at a place and the one after it, in each lane; 0 for places that there are not.
+    /// Loads the number at a place and the next one, in each lane; 0 for places outside.
     pub(super) fn gather_two(values: &[f32], at: I) -> Vec2<F> {
         Vec2 { x: gather(values, at), y: gather(values, add_i(at, splat_i(1))) }
     }
 }
 
 lanes! {
-    /// The numbers at a place, after it, and the same two a line of so many further on. Any numbers where
-    /// there are not all four.
+    /// Loads the numbers at a place and after it, and the same two `width` numbers further on. Any
+    /// numbers if not all four exist.
     pub(super) fn gather_cell(values: &[f32], width: usize, at: I) -> Vec4<F> {
         let below = add_i(at, splat_i(width as i32));
         let (above, below) = (gather_two(values, at), gather_two(values, below));
@@ -49,7 +49,7 @@ lanes! {
 }
 
 lanes! {
-    /// The texels of four numbers at these places; 0 for places that there are not.
+    /// Loads the texels of four numbers at these places; 0 for places outside.
     pub(super) fn gather_four(texels: &[[f32; 4]], at: I) -> Vec4<F> {
         let (values, first) = (texels.as_flattened(), mul_i(at, splat_i(4)));
         let after = |by: i32| add_i(first, splat_i(by));
@@ -63,7 +63,7 @@ lanes! {
 }
 
 lanes! {
-    /// Four bytes from these places on; 0 where not all four are there.
+    /// Loads four bytes from these places on; 0 if not all four exist.
     pub(super) fn gather_of_8(values: &[u8], at: I) -> U {
         let read = |at: i32| values.get(usize::try_from(at).ok()?..)?.first_chunk();
         load_u(&row_i(at).map(|at| read(at).map_or(0, |bytes| u32::from_le_bytes(*bytes))))
@@ -71,7 +71,8 @@ lanes! {
 }
 
 lanes! {
-    /// The same of numbers of two bytes; places are those of bytes, and even.
+    /// Loads four bytes from these places on, of numbers of two bytes. Places count bytes, and are
+    /// even.
     pub(super) fn gather_of_16(values: &[u16], at: I) -> U {
         let read = |at: i32| values.get(usize::try_from(at).ok()? / 2..)?.first_chunk();
         let both = |[low, high]: &[u16; 2]| u32::from(*low) | u32::from(*high) << 16;
@@ -80,7 +81,7 @@ lanes! {
 }
 
 lanes! {
-    /// A row of numbers.
+    /// Loads a row of numbers.
     pub(super) fn load(row: &[f32; LANES]) -> F {
         let [x, y, z, w] = *row;
         let values = vsetq_lane_f32::<1>(y, vdupq_n_f32(x));
@@ -103,7 +104,7 @@ lanes! {
 }
 
 lanes! {
-    /// The number of each lane.
+    /// Returns the number of each lane.
     pub(super) fn row_i(values: I) -> [i32; LANES] {
         [
             vgetq_lane_s32::<0>(values.0),

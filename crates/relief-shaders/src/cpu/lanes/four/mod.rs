@@ -1,6 +1,6 @@
 //! Four lanes: NEON.
 //!
-//! Whatever is asked of numbers has the bits that the translation to single numbers has.
+//! All operations have the bits of the translation to single numbers.
 
 use std::arch::aarch64::*;
 
@@ -13,7 +13,7 @@ use crate::cpu::generated as single;
 use crate::cpu::generated::Resources;
 use crate::cpu::runtime::{ColorTexture, HeightTexture, MapTexture, Texels};
 
-/// How many lanes there are.
+/// Number of lanes.
 const LANES: usize = 4;
 
 /// A 32-bit float in each lane.
@@ -28,7 +28,7 @@ struct I(int32x4_t);
 #[derive(Clone, Copy)]
 struct U(uint32x4_t);
 
-/// Yes or no in each lane.
+/// A truth value in each lane.
 #[derive(Clone, Copy)]
 struct M(uint32x4_t);
 
@@ -41,7 +41,7 @@ macro_rules! lanes {
     };
 }
 
-/// A function that stands for itself, which keeps compiling short.
+/// A function that is compiled by itself, which keeps compiling short.
 macro_rules! stage {
     ($($item:tt)*) => {
         #[inline(never)]
@@ -97,10 +97,10 @@ operations! {
     abs(a: F) -> F = vabsq_f32(a.0);
     floor(a: F) -> F = vrndmq_f32(a.0);
     ceil(a: F) -> F = vrndpq_f32(a.0);
-    // The instructions that single numbers have on such machines: of a NaN the other is left.
+    // The same instructions as for single numbers on such machines: a NaN gives the other number.
     min(a: F, b: F) -> F = vminnmq_f32(a.0, b.0);
     max(a: F, b: F) -> F = vmaxnmq_f32(a.0, b.0);
-    // With a second number that is no NaN.
+    // Minimum with a second number that is no NaN.
     min_with(a: F, b: F) -> F = vminnmq_f32(a.0, b.0);
     max_with(a: F, b: F) -> F = vmaxnmq_f32(a.0, b.0);
     lt(a: F, b: F) -> M = vcltq_f32(a.0, b.0);
@@ -131,11 +131,12 @@ operations! {
     sel_i(m: M, a: I, b: I) -> I = vbslq_s32(m.0, a.0, b.0);
     i_of_u(a: U) -> I = vreinterpretq_s32_u32(a.0);
     bits_of_f(a: F) -> I = vreinterpretq_s32_f32(a.0);
-    // Towards zero; NaN gives 0, and what is out of range the nearest number.
+    // Converts towards zero. NaN gives 0, and a number out of range the nearest one.
     i_of_f(a: F) -> I = vcvtq_s32_f32(a.0);
-    // Of a number that is no NaN and in range.
+    // For a number that is no NaN and in range.
     i_of_small(a: F) -> I = vcvtq_s32_f32(a.0);
-    // By how many places to shift: all bits go with 32, and the instruction looks at the lowest byte alone.
+    // Number of bits to shift by: 32 shifts all out, and the instruction reads only the lowest
+    // byte.
     places(by: U) -> I = i_of_u(min_u(by, splat_u(32))).0;
 }
 
@@ -155,7 +156,7 @@ operations! {
     ne_u(a: U, b: U) -> M = not(eq_u(a, b)).0;
     sel_u(m: M, a: U, b: U) -> U = vbslq_u32(m.0, a.0, b.0);
     u_of_i(a: I) -> U = vreinterpretq_u32_s32(a.0);
-    // As for signed ones.
+    // Converts like signed numbers.
     u_of_f(a: F) -> U = vcvtq_u32_f32(a.0);
 }
 

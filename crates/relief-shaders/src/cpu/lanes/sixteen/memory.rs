@@ -1,5 +1,5 @@
-//! What of sixteen lanes the compiler cannot prove to be safe: memory by index or pointer, and the call of
-//! functions that need instructions which the machine was asked for.
+//! Unsafe code for sixteen lanes: memory by index or pointer, and calls of functions that need
+//! instructions which the machine was checked for.
 
 #![allow(unsafe_code)]
 
@@ -10,7 +10,7 @@ use super::*;
 pub(in crate::cpu::lanes) struct Sixteen(());
 
 impl Sixteen {
-    /// Where the machine has them.
+    /// Returns the proof, if the machine has the instructions.
     pub(in crate::cpu::lanes) fn new() -> Option<Self> {
         let has_all = is_x86_feature_detected!("avx512f")
             && is_x86_feature_detected!("avx512dq")
@@ -22,13 +22,13 @@ impl Sixteen {
 
     /// Does a task for the places that `which` has bits for.
     pub(in crate::cpu::lanes) fn run(self, r: &Resources<'_>, which: u16, task: Task<'_>) {
-        // SAFETY: there is a value of this type where the machine has the instructions alone.
+        // SAFETY: values of this type exist only on machines with the instructions.
         unsafe { pixels::run(r, which, task) }
     }
 }
 
 lanes! {
-    /// The numbers at these places; 0 for places that there are not.
+    /// Loads the numbers at these places; 0 for places outside.
     pub(super) fn gather(values: &[f32], at: I) -> F {
         let count = values.len().min(i32::MAX as usize) as u32;
         let inside = lt_u(u_of_i(at), splat_u(count));
@@ -39,7 +39,7 @@ lanes! {
 }
 
 lanes! {
-    /// The number at a place and the one after it, in each lane. Any numbers where there are not both.
+    /// Loads the number at a place and the next one, in each lane. Any numbers if not both exist.
     pub(super) fn gather_two(values: &[f32], at: I) -> Vec2<F> {
         let cell = gather_cell(values, 0, at);
         Vec2 { x: cell.x, y: cell.y }
@@ -47,8 +47,8 @@ lanes! {
 }
 
 lanes! {
-    /// The numbers at a place, after it, and the same two a line of so many further on. Any numbers where
-    /// there are not all four.
+    /// Loads the numbers at a place and after it, and the same two `width` numbers further on. Any
+    /// numbers if not all four exist.
     pub(super) fn gather_cell(values: &[f32], width: usize, at: I) -> Vec4<F> {
         let count = values.len().min(i32::MAX as usize).saturating_sub(width.saturating_add(1)) as u32;
         let inside = lt_u(u_of_i(at), splat_u(count)).0;
@@ -76,7 +76,7 @@ lanes! {
 }
 
 lanes! {
-    /// The texels of four numbers at these places; 0 for places that there are not.
+    /// Loads the texels of four numbers at these places; 0 for places outside.
     pub(super) fn gather_four(texels: &[[f32; 4]], at: I) -> Vec4<F> {
         let (values, first) = (texels.as_flattened(), mul_i(at, splat_i(4)));
         let low = gather_two(values, first);
@@ -86,7 +86,7 @@ lanes! {
 }
 
 lanes! {
-    /// Four bytes from these places on; 0 where not all four are there.
+    /// Loads four bytes from these places on; 0 if not all four exist.
     pub(super) fn gather_of_8(values: &[u8], at: I) -> U {
         let count = values.len().min(i32::MAX as usize).saturating_sub(3) as u32;
         let inside = lt_u(u_of_i(at), splat_u(count));
@@ -99,11 +99,11 @@ lanes! {
 }
 
 lanes! {
-    /// The same of numbers of two bytes; places are those of bytes.
+    /// Loads four bytes from these places on, of numbers of two bytes. Places count bytes.
     pub(super) fn gather_of_16(values: &[u16], at: I) -> U {
         let count = size_of_val(values).min(i32::MAX as usize).saturating_sub(3) as u32;
         let inside = lt_u(u_of_i(at), splat_u(count));
-        // SAFETY: as for single bytes; the count is that of bytes.
+        // SAFETY: as for single bytes; the count is in bytes.
         U(unsafe {
             _mm512_mask_i32gather_epi32::<1>(_mm512_setzero_si512(), inside.0, at.0, values.as_ptr().cast())
         })
@@ -111,7 +111,7 @@ lanes! {
 }
 
 lanes! {
-    /// A row of numbers.
+    /// Loads a row of numbers.
     pub(super) fn load(row: &[f32; LANES]) -> F {
         // SAFETY: the row has as many numbers as are read, which need no alignment.
         F(unsafe { _mm512_loadu_ps(row.as_ptr()) })
@@ -135,7 +135,7 @@ lanes! {
 }
 
 lanes! {
-    /// The number of each lane.
+    /// Returns the number of each lane.
     pub(super) fn row_i(values: I) -> [i32; LANES] {
         let mut row = [0; LANES];
         // SAFETY: the row has as many numbers as are written, which need no alignment.

@@ -1,6 +1,6 @@
 //! Sixteen lanes: AVX-512.
 //!
-//! Whatever is asked of numbers has the bits that the translation to single numbers has.
+//! All operations have the bits of the translation to single numbers.
 
 use std::arch::x86_64::*;
 
@@ -13,7 +13,7 @@ use crate::cpu::generated as single;
 use crate::cpu::generated::Resources;
 use crate::cpu::runtime::{ColorTexture, HeightTexture, MapTexture, Texels};
 
-/// How many lanes there are.
+/// Number of lanes.
 const LANES: usize = 16;
 
 /// A 32-bit float in each lane.
@@ -28,7 +28,7 @@ struct I(__m512i);
 #[derive(Clone, Copy)]
 struct U(__m512i);
 
-/// Yes or no in each lane.
+/// A truth value in each lane.
 #[derive(Clone, Copy)]
 struct M(__mmask16);
 
@@ -41,7 +41,7 @@ macro_rules! lanes {
     };
 }
 
-/// A function that stands for itself, which keeps compiling short.
+/// A function that is compiled by itself, which keeps compiling short.
 macro_rules! stage {
     ($($item:tt)*) => {
         #[inline(never)]
@@ -104,7 +104,7 @@ operations! {
     // Without NaN the instruction gives its second operand where both are equal; of a NaN the other is left.
     min(a: F, b: F) -> F = _mm512_mask_min_ps(b.0, ordered(a).0, b.0, a.0);
     max(a: F, b: F) -> F = _mm512_mask_max_ps(b.0, ordered(a).0, b.0, a.0);
-    // With a second number that is no NaN.
+    // Minimum with a second number that is no NaN.
     min_with(a: F, b: F) -> F = _mm512_min_ps(a.0, b.0);
     max_with(a: F, b: F) -> F = _mm512_max_ps(a.0, b.0);
     lt(a: F, b: F) -> M = _mm512_cmp_ps_mask::<_CMP_LT_OQ>(a.0, b.0);
@@ -136,7 +136,7 @@ operations! {
     sel_i(m: M, a: I, b: I) -> I = _mm512_mask_blend_epi32(m.0, b.0, a.0);
     i_of_u(a: U) -> I = a.0;
     bits_of_f(a: F) -> I = _mm512_castps_si512(a.0);
-    // Of a number that is no NaN and in range.
+    // For a number that is no NaN and in range.
     i_of_small(a: F) -> I = _mm512_cvttps_epi32(a.0);
 }
 
@@ -175,7 +175,7 @@ lanes! { fn any(m: M) -> bool { m.0 != 0 } }
 lanes! { fn none(m: M) -> bool { m.0 == 0 } }
 lanes! { fn bits_of(m: M) -> u32 { u32::from(m.0) } }
 
-// Towards zero; NaN gives 0, and what is out of range the nearest number.
+// Converts towards zero. NaN gives 0, and a number out of range the nearest one.
 lanes! { fn i_of_f(a: F) -> I {
     let near = _mm512_cvttps_epi32(a.0);
     let above = ge(a, splat(2_147_483_648.0));
@@ -183,9 +183,9 @@ lanes! { fn i_of_f(a: F) -> I {
     I(_mm512_maskz_mov_epi32(ordered(a).0, near))
 } }
 
-// The same to numbers without a sign.
+// Converts to numbers without a sign, in the same way.
 lanes! { fn u_of_f(a: F) -> U {
-    // What is beyond the greatest number becomes that one.
+    // A number beyond the greatest becomes the greatest.
     U(_mm512_cvttps_epu32(max_with(a, splat(0.0)).0))
 } }
 

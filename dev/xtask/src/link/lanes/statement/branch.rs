@@ -4,7 +4,7 @@ use naga::{Block, Expression, Handle, Statement};
 
 use super::super::function::{Refusal, Writer};
 use super::super::reach;
-use super::{Done, Place, own_exit};
+use super::{BlockContext, Done, own_exit};
 
 /// The most operations of a branch that all lanes go through, so that there is no jump.
 const SHORT_OPERATIONS: usize = 8;
@@ -16,27 +16,27 @@ impl Writer<'_> {
         condition: Handle<Expression>,
         accept: &Block,
         reject: &Block,
-        place: &Place,
+        context: &BlockContext,
     ) -> Done {
         if self.is_uniform(condition) {
-            return self.plain_branch(condition, accept, reject, place);
+            return self.plain_branch(condition, accept, reject, context);
         }
         if let (Some(a), Some(b)) = (self.operations(accept), self.operations(reject))
             && a + b <= SHORT_OPERATIONS
         {
-            return self.both_ways(condition, accept, reject, place);
+            return self.both_ways(condition, accept, reject, context);
         }
-        if place.condition.is_none() && (accept.is_empty() || reject.is_empty()) {
+        if context.condition.is_none() && (accept.is_empty() || reject.is_empty()) {
             let (way, is_accept) = if reject.is_empty() { (accept, true) } else { (reject, false) };
-            if self.is_short_exit(way, place) {
-                return self.short_exit(condition, way, is_accept, place);
+            if self.is_short_exit(way, context) {
+                return self.short_exit(condition, way, is_accept, context);
             }
         }
-        self.settle(place);
+        self.settle(context);
         let condition = self.value(condition, true)?;
         let (before, wanted) = (self.fresh("b"), self.fresh("c"));
         self.line(&format!("let ({before}, {wanted}) = (ex, {condition});"));
-        let mut inside = place.clone();
+        let mut inside = context.clone();
         inside.keep.extend(self.live.after(statement));
         inside.depth += 1;
         inside.is_in_branch = true;
@@ -74,7 +74,7 @@ impl Writer<'_> {
     }
 
     /// A block under the lanes of `ex`, which is skipped when there are none. Says whether all leave in it.
-    fn lanes_only(&mut self, block: &Block, inside: &Place) -> Result<bool, Refusal> {
+    fn lanes_only(&mut self, block: &Block, inside: &BlockContext) -> Result<bool, Refusal> {
         self.open("if any(ex)");
         let unsure = std::mem::replace(&mut self.is_unsure, false);
         self.block(block, inside)?;
@@ -89,22 +89,22 @@ impl Writer<'_> {
         condition: Handle<Expression>,
         accept: &Block,
         reject: &Block,
-        place: &Place,
+        context: &BlockContext,
     ) -> Done {
         let condition = self.value(condition, false)?;
         let unsure = self.is_unsure;
         self.open(&format!("if {condition}"));
-        self.block(accept, place)?;
+        self.block(accept, context)?;
         let (dead, mut any_unsure) = (std::mem::replace(&mut self.is_dead, false), self.is_unsure);
         self.is_unsure = unsure;
         self.close(if reject.is_empty() { "" } else { " else {" });
         if !reject.is_empty() {
             self.reopen();
-            self.block(reject, place)?;
+            self.block(reject, context)?;
             self.close("");
         }
         self.is_dead &= dead;
-        any_unsure |= self.is_unsure || (dead && place.depth > 0);
+        any_unsure |= self.is_unsure || (dead && context.depth > 0);
         self.is_unsure = any_unsure;
         Ok(())
     }
@@ -115,7 +115,7 @@ impl Writer<'_> {
         condition: Handle<Expression>,
         accept: &Block,
         reject: &Block,
-        place: &Place,
+        context: &BlockContext,
     ) -> Done {
         if let (Some((yes_head, target, yes)), Some((no_head, other, no))) =
             (self.only_store(accept), self.only_store(reject))
@@ -123,20 +123,20 @@ impl Writer<'_> {
         {
             for head in [yes_head, no_head] {
                 for statement in head {
-                    self.statement(statement, place)?;
+                    self.statement(statement, context)?;
                 }
             }
-            return self.store_either(condition, target, [yes, no], place);
+            return self.store_either(condition, target, [yes, no], context);
         }
         let condition = self.value(condition, true)?;
         let wanted = self.fresh("c");
         self.line(&format!("let {wanted} = {condition};"));
         for (block, own) in [(accept, wanted.clone()), (reject, format!("not({wanted})"))] {
-            let condition = match &place.condition {
+            let condition = match &context.condition {
                 Some(around) => format!("and({around}, {own})"),
                 None => own,
             };
-            self.block(block, &Place { condition: Some(condition), ..place.clone() })?;
+            self.block(block, &BlockContext { condition: Some(condition), ..context.clone() })?;
         }
         Ok(())
     }
@@ -165,7 +165,7 @@ impl Writer<'_> {
         condition: Handle<Expression>,
         target: Handle<Expression>,
         [yes, no]: [Handle<Expression>; 2],
-        place: &Place,
+        context: &BlockContext,
     ) -> Done {
         let Some(local) = reach::local_of(self.function, target) else {
             return self.refuse(target, "a store there is");
@@ -189,7 +189,7 @@ impl Writer<'_> {
             }
         };
         let (pointer, target) = (target, self.place(target)?);
-        self.assign(pointer, &target, &value, local, place)
+        self.assign(pointer, &target, &value, local, context)
     }
 
     /// How many operations a block has that all lanes may go through; none where it has something else.
@@ -242,14 +242,14 @@ impl Writer<'_> {
     }
 
     /// Whether a block is no more than a short way out.
-    fn is_short_exit(&self, block: &Block, place: &Place) -> bool {
+    fn is_short_exit(&self, block: &Block, context: &BlockContext) -> bool {
         let Some(last) = block.last() else { return false };
         let is_number = |handle: Handle<Expression>| self.vector_of(handle).is_some();
         let is_way_out = match last {
             Statement::Break | Statement::Continue => {
                 self.loops.last().is_some_and(|around| around.is_masked)
             }
-            Statement::Return { value: Some(value) } => place.depth == 0 && is_number(*value),
+            Statement::Return { value: Some(value) } => context.depth == 0 && is_number(*value),
             _ => false,
         };
         let mut count = 0;
@@ -269,7 +269,7 @@ impl Writer<'_> {
         condition: Handle<Expression>,
         block: &Block,
         is_accept: bool,
-        place: &Place,
+        context: &BlockContext,
     ) -> Done {
         let condition = self.value(condition, true)?;
         let wanted = self.fresh("c");
@@ -277,7 +277,7 @@ impl Writer<'_> {
         let leave = if is_accept { format!("and(ex, {wanted})") } else { format!("and_not(ex, {wanted})") };
         let stay = if is_accept { format!("and_not(ex, {wanted})") } else { format!("and(ex, {wanted})") };
         for statement in block.iter().take(block.len() - 1) {
-            self.statement(statement, place)?;
+            self.statement(statement, context)?;
         }
         match block.last() {
             Some(Statement::Return { value: Some(value) }) => {

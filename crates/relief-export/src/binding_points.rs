@@ -1,40 +1,45 @@
-//! Where each target binds what: numbers, registers and slots, and how many of them there are.
+//! Binding points of each target: numbers, registers and slots, and their limits.
 
 use relief_shaders::bindings::{Binding, BindingKind};
 
-use crate::manifest::At;
+use crate::manifest::BindingPoint;
 use crate::{ExportError, Options, Target};
 
-/// The greatest number of a target, of that kind.
+/// The name of a kind of number, and its greatest value.
 type Most = (&'static str, u32);
 
 /// Bind groups and numbers of WebGPU, by its default limits.
 const WGSL: [Most; 2] = [("group", 3), ("binding", 999)];
 
-/// Descriptor sets as the most capable drivers have them; numbers have no limit of their own.
+/// Descriptor sets of the most capable drivers; numbers have no limit of their own.
 const SPIRV: [Most; 2] = [("descriptor set", 31), ("binding", 65_535)];
 
-/// Register spaces and registers that every writer of HLSL takes.
+/// Register spaces and registers that every writer of HLSL accepts.
 const HLSL: [Most; 2] = [("register space", 255), ("register", 65_535)];
 
-/// Numbers of GLSL, which are bytes where they are written.
+/// Numbers of GLSL, which the writer stores in bytes.
 const GLSL: Most = ("binding", 255);
 
 /// The argument tables of Metal: buffers, textures and samplers.
 const MSL: [Most; 3] = [("buffer", 30), ("texture", 30), ("sampler", 15)];
 
-/// Where a target binds everything, in the order of the bindings.
-pub fn places(target: Target, bindings: &[Binding], options: &Options) -> Result<Vec<At>, ExportError> {
+/// Returns the binding points of a target, in the order of the bindings.
+pub fn points(
+    target: Target,
+    bindings: &[Binding],
+    options: &Options,
+) -> Result<Vec<BindingPoint>, ExportError> {
     match target {
         Target::Wgsl | Target::Spirv | Target::Hlsl => {
             let place = |Binding { group, number, kind, .. }: &Binding| match target {
                 Target::Wgsl => checked(target, WGSL, [*group, *number])
-                    .map(|[group, binding]| At::Group { group, binding }),
-                Target::Spirv => {
-                    checked(target, SPIRV, [*group, *number]).map(|[set, binding]| At::Set { set, binding })
-                }
-                _ => checked(target, HLSL, [*group, *number])
-                    .map(|[space, number]| At::Register { register: register(*kind, number), space }),
+                    .map(|[group, binding]| BindingPoint::Group { group, binding }),
+                Target::Spirv => checked(target, SPIRV, [*group, *number])
+                    .map(|[set, binding]| BindingPoint::Set { set, binding }),
+                _ => checked(target, HLSL, [*group, *number]).map(|[space, number]| BindingPoint::Register {
+                    register: register(*kind, number),
+                    space,
+                }),
             };
             bindings.iter().map(place).collect()
         }
@@ -43,9 +48,9 @@ pub fn places(target: Target, bindings: &[Binding], options: &Options) -> Result
     }
 }
 
-/// OpenGL ES has storage buffers only up to the number 7, so these come first unless somebody has placed
-/// everything.
-fn glsl(bindings: &[Binding], options: &Options) -> Result<Vec<At>, ExportError> {
+/// Binding points of GLSL. OpenGL ES has storage buffers only up to the number 7, so these come
+/// first unless the options place everything.
+fn glsl(bindings: &[Binding], options: &Options) -> Result<Vec<BindingPoint>, ExportError> {
     let mut order: Vec<usize> = (0..bindings.len()).collect();
     let is_storage = |place: &usize| matches!(bindings[*place].kind, BindingKind::Storage { .. });
     let first = match options.placement {
@@ -55,15 +60,15 @@ fn glsl(bindings: &[Binding], options: &Options) -> Result<Vec<At>, ExportError>
             0
         }
     };
-    let mut places = vec![At::Binding { binding: 0 }; bindings.len()];
+    let mut points = vec![BindingPoint::Binding { binding: 0 }; bindings.len()];
     for (number, place) in (0u32..).zip(order) {
         let [binding] = checked(Target::Glsl, [GLSL], [first.saturating_add(number)])?;
-        places[place] = At::Binding { binding };
+        points[place] = BindingPoint::Binding { binding };
     }
-    Ok(places)
+    Ok(points)
 }
 
-fn msl(bindings: &[Binding], options: &Options) -> Result<Vec<At>, ExportError> {
+fn msl(bindings: &[Binding], options: &Options) -> Result<Vec<BindingPoint>, ExportError> {
     let first = options.placement.map_or(0, |placement| placement.first_binding);
     let mut next = [first; 3];
     let place = |binding: &Binding| {
@@ -75,18 +80,18 @@ fn msl(bindings: &[Binding], options: &Options) -> Result<Vec<At>, ExportError> 
         let [slot] = checked(Target::Msl, [MSL[kind]], [next[kind]])?;
         next[kind] += 1;
         Ok(match kind {
-            0 => At::Buffer { buffer: slot },
-            1 => At::Texture { texture: slot },
-            _ => At::Sampler { sampler_state: slot },
+            0 => BindingPoint::Buffer { buffer: slot },
+            1 => BindingPoint::Texture { texture: slot },
+            _ => BindingPoint::Sampler { sampler_state: slot },
         })
     };
     bindings.iter().map(place).collect()
 }
 
-/// The buffer after all others.
-pub fn next_buffer(places: &[At], options: &Options) -> Result<u32, ExportError> {
+/// Returns the buffer after all others.
+pub fn next_buffer(points: &[BindingPoint], options: &Options) -> Result<u32, ExportError> {
     let first = options.placement.map_or(0, |placement| placement.first_binding);
-    let used = places.iter().filter(|place| matches!(place, At::Buffer { .. })).count() as u32;
+    let used = points.iter().filter(|place| matches!(place, BindingPoint::Buffer { .. })).count() as u32;
     checked(Target::Msl, [MSL[0]], [first.saturating_add(used)]).map(|[slot]| slot)
 }
 
@@ -131,8 +136,8 @@ mod tests {
     fn no_place_stands_twice() {
         let bindings: Vec<Binding> = BINDINGS.into_iter().take(17).collect();
         for target in Target::ALL {
-            let places = places(target, &bindings, &Options::default()).expect("they fit");
-            let texts: BTreeSet<String> = places.iter().map(|place| format!("{place:?}")).collect();
+            let points = points(target, &bindings, &Options::default()).expect("they fit");
+            let texts: BTreeSet<String> = points.iter().map(|place| format!("{place:?}")).collect();
             assert_eq!(texts.len(), bindings.len(), "{target}");
         }
     }
@@ -141,8 +146,8 @@ mod tests {
     fn storage_buffers_of_glsl_come_first_unless_all_is_placed() {
         let storage = BINDINGS.into_iter().find(|it| matches!(it.kind, BindingKind::Storage { .. }));
         let bindings = [BINDINGS[0], storage.expect("one is listed")];
-        let numbers = |options: &Options| places(Target::Glsl, &bindings, options).expect("they fit");
-        let of = |numbers: [u32; 2]| numbers.map(|binding| At::Binding { binding }).to_vec();
+        let numbers = |options: &Options| points(Target::Glsl, &bindings, options).expect("they fit");
+        let of = |numbers: [u32; 2]| numbers.map(|binding| BindingPoint::Binding { binding }).to_vec();
         assert_eq!(numbers(&Options::default()), of([1, 0]));
         assert_eq!(numbers(&placed(0, 5)), of([5, 6]));
     }
@@ -151,7 +156,7 @@ mod tests {
     fn what_no_target_has_is_refused() {
         let far = |group, number| Binding { group, number, ..BINDINGS[0] };
         let refused = |target, binding: Binding, options: &Options| {
-            matches!(places(target, &[binding], options), Err(ExportError::Placement { .. }))
+            matches!(points(target, &[binding], options), Err(ExportError::Placement { .. }))
         };
         let none = Options::default();
         assert!(refused(Target::Wgsl, far(4, 0), &none) && !refused(Target::Wgsl, far(3, 999), &none));
@@ -161,7 +166,7 @@ mod tests {
         let any = far(0, 0);
         assert!(refused(Target::Glsl, any, &placed(0, 256)) && !refused(Target::Glsl, any, &placed(9, 255)));
         assert!(refused(Target::Msl, any, &placed(0, 31)) && !refused(Target::Msl, any, &placed(9, 30)));
-        let buffers = places(Target::Msl, &[any], &placed(0, 30)).expect("a buffer");
+        let buffers = points(Target::Msl, &[any], &placed(0, 30)).expect("a buffer");
         assert!(next_buffer(&buffers, &placed(0, 30)).is_err());
     }
 }
