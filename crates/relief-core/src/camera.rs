@@ -165,8 +165,8 @@ impl Camera {
     /// The ray through the centre of pixel `(x, y)` of a picture of `width` x `height` pixels, row
     /// 0 on top.
     ///
-    /// The direction's component along the view axis is 1, so that the parameter of a point on the
-    /// ray is its depth in metres along that axis.
+    /// The direction's component along the view axis is 1. So the parameter of a point on the ray
+    /// is its depth along that axis, in metres.
     pub fn ray(&self, x: u32, y: u32, width: u32, height: u32) -> Ray {
         let (width, height) = (f64::from(width), f64::from(height));
         let across = (2.0 * f64::from(x) + 1.0 - width) / height * self.half_height;

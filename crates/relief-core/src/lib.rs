@@ -28,7 +28,7 @@ mod byte_size;
 pub mod camera;
 pub mod encoding;
 pub mod exact;
-mod found;
+mod found_state;
 mod height_bounds;
 mod height_map;
 mod heights_hash;
@@ -55,7 +55,7 @@ pub use baked_map::{
 };
 pub use byte_size::{BadByteSize, ByteSize};
 pub use encoding::Rounding;
-pub use found::FoundState;
+pub use found_state::FoundState;
 pub use height_bounds::HeightBounds;
 pub use height_map::{HeightMap, HeightMapError, MAX_SIDE, MAX_TEXELS};
 pub use heights_hash::HeightsHash;

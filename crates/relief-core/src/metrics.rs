@@ -120,8 +120,8 @@ pub fn compare(truth: &[ExactHit], hits: &[Hit], map: &HeightMap) -> Result<Erro
     })
 }
 
-/// Columns and rows of the pixels that [`CostReport`] assumes to be traced together: 32 lanes, a
-/// wave of most GPUs, in the shape in which rasterisers fill them.
+/// Columns and rows of the pixels that [`CostReport`] assumes to be traced together. They are the
+/// 32 lanes of a wave on most GPUs, in the shape in which rasterisers fill them.
 pub const WAVE: [usize; 2] = [8, 4];
 
 /// Costs of the rays of a picture; see [`Cost`].

@@ -1,9 +1,11 @@
-//! Baked maps kept from run to run, in a folder, by the hash of what they are made from.
+//! A folder of baked maps that persists between runs. Maps are found by the hash of everything that
+//! determines them.
 //!
-//! Files are written aside and renamed, so that a reader finds a whole map or none. Who writes holds a lock
-//! on the folder, which the system takes back from a process that dies: whatever lies aside while nobody
-//! holds it is left over, and is removed. Before a map is written, those that were unused longest make room,
-//! so that the folder never holds more than its limit. It may be emptied at any time.
+//! Files are written under another name and renamed, so that a reader finds a complete map or none.
+//! A writer holds a lock on the folder; the system releases it if the process dies. An unfinished
+//! file while nobody holds the lock is a leftover, and is removed. Before a map is written, the
+//! least recently used maps are deleted, so that the folder never exceeds its limit. The folder may
+//! be emptied at any time.
 
 use std::fs::{self, DirEntry, File, TryLockError};
 use std::io;
@@ -15,33 +17,33 @@ use blake3::Hash;
 use etcetera::base_strategy::{BaseStrategy, choose_native_strategy};
 use relief_core::{BadByteSize, BakedMap, ByteSize, MapIdentity, MapLayout};
 
-use crate::file::{self, Found};
+use crate::file::{self, CacheEntry};
 use crate::key::key;
 
-/// The environment variable that names the folder.
+/// Environment variable with the folder's path.
 pub const FOLDER_VARIABLE: &str = "RELIEF_CACHE";
 
-/// The environment variable that says how much the folder may hold, as in `512MiB`.
+/// Environment variable with the folder's size limit, as in `512MiB`.
 pub const LIMIT_VARIABLE: &str = "RELIEF_CACHE_SIZE";
 
-/// What the folder may hold when nothing else is said.
+/// Default size limit of the folder: 2 GiB.
 pub const DEFAULT_LIMIT: ByteSize = ByteSize(2 << 30);
 
-/// The file that a writer locks.
+/// File that a writer locks.
 const LOCK: &str = ".lock";
 
-/// How the names of maps end.
+/// Suffix of the names of maps.
 const MAP: &str = ".map";
 
-/// How the names of files begin that are still being written.
-const ASIDE: &str = ".aside-";
+/// Prefix of the names of unfinished files.
+const UNFINISHED: &str = ".aside-";
 
-/// How long a writer waits for others: a large map takes a second or two. Longer, and a stopped process stops
-/// everyone.
-const PATIENCE: Duration = Duration::from_secs(10);
+/// Time that a writer waits for others. A large map takes a second or two. With a longer wait, a
+/// stopped process would stop all others.
+const LOCK_TIMEOUT: Duration = Duration::from_secs(10);
 
-/// How long it sleeps between two tries.
-const PAUSE: Duration = Duration::from_millis(10);
+/// Pause between two attempts to lock.
+const LOCK_PAUSE: Duration = Duration::from_millis(10);
 
 /// A folder of baked maps.
 #[derive(Clone, Debug)]
@@ -50,55 +52,56 @@ pub struct Cache {
     limit: u64,
 }
 
-/// Why a folder keeps no map.
+/// Why a folder cannot store a map.
 #[derive(Debug, thiserror::Error)]
 pub enum CacheError {
-    /// The system has no place for such files.
+    /// The system has no folder for caches.
     #[error("the system names no folder for caches: {0}")]
     NoPlace(String),
-    /// The environment variable is no size.
+    /// The environment variable does not hold a size.
     #[error("the environment's {LIMIT_VARIABLE}: {0}")]
     BadLimit(#[from] BadByteSize),
-    /// The folder cannot be made or written to.
+    /// The folder cannot be created or written to.
     #[error("{}: {source}", folder.display())]
     Folder {
-        /// The folder.
+        /// Path of the folder.
         folder: PathBuf,
-        /// What the system says.
+        /// Error of the system.
         source: io::Error,
     },
     /// Another process has been writing into the folder for a long time.
-    #[error("{}: another process is busy with it", .0.display())]
+    #[error("{}: another process is still writing to it: try again later", .0.display())]
     Busy(PathBuf),
-    /// The map alone is larger than all that the folder may hold.
-    #[error("{}: a map of {needed} bytes is more than the {limit} that the folder may hold", folder.display())]
+    /// The map alone exceeds the folder's limit.
+    #[error("{}: a map of {needed} bytes exceeds the folder's limit of {limit} bytes", folder.display())]
     TooLarge {
-        /// The folder.
+        /// Path of the folder.
         folder: PathBuf,
-        /// Bytes of the map's file.
+        /// Size of the map's file in bytes.
         needed: u64,
-        /// Bytes that the folder may hold.
+        /// Limit of the folder in bytes.
         limit: u64,
     },
 }
 
 impl Cache {
-    /// The cache in that folder, which need not exist. It never holds more than the limit.
+    /// Creates a cache in a folder, which need not exist, with a size limit.
     pub fn new(folder: impl Into<PathBuf>, limit: ByteSize) -> Self {
         Self { folder: folder.into(), limit: limit.0 }
     }
 
-    /// The cache in the folder that the environment's `RELIEF_CACHE` names, or in the system's place for such
-    /// files. It may hold what `RELIEF_CACHE_SIZE` says, or 2 GiB.
+    /// Creates the cache in its usual folder with its usual limit: see
+    /// [`usual_folder`](Self::usual_folder) and [`usual_limit`](Self::usual_limit).
     ///
     /// # Errors
     ///
-    /// When no folder is known, or the environment's size is none.
+    /// When no folder is known, or the environment variable does not hold a size.
     pub fn usual() -> Result<Self, CacheError> {
         Ok(Self::new(Self::usual_folder()?, Self::usual_limit()?))
     }
 
-    /// The folder that the environment's `RELIEF_CACHE` names, or the system's place for such files.
+    /// Returns the folder in the environment variable `RELIEF_CACHE`, or else the system's folder
+    /// for caches.
     ///
     /// # Errors
     ///
@@ -111,11 +114,11 @@ impl Cache {
         Ok(places.cache_dir().join("relief"))
     }
 
-    /// What the environment's `RELIEF_CACHE_SIZE` says, or 2 GiB.
+    /// Returns the limit in the environment variable `RELIEF_CACHE_SIZE`, or else 2 GiB.
     ///
     /// # Errors
     ///
-    /// When the environment's size is none.
+    /// When the environment variable does not hold a size.
     pub fn usual_limit() -> Result<ByteSize, CacheError> {
         match std::env::var(LIMIT_VARIABLE) {
             Ok(text) if !text.is_empty() => Ok(text.parse()?),
@@ -123,23 +126,24 @@ impl Cache {
         }
     }
 
-    /// The folder.
+    /// Path of the folder.
     pub fn folder(&self) -> &Path {
         &self.folder
     }
 
-    /// Where a map of that identity and shape is kept.
+    /// Path of the map with this identity and layout.
     pub(crate) fn path(&self, identity: &MapIdentity, layout: &MapLayout) -> PathBuf {
         self.folder.join(name(identity, key(identity, layout)))
     }
 
-    /// The map of that identity and shape, if it is there.
-    pub(crate) fn read(&self, identity: &MapIdentity, layout: &MapLayout) -> Found {
+    /// Reads the map with this identity and layout, if the folder holds it.
+    pub(crate) fn read(&self, identity: &MapIdentity, layout: &MapLayout) -> CacheEntry {
         let key = key(identity, layout);
         let path = self.folder.join(name(identity, key));
         let found = file::read(&path, key, identity.clone(), *layout);
-        if let Found::Whole(_) = found {
-            // What was used last stays longest. Where the folder is read-only nothing is dropped either.
+        if let CacheEntry::Valid(_) = found {
+            // The most recently used maps are deleted last. In a read-only folder nothing is
+            // deleted.
             let _ = File::options()
                 .append(true)
                 .open(&path)
@@ -148,7 +152,7 @@ impl Cache {
         found
     }
 
-    /// Keeps a map, in place of what is there.
+    /// Stores a map, replacing an existing file.
     pub(crate) fn write(&self, map: &BakedMap) -> Result<PathBuf, CacheError> {
         let needed = file::length(map.layout());
         if needed > self.limit {
@@ -156,22 +160,22 @@ impl Cache {
             return Err(CacheError::TooLarge { folder, needed, limit });
         }
         fs::create_dir_all(&self.folder).map_err(|error| self.failed(error))?;
-        let _lock = self.locked(PATIENCE)?;
+        let _lock = self.locked(LOCK_TIMEOUT)?;
         let key = key(map.identity(), map.layout());
         let name = name(map.identity(), key);
         let path = self.folder.join(&name);
-        // Who waited for another process that baked the same map need not write it again.
-        if let Found::Whole(_) = file::read(&path, key, map.identity().clone(), *map.layout()) {
+        // Another process may have stored the same map during the wait.
+        if let CacheEntry::Valid(_) = file::read(&path, key, map.identity().clone(), *map.layout()) {
             return Ok(path);
         }
         let written = || {
-            self.remove_left_over()?;
-            // The old file of that name goes, too: beside the new one it would count twice.
+            self.remove_unfinished()?;
+            // The old file with this name is deleted, too. Beside the new one it would count twice.
             remove(&path)?;
-            self.make_room(needed)?;
-            let aside = self.folder.join(format!("{ASIDE}{name}"));
+            self.evict(needed)?;
+            let aside = self.folder.join(format!("{UNFINISHED}{name}"));
             file::write(&aside, key, map).and_then(|()| fs::rename(&aside, &path)).inspect_err(|_| {
-                // The error that led here says more than one of this.
+                // The error that led here is more informative than an error of this call.
                 let _ = remove(&aside);
             })
         };
@@ -179,17 +183,17 @@ impl Cache {
         Ok(path)
     }
 
-    /// Removes what killed processes left, and what is above the limit. A folder that somebody else is
-    /// writing into is left to him.
+    /// Deletes leftovers of killed processes, and maps above the limit. A folder into which another
+    /// process is writing is left alone.
     pub(crate) fn tidy(&self) {
         let Ok(files) = self.files() else { return };
-        let left_over = files.iter().any(|file| is_aside(&file.name));
+        let has_leftovers = files.iter().any(|file| is_unfinished(&file.name));
         let held: u64 = files.iter().filter(|file| is_map(&file.name)).map(|file| file.bytes).sum();
-        if (left_over || held > self.limit)
+        if (has_leftovers || held > self.limit)
             && let Ok(_lock) = self.locked(Duration::ZERO)
         {
-            // What cannot be removed now is tried again by the next run.
-            let _ = self.remove_left_over().and_then(|()| self.make_room(0));
+            // Deletions that fail now are tried again in the next run.
+            let _ = self.remove_unfinished().and_then(|()| self.evict(0));
         }
     }
 
@@ -197,7 +201,7 @@ impl Cache {
         CacheError::Folder { folder: self.folder.clone(), source }
     }
 
-    /// The folder for this process alone, until the file is closed.
+    /// Locks the folder for this process until the returned file is closed.
     fn locked(&self, patience: Duration) -> Result<File, CacheError> {
         let path = self.folder.join(LOCK);
         let lock = File::options().create(true).truncate(false).write(true).open(path);
@@ -206,21 +210,21 @@ impl Cache {
         loop {
             match lock.try_lock() {
                 Ok(()) => return Ok(lock),
-                Err(TryLockError::WouldBlock) if started.elapsed() < patience => sleep(PAUSE),
+                Err(TryLockError::WouldBlock) if started.elapsed() < patience => sleep(LOCK_PAUSE),
                 Err(TryLockError::WouldBlock) => return Err(CacheError::Busy(self.folder.clone())),
                 Err(TryLockError::Error(error)) => return Err(self.failed(error)),
             }
         }
     }
 
-    /// To be called with the lock held.
-    fn remove_left_over(&self) -> io::Result<()> {
-        self.files()?.iter().filter(|file| is_aside(&file.name)).try_for_each(|file| remove(&file.path))
+    /// Deletes unfinished files. The lock must be held.
+    fn remove_unfinished(&self) -> io::Result<()> {
+        self.files()?.iter().filter(|file| is_unfinished(&file.name)).try_for_each(|file| remove(&file.path))
     }
 
-    /// Drops maps, those unused longest first, until so many bytes more fit. To be called with the lock held.
-    fn make_room(&self, needed: u64) -> io::Result<()> {
-        let mut maps: Vec<Kept> = self.files()?.into_iter().filter(|file| is_map(&file.name)).collect();
+    /// Deletes the least recently used maps until `needed` more bytes fit. The lock must be held.
+    fn evict(&self, needed: u64) -> io::Result<()> {
+        let mut maps: Vec<CacheFile> = self.files()?.into_iter().filter(|file| is_map(&file.name)).collect();
         maps.sort_by(|a, b| a.used.cmp(&b.used).then_with(|| a.name.cmp(&b.name)));
         let mut held: u64 = maps.iter().map(|map| map.bytes).sum();
         for map in maps {
@@ -233,22 +237,22 @@ impl Cache {
         Ok(())
     }
 
-    fn files(&self) -> io::Result<Vec<Kept>> {
-        let entries = fs::read_dir(&self.folder)?.filter_map(|entry| entry.ok().and_then(Kept::of));
+    fn files(&self) -> io::Result<Vec<CacheFile>> {
+        let entries = fs::read_dir(&self.folder)?.filter_map(|entry| entry.ok().and_then(CacheFile::of));
         Ok(entries.collect())
     }
 }
 
 /// A file in the folder.
-struct Kept {
+struct CacheFile {
     path: PathBuf,
     name: String,
     bytes: u64,
     used: SystemTime,
 }
 
-impl Kept {
-    /// None for what is no file, or has gone meanwhile.
+impl CacheFile {
+    /// Returns `None` for anything but a file, and for a file that has been deleted meanwhile.
     fn of(entry: DirEntry) -> Option<Self> {
         let about = entry.metadata().ok().filter(fs::Metadata::is_file)?;
         let name = entry.file_name().into_string().ok()?;
@@ -257,25 +261,25 @@ impl Kept {
     }
 }
 
-/// The file's name: kind and texture for people, the key for us.
+/// Name of the file: kind and texture for people, the key for the cache.
 fn name(identity: &MapIdentity, key: Hash) -> String {
     let MapIdentity { kind, texture, .. } = identity;
     let dash = if texture.is_empty() { "" } else { "-" };
     format!("{kind}{dash}{texture}-{}{MAP}", key.to_hex())
 }
 
-/// Whether a file is a map of ours: files of other people are neither counted nor removed.
+/// Whether a file is a map of this cache. Other files are neither counted nor deleted.
 fn is_map(name: &str) -> bool {
     let digits = name.strip_suffix(MAP).and_then(|name| name.rsplit_once('-')).map(|(_, digits)| digits);
     digits.is_some_and(|digits| digits.len() == 64 && digits.bytes().all(|digit| digit.is_ascii_hexdigit()))
-        && !is_aside(name)
+        && !is_unfinished(name)
 }
 
-fn is_aside(name: &str) -> bool {
-    name.starts_with(ASIDE)
+fn is_unfinished(name: &str) -> bool {
+    name.starts_with(UNFINISHED)
 }
 
-/// Removes a file that may have gone already.
+/// Deletes a file that may be missing already.
 fn remove(path: &Path) -> io::Result<()> {
     match fs::remove_file(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),

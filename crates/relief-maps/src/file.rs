@@ -1,7 +1,7 @@
-//! The file that keeps a map: what it is found by, what its codes stand for, its texels, and a hash of all of
-//! that.
+//! File format of a cached map: its key, the meaning of its codes, its texels, and a hash of all
+//! these.
 //!
-//! The hash tells a file that was cut short or changed from a whole one; nothing of such a file is used.
+//! The hash detects files that were truncated or changed. Nothing of such a file is used.
 
 use std::fs::File;
 use std::io::{self, BufReader, BufWriter, Read, Write};
@@ -11,7 +11,7 @@ use blake3::{Hash, Hasher};
 use relief_core::encoding::code::Codes;
 use relief_core::{BakedMap, MapFormat, MapIdentity, MapLayout, MapTexels};
 
-/// The first bytes of every file; another layout of the file gets other ones.
+/// First bytes of every file. Another file format gets other ones.
 const MAGIC: &[u8; 16] = b"relief map 2\n\0\0\0";
 
 /// Bytes before the texels: the magic, the key and the codes.
@@ -20,21 +20,21 @@ const HEAD: u64 = 16 + 32 + 32;
 /// Bytes of the hash at the end.
 const TAIL: u64 = 32;
 
-/// Values that are read or written at once.
+/// Number of values read or written at once.
 const CHUNK: usize = 1 << 14;
 
-/// What a file holds.
+/// Content of a file.
 #[derive(Debug, PartialEq)]
-pub enum Found {
-    /// There is none.
-    Nothing,
-    /// It is not what was written.
+pub enum CacheEntry {
+    /// The file does not exist.
+    Missing,
+    /// The file is not as it was written.
     Damaged,
-    /// The map.
-    Whole(Box<BakedMap>),
+    /// The map is complete.
+    Valid(Box<BakedMap>),
 }
 
-/// Bytes of the file of a map.
+/// Size of a map's file in bytes.
 pub fn length(layout: &MapLayout) -> u64 {
     HEAD + layout.bytes() + TAIL
 }
@@ -59,22 +59,22 @@ pub fn write(path: &Path, key: Hash, map: &BakedMap) -> io::Result<()> {
     out.inner.flush()
 }
 
-/// Reads a map of that identity and shape. Memory is taken only when the file has the length that it must
-/// have.
-pub fn read(path: &Path, key: Hash, identity: MapIdentity, layout: MapLayout) -> Found {
+/// Reads the map with this identity and layout. Memory is allocated only if the file has the right
+/// length.
+pub fn read(path: &Path, key: Hash, identity: MapIdentity, layout: MapLayout) -> CacheEntry {
     match std::fs::metadata(path) {
-        // What cannot even be looked at is as good as not there.
-        Err(_) => Found::Nothing,
+        // A file without readable metadata counts as missing.
+        Err(_) => CacheEntry::Missing,
         Ok(about) if about.is_file() && about.len() == length(&layout) => {
-            let whole = read_whole(path, key, identity, layout).ok().flatten();
-            whole.map_or(Found::Damaged, |map| Found::Whole(Box::new(map)))
+            let map = read_valid(path, key, identity, layout).ok().flatten();
+            map.map_or(CacheEntry::Damaged, |map| CacheEntry::Valid(Box::new(map)))
         }
-        _ => Found::Damaged,
+        _ => CacheEntry::Damaged,
     }
 }
 
-/// The map of a file of the right length; none when a byte of it is not what was written.
-fn read_whole(
+/// Reads the map from a file of the right length. `None` if any byte differs from what was written.
+fn read_valid(
     path: &Path,
     key: Hash,
     identity: MapIdentity,
@@ -106,7 +106,7 @@ fn read_whole(
     Ok(BakedMap::new(identity, layout, codes, texels).ok())
 }
 
-/// A file whose bytes are hashed on their way.
+/// A file whose bytes are hashed while they pass.
 struct Hashed<T> {
     inner: T,
     hasher: Hasher,

@@ -1,10 +1,10 @@
-//! What maps are found by.
+//! Keys of baked maps in the cache.
 
 use blake3::{Hash, Hasher};
 use relief_core::{MapFormat, MapIdentity, MapLayout, Metric, Wrap};
 
-/// The hash of all that decides a map's bytes. It holds the revision of the kind, not the version of the
-/// program: another version finds the maps that it would bake alike.
+/// Hash of everything that determines a map's bytes. It includes the revision of the kind, not the
+/// version of the program: another version reuses maps that it would bake alike.
 pub fn key(identity: &MapIdentity, layout: &MapLayout) -> Hash {
     let MapIdentity { kind, revision, texture, settings, heights, wrap, metric, first_level, height_level } =
         identity;

@@ -1,5 +1,5 @@
-//! The baked maps that displacement methods read, provided: looked up in memory and in a folder that keeps
-//! them from run to run, baked where they are not there, and kept.
+//! Provides the baked maps that displacement methods read. Maps are looked up in memory and in a
+//! cache folder that persists between runs. Missing ones are baked and stored.
 //!
 //! ```
 //! use relief_core::{HeightMap, Metric, Watch, Wrap};

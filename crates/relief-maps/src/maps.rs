@@ -13,23 +13,22 @@ use relief_shaders::{MapNeed, MapSlot, Selection, SlotMaps};
 use web_time::Instant;
 
 use crate::cache::{Cache, CacheError};
-use crate::file::Found;
+use crate::file::CacheEntry;
 
-/// What maps in memory may take besides those of the last call when nothing else is said.
+/// Default memory limit for maps of earlier calls: 1 GiB.
 const DEFAULT_MEMORY: ByteSize = ByteSize(1 << 30);
 
-/// Provides the baked maps that methods read: those it has provided before, those a folder keeps, or fresh
-/// ones.
+/// Provides the baked maps that methods read: from memory, from the cache folder, or freshly baked.
 #[derive(Debug)]
 pub struct Maps {
     cache: Option<Cache>,
     format: MapFormat,
     memory: u64,
-    /// The one used last at the end.
-    kept: Vec<Arc<BakedMap>>,
+    /// Maps in memory, the most recently used one last.
+    in_memory: Vec<Arc<BakedMap>>,
 }
 
-/// Why there is no map.
+/// Why a map cannot be provided.
 #[derive(Debug, thiserror::Error)]
 pub enum MapsError {
     /// The registry names a kind that does not exist.
@@ -38,7 +37,7 @@ pub enum MapsError {
     /// The registry names a setting that does not exist.
     #[error(transparent)]
     Settings(#[from] SettingsError),
-    /// It cannot be baked.
+    /// The map cannot be baked.
     #[error(transparent)]
     Bake(BakeError),
     /// The bake was cancelled.
@@ -55,37 +54,37 @@ impl From<BakeError> for MapsError {
     }
 }
 
-/// Where a map came from.
+/// Origin of a provided map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
-    /// It was baked.
+    /// The map was baked.
     Bake,
-    /// It was read from the folder that keeps maps.
+    /// The map was read from the cache folder.
     Cache,
-    /// It had been provided before.
+    /// The map was in memory from an earlier call.
     Memory,
 }
 
-/// How a map came about.
+/// Report on how a map was provided.
 #[derive(Debug)]
 pub struct Account {
-    /// Name of its kind.
+    /// Name of the map's kind.
     pub kind: &'static str,
-    /// Name of the texture among those of the kind; empty for the only one.
+    /// Name of the texture, for kinds with several; empty for the only one.
     pub texture: &'static str,
-    /// Where it came from.
+    /// Origin of the map.
     pub origin: Origin,
-    /// How long that took.
+    /// Time that it took.
     pub elapsed: Duration,
-    /// The file that it was read from or is kept in.
+    /// File from which the map was read or into which it was stored.
     pub file: Option<PathBuf>,
-    /// Whether the folder had a file of it that was damaged.
+    /// Whether the cache folder held a damaged file of the map.
     pub was_damaged: bool,
-    /// Why the folder does not keep it, though there is one.
+    /// Why the cache folder could not store the map, if there is a folder.
     pub not_kept: Option<CacheError>,
 }
 
-/// The maps that a selection reads, each for its slot.
+/// The maps that a selection reads, each with its slot.
 #[derive(Debug, Default)]
 pub struct Provided {
     maps: Vec<(MapSlot, Arc<BakedMap>)>,
@@ -93,64 +92,66 @@ pub struct Provided {
 }
 
 impl Provided {
-    /// The maps in their slots.
+    /// Maps by slot, as the renderer takes them.
     pub fn slots(&self) -> SlotMaps<'_> {
         self.maps.iter().map(|(slot, map)| (*slot, &**map)).collect()
     }
 
-    /// The maps, with their slots.
+    /// Maps with their slots.
     pub fn maps(&self) -> &[(MapSlot, Arc<BakedMap>)] {
         &self.maps
     }
 
-    /// How each came about; one that is read in several slots is there once.
+    /// Reports on the maps. A map that several slots read has one report.
     pub fn accounts(&self) -> &[Account] {
         &self.accounts
     }
 
-    /// The maps, and how each came about.
+    /// Returns the maps and the reports.
     pub fn into_parts(self) -> (Vec<(MapSlot, Arc<BakedMap>)>, Vec<Account>) {
         (self.maps, self.accounts)
     }
 }
 
 impl Maps {
-    /// A provider that keeps maps in memory alone.
+    /// Creates a provider that stores maps in memory only.
     pub fn in_memory() -> Self {
-        Self { cache: None, format: MapFormat::default(), memory: DEFAULT_MEMORY.0, kept: Vec::new() }
+        Self { cache: None, format: MapFormat::default(), memory: DEFAULT_MEMORY.0, in_memory: Vec::new() }
     }
 
-    /// A provider that keeps maps in a folder, too, from run to run. What killed processes left in it is
-    /// removed.
+    /// Creates a provider that also stores maps in a cache folder, from run to run. Leftovers of
+    /// killed processes in the folder are deleted.
     pub fn with_cache(cache: Cache) -> Self {
         cache.tidy();
         Self { cache: Some(cache), ..Self::in_memory() }
     }
 
-    /// The same with maps of another format. In fewer bits maps take less memory, and promise what they
-    /// promise of their rounded values.
+    /// Sets the format of maps. Maps with fewer bits take less memory. Their guarantees hold for
+    /// the rounded values.
     #[must_use]
     pub fn with_format(self, format: MapFormat) -> Self {
         Self { format, ..self }
     }
 
-    /// The same with other limits to what maps in memory may take besides those of the last call; by default
-    /// 1 GiB.
+    /// Sets the memory limit for maps of earlier calls. The maps of the last call do not count. The
+    /// default is 1 GiB.
     #[must_use]
     pub fn with_memory(self, memory: ByteSize) -> Self {
         Self { memory: memory.0, ..self }
     }
 
-    /// Adds a map that the caller has baked or read. It is found by what it was made from.
+    /// Adds a map that the caller has baked or read. It is used wherever its identity and layout
+    /// match.
     pub fn insert(&mut self, map: Arc<BakedMap>) {
         self.remember(map);
         self.forget(1);
     }
 
-    /// The baked maps that a selection reads over that height map, on a surface of that metric.
+    /// Provides the baked maps that a selection reads over a height map, on a surface with this
+    /// metric.
     ///
-    /// A folder that cannot be used is noted in the map's account; the map is there all the same. The watch's
-    /// tasks are the kinds that are baked, each from 0 to 1.
+    /// If a folder cannot be used, the map's report says so, and the map is still provided. The
+    /// tasks reported to `watch` are the kinds that are baked, each from 0 to 1.
     ///
     /// # Errors
     ///
@@ -165,10 +166,10 @@ impl Maps {
         self.provide_except(selection, heights, surface, &|_| false, watch)
     }
 
-    /// As [`Self::provide`], but for those maps that the caller builds himself, with the values that they are
-    /// baked with: a map that `built` names is neither baked nor looked for in the folder. It is provided all
-    /// the same where it is in memory, as one that was [inserted](Self::insert) is, and where maps are of
-    /// another format than 32-bit floats.
+    /// Provides maps as [`Self::provide`], except those that the caller builds with equal values. A
+    /// map for which `built` returns true is neither baked nor searched in the folder. It is still
+    /// provided if it is in memory, for example [inserted](Self::insert), and if the format is not
+    /// 32-bit floats.
     ///
     /// # Errors
     ///
@@ -187,7 +188,7 @@ impl Maps {
                 continue;
             }
             let (map, account) = self.one(&need, heights, surface, watch)?;
-            // One that several slots read came about once.
+            // A map that several slots read gets one report.
             if !provided.maps.iter().any(|(_, known)| Arc::ptr_eq(known, &map)) {
                 provided.accounts.push(account);
             }
@@ -197,12 +198,12 @@ impl Maps {
         Ok(provided)
     }
 
-    /// What a selection's maps take in memory for a height map of so many columns and rows. One that is read
-    /// in several slots counts once.
+    /// Memory of a selection's maps, in bytes, for a height map of `size` columns and rows. A map
+    /// that several slots read counts once.
     ///
     /// # Errors
     ///
-    /// When one of them cannot be baked from such a height map.
+    /// When one of the maps cannot be baked from such a height map.
     pub fn bytes(&self, selection: &Selection, size: [u32; 2]) -> Result<u64, MapsError> {
         let needs = selection.map_needs();
         needs.iter().enumerate().try_fold(0u64, |bytes, (place, need)| {
@@ -214,7 +215,8 @@ impl Maps {
         })
     }
 
-    /// What making them takes at most besides them and the height map, one after the other.
+    /// Most memory that baking these maps takes in addition to them and the height map, in bytes.
+    /// Maps are baked one after the other.
     ///
     /// # Errors
     ///
@@ -226,7 +228,7 @@ impl Maps {
         };
         selection.map_needs().iter().try_fold(0, |bytes, need| {
             let WantedMap { kind, settings, height_level, .. } = self.wanted(need, size, Metric::UNIT)?;
-            // The height map keeps its coarser levels once they are made.
+            // The height map stores its coarser levels once they are computed.
             let last = if height_level > 0 { size[0].max(size[1]).max(1).ilog2() } else { 0 };
             let levels: f64 = (1..=last).map(texels).sum();
             let working = texels(height_level) * f64::from((kind.working_maps)(&settings));
@@ -234,9 +236,9 @@ impl Maps {
         })
     }
 
-    /// Whether that map is in memory. Heights are hashed only where one of its kind is.
+    /// Whether a map is in memory. Heights are hashed only if a map of the same kind is.
     fn has(&self, need: &MapNeed, heights: &HeightMap, surface: Metric) -> Result<bool, MapsError> {
-        if self.kept.iter().all(|map| map.identity().kind != need.input.kind) {
+        if self.in_memory.iter().all(|map| map.identity().kind != need.input.kind) {
             return Ok(false);
         }
         let size = [heights.width(), heights.height()];
@@ -292,7 +294,7 @@ impl Maps {
         Ok((map, account))
     }
 
-    /// A map out of the folder, or baked and kept there.
+    /// Returns a map from the folder, or bakes and stores it.
     fn fresh(
         &self,
         wanted: &WantedMap,
@@ -304,12 +306,12 @@ impl Maps {
     ) -> Result<BakedMap, MapsError> {
         if let Some(cache) = &self.cache {
             match cache.read(&identity, &layout) {
-                Found::Whole(map) => {
+                CacheEntry::Valid(map) => {
                     (account.origin, account.file) = (Origin::Cache, Some(cache.path(&identity, &layout)));
                     return Ok(*map);
                 }
-                Found::Damaged => account.was_damaged = true,
-                Found::Nothing => {}
+                CacheEntry::Damaged => account.was_damaged = true,
+                CacheEntry::Missing => {}
             }
         }
         account.origin = Origin::Bake;
@@ -323,21 +325,21 @@ impl Maps {
     }
 
     fn remembered(&self, identity: &MapIdentity, layout: &MapLayout) -> Option<Arc<BakedMap>> {
-        self.kept.iter().find(|map| map.identity() == identity && map.layout() == layout).cloned()
+        self.in_memory.iter().find(|map| map.identity() == identity && map.layout() == layout).cloned()
     }
 
-    /// Makes a map the one used last.
+    /// Marks a map as the most recently used one.
     fn remember(&mut self, map: Arc<BakedMap>) {
-        self.kept.retain(|kept| kept.identity() != map.identity() || kept.layout() != map.layout());
-        self.kept.push(map);
+        self.in_memory.retain(|other| other.identity() != map.identity() || other.layout() != map.layout());
+        self.in_memory.push(map);
     }
 
-    /// Drops the maps that were unused longest until the memory suffices; the last so many stay whatever they
-    /// take.
+    /// Drops the least recently used maps until the limit is met. The last `last` maps are never
+    /// dropped.
     fn forget(&mut self, last: usize) {
-        let mut held: u64 = self.kept.iter().map(|map| map.layout().bytes()).sum();
-        while self.kept.len() > last && held > self.memory {
-            held -= self.kept.remove(0).layout().bytes();
+        let mut held: u64 = self.in_memory.iter().map(|map| map.layout().bytes()).sum();
+        while self.in_memory.len() > last && held > self.memory {
+            held -= self.in_memory.remove(0).layout().bytes();
         }
     }
 }

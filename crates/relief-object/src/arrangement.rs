@@ -1,35 +1,40 @@
-//! From where a mesh is captured.
+//! Arrangements of views for capturing a mesh.
 
 use glam::DVec3;
 use relief_core::object::GridMapping;
 
 use crate::ViewSpec;
 
-/// The most frames along a side of an octahedral grid, whose square is the most views of an object.
+/// Most frames along a side of an octahedral grid. Its square is the most views of an object.
 pub const MAX_GRID: u32 = 32;
 
-/// From where a mesh is captured.
+/// Directions from which a mesh is captured.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Arrangement {
     /// Along the three axes, from both sides: `+x`, `-x`, `+y`, `-y`, `+z`, `-z`.
     #[default]
     Cube,
-    /// From all around, by the octahedral mapping of a grid of so many frames a side, at least 2. The frame
-    /// in column `i` and row `j` looks from `(x, 1 - |x| - |z|, z)`, where `x` and `z` are `i` and `j` over
-    /// the last, from -1 to 1; what lies below is folded over the diagonals of the lower half. Frames at the
-    /// grid's border that look from the same direction are there twice, as other programs have it.
+    /// From all around, by the octahedral mapping of a grid with this many frames per side, at
+    /// least 2.
+    ///
+    /// The frame in column `i` and row `j` looks from `(x, 1 - |x| - |z|, z)`. Here `x` and `z` are
+    /// `i` and `j` divided by the last number, from -1 to 1. The lower half is folded over the
+    /// diagonals. Frames at the grid's border that look from the same direction appear twice, as in
+    /// other programs.
     Octahedral(u32),
-    /// From above and from the horizon, by the hemi-octahedral mapping of such a grid: with `a` and `b` from
-    /// 0 to 1, `x = a - b` and `z = a + b - 1`, and as above.
+    /// From above and from the horizon, by the hemi-octahedral mapping of a grid with this many
+    /// frames per side. With `a` and `b` from 0 to 1, `x = a - b` and `z = a + b - 1`, and `y` as
+    /// in [`Octahedral`](Self::Octahedral).
     HemiOctahedral(u32),
-    /// From so many directions around `y`, at least 1, beginning with `+z` and going on toward `+x`.
+    /// From this many directions around `y`, at least 1. The first is `+z`, and they proceed toward
+    /// `+x`.
     Horizontal(u32),
-    /// From there, all of one kind.
+    /// From these views, all of one kind.
     Given(Vec<ViewSpec>),
 }
 
 impl Arrangement {
-    /// The frames along a side, where they make a grid.
+    /// Frames per side, if they form a grid.
     pub fn grid(&self) -> Option<u32> {
         match self {
             Arrangement::Octahedral(side) | Arrangement::HemiOctahedral(side) => Some(*side),
@@ -37,7 +42,7 @@ impl Arrangement {
         }
     }
 
-    /// How many views there are.
+    /// Number of views.
     pub fn count(&self) -> usize {
         match self {
             Arrangement::Cube => 6,
@@ -49,7 +54,7 @@ impl Arrangement {
         }
     }
 
-    /// Every view: those that are given, or by parallel rays.
+    /// All views: the given ones, or views with parallel rays.
     pub fn specs(&self) -> Vec<ViewSpec> {
         let orthographic = |from: DVec3| ViewSpec::Orthographic { from, up: None };
         match self {
@@ -74,7 +79,7 @@ impl Arrangement {
     }
 }
 
-/// The places of a grid from 0 to 1, row by row.
+/// Positions of a grid from 0 to 1, row by row.
 fn grid(side: u32) -> impl Iterator<Item = [f64; 2]> {
     let part = move |at: u32| f64::from(at) / f64::from(side.saturating_sub(1).max(1));
     (0..side).flat_map(move |row| (0..side).map(move |column| [part(column), part(row)]))

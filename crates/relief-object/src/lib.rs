@@ -1,9 +1,12 @@
-//! Image-based depth objects (Kautz and Seidel 2001): from and to files, and captured from meshes.
+//! Objects defined by images with depth (Kautz and Seidel 2001): reading, writing, and capture from
+//! meshes.
 //!
-//! The object itself is [`ImageObject`](relief_core::object::ImageObject). [`read_object`] makes one of a
-//! folder with an `object.toml` and an atlas of depths; [`Capturer`] makes images with depth of a mesh.
+//! The object itself is [`ImageObject`](relief_core::object::ImageObject). [`read_object`] reads
+//! one from a folder with an `object.toml` and an atlas of depths. [`Capturer`] renders images with
+//! depth of a mesh.
 //!
 //! ```
+//! use relief_core::object::{DEFAULT_JUMP_TEXELS, JumpCells};
 //! use relief_core::{Watch, mesh::torus, raycast::Ray};
 //! use relief_object::{CaptureSettings, Capturer, Cover};
 //!
@@ -12,7 +15,8 @@
 //! let captured = Capturer::new(&torus, None, settings)?.capture(Cover::Centre, &Watch::none())?;
 //! // From above onto the tube.
 //! let ray = Ray { origin: [0.35, 2.0, 0.0].into(), direction: [0.0, -1.0, 0.0].into() };
-//! let hit = captured.object().first_hit(&ray).ok_or("the torus is there")?;
+//! let object = captured.object(JumpCells::default(), DEFAULT_JUMP_TEXELS)?;
+//! let hit = object.first_hit(&ray).ok_or("the torus is there")?;
 //! assert!((hit.t - 1.85).abs() < 1e-2);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -1,4 +1,4 @@
-//! How far an object is from the mesh that it was captured from.
+//! Comparison of an object with the mesh that it was captured from.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -11,40 +11,41 @@ use relief_core::rng::Rng;
 
 use crate::{CaptureError, DEFAULT_JUMP_TEXELS, Measured};
 
-/// The most pictures that are compared, and the most pixels of a side of each.
+/// Most pictures that are compared, and longest side of each in pixels.
 pub const MAX_PICTURES: [u32; 2] = [4096, 4096];
 
-/// The seed of the directions: the same for all objects.
+/// Seed of the directions, the same for all objects.
 const SEED: u64 = 2001;
 
-/// Of how many random directions each is the one that is farthest from all before it.
+/// Number of random candidates for each direction. The candidate farthest from all earlier
+/// directions is chosen.
 const CANDIDATES: u32 = 16;
 
-/// How an object is compared with a mesh.
+/// Settings of a comparison of an object with a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verification {
-    /// Pictures, from [`even_directions`].
+    /// Number of pictures. Their directions are [`even_directions`].
     pub views: u32,
-    /// Pixels of a side of each, which is as wide as the ball.
+    /// Side of each picture in pixels. A picture is as wide as the ball.
     pub size: u32,
-    /// What cells are where heights jump.
+    /// Treatment of cells whose heights jump.
     pub cells: JumpCells,
-    /// By how many texels cells differ that jump.
+    /// Difference above which cells jump, in texels.
     pub jump_texels: f64,
 }
 
 impl Default for Verification {
-    /// 32 pictures of 128 x 128 pixels.
+    /// Returns settings for 32 pictures of 128 x 128 pixels.
     fn default() -> Self {
         Self { views: 32, size: 128, cells: JumpCells::default(), jump_texels: DEFAULT_JUMP_TEXELS }
     }
 }
 
-/// So many directions over the whole sphere, as random as they can be where none comes near another: the same
-/// ones each time.
+/// Returns `count` directions over the whole sphere: random, but evenly spread, and the same each
+/// time.
 ///
-/// Each is the best of some candidates (Mitchell 1991). An object's errors depend on the direction, and the
-/// mean of a few pictures is nearer to that of many where no side is seen twice as often as another.
+/// Each is the best of some candidates (Mitchell 1991). An object's errors depend on the direction.
+/// With even directions, the mean of a few pictures is nearer to the mean of many.
 pub fn even_directions(count: u32) -> Vec<DVec3> {
     let mut rng = Rng::new(SEED);
     let mut directions: Vec<DVec3> = Vec::with_capacity(count as usize);
@@ -63,12 +64,12 @@ pub fn even_directions(count: u32) -> Vec<DVec3> {
     directions
 }
 
-/// What is counted of a picture, or of a row.
+/// Counts of a picture, or of a row.
 #[derive(Clone, Copy, Default)]
 struct Counts {
     both: u64,
     either: u64,
-    /// Metres between both, over the pixels that show both.
+    /// Sum of the distances between both, in metres, over the pixels that show both.
     apart_m: f64,
 }
 
@@ -81,7 +82,7 @@ impl Counts {
         }
     }
 
-    /// Pixels that show both of those that show one; all where none shows any.
+    /// Pixels that show both, divided by pixels that show either. 1 if no pixel shows any.
     fn iou(&self) -> f64 {
         if self.either == 0 { 1.0 } else { self.both as f64 / self.either as f64 }
     }
@@ -91,12 +92,13 @@ impl Counts {
     }
 }
 
-/// Where a ray first meets a mesh, by its parameter.
+/// Function that returns the parameter of a ray's first hit with a mesh.
 pub(crate) type FirstHit<'a> = dyn Fn(&Ray) -> Option<f64> + Sync + 'a;
 
-/// Compares an object with a mesh by parallel rays through a ball, from [`even_directions`].
+/// Compares an object with a mesh in pictures with parallel rays through a ball, from
+/// [`even_directions`].
 ///
-/// The rays see both sides of the mesh's triangles. None where no picture is asked for.
+/// The rays hit both sides of the mesh's triangles. `None` if no picture is requested.
 pub(crate) fn measure(
     first: &FirstHit<'_>,
     object: &ImageObject,
@@ -145,7 +147,7 @@ pub(crate) fn measure(
     }))
 }
 
-/// What one pixel shows of both.
+/// Counts of one pixel.
 fn pixel(first: &FirstHit<'_>, object: &ImageObject, view: &View, [x, y]: [u32; 2]) -> Counts {
     let [u, v] = [x, y].map(|at| (f64::from(at) + 0.5) / f64::from(view.size()[0]));
     let ray = view.ray(u, v);

@@ -1,4 +1,4 @@
-//! From where an image looks.
+//! Specification of views before the ball that they show is known.
 
 use std::fmt;
 use std::str::FromStr;
@@ -7,20 +7,20 @@ use glam::DVec3;
 use relief_core::object::{View, ViewError};
 use relief_core::registry::UnknownName;
 
-/// By which rays images are made.
+/// Kind of the rays of images.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ViewKind {
-    /// Parallel ones.
+    /// Parallel rays.
     Orthographic,
-    /// Those through an eye.
+    /// Rays through an eye.
     Perspective,
 }
 
 impl ViewKind {
-    /// Both.
+    /// Both kinds.
     pub const ALL: [ViewKind; 2] = [ViewKind::Orthographic, ViewKind::Perspective];
 
-    /// The name in files.
+    /// Name in files.
     pub const fn name(self) -> &'static str {
         match self {
             ViewKind::Orthographic => "orthographic",
@@ -44,29 +44,29 @@ impl FromStr for ViewKind {
     }
 }
 
-/// From where an image looks, whatever it looks at.
+/// Direction or eye of a view, independent of the ball that it shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ViewSpec {
-    /// By parallel rays; see [`View::orthographic`].
+    /// Parallel rays; see [`View::orthographic`].
     Orthographic {
-        /// The direction toward the viewer, of any length.
+        /// Direction toward the viewer, of any length.
         from: DVec3,
-        /// What is up in the image; none for the default.
+        /// Direction that is up in the image; `None` for the default.
         up: Option<DVec3>,
     },
-    /// From an eye; see [`View::perspective`].
+    /// Rays through an eye; see [`View::perspective`].
     Perspective {
-        /// Where the eye is, in metres.
+        /// Position of the eye, in metres.
         eye: DVec3,
-        /// What is up in the image; none for the default.
+        /// Direction that is up in the image; `None` for the default.
         up: Option<DVec3>,
-        /// How many degrees the image is wide.
+        /// Horizontal field of view in degrees.
         fov_degrees: f64,
     },
 }
 
 impl ViewSpec {
-    /// By which rays it looks.
+    /// Kind of the rays.
     pub const fn kind(&self) -> ViewKind {
         match self {
             ViewSpec::Orthographic { .. } => ViewKind::Orthographic,
@@ -74,12 +74,12 @@ impl ViewSpec {
         }
     }
 
-    /// The view of a ball of that radius in metres around a centre, in an image of that many columns and
-    /// rows.
+    /// Returns the view of a ball with this centre and radius in metres, in an image of `size`
+    /// columns and rows.
     ///
     /// # Errors
     ///
-    /// As those of [`View::orthographic`] and [`View::perspective`].
+    /// As [`View::orthographic`] and [`View::perspective`].
     pub fn view(&self, centre: DVec3, radius: f64, size: [u32; 2]) -> Result<View, ViewError> {
         match *self {
             ViewSpec::Orthographic { from, up } => View::orthographic(centre, radius, from, up, size),

@@ -15,9 +15,10 @@
 //! * `exit` may be infinite. A path that falls below the map ends there with a hit. A path that
 //!   rises above the map for good ends there with a miss. Any other path is given up,
 //!   [`exhausted`](Hit::exhausted), once it has moved [`MAX_TRAVEL`] cells.
-//! * A path is a miss in these cases: its `exit` is below 0 or NaN; it begins [`MAX_START`] or more
-//!   cells away from the texture's origin; it moves [`MAX_RATE`] or more cells per unit of `t`, or
-//!   a coefficient of its height is as large. This includes infinite and NaN values.
+//! * A path is a miss if its `exit` is below 0 or NaN, or if it begins [`MAX_START`] or more cells
+//!   away from the texture's origin. It is also a miss if it moves [`MAX_RATE`] or more cells per
+//!   unit of `t`, or if a coefficient of its height is as large. This includes infinite and NaN
+//!   values.
 //! * Under [`Wrap::Clamp`](crate::Wrap::Clamp) the surface continues outside the footprint, level
 //!   along the axis that the path leaves it on. The tracers do not end a path there.
 //!

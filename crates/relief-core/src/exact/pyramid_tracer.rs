@@ -1,10 +1,10 @@
 //! A second exact tracer, which finds the same hits as the cell walk by other means.
 //!
 //! It does not step from cell to cell. The path is halved until a piece is above the
-//! [`MaxPyramid`]'s bound of the cells that it crosses, or crosses at most two columns and two
-//! rows. Inside one cell the gap is quadratic. Its first root is isolated by the signs of Bernstein
-//! coefficients (Lane and Riesenfeld 1981, "Bounds on a polynomial"). Bracketing then refines it:
-//! the Illinois method (Dowell and Jarratt 1971), with bisection for safety.
+//! [`MaxPyramid`]'s bound of its cells, or crosses at most two columns and two rows. Inside one
+//! cell the gap is quadratic. Its first root is isolated by the signs of Bernstein coefficients
+//! (Lane and Riesenfeld 1981, "Bounds on a polynomial"). Bracketing then refines it: the Illinois
+//! method (Dowell and Jarratt 1971), with bisection for safety.
 
 use super::{CELL_BYTES, ExactHit, MAX_TRAVEL, is_traceable};
 use crate::{Cost, HeightMap, MaxPyramid, Path};

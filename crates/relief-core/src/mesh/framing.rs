@@ -36,9 +36,8 @@ impl RawMesh {
     /// * Equal positions become one point. Triangles without an area are removed and counted. So
     ///   are triangles that repeat an earlier one, with the same corners and front.
     /// * **Normals** are normalised. A corner without one gets the mean of the normals of all
-    ///   triangles at its point, weighted by their angles there, so that relief has no gaps along
-    ///   edges. If these cancel out, as on sheets with two fronts, the triangle's own normal is
-    ///   used.
+    ///   triangles at its point, weighted by their angles there. So relief has no gaps along edges.
+    ///   If these cancel out, as on sheets with two fronts, the triangle's own normal is used.
     /// * **Tangents and bitangents** are the derivatives of the position by `u` and `v`, as long as
     ///   one tile. They are means, weighted by angles, over the triangles that share the corner's
     ///   normal and the texture. The directions, turned into the plane at right angles to the

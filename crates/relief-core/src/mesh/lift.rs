@@ -21,8 +21,8 @@ impl Mesh {
     /// `(p_b - p_c)·(n_b - n_c) / l²` against its normal, and rises `½ l²` times that times
     /// `w_b w_c` above its chord. The polynomial is the only one of degree 2 that is 0 at the
     /// corners and does so along all three edges. On a sphere of radius `r` the interpolated point
-    /// is `(r² - Σ l_ij² w_i w_j)^½` from the centre, so that the remaining error there is of the
-    /// fourth order in `l / r`.
+    /// is `(r² - Σ l_ij² w_i w_j)^½` from the centre. So the remaining error there is of the fourth
+    /// order in `l / r`.
     ///
     /// An edge has the same number, bit by bit, in all triangles with the same positions and
     /// normals at its ends, in any order. So a smooth base has no cracks there. Along hard edges

@@ -103,7 +103,7 @@ pub enum MeshError {
         "the tile factors are {0} and {1}: they must be positive, with tiles from 1e-19 m to 1e19 m long"
     )]
     BadTile(f32, f32),
-    /// A placement has numbers that are not finite or a size that is not positive; or the placed
+    /// A placement is impossible: a number is not finite or the size is not positive. Or the placed
     /// mesh is not finite, or its tiles are too short or long for `f32`.
     #[error(
         "the mesh cannot have this placement: its numbers must be finite and its size positive, \

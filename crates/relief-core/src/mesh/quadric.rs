@@ -41,19 +41,19 @@ impl Mesh {
     /// opposite sign.
     ///
     /// The fit is by least squares over the *star*: the other corners of all triangles with this
-    /// position and this normal (to 0.1°), whatever their vertices and texture coordinates. So
+    /// position and this normal (to 0.1°). Vertices and texture coordinates may differ there. So
     /// seams have no effect, and faces beyond a hard edge do not count. Each neighbour gives three
     /// equations of equal weight:
     ///
     /// * its height above the tangent plane, in its direction on that plane but at its true
-    ///   distance, so that circles and spheres are fitted exactly, however coarse the mesh;
+    ///   distance (so circles and spheres are fitted exactly, however coarse the mesh);
     /// * two slopes, from its normal, which coarse and lopsided stars need.
     ///
     /// Texture coordinates are not read. The projections of tangent and bitangent to the tangent
     /// plane give the length of a tile. If the star leaves curvatures undetermined, as a single
-    /// triangle may, these are 0: the quadric with the least curvatures is chosen among all with
-    /// the least error. It is found by the normal matrix's eigenvectors. Eigenvalues below 1e-4 of
-    /// the largest count as undetermined.
+    /// triangle may, these are 0. Among all quadrics with the least error, the one with the least
+    /// curvatures is chosen. It is found by the normal matrix's eigenvectors. Eigenvalues below
+    /// 1e-4 of the largest count as undetermined.
     ///
     /// All coefficients are 0 at a vertex without triangles or without a normal. With
     /// [`QuadricCoefficients::Two`] they are also 0 where tangent and bitangent are parallel. All

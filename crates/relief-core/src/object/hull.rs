@@ -57,8 +57,7 @@ impl ImageObject {
     /// # Errors
     ///
     /// When the object does not have six images with parallel rays, two each from opposite sides
-    /// along three axes at right angles, or when two opposite silhouettes are not mirror images of
-    /// each other.
+    /// along three orthogonal axes. Also when two opposite silhouettes are not mirror images.
     pub fn cube_silhouettes(&self) -> Result<[usize; 3], SilhouetteError> {
         let views = &self.views;
         if views.len() != 6 {

@@ -13,17 +13,17 @@ mod cells;
 mod frames;
 mod grid;
 mod hull;
+mod image_walk;
 mod intervals;
 mod patch;
-mod rounds;
 mod view;
 
 pub use atlas::AtlasLayout;
 pub use frames::{LEAST_COVER, LEAST_FACING, ObjectFrames};
 pub use grid::{FrameGrid, GridMapping};
 pub use hull::SilhouetteError;
+pub use image_walk::ObjectHit;
 pub use patch::{AGREEMENT, MAX_DISTANCE};
-pub use rounds::ObjectHit;
 pub use view::{View, ViewError, ViewRay};
 
 use glam::DVec3;

@@ -8,9 +8,9 @@
 //! their order by `(t, triangle)`. The projection only has to guarantee that no triangle is left
 //! out that a ray hits.
 //!
-//! Some tiles cast their rays one by one instead: if the rays of the tile differ in the axis along
-//! which they are longest; if the view is so narrow that rays in `f32` are wrong by pixels; if
-//! there are more triangles than a tile can test faster than the BVH.
+//! Some tiles cast their rays one by one instead. The rays of the tile may differ in the axis along
+//! which they are longest. The view may be so narrow that rays in `f32` are wrong by pixels. Or the
+//! triangles may be so numerous that the BVH is faster.
 
 use glam::{DVec3, Vec3};
 

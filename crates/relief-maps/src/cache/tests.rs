@@ -3,7 +3,7 @@ use relief_core::{HeightMap, MapFormat, MapTexels, Metric, Wrap};
 
 use super::*;
 
-/// A map of so many texels whose key depends on the number.
+/// A map of `side` x `side` texels whose key depends on `number`.
 fn map(number: u32, side: u32, format: MapFormat) -> BakedMap {
     let heights =
         HeightMap::from_fn(2, 1, Wrap::Clamp, |i, _| (number + i) as f32 / 1e4).expect("a valid map");
@@ -35,7 +35,7 @@ fn cache(limit: u64) -> (tempfile::TempDir, Cache) {
     (folder, cache)
 }
 
-fn read(cache: &Cache, map: &BakedMap) -> Found {
+fn read(cache: &Cache, map: &BakedMap) -> CacheEntry {
     cache.read(map.identity(), map.layout())
 }
 
@@ -51,19 +51,19 @@ fn held(cache: &Cache) -> u64 {
 }
 
 #[test]
-fn what_is_kept_is_read_and_nothing_else_is_taken_for_it() {
+fn stored_maps_are_read_and_no_other_files_are_mistaken_for_them() {
     let (_folder, cache) = cache(1 << 30);
     for format in [MapFormat::F32, MapFormat::F16, MapFormat::Unorm8] {
         for side in [1, 3, 200] {
             let map = map(7, side, format);
-            assert_eq!(read(&cache, &map), Found::Nothing);
+            assert_eq!(read(&cache, &map), CacheEntry::Missing);
             let path = cache.write(&map).expect("a writable folder");
             assert_eq!(path, cache.path(map.identity(), map.layout()));
             assert_eq!(fs::metadata(path).expect("the file").len(), file::length(map.layout()));
-            assert_eq!(read(&cache, &map), Found::Whole(Box::new(map)));
+            assert_eq!(read(&cache, &map), CacheEntry::Valid(Box::new(map)));
         }
     }
-    assert_eq!(read(&cache, &map(8, 3, MapFormat::F32)), Found::Nothing);
+    assert_eq!(read(&cache, &map(8, 3, MapFormat::F32)), CacheEntry::Missing);
     assert_eq!(names(&cache).iter().filter(|name| is_map(name)).count(), 9);
 }
 
@@ -77,19 +77,19 @@ fn every_changed_byte_and_every_cut_is_seen_and_mended() {
         let mut wrong = right.clone();
         wrong[at] ^= 4;
         fs::write(&path, &wrong).expect("the folder is writable");
-        assert_eq!(read(&cache, &map), Found::Damaged, "byte {at}");
+        assert_eq!(read(&cache, &map), CacheEntry::Damaged, "byte {at}");
         fs::write(&path, &right[..at]).expect("the folder is writable");
-        assert_eq!(read(&cache, &map), Found::Damaged, "cut at {at}");
+        assert_eq!(read(&cache, &map), CacheEntry::Damaged, "cut at {at}");
     }
     fs::write(&path, [&right[..], &[0]].concat()).expect("the folder is writable");
-    assert_eq!(read(&cache, &map), Found::Damaged);
+    assert_eq!(read(&cache, &map), CacheEntry::Damaged);
     cache.write(&map).expect("a writable folder");
-    assert_eq!(read(&cache, &map), Found::Whole(Box::new(map.clone())));
+    assert_eq!(read(&cache, &map), CacheEntry::Valid(Box::new(map.clone())));
     fs::remove_file(&path).expect("the file");
     fs::create_dir(&path).expect("the folder is writable");
-    assert_eq!(read(&cache, &map), Found::Damaged);
+    assert_eq!(read(&cache, &map), CacheEntry::Damaged);
     assert!(matches!(cache.write(&map), Err(CacheError::Folder { .. })));
-    assert!(!names(&cache).iter().any(|name| is_aside(name)));
+    assert!(!names(&cache).iter().any(|name| is_unfinished(name)));
 }
 
 #[test]
@@ -106,8 +106,8 @@ fn what_is_unused_longest_makes_room() {
         cache.write(map).expect("a writable folder");
         used(map, seconds);
     }
-    // Reading makes the oldest the youngest.
-    assert!(matches!(read(&cache, &maps[0]), Found::Whole(_)));
+    // Reading makes the least recently used map the most recently used one.
+    assert!(matches!(read(&cache, &maps[0]), CacheEntry::Valid(_)));
     cache.write(&maps[3]).expect("a writable folder");
     let there = |map: &BakedMap| cache.path(map.identity(), map.layout()).exists();
     assert_eq!(maps.each_there(&there), [true, false, true, true, false]);
@@ -117,10 +117,10 @@ fn what_is_unused_longest_makes_room() {
     used(&maps[2], 12);
     cache.write(&maps[4]).expect("a writable folder");
     assert_eq!(maps.each_there(&there), [false, false, true, true, true]);
-    // A map that is there already needs no room.
+    // A map that exists already needs no space.
     cache.write(&maps[4]).expect("a writable folder");
     assert_eq!(maps.each_there(&there), [false, false, true, true, true]);
-    // A lower limit holds from the next run on.
+    // A lower limit applies from the next run on.
     Cache::new(cache.folder.clone(), ByteSize(one)).tidy();
     assert_eq!(maps.each_there(&there), [false, false, false, false, true]);
     let refused = Cache::new(cache.folder.clone(), ByteSize(one - 1)).write(&maps[0]);
@@ -142,12 +142,13 @@ fn what_a_killed_process_left_is_removed_and_what_others_put_there_stays() {
     let (_folder, cache) = cache(1 << 30);
     let map = map(3, 4, MapFormat::F32);
     cache.write(&map).expect("a writable folder");
-    let aside = format!("{ASIDE}{}", names(&cache).into_iter().find(|name| is_map(name)).expect("a map"));
+    let aside =
+        format!("{UNFINISHED}{}", names(&cache).into_iter().find(|name| is_map(name)).expect("a map"));
     let strangers = ["notes.map", "kind-0123.map", "picture.png"];
     for name in strangers.iter().copied().chain([aside.as_str()]) {
         fs::write(cache.folder.join(name), vec![1; 1 << 20]).expect("the folder is writable");
     }
-    // While somebody writes, what lies aside may be his.
+    // While another process holds the lock, unfinished files may belong to it.
     let lock = cache.locked(Duration::ZERO).expect("a writable folder");
     cache.tidy();
     assert!(names(&cache).contains(&aside));
@@ -156,7 +157,7 @@ fn what_a_killed_process_left_is_removed_and_what_others_put_there_stays() {
     Cache::new(cache.folder.clone(), ByteSize(1 << 10)).tidy();
     let names = names(&cache);
     assert!(!names.contains(&aside) && strangers.iter().all(|name| names.contains(&(*name).to_owned())));
-    assert!(matches!(read(&cache, &map), Found::Whole(_)));
+    assert!(matches!(read(&cache, &map), CacheEntry::Valid(_)));
 }
 
 #[test]
@@ -167,7 +168,7 @@ fn a_folder_that_cannot_be_made_is_an_error() {
     for place in [file.clone(), file.join("below")] {
         let cache = Cache::new(place, ByteSize(1 << 20));
         cache.tidy();
-        assert_eq!(read(&cache, &map(1, 1, MapFormat::F32)), Found::Nothing);
+        assert_eq!(read(&cache, &map(1, 1, MapFormat::F32)), CacheEntry::Missing);
         let refused = cache.write(&map(1, 1, MapFormat::F32));
         assert!(matches!(refused, Err(CacheError::Folder { .. })), "{refused:?}");
     }

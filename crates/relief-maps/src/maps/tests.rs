@@ -12,7 +12,7 @@ fn heights(step: u32) -> HeightMap {
 fn provided(maps: &mut Maps, method: &str, heights: &HeightMap) -> Provided {
     let selection = Selection::method(method).expect("a method");
     let provided = maps.provide(&selection, heights, Metric::UNIT, &Watch::none()).expect("a bake");
-    // What is provided is what the selection reads.
+    // The provided maps are the maps that the selection reads.
     let given: Vec<&BakedMap> = provided.maps().iter().map(|(_, map)| &**map).collect();
     selection.slot_maps(given, heights, Metric::UNIT).expect("the right maps");
     provided
@@ -29,9 +29,9 @@ fn a_map_is_baked_once_and_found_in_memory_and_in_the_folder_after_that() {
     let mut first = maps();
     let baked = provided(&mut first, "cone", &heights(5));
     assert_eq!(origins(&baked), [Origin::Bake]);
-    let file = baked.accounts()[0].file.clone().expect("it is kept");
+    let file = baked.accounts()[0].file.clone().expect("the file is stored");
     assert_eq!(origins(&provided(&mut first, "cone", &heights(5))), [Origin::Memory]);
-    // Another scale or bias is no other map; other heights are, and another kind is.
+    // Another scale or bias does not change the map. Other heights or another kind do.
     let scaled = heights(5).with_displacement(0.3, 0.1).expect("proper numbers");
     assert_eq!(origins(&provided(&mut first, "cone", &scaled)), [Origin::Memory]);
     assert_eq!(origins(&provided(&mut first, "cone", &heights(7))), [Origin::Bake]);
@@ -116,7 +116,7 @@ fn what_the_caller_builds_is_provided_only_where_it_is_in_memory_or_of_fewer_bit
     assert!(provided_except(&mut maps(), "pyramid", &heights(5)).is_empty());
     assert_eq!(files(), before);
     assert_eq!(provided_except(&mut maps(), "cone", &heights(5)), [Origin::Bake]);
-    // What the folder has is not read either.
+    // Maps in the folder are not read either.
     assert!(provided_except(&mut maps(), "pyramid", &heights(5)).is_empty());
     let mut own = Maps::in_memory();
     own.insert(Arc::clone(&provided(&mut maps(), "quadtree", &heights(5)).maps()[0].1));
@@ -126,7 +126,7 @@ fn what_the_caller_builds_is_provided_only_where_it_is_in_memory_or_of_fewer_bit
     assert_eq!(provided_except(&mut fewer, "pyramid", &heights(5)), [Origin::Bake]);
 }
 
-/// Selections whose ambient light is baked from a level of at most so many texels a side.
+/// A selection whose ambient light is baked from a level of at most `side` texels per side.
 fn sky(side: f64, detail: &str) -> Selection {
     let mut selection = Selection::exact();
     selection.choose("ambient", "sky").expect("an ambient light");
@@ -163,7 +163,7 @@ fn a_map_is_baked_from_the_finest_level_that_is_small_enough() {
             assert_eq!(map.identity().height_level, level, "{size:?} {side}");
             assert_eq!(maps.bytes(&selection, size).expect("a shape"), layout.bytes());
             selection.slot_maps([map], &heights, metric).expect("the right map");
-            // It is the map of the level's heights, in the same metres.
+            // The map equals the map of the level's heights, in the same metres.
             let coarse = heights.level(level);
             let of_level = maps.provide(&sky(16384.0, detail), &coarse, metric, &Watch::none());
             let of_level = of_level.expect("a bake");
@@ -177,7 +177,7 @@ fn a_map_is_baked_from_the_finest_level_that_is_small_enough() {
 fn maps_of_different_levels_are_not_taken_for_each_other() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let texel = |i: u32, j: u32| ((i * 5 + j * 3) % 17) as f32 / 16.0;
-    // A constant map is the same in all its levels but for their sizes.
+    // A constant map is the same in all its levels except for their sizes.
     let constant = HeightMap::from_fn(64, 64, Wrap::Repeat, |_, _| 0.5).expect("a valid map");
     for heights in [HeightMap::from_fn(64, 64, Wrap::Repeat, texel).expect("a valid map"), constant] {
         for again in [false, true] {
@@ -199,7 +199,8 @@ fn maps_of_different_levels_are_not_taken_for_each_other() {
             }
         }
     }
-    // A bake from a coarser level needs less memory than one from the map, and that of the levels.
+    // A bake from a coarser level needs less memory than one from the map itself, and includes the
+    // memory of the levels.
     let maps = Maps::in_memory();
     let working = |side| maps.working_bytes(&sky(side, "none"), [4096, 4096]).expect("a kind");
     let levels = 4 * (4096 * 4096 - 1) / 3;

@@ -1,26 +1,26 @@
-//! What a texel's height is.
+//! Height of a texel in a captured image.
 
 use std::fmt;
 use std::str::FromStr;
 
 use relief_core::registry::UnknownName;
 
-/// What the height of a texel is.
+/// Point of the mesh whose height a texel stores.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Cover {
-    /// That of what the ray through its centre meets first.
+    /// The first hit of the ray through the texel's centre.
     #[default]
     Centre,
-    /// That of the highest point of the mesh in its square: nothing thin is lost, and silhouettes are up to a
-    /// texel too wide.
+    /// The highest point of the mesh in the texel's square. Nothing thin is lost, but silhouettes
+    /// are up to a texel too wide.
     Pixel,
 }
 
 impl Cover {
-    /// Both.
+    /// Both covers.
     pub const ALL: [Cover; 2] = [Cover::Centre, Cover::Pixel];
 
-    /// The name on the command line.
+    /// Name on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Cover::Centre => "centre",

@@ -11,43 +11,43 @@ use crate::verify::MAX_PICTURES;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CaptureError {
     /// Images are too small or too large.
-    #[error("images of {0} texels a side: from {MIN_IMAGE_SIDE} to {MAX_IMAGE_SIDE} are possible")]
+    #[error("images of {0} texels a side: use {MIN_IMAGE_SIDE} to {MAX_IMAGE_SIDE}")]
     BadSize(u32),
     /// There are no views, or too many.
     #[error("{0} views: an object has 1 to {MAX_VIEWS}")]
     BadCount(usize),
     /// A grid is too small or too large.
-    #[error("a grid of {0} frames a side: from 2 to {MAX_GRID} are possible")]
+    #[error("a grid of {0} frames a side: use 2 to {MAX_GRID}")]
     BadGrid(u32),
     /// Depths are stored in 8, 16 or 32 bits.
-    #[error("depths of {0} bits: 8, 16 and 32 are possible")]
+    #[error("depths of {0} bits: use 8, 16 or 32")]
     BadBits(u32),
-    /// A field of view is given for views that have their own.
-    #[error("the views are perspective and have fields of view of their own")]
+    /// A field of view is given for views that have one already.
+    #[error("the views are perspective and have fields of view already: give none")]
     OwnFov,
-    /// There are too many pictures to compare, or pictures too large.
+    /// There are too many pictures to compare, or the pictures are too large.
     #[error(
         "{views} pictures of {size}x{size} to compare: at most {} of {} a side are possible",
         MAX_PICTURES[0], MAX_PICTURES[1]
     )]
     BadPictures {
-        /// How many pictures.
+        /// Number of pictures.
         views: u32,
-        /// Pixels of a side of each.
+        /// Side of each picture in pixels.
         size: u32,
     },
-    /// A view cannot be.
+    /// A view is impossible.
     #[error("view {number}: {problem}")]
     View {
-        /// The view, counted from 1.
+        /// Number of the view, counted from 1.
         number: usize,
-        /// Why.
+        /// The reason.
         problem: ViewError,
     },
     /// A view does not show all of the mesh.
-    #[error("view {number} does not show all of the mesh: what an image does not see is not there")]
+    #[error("view {number} does not show all of the mesh: parts that an image does not show are lost")]
     CutOff {
-        /// The view, counted from 1.
+        /// Number of the view, counted from 1.
         number: usize,
     },
     /// The images are too large.
@@ -59,16 +59,16 @@ pub enum CaptureError {
         needed.div_ceil(1 << 20), limit >> 20
     )]
     TooMuchMemory {
-        /// How many images.
+        /// Number of images.
         views: usize,
-        /// Texels of a side.
+        /// Side of each image in texels.
         size: u32,
-        /// Bytes that are needed.
+        /// Bytes needed.
         needed: u64,
-        /// Bytes that are allowed.
+        /// Bytes allowed.
         limit: u64,
     },
-    /// What was captured is no object.
+    /// The captured images do not define an object.
     #[error(transparent)]
     Object(#[from] ObjectError),
     /// The capture was cancelled.

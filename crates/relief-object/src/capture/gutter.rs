@@ -1,7 +1,7 @@
-//! What lies around the part of an image that shows something.
+//! Extrapolation beyond the part of an image that shows something.
 
-/// Gives every texel without a value the mean of those beside it that have one, from the border of what has
-/// one outward, a texel at a time. Where no texel has one, all stay.
+/// Gives every texel without a value the mean of its neighbours with one. It proceeds outward from
+/// the known texels, one texel at a time. If no texel has a value, none changes.
 pub fn fill(columns: usize, texels: &mut [[f32; 3]], mut known: Vec<bool>) {
     let count = texels.len();
     let beside = |at: usize| {
@@ -14,7 +14,7 @@ pub fn fill(columns: usize, texels: &mut [[f32; 3]], mut known: Vec<bool>) {
     let mut border: Vec<usize> =
         (0..count).filter(|&at| !known[at] && beside(at).any(|other| known[other])).collect();
     while !border.is_empty() {
-        // All of a border are found from those before any of them counts.
+        // All values of a border are computed before any of them counts as known.
         let values: Vec<[f32; 3]> = border
             .iter()
             .map(|&at| {

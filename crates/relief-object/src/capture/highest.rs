@@ -1,20 +1,20 @@
-//! The highest point of a mesh in each texel.
+//! Highest point of a mesh in each texel.
 
 use glam::DVec3;
 
-/// The highest point of a triangle in a texel, and which triangle it is of.
+/// Highest point of a triangle in a texel, and the number of the triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Highest {
     /// Texture coordinates in texels, and height.
     pub at: DVec3,
-    /// The number of the triangle.
+    /// Number of the triangle.
     pub triangle: u32,
 }
 
-/// The most corners of a triangle that was cut at four lines.
+/// Most corners of a triangle that is cut at four lines.
 const MOST_CORNERS: usize = 7;
 
-/// A polygon that triangles are cut to.
+/// A convex polygon: a part of a triangle.
 #[derive(Clone, Copy)]
 struct Polygon {
     corners: [DVec3; MOST_CORNERS],
@@ -28,7 +28,7 @@ impl Polygon {
         Self { corners, count: 3 }
     }
 
-    /// The part on which `sign` times the coordinate is at most that of `line`.
+    /// Part of the polygon on which `sign` times the coordinate is at most `sign` times `line`.
     fn cut(&self, axis: usize, sign: f64, line: f64) -> Self {
         let mut cut = Self { corners: [DVec3::ZERO; MOST_CORNERS], count: 0 };
         let beyond = |corner: DVec3| sign * (corner[axis] - line);
@@ -53,7 +53,7 @@ impl Polygon {
         cut
     }
 
-    /// Whether it reaches into the open interval along an axis.
+    /// Whether the polygon reaches into the open interval along an axis.
     fn reaches_into(&self, axis: usize, low: f64, high: f64) -> bool {
         let along = self.corners[..self.count].iter().map(|corner| corner[axis]);
         let [least, most] =
@@ -62,9 +62,9 @@ impl Polygon {
     }
 }
 
-/// Raises the texels of an image to the highest points of triangles in them, given by their corners in texels
-/// and heights, but for those that are left out. Texels that a triangle only touches from outside are not
-/// raised by it.
+/// Raises the texels of an image to the highest points of the triangles in them. Triangles are
+/// given by their corners in texels and heights; some may be left out. Texels that a triangle only
+/// touches from outside are not raised.
 pub fn raise(
     [columns, rows]: [u32; 2],
     triangles: impl Iterator<Item = [DVec3; 3]>,
@@ -115,7 +115,7 @@ mod tests {
 
     #[test]
     fn a_slope_is_as_high_as_the_upper_side_of_each_texel() {
-        // Height grows by a tenth a texel along x.
+        // Height grows by a tenth per texel along x.
         let raised = raised([4, 2], [[0.0, 0.0, 0.1], [8.0, 0.0, 0.9], [0.0, 8.0, 0.1]]);
         for (at, height) in raised.iter().enumerate() {
             assert!((height - (0.2 + 0.1 * (at % 4) as f64)).abs() < 1e-12, "{at}: {height}");
@@ -126,7 +126,7 @@ mod tests {
     fn what_is_smaller_than_a_texel_is_seen() {
         let small = [[1.1, 0.3, 0.5], [1.2, 0.3, 0.7], [1.1, 0.35, 0.6]];
         assert_eq!(raised([3, 1], small), [0.0, 0.7, 0.0]);
-        // Seen from its edge, too: a line from one texel into the next.
+        // The triangle seen from its edge: a line from one texel into the next.
         let line = [[0.5, 0.5, 0.2], [1.5, 0.5, 0.4], [1.0, 0.5, 0.9]];
         let both = raised([3, 1], line);
         assert!((both[0] - 0.9).abs() < 1e-12 && (both[1] - 0.9).abs() < 1e-12 && both[2] == 0.0);

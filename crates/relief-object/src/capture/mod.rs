@@ -1,10 +1,10 @@
-//! Images with depth of a mesh, by exact rays.
+//! Capture of a mesh into images with depth, by exact ray casting.
 
+mod appearance;
 mod cover;
 mod error;
 mod gutter;
 mod highest;
-mod looks;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -17,38 +17,39 @@ use relief_core::raycast::{RayCaster, Sides, SurfaceHit};
 use relief_core::{Cancelled, HeightMap, Watch, Wrap};
 use relief_io::{DEFAULT_MAX_BYTES, MeshColors};
 
+use self::appearance::VisiblePoint;
 pub use self::cover::Cover;
 pub use self::error::CaptureError;
 use self::highest::Highest;
-use self::looks::Place;
 use crate::arrangement::MAX_GRID;
 use crate::file::check_sheet;
 use crate::verify::{self, Verification};
 use crate::{Arrangement, Measured, ObjectFiles, ViewKind, ViewSpec};
 
-/// The least side of an image, in texels.
+/// Least side of an image, in texels.
 pub const MIN_IMAGE_SIDE: u32 = 8;
-/// The longest side of an image, in texels.
+/// Longest side of an image, in texels.
 pub const MAX_IMAGE_SIDE: u32 = 16_384;
 
-/// How a mesh is captured.
+/// Settings of a capture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CaptureSettings {
-    /// From where.
+    /// Directions of the views.
     pub arrangement: Arrangement,
-    /// The field of view in degrees of images from eyes that are as far away as it takes; none for parallel
-    /// rays.
+    /// Field of view in degrees, for perspective images whose eyes are as far away as necessary.
+    /// `None` for parallel rays.
     pub fov_degrees: Option<f64>,
     /// Texels of a side of each image, from [`MIN_IMAGE_SIDE`] to [`MAX_IMAGE_SIDE`].
     pub size: u32,
-    /// Bits of a depth: 8 or 16, integers, or 32, floats.
+    /// Bits of a depth: 8 or 16 for integers, 32 for floats.
     pub bits: u32,
-    /// The most memory that it may take, in bytes, with the mesh made ready for rays.
+    /// Most memory that the capture may take, in bytes, including the ray caster of the mesh.
     pub max_bytes: u64,
 }
 
 impl Default for CaptureSettings {
-    /// Six images of 209 x 209 texels along the axes, by parallel rays, in floats.
+    /// Returns settings for six images of 209 x 209 texels along the axes, with parallel rays, in
+    /// floats.
     fn default() -> Self {
         Self {
             arrangement: Arrangement::default(),
@@ -60,11 +61,12 @@ impl Default for CaptureSettings {
     }
 }
 
-/// Memory of a texel: what it shows while images are made, all at once where threads are many; heights,
-/// colours and normals in both covers, and heights as an object.
+/// Memory per texel in bytes. It counts the visible points while images are captured, of all images
+/// if there are many threads. It also counts heights, colours and normals for both covers, and the
+/// heights of the object.
 const BYTES_PER_TEXEL: u64 = 256;
 
-/// A mesh that is ready to be captured.
+/// A mesh prepared for capture.
 pub struct Capturer<'a> {
     mesh: &'a Mesh,
     colors: Option<&'a MeshColors>,
@@ -74,48 +76,50 @@ pub struct Capturer<'a> {
     views: Vec<View>,
 }
 
-/// Images with depth of a mesh.
+/// Captured images with depth of a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Captured {
-    /// What a texel's height is.
+    /// Point of the mesh whose height a texel stores.
     pub cover: Cover,
     /// Bits of a depth.
     pub bits: u32,
-    /// Frames along a side, where the images make an octahedral grid.
+    /// Frames per side, if the images form an octahedral grid.
     pub grid: Option<u32>,
-    /// From where each image looks.
+    /// Specification of each view.
     pub specs: Vec<ViewSpec>,
-    /// The same as views.
+    /// Views of the images.
     pub views: Vec<View>,
     /// The images.
     pub images: Vec<CapturedImage>,
-    /// Texels that show something, of all images.
+    /// Number of texels in all images that show something.
     pub seen: u64,
-    /// Those of them that show the back of a triangle.
+    /// Number of texels that show the back of a triangle.
     pub backs: u64,
 }
 
 /// An image with depth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CapturedImage {
-    /// Heights, as they are stored: 0 where nothing is.
+    /// Heights as they are stored; 0 for texels that show nothing.
     pub heights: HeightMap,
-    /// Linear colours, row by row from the top; beside what is seen they go on. None of a mesh without.
+    /// Linear colours, row by row from the top. They are extrapolated beyond the visible part.
+    /// `None` for a mesh without colours.
     pub colors: Option<Vec<[f32; 3]>>,
-    /// Unit normals: `x` to the right, `y` up, `z` toward the viewer; beside what is seen they go on.
+    /// Unit normals: `x` to the right, `y` up, `z` toward the viewer. They are extrapolated beyond
+    /// the visible part.
     pub normals: Vec<[f32; 3]>,
 }
 
 impl<'a> Capturer<'a> {
-    /// Makes a mesh ready, with its colours if it has any.
+    /// Prepares a mesh for capture, with its colours if it has any.
     ///
-    /// All images look at a ball around the middle of the mesh's box, which holds the mesh and a texel more
-    /// on each side.
+    /// All images show a ball around the middle of the mesh's bounding box. The ball holds the mesh
+    /// and a texel more on each side.
     ///
     /// # Errors
     ///
-    /// When there are no views or too many, images too small or too large, or views cannot be; when one does
-    /// not show all of the mesh; when more memory is needed than allowed.
+    /// When there are no views or too many, images are too small or too large, or more memory is
+    /// needed than allowed. Also when a view is impossible or does not show all of the mesh.
     pub fn new(
         mesh: &'a Mesh,
         colors: Option<&'a MeshColors>,
@@ -160,12 +164,12 @@ impl<'a> Capturer<'a> {
         Ok(Self { mesh, colors, caster: RayCaster::new(mesh), settings, specs, views })
     }
 
-    /// The ball that all images look at: its centre, and its radius in metres.
+    /// Centre of the ball that all images show, and its radius in metres.
     pub fn ball(&self) -> (DVec3, f64) {
         self.views.first().map_or((DVec3::ZERO, 1.0), View::ball)
     }
 
-    /// The files that an object of its images has.
+    /// Files of an object with these images.
     pub fn files(&self) -> ObjectFiles {
         ObjectFiles {
             bits: self.settings.bits,
@@ -174,21 +178,22 @@ impl<'a> Capturer<'a> {
         }
     }
 
-    /// How many images there are to be.
+    /// Views of the images.
     pub fn views(&self) -> &[View] {
         &self.views
     }
 
-    /// Makes the images.
+    /// Captures the images.
     ///
-    /// Heights are exact but for their rounding to what is stored: to the nearest, with `Cover::Pixel` up.
-    /// What is seen of both sides of triangles counts. A texel has the colour and the normal of what its
-    /// centre shows, or of its highest point where the centre shows nothing. What the mask of a material
-    /// leaves out is not there, and of triangles with a mask the centres decide, whatever the cover.
+    /// Heights are exact except for rounding to the stored format: to the nearest, or up with
+    /// [`Cover::Pixel`]. Both sides of triangles are visible. A texel has the colour and the normal
+    /// of the point at its centre, or of its highest point if the centre shows nothing. Parts
+    /// outside a material's mask are invisible. For triangles with a mask the centres decide, with
+    /// either cover.
     ///
     /// # Errors
     ///
-    /// When it is cancelled.
+    /// When the work is cancelled.
     pub fn capture(&self, cover: Cover, watch: &Watch) -> Result<Captured, CaptureError> {
         let (done, backs) = (AtomicU64::new(0), AtomicU64::new(0));
         let image = |view: &View| {
@@ -212,11 +217,12 @@ impl<'a> Capturer<'a> {
         })
     }
 
-    /// How far what was captured is from the mesh; none where no picture is to be compared.
+    /// Compares the captured images with the mesh. `None` if no picture is requested.
     ///
     /// # Errors
     ///
-    /// When the jump cannot be, when pictures are too many or too large, or when it is cancelled.
+    /// When the jump is negative or NaN, pictures are too many or too large, or the work is
+    /// cancelled.
     pub fn verify(
         &self,
         captured: &Captured,
@@ -225,7 +231,7 @@ impl<'a> Capturer<'a> {
     ) -> Result<Option<Measured>, CaptureError> {
         let object = captured.object(verification.cells, verification.jump_texels)?;
         verify::measure(
-            &|ray| self.first_seen(ray).map(|hit| hit.t),
+            &|ray| self.first_visible(ray).map(|hit| hit.t),
             &object,
             self.ball(),
             verification,
@@ -233,7 +239,7 @@ impl<'a> Capturer<'a> {
         )
     }
 
-    /// An image, and how many of its texels show backs.
+    /// Captures an image. Also returns the number of its texels that show backs.
     fn image(&self, view: &View, cover: Cover, watch: &Watch) -> Result<(CapturedImage, u64), CaptureError> {
         let [columns, rows] = view.size();
         let row = |y: u32| -> Result<_, Cancelled> {
@@ -241,16 +247,17 @@ impl<'a> Capturer<'a> {
             Ok((0..columns).map(|x| self.centre(view, x, y)).collect::<Vec<_>>())
         };
         let lines = (0..rows).into_par_iter().map(row).collect::<Result<Vec<_>, _>>()?;
-        let mut seen: Vec<Option<(f64, Place)>> = lines.into_iter().flatten().collect();
+        let mut seen: Vec<Option<(f64, VisiblePoint)>> = lines.into_iter().flatten().collect();
         if cover == Cover::Pixel {
             let texels = DVec3::new(f64::from(columns), f64::from(rows), 1.0);
             let corners = (0..self.mesh.triangles().len() as u32).map(|triangle| {
                 let corners = self.mesh.corners(triangle).map(|corner| corner.position.as_dvec3());
-                // All of the mesh is before the eye.
+                // All of the mesh is in front of the eye.
                 corners.map(|corner| view.see(corner).unwrap_or_default() * texels)
             });
             let mut raised: Vec<Option<Highest>> = vec![None; seen.len()];
-            // Of what has a mask centres decide: its highest point may be cut out.
+            // Triangles with a mask are decided at the centres: their highest point may be masked
+            // out.
             let has_mask = |triangle: u32| self.colors.is_some_and(|colors| colors.has_mask(triangle));
             highest::raise([columns, rows], corners, has_mask, &mut raised);
             watch.check()?;
@@ -262,45 +269,47 @@ impl<'a> Capturer<'a> {
                 }
             }
         }
-        let backs = seen.iter().flatten().filter(|(_, place)| !place.front).count() as u64;
+        let backs = seen.iter().flatten().filter(|(_, point)| !point.front).count() as u64;
         let heights = seen.iter().map(|texel| texel.map_or(0.0, |(height, _)| self.stored(height, cover)));
         let heights = HeightMap::new(columns, rows, heights.collect(), Wrap::Clamp)?;
         let known: Vec<bool> = seen.iter().map(Option::is_some).collect();
-        let fill = |empty: [f32; 3], of: &(dyn Fn(&Place) -> [f32; 3] + Sync)| {
-            let value = |texel: &Option<(f64, Place)>| texel.as_ref().map_or(empty, |(_, place)| of(place));
+        let fill = |empty: [f32; 3], of: &(dyn Fn(&VisiblePoint) -> [f32; 3] + Sync)| {
+            let value =
+                |texel: &Option<(f64, VisiblePoint)>| texel.as_ref().map_or(empty, |(_, point)| of(point));
             let mut values: Vec<[f32; 3]> = seen.par_iter().map(value).collect();
             gutter::fill(columns as usize, &mut values, known.clone());
             values
         };
-        let colors = self.colors.map(|colors| fill([0.0; 3], &|place| place.color(self.mesh, colors)));
-        let mut normals = fill([0.0, 0.0, 1.0], &|place| place.normal(self.mesh, view));
-        normals.par_iter_mut().for_each(|normal| *normal = looks::unit(*normal));
+        let colors = self.colors.map(|colors| fill([0.0; 3], &|point| point.color(self.mesh, colors)));
+        let mut normals = fill([0.0, 0.0, 1.0], &|point| point.normal(self.mesh, view));
+        normals.par_iter_mut().for_each(|normal| *normal = appearance::unit(*normal));
         Ok((CapturedImage { heights, colors, normals }, backs))
     }
 
-    /// What the ray through a texel's centre meets first: its height, and where it is.
-    fn centre(&self, view: &View, x: u32, y: u32) -> Option<(f64, Place)> {
+    /// Height and point of the first hit of the ray through a texel's centre.
+    fn centre(&self, view: &View, x: u32, y: u32) -> Option<(f64, VisiblePoint)> {
         let [columns, rows] = view.size().map(f64::from);
         let ray = view.ray((f64::from(x) + 0.5) / columns, (f64::from(y) + 0.5) / rows);
-        let hit = self.first_seen(&ray)?;
-        let place = Place::of_hit(&hit);
-        Some((view.see(ray.at(hit.t))?.z, place))
+        let hit = self.first_visible(&ray)?;
+        let point = VisiblePoint::of_hit(&hit);
+        Some((view.see(ray.at(hit.t))?.z, point))
     }
 
-    /// What a ray meets first of what is not cut out.
-    fn first_seen(&self, ray: &Ray) -> Option<SurfaceHit> {
-        let is_seen =
-            |hit: &SurfaceHit| self.colors.is_none_or(|colors| Place::of_hit(hit).is_seen(self.mesh, colors));
-        self.caster.hits(ray, Sides::Both).find(is_seen)
+    /// First visible hit of a ray.
+    fn first_visible(&self, ray: &Ray) -> Option<SurfaceHit> {
+        let is_visible = |hit: &SurfaceHit| {
+            self.colors.is_none_or(|colors| VisiblePoint::of_hit(hit).is_visible(self.mesh, colors))
+        };
+        self.caster.hits(ray, Sides::Both).find(is_visible)
     }
 
-    /// Where a point of a triangle is, by its texture coordinates and height.
-    fn beside(&self, view: &View, at: DVec3, triangle: u32) -> Place {
+    /// Point of a triangle at texture coordinates and height in a view.
+    fn beside(&self, view: &View, at: DVec3, triangle: u32) -> VisiblePoint {
         let corners = self.mesh.corners(triangle).map(|corner| corner.position.as_dvec3());
-        Place::of(corners, view.point(at), view.toward(view.point(at)), triangle)
+        VisiblePoint::of(corners, view.point(at), view.toward(view.point(at)), triangle)
     }
 
-    /// The height that is stored for one.
+    /// Rounds a height to the stored format.
     fn stored(&self, height: f64, cover: Cover) -> f32 {
         let height = height.clamp(2.0 * EMPTY_HEIGHT, 1.0);
         if self.settings.bits == 32 {
@@ -311,13 +320,13 @@ impl<'a> Capturer<'a> {
             Cover::Centre => (height * most).round(),
             Cover::Pixel => (height * most).ceil(),
         };
-        // What is there is not stored as nothing.
+        // A visible texel is never stored as empty.
         (code.max(1.0) / most) as f32
     }
 }
 
 impl Captured {
-    /// The files that an object of these images has.
+    /// Files of an object with these images.
     pub fn files(&self) -> ObjectFiles {
         ObjectFiles {
             bits: self.bits,
@@ -326,23 +335,24 @@ impl Captured {
         }
     }
 
-    /// By which rays the images were made.
+    /// Kind of the images' rays.
     pub fn kind(&self) -> ViewKind {
         self.specs.first().map_or(ViewKind::Orthographic, ViewSpec::kind)
     }
 
-    /// The object of these images, in which cells jump as they are told.
+    /// Creates an object from the images, with this treatment of cells whose heights jump.
     ///
     /// # Errors
     ///
-    /// When the jump is negative or NaN, or all images together have more texels than a map may have.
+    /// When the jump is negative or NaN, or all images together have more texels than a map may
+    /// have.
     pub fn object(&self, cells: JumpCells, jump_texels: f64) -> Result<ImageObject, ObjectError> {
         let maps: Vec<HeightMap> = self.images.iter().map(|image| image.heights.clone()).collect();
         ImageObject::new(self.views.clone(), &maps, cells, jump_texels)
     }
 }
 
-/// The ball that holds a mesh and a texel more on each side of an image that is so many texels wide.
+/// Ball that holds a mesh and a texel more on each side of an image of `size` texels.
 fn ball(mesh: &Mesh, size: u32) -> (DVec3, f64) {
     let places = || mesh.vertices().iter().map(|vertex| vertex.position.as_dvec3());
     let [low, high] =
@@ -352,7 +362,7 @@ fn ball(mesh: &Mesh, size: u32) -> (DVec3, f64) {
     (centre, radius * f64::from(size) / f64::from(size - 2))
 }
 
-/// From where images look: as they are arranged, or from eyes in these directions.
+/// Specifications of the views: as arranged, or perspective from the same directions.
 fn specs(settings: &CaptureSettings, centre: DVec3, radius: f64) -> Result<Vec<ViewSpec>, CaptureError> {
     let specs = settings.arrangement.specs();
     let Some(fov_degrees) = settings.fov_degrees else { return Ok(specs) };

@@ -1,4 +1,4 @@
-//! The text of an `object.toml`.
+//! Parser of `object.toml`.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -17,7 +17,7 @@ use toml::de::{DeTable, DeValue, Deserializer};
 use super::{Measured, ObjectFileError, ObjectFileProblem};
 use crate::{ViewKind, ViewSpec};
 
-/// The longest file that is read, in bytes: a thousand views take 200 KiB.
+/// Longest file that is read, in bytes. A thousand views take 200 KiB.
 const MAX_FILE_BYTES: u64 = 1 << 20;
 
 const KEYS: [&str; 8] = ["kind", "centre", "radius", "depth", "color", "normal", "view", "measured"];
@@ -25,35 +25,35 @@ const VIEW_KEYS: [&str; 5] = ["from", "up", "eye", "fov", "rect"];
 const MEASURED_KEYS: [&str; 9] =
     ["views", "size", "cells", "jump", "iou", "depth-error", "worst-from", "worst-iou", "worst-depth-error"];
 
-/// What an `object.toml` says.
+/// Content of an `object.toml`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Description {
-    /// By which rays the images were made.
+    /// Kind of the images' rays.
     pub kind: ViewKind,
-    /// The centre of the ball that they look at, in metres.
+    /// Centre of the ball that the images show, in metres.
     pub centre: DVec3,
-    /// Its radius, in metres.
+    /// Radius of the ball, in metres.
     pub radius: f64,
-    /// The name of the depths' file.
+    /// Name of the file of depths.
     pub depth: PathBuf,
-    /// That of the colours, if there are any.
+    /// Name of the file of colours, if any.
     pub color: Option<PathBuf>,
-    /// That of the normals, if there are any.
+    /// Name of the file of normals, if any.
     pub normal: Option<PathBuf>,
     /// The images.
     pub views: Vec<ViewEntry>,
-    /// How far the object is from the mesh that it was captured from, where that was measured.
+    /// Differences from the mesh that the object was captured from, if they were measured.
     pub measured: Option<Measured>,
 }
 
 /// An image of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ViewEntry {
-    /// From where it looks.
+    /// Direction or eye of the view.
     pub spec: ViewSpec,
-    /// Its column, row, width and height in the pictures.
+    /// Column, row, width and height of the image in the pictures.
     pub rect: [u32; 4],
-    /// The line that it begins on in its file, counted from 1.
+    /// Line of the file on which the entry begins, counted from 1.
     pub(super) line: usize,
 }
 
@@ -93,8 +93,8 @@ struct MeasuredTable {
     worst_depth_error: Option<f64>,
 }
 
-/// The views of a file alone, for a capture: what `kind` and `[[view]]` say. A file of views has no other
-/// keys than an object's, and needs none but these; rectangles are left out of account.
+/// Views of a file for a capture: only `kind` and `[[view]]` are used. The file may have all keys
+/// of an object, but needs only these. Rectangles are ignored.
 #[derive(Deserialize)]
 struct Views {
     kind: Option<Spanned<String>>,
@@ -102,7 +102,7 @@ struct Views {
     view: Vec<Spanned<ViewTable>>,
 }
 
-/// What is wrong, and where.
+/// An error, and its position in the text.
 enum Mistake {
     Toml(Box<toml::de::Error>),
     Problem { at: usize, view: Option<usize>, problem: ObjectFileProblem },
@@ -118,32 +118,34 @@ fn wrong(at: usize, problem: impl Into<ObjectFileProblem>) -> Mistake {
     Mistake::Problem { at, view: None, problem: problem.into() }
 }
 
-/// Reads what an object's file says and checks all that needs no picture.
+/// Reads an object's file and checks everything that does not need the pictures.
 ///
 /// # Errors
 ///
-/// When the file cannot be read, is longer than 1 MiB, is no TOML, lacks a key or has an unknown one; when
-/// there are no views or too many, when one cannot be, or when rectangles are empty or overlap. Errors say
-/// the line and the view.
+/// When the file cannot be read, is longer than 1 MiB, is not TOML, lacks a key or has an unknown
+/// one. Also when there are no views or too many, a view is impossible, or rectangles are empty or
+/// overlap. Errors name the line and the view.
 pub fn read_description(path: &Path) -> Result<Description, ObjectFileError> {
     parse_description(&read_text(path)?, path)
 }
 
-/// As [`read_description`], of the text of an object's file at that path, which need not be there.
+/// Parses the text of an object's file like [`read_description`]. `path` is used in errors and need
+/// not exist.
 ///
 /// # Errors
 ///
-/// As [`read_description`], but for those of reading.
+/// As [`read_description`], except for errors of reading.
 pub fn parse_description(text: &str, path: &Path) -> Result<Description, ObjectFileError> {
     parse(text).map_err(|mistake| mistake.of(path, text))
 }
 
-/// Reads from where the views of a file look, which may be an object's or have `kind` and `[[view]]` alone.
-/// Where it says no `kind` views are orthographic.
+/// Reads the views of a file, which is an object's or has only `kind` and `[[view]]`. Without
+/// `kind` views are orthographic.
 ///
 /// # Errors
 ///
-/// As [`read_description`]; whether a view can be is for who knows what it looks at.
+/// As [`read_description`]. Whether a view is possible is not checked, since that depends on the
+/// ball.
 pub fn read_views(path: &Path) -> Result<Vec<ViewSpec>, ObjectFileError> {
     let text = read_text(path)?;
     let read = || -> Result<Vec<ViewSpec>, Mistake> {
@@ -173,7 +175,7 @@ impl Mistake {
     }
 }
 
-/// The line, counted from 1, of a place in a text.
+/// Line of a byte position in a text, counted from 1.
 fn line_at(text: &str, place: usize) -> usize {
     text[..place].matches('\n').count() + 1
 }
@@ -181,20 +183,23 @@ fn line_at(text: &str, place: usize) -> usize {
 fn read_text(path: &Path) -> Result<String, ObjectFileError> {
     let read = || {
         if !std::fs::metadata(path)?.is_file() {
-            return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is no file"));
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is not a file"));
         }
         let mut bytes = Vec::new();
         File::open(path)?.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes)?;
         if bytes.len() as u64 > MAX_FILE_BYTES {
-            return Err(io::Error::new(io::ErrorKind::FileTooLarge, "it is too long for an object"));
+            return Err(io::Error::new(
+                io::ErrorKind::FileTooLarge,
+                "it is too long for an object: at most 1 MiB",
+            ));
         }
-        let no_text = || io::Error::new(io::ErrorKind::InvalidData, "it holds no text, which objects do");
+        let no_text = || io::Error::new(io::ErrorKind::InvalidData, "it is not a text file, as objects are");
         decode_text(bytes).ok_or_else(no_text)
     };
     read().map_err(|source| ObjectFileError::Io { path: path.to_owned(), source })
 }
 
-/// The text's table, in which there are no unknown keys.
+/// Parses the text's table and checks that it has no unknown keys.
 fn checked(text: &str) -> Result<Spanned<DeTable<'_>>, Mistake> {
     let root = DeTable::parse(text)?;
     check_keys(root.get_ref(), &KEYS, None)?;
@@ -265,7 +270,7 @@ fn parse(text: &str) -> Result<Description, Mistake> {
     Ok(Description { kind, centre, radius, depth, color, normal, views, measured })
 }
 
-/// What is made of each view, of which there are as many as an object may have.
+/// Converts each view. Their number must be possible for an object.
 fn each<T>(
     views: &[Spanned<ViewTable>],
     of: impl Fn(&ViewTable, usize) -> Result<T, ObjectFileProblem>,

@@ -1,4 +1,4 @@
-//! What can be wrong with the files of an object.
+//! Errors of the files of an object.
 
 use std::path::PathBuf;
 
@@ -15,33 +15,33 @@ pub enum ObjectFileError {
     /// The file cannot be read.
     #[error("{}: cannot be read: {source}", path.display())]
     Io {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the system.
         source: std::io::Error,
     },
-    /// The file is no TOML, or has a value of the wrong kind.
+    /// The file is not TOML, or has a value of the wrong type.
     #[error("{}: {source}", path.display())]
     Toml {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// What is wrong, with the line.
+        /// Error of the parser, with the line.
         source: Box<toml::de::Error>,
     },
-    /// The file says what cannot be.
+    /// The file has impossible content.
     #[error(
         "{}, line {line}{}: {problem}",
         path.display(),
         view.map(|number| format!(", view {number}")).unwrap_or_default()
     )]
     InFile {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// The line, counted from 1.
+        /// Line, counted from 1.
         line: usize,
-        /// The view, counted from 1, if it is one's.
+        /// Number of the view, counted from 1, if the error belongs to one.
         view: Option<usize>,
-        /// What is wrong.
+        /// The problem.
         problem: Box<ObjectFileProblem>,
     },
     /// A picture cannot be read.
@@ -49,17 +49,17 @@ pub enum ObjectFileError {
     Read(#[from] ReadError),
     /// A picture has another size than the depths.
     #[error(
-        "{} is {}x{} texels, {} is {}x{}: make them alike",
+        "{} is {}x{} texels, {} is {}x{}: make them equally large",
         path.display(), size[0], size[1], depth.display(), depth_size[0], depth_size[1]
     )]
     OtherSize {
-        /// The picture.
+        /// Path of the picture.
         path: PathBuf,
-        /// Its columns and rows.
+        /// Columns and rows of the picture.
         size: [u32; 2],
-        /// The picture of the depths.
+        /// Path of the picture of depths.
         depth: PathBuf,
-        /// Its columns and rows.
+        /// Columns and rows of the picture of depths.
         depth_size: [u32; 2],
     },
     /// The object takes more memory than allowed.
@@ -68,95 +68,95 @@ pub enum ObjectFileError {
         path.display(), needed.div_ceil(1 << 20), limit >> 20
     )]
     TooMuchMemory {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// Bytes that are needed.
+        /// Bytes needed.
         needed: u64,
-        /// Bytes that are allowed.
+        /// Bytes allowed.
         limit: u64,
     },
-    /// Views and depths make no object.
+    /// Views and depths do not define an object.
     #[error("{}: {source}", path.display())]
     Object {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         source: ObjectError,
     },
 }
 
-/// What is wrong in an object's file.
+/// A problem in an object's file.
 #[derive(Debug, thiserror::Error)]
 pub enum ObjectFileProblem {
-    /// A key or a name that there is not.
+    /// A key or a name is unknown.
     #[error(transparent)]
     Unknown(#[from] UnknownName),
     /// There are no views, or too many.
     #[error("an object has 1 to {MAX_VIEWS} views, this one {0}: write [[view]] before each")]
     BadCount(usize),
-    /// There are more or fewer numbers than belong there.
+    /// A key has the wrong number of numbers.
     #[error("'{key}' has {given} numbers: it must have {must}")]
     OtherLength {
-        /// The key.
+        /// Name of the key.
         key: &'static str,
-        /// How many there are.
+        /// Number of numbers given.
         given: usize,
-        /// How many there must be.
+        /// Number of numbers needed.
         must: usize,
     },
     /// A key is missing.
-    #[error("'{key}' is missing: a view that is {kind} has it")]
+    #[error("'{key}' is missing: every {kind} view needs it")]
     Missing {
-        /// The key.
+        /// Name of the key.
         key: &'static str,
-        /// What the object's views are.
+        /// Kind of the object's views.
         kind: ViewKind,
     },
     /// A key belongs to views of the other kind.
     #[error("'{key}' does not belong to a view that is {kind}")]
     OtherKind {
-        /// The key.
+        /// Name of the key.
         key: &'static str,
-        /// What the object's views are.
+        /// Kind of the object's views.
         kind: ViewKind,
     },
-    /// There is no such view.
+    /// A view is impossible.
     #[error(transparent)]
     View(#[from] ViewError),
-    /// The rectangle has no texels, or more than there can be.
+    /// The rectangle has no texels, or too many.
     #[error("'rect' cannot be used: {0}")]
     Size(#[from] HeightMapError),
-    /// The rectangle lies beside the atlas.
+    /// The rectangle reaches beyond the picture of depths.
     #[error("its rect {rect:?} reaches beyond {}, which is {}x{} texels", depth.display(), size[0], size[1])]
     Outside {
         /// Column, row, width and height.
         rect: [u32; 4],
-        /// The picture of the depths.
+        /// Path of the picture of depths.
         depth: PathBuf,
-        /// Its columns and rows.
+        /// Columns and rows of that picture.
         size: [u32; 2],
     },
     /// Two rectangles share texels.
-    #[error("its rect {rect:?} overlaps that of view {other}, {with:?}: each view has texels of its own")]
+    #[error("its rect {rect:?} overlaps {with:?} of view {other}: give each view its own texels")]
     Overlap {
         /// Column, row, width and height.
         rect: [u32; 4],
-        /// The other view, counted from 1.
+        /// Number of the other view, counted from 1.
         other: usize,
-        /// Its rectangle.
+        /// Rectangle of the other view.
         with: [u32; 4],
     },
-    /// A measured number that cannot be.
+    /// A measured number is impossible.
     #[error("'{key}' is {value}: it must be {must}")]
     Measured {
-        /// The key.
+        /// Name of the key.
         key: &'static str,
-        /// The value.
+        /// Value of the key.
         value: f64,
-        /// What it must be.
+        /// Accepted values.
         must: &'static str,
     },
-    /// The views make no layout.
+    /// The views cannot be packed into an atlas.
     #[error(transparent)]
     Layout(#[from] ObjectError),
 }

@@ -1,4 +1,4 @@
-//! Objects from and to files: a folder with an `object.toml` and pictures.
+//! Reading and writing of objects: a folder with an `object.toml` and pictures.
 
 mod description;
 mod error;
@@ -18,14 +18,14 @@ pub use self::description::{Description, ViewEntry, parse_description, read_desc
 pub use self::error::{ObjectFileError, ObjectFileProblem};
 pub use self::write::{OBJECT_FILE, ObjectFiles, ObjectWriter, WriteObjectError, check_sheet};
 
-/// How to read an object.
+/// Options for reading an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObjectOptions {
-    /// What its images are where their heights jump.
+    /// Treatment of cells whose heights jump.
     pub cells: JumpCells,
-    /// By how many texels, as wide as those of the coarsest image, corners of a cell differ that jumps.
+    /// Difference between a cell's corners above which it jumps, in texels of the coarsest image.
     pub jump_texels: f64,
-    /// The most memory that reading may take, in bytes.
+    /// Most memory that reading may take, in bytes.
     pub max_bytes: u64,
 }
 
@@ -35,70 +35,73 @@ impl Default for ObjectOptions {
     }
 }
 
-/// An object of files.
+/// An object read from files.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ObjectFile {
     /// The object.
     pub object: ImageObject,
-    /// Its colours in linear light, packed as its heights are by [`ImageObject::layout`], but with the edges
-    /// of images going on around them; black with an opacity of 0 beside all of them.
+    /// Colours in linear light, packed as the heights are by [`ImageObject::layout`]. The edges of
+    /// images are repeated around them. Beside all images there is black with an opacity of 0.
     pub color: Option<Picture>,
-    /// Its normals, packed in the same way: in the tangent space of each image, `x` to the right, `y` up and
-    /// `z` toward the viewer; `(0, 0, 1)` beside all of them.
+    /// Normals, packed in the same way, in the tangent space of each image: `x` to the right, `y`
+    /// up and `z` toward the viewer. Beside all images they are `(0, 0, 1)`.
     pub normal: Option<NormalMap>,
-    /// How far it is from the mesh that it was captured from, where that was measured.
+    /// Differences from the mesh that the object was captured from, if they were measured.
     pub measured: Option<Measured>,
 }
 
-/// How far an object is from a mesh, by what both look like.
+/// Differences between an object and a mesh, measured in pictures of both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
-    /// How many pictures were compared.
+    /// Number of pictures compared.
     pub views: u32,
-    /// Pixels of a side of each.
+    /// Side of each picture in pixels.
     pub size: u32,
-    /// What cells were where heights jump.
+    /// Treatment of cells whose heights jump in the object compared.
     pub cells: JumpCells,
-    /// By how many texels cells differ that jump.
+    /// Difference above which cells jump, in texels.
     pub jump_texels: f64,
-    /// Pixels that show both, of those that show one of them, over all pictures.
+    /// Intersection over union: pixels that show both, divided by pixels that show either, over all
+    /// pictures.
     pub iou: f64,
-    /// The mean distance between both where a pixel shows both, in percent of the ball's diameter; none where
-    /// none does.
+    /// Mean distance between both over the pixels that show both, in percent of the ball's
+    /// diameter. `None` if no pixel shows both.
     pub depth_error_percent: Option<f64>,
-    /// The direction toward the viewer of the picture with the least such part.
+    /// Direction toward the viewer of the picture with the least intersection over union.
     pub worst_from: DVec3,
-    /// That part.
+    /// Least intersection over union of a picture.
     pub worst_iou: f64,
-    /// The greatest mean distance of a picture.
+    /// Greatest mean distance of a picture, in percent of the ball's diameter.
     pub worst_depth_error_percent: Option<f64>,
 }
 
 impl Measured {
-    /// Whether this is nearer to the mesh than another: more pixels show both, or where as many do, they are
-    /// less far apart.
+    /// Whether this is nearer to the mesh than another. The greater intersection over union
+    /// decides; if these are equal, the smaller mean distance.
     pub fn is_nearer_than(&self, other: &Self) -> bool {
         let apart = |measured: &Self| measured.depth_error_percent.unwrap_or(f64::INFINITY);
         self.iou.total_cmp(&other.iou).then(apart(other).total_cmp(&apart(self))).is_gt()
     }
 }
 
-/// Bytes of a texel of an atlas of heights, of colours and of normals.
+/// Bytes per texel of an atlas of heights, of colours and of normals.
 const TEXEL_BYTES: [u64; 3] = [4, 16, 12];
 
-/// Reads an object from its `object.toml` and the pictures that this names, which lie in its folder or below.
+/// Reads an object from its `object.toml` and the pictures named there, which must be in its folder
+/// or below.
 ///
-/// Depths are heights from 0 to 1, as a [`View`](relief_core::object::View) has them, in floats or integers
-/// of up to 16 bit. Colours are read as those of all pictures are; normals have green upward.
+/// Depths are heights from 0 to 1, as in a [`View`](relief_core::object::View), stored as floats or
+/// as integers of up to 16 bits. Colours are decoded like all pictures. Normals have green upward.
 ///
-/// At most [`ObjectOptions::max_bytes`] of memory are taken: for a texel of the object 4 bytes of height, 16
-/// of colour and 12 of normals, and the picture that is read.
+/// At most [`ObjectOptions::max_bytes`] of memory are used. A texel of the object takes 4 bytes of
+/// height, 16 of colour and 12 of normals. The picture that is being read counts, too. Excess is
+/// detected before the memory is allocated.
 ///
 /// # Errors
 ///
-/// As [`read_description`]; when a picture cannot be read, lies outside of the folder, or has another size
-/// than the depths; when a rectangle reaches beyond them, when a depth is not from 0 to 1, or when the object
-/// takes more memory than allowed, which is found out before that memory is taken.
+/// As [`read_description`]. Also when a picture cannot be read, lies outside the folder, or has
+/// another size than the depths. Also when a rectangle reaches beyond them, a depth is not from 0
+/// to 1, or the object takes more memory than allowed.
 pub fn read_object(path: &Path, options: &ObjectOptions) -> Result<ObjectFile, ObjectFileError> {
     let description = read_description(path)?;
     let Description { centre, radius, ref views, measured, .. } = description;
@@ -115,7 +118,7 @@ pub fn read_object(path: &Path, options: &ObjectOptions) -> Result<ObjectFile, O
     let has = [true, description.color.is_some(), description.normal.is_some()];
     let needed: u64 = TEXEL_BYTES.iter().zip(has).map(|(bytes, has)| u64::from(has) * bytes * texels).sum();
     let limit = options.max_bytes;
-    // The texel around an image is not in the picture, nor what the images leave free.
+    // The border around an image is not in the picture, nor are the gaps between the images.
     let left = limit.checked_sub(needed).ok_or(ObjectFileError::TooMuchMemory {
         path: path.to_owned(),
         needed,
@@ -172,7 +175,7 @@ pub fn read_object(path: &Path, options: &ObjectOptions) -> Result<ObjectFile, O
     Ok(ObjectFile { object, color, normal, measured })
 }
 
-/// A rectangle of a map, by column, row, width and height.
+/// Cuts a rectangle, given by column, row, width and height, out of a map.
 fn cut(map: &HeightMap, [x, y, width, height]: [u32; 4]) -> Result<HeightMap, relief_core::HeightMapError> {
     let columns = x as usize..(x + width) as usize;
     let row = |y: u32| &map.texels()[y as usize * map.width() as usize..][columns.clone()];

@@ -1,4 +1,4 @@
-//! Objects to files.
+//! Writing of objects to files.
 
 use std::fmt::Write as _;
 use std::io;
@@ -16,7 +16,7 @@ use relief_io::{
 use super::{Measured, read_description};
 use crate::{Captured, CapturedImage, ViewSpec};
 
-/// The name of an object's description.
+/// Name of an object's description.
 pub const OBJECT_FILE: &str = "object.toml";
 
 const DEPTH_EXR: &str = "depth.exr";
@@ -25,14 +25,14 @@ const COLOR: &str = "color.png";
 const NORMAL: &str = "normal.png";
 const NORMAL_DEPTH: &str = "normal-depth.png";
 
-/// Why an object cannot be written. Nothing has changed then.
+/// Why an object cannot be written. No file has changed then.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteObjectError {
     /// The folder cannot be written into, or a file cannot be replaced.
     #[error(transparent)]
     Set(#[from] FileSetError),
-    /// A file of that name is there that no capture has written.
-    #[error("{}: is there already, and relief has not captured it", .0.display())]
+    /// A file with this name exists that was not written by a capture.
+    #[error("{}: exists already and was not written by a capture", .0.display())]
     Stranger(PathBuf),
     /// A picture cannot be written.
     #[error(transparent)]
@@ -42,13 +42,13 @@ pub enum WriteObjectError {
     Io(#[from] io::Error),
 }
 
-/// All names that files of an object may have.
+/// All possible names of an object's files.
 const NAMES: [&str; 6] = [DEPTH_EXR, DEPTH_PNG, COLOR, NORMAL, NORMAL_DEPTH, OBJECT_FILE];
 
-/// What a captured picture's metadata say that it holds.
+/// Metadata key that marks a captured picture and names its content.
 const MARK: &str = "relief.object";
 
-/// The files of an object.
+/// Set of an object's files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ObjectFiles {
     /// Bits of a depth: 8, 16 or 32.
@@ -68,7 +68,7 @@ impl ObjectFiles {
         self.has_colors.then_some(COLOR)
     }
 
-    /// Their names, in the order in which they are written.
+    /// Names of the files, in the order in which they are written.
     pub fn names(self) -> Vec<&'static str> {
         let grid = self.is_grid.then_some(NORMAL_DEPTH);
         [Some(self.depth()), self.color(), Some(NORMAL), grid, Some(OBJECT_FILE)]
@@ -77,8 +77,8 @@ impl ObjectFiles {
             .collect()
     }
 
-    /// The files of a folder that are replaced or removed when these are written: files with the same names,
-    /// and what an earlier capture wrote into the folder.
+    /// Files in a folder that are replaced or removed when this set is written: files with the same
+    /// names, and files of an earlier capture.
     pub fn changed(self, folder: &Path) -> Vec<PathBuf> {
         let names = self.names();
         let is_changed = |name: &&str| names.contains(name) || is_captured(folder, name);
@@ -86,8 +86,8 @@ impl ObjectFiles {
     }
 }
 
-/// Whether a capture has written a file of a folder: an object's description, pictures that it names, and
-/// pictures that say so themselves.
+/// Whether a capture has written a file of a folder: an object's description, pictures named there,
+/// and pictures marked by their metadata.
 fn is_captured(folder: &Path, name: &str) -> bool {
     let description = || read_description(&folder.join(OBJECT_FILE)).ok();
     if name == OBJECT_FILE {
@@ -102,7 +102,7 @@ fn is_captured(folder: &Path, name: &str) -> bool {
     })
 }
 
-/// A folder that an object is written into, as a whole or not at all.
+/// A folder into which an object is written, completely or not at all.
 #[derive(Debug)]
 pub struct ObjectWriter {
     folder: PathBuf,
@@ -111,7 +111,7 @@ pub struct ObjectWriter {
     force: bool,
 }
 
-/// Where images lie in the pictures: so many side by side.
+/// Positions of the images in the pictures, in rows of `columns` images.
 struct Sheet<'a> {
     images: &'a [CapturedImage],
     columns: u32,
@@ -129,7 +129,7 @@ impl Sheet<'_> {
         [image % self.columns * self.side, image / self.columns * self.side]
     }
 
-    /// Fills a row with what is asked for by image and texel; 0 where there is no image.
+    /// Fills a row with values computed from image and texel; 0 where there is no image.
     fn row(&self, row: u32, texels: &mut [f32], of: impl Fn(usize, usize) -> f32) {
         let (line, inner) = (row / self.side, (row % self.side) as usize);
         let side = self.side as usize;
@@ -143,15 +143,16 @@ impl Sheet<'_> {
 }
 
 impl ObjectWriter {
-    /// Begins to write into a folder, which is made if it is missing. While another process writes there,
-    /// `wait` is asked every few milliseconds whether to go on waiting, with the time since the beginning.
+    /// Begins to write into a folder, which is created if it is missing. While another process
+    /// writes there, `wait` is called every few milliseconds with the time since the beginning. It
+    /// returns whether to wait any longer.
     ///
-    /// With `force` files are replaced that no capture has written.
+    /// With `force`, files that no capture has written are replaced.
     ///
     /// # Errors
     ///
-    /// When the folder cannot be written into, when a file of another program would be replaced, or when
-    /// `wait` says no.
+    /// When the folder cannot be written into, a file of another program would be replaced, or
+    /// `wait` returns false.
     pub fn open(
         folder: &Path,
         files: ObjectFiles,
@@ -166,7 +167,7 @@ impl ObjectWriter {
         Ok(writer)
     }
 
-    /// Whether a file of that name can be written, and is none of another program.
+    /// Checks that a file with this name can be written, and was not written by another program.
     fn check(&mut self, name: &str) -> Result<(), WriteObjectError> {
         let path = self.folder.join(name);
         self.set.check(&path)?;
@@ -176,24 +177,27 @@ impl ObjectWriter {
         Err(WriteObjectError::Stranger(path))
     }
 
-    /// Writes what was captured, with how far it is from the mesh where that was measured, and returns the
-    /// files. All of them get their names at the end. Files of an earlier capture that are not among them go.
+    /// Writes the captured images, and the measured differences from the mesh if there are any.
+    /// Returns the files. All of them get their final names at the end. Files of an earlier capture
+    /// that are not in this set are removed.
     ///
     /// * `object.toml`, which [`read_object`](crate::read_object) reads;
     /// * `depth.exr` of 32-bit floats, or `depth.png` of 8 or 16 bits;
-    /// * `color.png`, where the mesh has colours: 8 bits in sRGB, with an opacity of 0 where nothing is seen;
-    /// * `normal.png`: 8 bits where depths have as many, else 16;
-    /// * `normal-depth.png` of octahedral grids, as impostors of engines have it: 8 bits of the normal in the
-    ///   axes of the mesh in red, green and blue, and of the height in the opacity. `color.png` has the same
-    ///   frames.
+    /// * `color.png`, if the mesh has colours: 8 bits in sRGB, with an opacity of 0 for texels that
+    ///   show nothing;
+    /// * `normal.png`: 8 bits if depths have 8, otherwise 16;
+    /// * `normal-depth.png` for octahedral grids, as the impostors of game engines use it. It has 8
+    ///   bits of the normal in the mesh's axes in red, green and blue, and of the height in the
+    ///   opacity. `color.png` has the same frames.
     ///
-    /// Images lie side by side without gaps: of a grid as its frames do, the first in the upper left corner;
-    /// others in rows, about as many as there are in each.
+    /// Images are placed side by side without gaps. The frames of a grid keep their order, the
+    /// first in the upper left corner. Other images form rows; there are about as many rows as
+    /// images per row.
     ///
     /// # Errors
     ///
-    /// When a file cannot be written or replaced, when what was captured has other files than were said, or
-    /// when the pictures are larger than they may be.
+    /// When a file cannot be written or replaced, the captured images need other files than
+    /// declared, or the pictures are too large.
     pub fn write(
         mut self,
         captured: &Captured,
@@ -204,16 +208,19 @@ impl ObjectWriter {
         let columns = captured.grid.unwrap_or_else(|| (images.len() as f64).sqrt().ceil() as u32).max(1);
         let sheet = Sheet { images, columns, side };
         if captured.files() != self.files {
-            let what = io::Error::new(io::ErrorKind::InvalidInput, "it has other files than were said");
+            let what = io::Error::new(
+                io::ErrorKind::InvalidInput,
+                "the captured images need other files than declared",
+            );
             return Err(what.into());
         }
         let names = self.files.names();
-        // What belongs to no object may be anybody's.
+        // Files that belong to no object may have any owner.
         let others = NAMES.into_iter().filter(|name| !names.contains(name));
         let left: Vec<&str> = others.filter(|name| is_captured(&self.folder, name)).collect();
         let mut files = Vec::new();
         for name in names.iter().copied().filter(|name| *name != OBJECT_FILE) {
-            // It may have come since the first look.
+            // The file may have appeared since the first check.
             self.check(name)?;
             let place = self.folder.join(name);
             let aside = self.set.put(&place)?;
@@ -263,7 +270,7 @@ impl ObjectWriter {
     }
 }
 
-/// What a picture of an object says of itself.
+/// Metadata of a picture of an object.
 fn mark(name: &str) -> Result<Metadata, WriteProblem> {
     let generator = concat!("relief ", env!("CARGO_PKG_VERSION"));
     let holds = name.split('.').next().unwrap_or_default();
@@ -274,7 +281,7 @@ fn mark(name: &str) -> Result<Metadata, WriteProblem> {
     )
 }
 
-/// A part of the colour in sRGB, or the opacity.
+/// Component of the colour in sRGB, or the opacity.
 fn color_of(image: &CapturedImage, channel: usize, at: usize) -> f32 {
     match (channel, &image.colors) {
         (3, _) => f32::from(image.heights.texels()[at] > 0.0),
@@ -283,7 +290,7 @@ fn color_of(image: &CapturedImage, channel: usize, at: usize) -> f32 {
     }
 }
 
-/// A normal in the axes of the mesh.
+/// Normal in the axes of the mesh.
 fn in_space(captured: &Captured, image: usize, at: usize) -> DVec3 {
     let [right, down, toward] = captured.views[image].axes();
     let [x, y, z] = captured.images[image].normals[at].map(f64::from);
@@ -291,12 +298,12 @@ fn in_space(captured: &Captured, image: usize, at: usize) -> DVec3 {
 }
 
 fn vector(at: DVec3) -> String {
-    // There is no minus before a zero.
+    // Adding 0 removes the minus sign of a negative zero.
     let [x, y, z] = at.to_array().map(|part| part + 0.0);
     format!("[{x}, {y}, {z}]")
 }
 
-/// The description. Numbers are the shortest that are read as the same.
+/// Text of the description. Numbers are written with the fewest digits that restore them exactly.
 fn text(
     captured: &Captured,
     measured: Option<&Measured>,
@@ -310,7 +317,7 @@ fn text(
         captured.kind(),
         vector(centre)
     );
-    // Writing into a text cannot fail.
+    // Writing into a string cannot fail.
     if let Some(color) = color {
         let _ = writeln!(text, "color = \"{color}\"");
     }
@@ -342,8 +349,9 @@ fn text(
 fn measured_text(measured: &Measured) -> String {
     let Measured { views, size, cells, jump_texels, iou, worst_from, worst_iou, .. } = *measured;
     let mut text = format!(
-        "# Beside the mesh, over so many views of so many pixels a side: pixels that show both of those that \
-         show\n# either, and the mean distance where both are seen in percent of the ball's diameter.\n\
+        "# Compared with the mesh in {views} pictures of {size} x {size} pixels. 'iou': pixels that show both,\n\
+         # divided by pixels that show either. 'depth-error': mean distance where both are visible, in\n\
+         # percent of the ball's diameter.\n\
          [measured]\nviews = {views}\nsize = {size}\ncells = \"{cells}\"\njump = {jump_texels}\niou = {iou}\n"
     );
     if let Some(error) = measured.depth_error_percent {
@@ -356,7 +364,7 @@ fn measured_text(measured: &Measured) -> String {
     text
 }
 
-/// Whether the pictures of so many images of that side can be.
+/// Checks that the pictures of `count` images with this side are not too large.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! Files of objects that cannot be read: each is refused, and told by name, line and view.
+//! Bad files of objects. Each is refused with its name, line and view.
 
 use std::fs;
 use std::path::Path;
@@ -83,7 +83,7 @@ fn what_the_text_says_is_refused_by_line_and_view() {
     let folder = folder();
     let many = "[[view]]\nfrom = [1, 0, 0]\nrect = [0, 0, 1, 1]\n".repeat(1025);
     let head = GOOD.split("[[view]]").next().expect("a head");
-    // What is replaced by what, and what the answer names.
+    // Text to replace, its replacement, and parts of the error message.
     let changed: [(&str, &str, &[&str]); 27] = [
         ("kind = \"orthographic\"", "kind = \"ortographic\"", &["line 1", "did you mean 'orthographic'"]),
         ("kind = \"orthographic\"\n", "", &["kind"]),
@@ -157,7 +157,7 @@ fn files_elsewhere_are_refused() {
         std::os::unix::fs::symlink(&absolute, folder.join("link.exr")).expect("a link");
         assert!(refused(&folder, &GOOD.replace("depth.exr", "link.exr")).contains("not in its folder"));
     }
-    // There is no object's file, or no file.
+    // The object's file is missing, or is a folder.
     for path in [folder.join("nothing.toml"), folder] {
         let error = read_object(&path, &ObjectOptions::default());
         assert!(matches!(error, Err(ObjectFileError::Io { .. })));
@@ -180,7 +180,7 @@ fn pictures_that_cannot_be_are_refused() {
     let rgb: Vec<u8> = (0..32).flat_map(|texel| [texel * 8, 0, 255]).collect();
     write_png8(&at.join("color.png"), 8, 4, PngColour::Rgb, &rgb).expect("written");
     assert!(refused(at, &GOOD.replace("depth.exr", "color.png")).contains("color.png"));
-    // Colours and normals of another size.
+    // Colours and normals with another size than the depths.
     write_png8(&at.join("small.png"), 4, 4, PngColour::Rgb, &rgb[..48]).expect("written");
     for key in ["color", "normal"] {
         let text =
@@ -188,7 +188,7 @@ fn pictures_that_cannot_be_are_refused() {
         let said = refused(at, &text);
         assert!(said.contains("small.png") && said.contains("4x4") && said.contains("8x4"), "{said}");
     }
-    // A claim of many texels takes no memory.
+    // A claim of many texels does not allocate memory.
     let wide = GOOD.replace("rect = [4, 0, 4, 4]", "rect = [4, 0, 16384, 16384]");
     fs::write(at.join("object.toml"), wide).expect("written");
     let options = ObjectOptions { max_bytes: 1 << 20, ..ObjectOptions::default() };
@@ -229,7 +229,7 @@ fn pictures_are_laid_out_as_the_object_is() {
                 assert!((y / z - (2.0 * (128.0 + 2.0 * texel as f32) - 255.0) / 245.0).abs() < 1e-5);
             }
         }
-        // Around each image its edge goes on in colours, and nothing is there in heights.
+        // Around each image its edge is repeated in colours, and heights are 0.
         let [x, y] = place.map(|at| at - 1);
         let beside = (y * width + x) as usize;
         assert_eq!(color.texels[beside], color.texels[((y + 1) * width + x + 1) as usize]);

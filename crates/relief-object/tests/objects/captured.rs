@@ -1,4 +1,5 @@
-//! Built-in shapes as objects: heights beside closed forms, and files that are read as they were written.
+//! Built-in shapes as objects: heights compared with closed forms, and files that are read as they
+//! were written.
 
 use std::fs;
 
@@ -27,7 +28,7 @@ fn settings(size: u32) -> CaptureSettings {
     CaptureSettings { size, ..CaptureSettings::default() }
 }
 
-/// Every texel's ray, height and whether its neighbours see as much as it does.
+/// Calls `of` with every texel's view, ray and height.
 fn each_texel(captured: &Captured, mut of: impl FnMut(&View, DVec3, DVec3, f64)) {
     for (view, image) in captured.views.iter().zip(&captured.images) {
         let [columns, rows] = view.size();
@@ -43,10 +44,10 @@ fn each_texel(captured: &Captured, mut of: impl FnMut(&View, DVec3, DVec3, f64))
     }
 }
 
-/// How far a point is from a solid, negative inside.
+/// Distance of a point from a solid, negative inside.
 type Distance = dyn Fn(DVec3) -> f64;
 
-/// How far a ray from outside goes until it is in a solid; none where it misses.
+/// Distance along a ray from outside to a solid. `None` if it misses.
 fn march(origin: DVec3, direction: DVec3, distance: &Distance) -> Option<f64> {
     let mut t = 0.0;
     for _ in 0..400 {
@@ -59,7 +60,7 @@ fn march(origin: DVec3, direction: DVec3, distance: &Distance) -> Option<f64> {
             return None;
         }
     }
-    // A ray that passes along the surface.
+    // The ray passes along the surface.
     None
 }
 
@@ -88,7 +89,7 @@ fn heights_are_those_of_the_shapes() {
                 match (expected, height > 0.0) {
                     (Some(expected), true) => {
                         both += 1;
-                        // Where the surface is steep a small step aside is a great one in depth.
+                        // Where the surface is steep a small step aside is a large one in depth.
                         let near = |part: f64| (height - expected).abs() <= part;
                         one += u32::from(!near(most));
                         assert!(near(0.2), "{builtin}: {height} in place of {expected}");
@@ -104,12 +105,12 @@ fn heights_are_those_of_the_shapes() {
     }
 }
 
-/// The radii of the built-in torus, of its circle and of its tube.
+/// Radii of the built-in torus: of its circle and of its tube.
 const TORUS: [f64; 2] = [0.35, 0.15];
 
 #[test]
 fn a_cube_is_seen_to_its_edges() {
-    // The cube is half as wide as the ball and a little less.
+    // The cube is a little less than half as wide as the ball.
     for (cover, least) in [(Cover::Centre, 0.0), (Cover::Pixel, 0.0)] {
         let captured = captured(&mesh(Builtin::Cube), settings(41), cover);
         for (view, image) in captured.views.iter().zip(&captured.images) {
@@ -229,7 +230,7 @@ fn another_object_takes_the_place_of_one() {
         names.sort();
         names
     };
-    // No object was there: what lies there is somebody else's.
+    // No object was there: existing files have another owner.
     assert_eq!(names(32), ["color.png", "depth.exr", "normal.png", "notes.txt", "object.toml"]);
     assert_eq!(names(16), ["color.png", "depth.png", "normal.png", "notes.txt", "object.toml"]);
     for name in ["notes.txt", "color.png"] {

@@ -1,4 +1,4 @@
-//! Image-based objects: captured, kept in files, verified.
+//! Image-based objects: capture, files and comparison with the mesh.
 
 mod bad_files;
 mod captured;

@@ -1,5 +1,5 @@
-//! How near a real mesh's object is to the mesh. The mesh is none that the project ships: without a folder
-//! of data, which `RELIEF_DATA` names, this is told and nothing is tested.
+//! Difference between a real mesh and its object. The mesh is not part of the project. Without a
+//! folder of data in `RELIEF_DATA` the test prints a note and tests nothing.
 
 use relief_core::mesh::Builtin;
 use relief_core::object::JumpCells;
@@ -27,10 +27,10 @@ fn six_images_show_spot() {
     println!("{highest:?}");
     assert!(highest.iou >= 0.99, "{highest:?}");
     assert!(highest.depth_error_percent.is_some_and(|percent| percent <= 0.1), "{highest:?}");
-    // Bilinear cells shave off what is seen from its side.
+    // Bilinear cells cut off parts that are visible from their side.
     let bilinear = measured(&capturer, Cover::Centre, JumpCells::Bilinear);
     assert!(bilinear.iou < highest.iou, "{bilinear:?}");
-    // Silhouettes are too wide where texels are covered that are not half full.
+    // Silhouettes are too wide if texels count that are less than half covered.
     let pixel = measured(&capturer, Cover::Pixel, JumpCells::Highest);
     assert!(pixel.iou < highest.iou && highest.is_nearer_than(&pixel), "{pixel:?}");
 }

@@ -137,16 +137,16 @@ impl<'a> Sheet<'a> {
     /// Returns the crossing of the ray with the sheet, to `error` metres beside it, if that can be
     /// decided.
     ///
-    /// Let `F` be the sheet's lateral coordinates as a function of the weights, `J` the mean of its
-    /// derivative's coefficients, and `y = J w`, so that the triangle is about as large in `y` as
+    /// Let `F` be the sheet's lateral coordinates as a function of the weights. Let `J` be the mean
+    /// of its derivative's coefficients, and `y = J w`. So the triangle is about as large in `y` as
     /// it looks along the ray.
     ///
     /// Suppose that all coefficients, times the inverse of `J`, are within `STRAY` of the identity
     /// (in the Frobenius norm). Then so is the derivative of `F` by `y`, at every point and on the
-    /// mean between any two, because it is a convex combination of them. So `F` takes no value
-    /// twice. A step of Newton's method, brought back to the nearest point of the triangle in `y`,
-    /// takes any point of it nearer to a root in it by the factor `RATE` or better. Steps longer
-    /// than this allows prove that there is no root.
+    /// mean between any two. It is a convex combination of the coefficients. So `F` takes no value
+    /// twice. Consider a step of Newton's method, brought back to the nearest point of the triangle
+    /// in `y`. It takes any point of the triangle nearer to a root in it, by the factor `RATE` or
+    /// better. Steps longer than this allows prove that there is no root.
     ///
     /// A root just outside is replaced by the nearest point of the triangle. That point is as near
     /// to the ray as the triangle is, except for the factor `1 + STRAY`.

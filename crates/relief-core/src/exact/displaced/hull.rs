@@ -47,14 +47,13 @@ pub(super) fn least_distance(points: impl Iterator<Item = DVec3> + Clone) -> f64
     directions.into_iter().flatten().map(|direction| ahead(points.clone(), direction)).fold(boxed, f64::max)
 }
 
-/// Returns a lower bound of the depth at which the ray enters the hull of the points, and the
-/// rounding of that bound if the points are rounded by `error`. Both are in metres.
+/// Returns a lower bound of the depth at which the ray enters the hull of the points. Also returns
+/// the rounding of that bound if the points are rounded by `error`. Both are in metres.
 ///
 /// For any lateral `a` the least `z + a · (x, y)` of the points is a lower bound, because on the
 /// ray it equals `z`. Here `a` makes the plane fitted to the points level. If the points lie in one
-/// line, as seen along the ray, the shortest such `a` is used. Parts of a sheet that meet the ray
-/// at one depth are thus separated from parts that do so before, however far they extend towards
-/// its origin.
+/// line, as seen along the ray, the shortest such `a` is used. This separates parts of a sheet that
+/// meet the ray at one depth from earlier ones, however far they extend towards its origin.
 pub(super) fn entry_depth(points: impl Iterator<Item = DVec3> + Clone, error: f64) -> [f64; 2] {
     let (count, sum) =
         points.clone().fold((0.0, DVec3::ZERO), |(count, sum), point| (count + 1.0, sum + point));

@@ -36,10 +36,10 @@ use search::{Crossing, Search};
 ///
 /// Let the size of the scene be the diagonal of [`Self::bounds`].
 ///
-/// * A hit lies on the sheet, except for rounding. It lies on the ray to within 2⁻⁴⁴ of its largest
-///   distance from the triangle's corners, which is the effect of rounding the inputs. A
-///   [`grazing`](DisplacedHit::grazing) hit lies on the ray to within [`Self::TOLERANCE`] of the
-///   scene's size.
+/// * A hit lies on the sheet, except for rounding. It lies on the ray to within 2⁻⁴⁴ of the largest
+///   distance between the ray's origin and the triangle's corners, which is the effect of rounding
+///   the inputs. A [`grazing`](DisplacedHit::grazing) hit lies on the ray to within
+///   [`Self::TOLERANCE`] of the scene's size.
 /// * No crossing before the hit is missed, however near to tangency. Exceptions are crossings at
 ///   the same depth, to rounding (and at most [`Self::TOLERANCE`] of the scene's size before). A
 ///   ray that passes the sheet within the same rounding counts as touching it.

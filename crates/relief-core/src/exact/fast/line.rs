@@ -145,8 +145,8 @@ impl<K: Kind> Line<K> {
     /// Removes the node that the ray enters first from a mask. Returns its column and row in the
     /// block.
     ///
-    /// A ray that goes right and down enters the nodes in the order of their bits, and a ray that
-    /// goes left and up in the reverse order. For crosswise rays the rows of the mask are upside
+    /// A ray that goes right and down enters the nodes in the order of their bits. A ray that goes
+    /// left and up enters them in reverse order. For crosswise rays the rows of the mask are upside
     /// down, so that the same holds.
     #[inline(always)]
     pub fn take_first(&self, mask: &mut u32) -> [u32; 2] {

@@ -38,15 +38,14 @@ use traverse::CellHit;
 /// positions and heights. So it visits every node that the path touches; rounding can only cause
 /// needless visits. The remaining cells are solved in `f64` by the formula of the cell walk,
 /// between limits that neighbouring cells compute alike. What remains is the rounding of a position
-/// in cells, `2⁻⁵³` times its distance from the origin, on a surface that rises by at most 1 per
-/// cell.
+/// in cells: `2⁻⁵³` times its distance from the origin. The surface rises by at most 1 per cell.
 ///
 /// # Cost
 ///
-/// [`Self::new`] is one parallel pass over the map. The tracer owns its data, 6.8 bytes per texel:
-/// tiles of 5 x 5 heights for 4 x 4 cells, each read as one piece, and the maxima of tiles and of 4
-/// x 4 such nodes, level by level. Tracing does not allocate. A step is one read: a block of
-/// sixteen nodes (64 bytes), the texels of a tile (100 bytes) or a cell (16 bytes).
+/// [`Self::new`] is one parallel pass over the map. The tracer owns its data, 6.8 bytes per texel.
+/// These are tiles of 5 x 5 heights for 4 x 4 cells, each read as one piece, and maxima of tiles
+/// and of 4 x 4 such nodes, level by level. Tracing does not allocate. A step is one read: a block
+/// of sixteen nodes (64 bytes), the texels of a tile (100 bytes) or a cell (16 bytes).
 #[derive(Clone, Debug)]
 pub struct FastTracer {
     hierarchy: Hierarchy,

@@ -272,8 +272,8 @@ impl FastTracer {
         }
     }
 
-    /// Returns a bit mask of the blocked paths of each packet, lane 0 in the lowest bit, as
-    /// [`Self::is_blocked_all`] for renderers that create paths sixteen at a time.
+    /// Returns a bit mask of the blocked paths of each packet; lane 0 is the lowest bit. It serves
+    /// renderers that create paths sixteen at a time; see [`Self::is_blocked_all`].
     pub fn blocked_packets<const N: usize>(&self, paths: &[PathPacket; N], lanes: Lanes) -> [u16; N] {
         let mut blocked = [0; N];
         #[cfg(target_arch = "x86_64")]

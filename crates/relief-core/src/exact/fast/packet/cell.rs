@@ -7,8 +7,8 @@ use super::vector::{Double, Mask, Vector};
 /// Rays of a packet, in two halves.
 pub(super) type Rays<V> = [HalfRays<V>; 2];
 
-/// Bilinear patch of a cell, or of a different cell in each lane: the beginning and the end of the
-/// cell, and the height from its beginning, `h00 + bx u + by v + d u v`.
+/// Bilinear patch of a cell, or of a different cell in each lane. It holds the beginning and the
+/// end of the cell. The height from its beginning is `h00 + bx u + by v + d u v`.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Patch<T> {
     first: [T; 2],

@@ -31,12 +31,13 @@ impl ImageObject {
     /// parameter is 0 if the ray begins inside.
     ///
     /// An image's solid is extended along the ray by [`AGREEMENT`](super::AGREEMENT) times the
-    /// lengths that determine rounding: the distances from the world's origin to the ray's and the
-    /// image's, and the image's radius. So thin sheets that images show from both sides are hit.
+    /// lengths that determine rounding. These are the distances from the world's origin to the
+    /// ray's origin and to the image's centre, and the image's radius. So thin sheets that images
+    /// show from both sides are hit.
     ///
-    /// A ray misses if it is not finite, if its direction is shorter than 1e-90 m or longer than
-    /// 1e90 m, or if it begins more than [`MAX_DISTANCE`](super::MAX_DISTANCE) radii away from an
-    /// image's ball.
+    /// A ray misses if it is not finite, or if its direction is shorter than 1e-90 m or longer than
+    /// 1e90 m. It also misses if it begins more than [`MAX_DISTANCE`](super::MAX_DISTANCE) radii
+    /// away from an image's ball.
     ///
     /// The cost is at most a step for each cell on the ray in each image: no image is walked twice.
     pub fn first_hit(&self, ray: &Ray) -> Option<ObjectHit> {
