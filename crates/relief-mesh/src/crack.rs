@@ -125,9 +125,9 @@ impl CrackPart {
     /// Tests a part. `triangles` holds the corners of each triangle as indices into `positions`.
     /// Equal positions may occur more than once.
     pub fn of(positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
-        let mut places = Places::with_capacity(positions.len());
+        let mut known = Positions::with_capacity(positions.len());
         let numbers: Vec<u32> =
-            positions.iter().map(|position| places.number(point::bits(*position))).collect();
+            positions.iter().map(|position| known.number(point::bits(*position))).collect();
         let (mut sets, mut around) = (Sets::default(), Vec::with_capacity(3 * triangles.len()));
         for corners in triangles {
             let triangle = sets.add(1);
@@ -142,14 +142,14 @@ impl CrackPart {
         }
         let count = sets.0.len() as u64;
         let mut left: Vec<(Ends, Sides)> = Vec::new();
-        for of_edge in by_ends(&around, places.bits.len()).chunk_by(|a, b| a.ends == b.ends) {
+        for of_edge in by_ends(&around, known.bits.len()).chunk_by(|a, b| a.ends == b.ends) {
             let mut sides = Sides { ways: [0; 2], piece: of_edge[0].triangle };
             for side in of_edge {
                 sides.ways[side.way as usize] += 1;
                 sets.join(sides.piece, side.triangle);
             }
             if !sides.is_whole() {
-                let mut ends = of_edge[0].ends.map(|place| places.bits[place as usize]);
+                let mut ends = of_edge[0].ends.map(|place| known.bits[place as usize]);
                 if ends[1] < ends[0] {
                     ends.swap(0, 1);
                     sides.ways.swap(0, 1);
@@ -170,12 +170,12 @@ impl CrackPart {
 }
 
 /// Positions by their bits, numbered in order of appearance.
-struct Places {
+struct Positions {
     numbers: Map<[u32; 3], u32>,
     bits: Vec<[u32; 3]>,
 }
 
-impl Places {
+impl Positions {
     fn with_capacity(places: usize) -> Self {
         let numbers = Map::with_capacity_and_hasher(places, Default::default());
         Self { numbers, bits: Vec::with_capacity(places) }

@@ -16,7 +16,7 @@ use crate::{MeshSettings, MesherError, Shading, View};
 /// Parts of a mesh that are left out for one camera: for pictures, not for files.
 ///
 /// Nothing that the camera sees is left out, and the rest has the same bits as without culling. If
-/// invisible parts may cast shadows on visible ones, create `outside` by [`Outside::of_ways_to`]
+/// invisible parts may cast shadows on visible ones, create `outside` by [`Outside::of_light_paths`]
 /// and keep `backs` false.
 ///
 /// With any value of this type, flat base triangles that reach behind the eye in perspective are
@@ -32,7 +32,7 @@ pub struct Cull {
 
 /// Bounds of a whole mesh, including the parts that are left out.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Everything {
+pub struct FullBounds {
     /// Least and greatest depth along the view axis, in metres from the eye.
     pub depths_m: [f64; 2],
     /// Points whose convex hull contains the mesh, up to rounding.
@@ -61,12 +61,12 @@ impl Outside {
     ///
     /// Visible points lie behind each of the planes. If a light does too, so does the whole line to
     /// it.
-    pub fn of_ways_to(lights: impl IntoIterator<Item = DVec4>, view: &View, beside_m: f64) -> Self {
-        let sight = Sight::new(view);
+    pub fn of_light_paths(lights: impl IntoIterator<Item = DVec4>, view: &View, beside_m: f64) -> Self {
+        let volume = ViewVolume::new(view);
         let mut planes = [true; 5];
         for light in lights {
-            for (is_left_out, (normal, out)) in planes.iter_mut().zip(sight.planes) {
-                let from_eye = light.truncate() - sight.camera.eye() * light.w;
+            for (is_left_out, (normal, out)) in planes.iter_mut().zip(volume.planes) {
+                let from_eye = light.truncate() - volume.camera.eye() * light.w;
                 *is_left_out &= normal.dot(from_eye) <= out * light.w;
             }
         }
@@ -85,15 +85,15 @@ impl Cull {
     ///
     /// A point is left out if the dot product of a plane and `(point, 1)` is positive.
     pub fn planes(&self, view: &View, largest_m: f64) -> [DVec4; 5] {
-        let sight = Sight::new(view);
-        let eye = sight.camera.eye();
-        let room = self.outside.beside_m + ROUNDING_TWICE * largest_m.max(eye.abs().max_element());
+        let volume = ViewVolume::new(view);
+        let eye = volume.camera.eye();
+        let margin = self.outside.beside_m + ROUNDING_TWICE * largest_m.max(eye.abs().max_element());
         let mut planes = [DVec4::new(0.0, 0.0, 0.0, -1.0); 5];
         for (plane, ((normal, out), is_left_out)) in
-            planes.iter_mut().zip(sight.planes.into_iter().zip(self.outside.planes))
+            planes.iter_mut().zip(volume.planes.into_iter().zip(self.outside.planes))
         {
-            if is_left_out && room.is_finite() {
-                *plane = normal.extend(-(normal.dot(eye) + out + room));
+            if is_left_out && margin.is_finite() {
+                *plane = normal.extend(-(normal.dot(eye) + out + margin));
             }
         }
         planes
@@ -156,7 +156,7 @@ fn largest(points: &[DVec3], other: DVec3) -> f64 {
 
 /// View volume of a camera.
 #[derive(Clone, Copy, Debug)]
-pub struct Sight {
+pub struct ViewVolume {
     camera: Camera,
     /// Outward unit normals of the planes, and the planes' distances from the eye.
     planes: [(DVec3, f64); 5],
@@ -164,15 +164,15 @@ pub struct Sight {
     pixels: f64,
 }
 
-impl Sight {
+impl ViewVolume {
     pub fn new(view: &View) -> Self {
         let (camera, [width, height]) = (view.camera, view.size.map(f64::from));
         let half = camera.half_height();
         let pixels = height / (2.0 * half);
-        let room = BESIDE_PIXELS / pixels;
+        let margin = BESIDE_PIXELS / pixels;
         let [right, up, forward] = [camera.right(), camera.up(), camera.forward()];
         let side = |aside: DVec3, to: f64| {
-            let to = to + room;
+            let to = to + margin;
             if camera.is_orthographic() { (aside, to) } else { ((aside - forward * to).normalize(), 0.0) }
         };
         let wide = half * width / height;
@@ -196,9 +196,9 @@ impl Sight {
         let largest = largest(points, eye) + radius_m;
         // Points beyond the range of `f32` are not left out here: making them fails with an error.
         let is_stored = largest <= f64::from(f32::MAX);
-        let room = radius_m + ROUNDING * largest + outside.beside_m;
+        let margin = radius_m + ROUNDING * largest + outside.beside_m;
         let is_before =
-            |(normal, out): &(DVec3, f64)| points.iter().all(|point| normal.dot(*point - eye) > out + room);
+            |(normal, out): &(DVec3, f64)| points.iter().all(|point| normal.dot(*point - eye) > out + margin);
         let planes = self.planes.iter().zip(outside.planes).filter(|(_, is_left_out)| *is_left_out);
         is_stored && planes.map(|(plane, _)| plane).any(is_before)
     }
@@ -217,8 +217,8 @@ impl Sight {
             let depth = self.camera.forward().dot(*point - self.camera.eye());
             [near.min(depth), far.max(depth)]
         });
-        let room = hull.radius_m + ROUNDING * hull.largest(DVec3::ZERO);
-        [near - room, far + room]
+        let margin = hull.radius_m + ROUNDING * hull.largest(DVec3::ZERO);
+        [near - margin, far + margin]
     }
 
     /// Returns whether no rasteriser sees the front of a triangle: it has no area, or its corners

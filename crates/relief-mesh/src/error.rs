@@ -9,7 +9,7 @@ use crate::{Part, Weights};
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MesherError {
     /// The edge rule and the interior do not go together.
-    #[error("the edges '{edges}' and the interior '{interior}' make no mesh: {why}")]
+    #[error("the edge rule '{edges}' and the interior '{interior}' do not go together: {why}")]
     Pair {
         /// Name of the edge rule.
         edges: &'static str,
@@ -19,10 +19,10 @@ pub enum MesherError {
         why: &'static str,
     },
     /// The distance of points is 0 texels.
-    #[error("a point every 0 texels: at least every texel is possible")]
+    #[error("points cannot be 0 texels apart: use 1 or more")]
     NoTexels,
     /// Edges are divided by voxels, but no view defines these.
-    #[error("the edges '{edges}' need a view: a camera and the size of its picture")]
+    #[error("the edge rule '{edges}' needs a view: a camera and the size of its picture")]
     NoView {
         /// Name of the edge rule.
         edges: &'static str,
@@ -46,21 +46,23 @@ pub enum MesherError {
         why: &'static str,
     },
     /// Levels of the map are set, but no view selects one of them.
-    #[error("the edges '{edges}' see the height map itself: levels of it are for a view")]
+    #[error(
+        "the edge rule '{edges}' has no view, and cannot use coarser levels of the height map: use 'pixels'"
+    )]
     LevelsOfNoView {
         /// Name of the edge rule.
         edges: &'static str,
     },
     /// Culling is set, but there is no view.
-    #[error("the edges '{edges}' are those of no view: nothing can be left out of the mesh as not seen")]
+    #[error("the edge rule '{edges}' has no view, and nothing can be left out as invisible: use 'pixels'")]
     CullOfNoView {
         /// Name of the edge rule.
         edges: &'static str,
     },
     /// Culling is set together with normals of the triangles.
     #[error(
-        "where triangles are left out as not seen, normals cannot be those of the triangles: normals of the \
-         relief can be had"
+        "normals of the triangles need all triangles, and invisible ones are left out: use normals of the \
+         relief"
     )]
     CullOfMeshNormals,
     /// The view is empty or not finite.
@@ -80,8 +82,7 @@ pub enum MesherError {
     },
     /// The view has more voxels on a side than its grid holds.
     #[error(
-        "{pixels} pixels to a voxel are too fine for a picture of {width}x{height}: at least {least} are \
-         possible"
+        "{pixels} pixels to a voxel are too fine for a picture of {width}x{height}: use at least {least}"
     )]
     FineView {
         /// Width of the picture.
@@ -104,8 +105,8 @@ pub enum MesherError {
     },
     /// The tolerance is finer than this relief allows.
     #[error(
-        "a tolerance of {error_m} m is too fine for this relief: {:.2e} m is possible, on a lattice of a \
-         sixteenth of a texel with heights of 32 bits",
+        "a tolerance of {error_m} m is too fine for this relief: {:.2e} m is possible, on a lattice \
+         of 1/16 of a texel with 32-bit heights",
         least_m * 1.01
     )]
     TooFine {
@@ -115,7 +116,7 @@ pub enum MesherError {
         least_m: f64,
     },
     /// The tolerance was not reached.
-    #[error("a tolerance of {error_m} m was not reached: {reached_m} m is what this relief allows")]
+    #[error("a tolerance of {error_m} m was not reached: the mesh is up to {reached_m} m off the relief")]
     NotReached {
         /// The tolerance.
         error_m: f64,
@@ -123,24 +124,24 @@ pub enum MesherError {
         reached_m: f64,
     },
     /// An option that works with a tolerance on planes alone is set for another mesh.
-    #[error("{what} cannot be kept to a tolerance on a mesh that is not a plane")]
+    #[error("a tolerance on a mesh that is not a plane does not go together with {what}")]
     OnPlanesAlone {
         /// The option.
         what: &'static str,
     },
     /// The thickness of a solid is not greater than 0, or not finite.
-    #[error("a solid {solid_m} m thick cannot be made: it must be greater than 0, and finite")]
+    #[error("a solid {solid_m} m thick cannot be made: the thickness must be greater than 0, and finite")]
     BadSolid {
         /// Thickness in metres.
         solid_m: f64,
     },
     /// A solid is asked for, but the mesh has no border.
-    #[error("the mesh is closed, and solid as it is: one with open edges can be made solid")]
+    #[error("the mesh is closed, and is solid already: only a mesh with open edges can be made solid")]
     SolidOfClosed,
     /// A solid is asked for, but the mesh's seams are kept.
     #[error(
-        "a mesh whose seams and hard edges are kept gapes there, around {}: no solid is closed, unless they \
-         are welded", place(*at_m)
+        "the mesh gapes at its seams and hard edges, first around {}: weld them to make a solid",
+        place(*at_m)
     )]
     SolidOfSeams {
         /// The middle of one of them, in metres.
@@ -149,7 +150,8 @@ pub enum MesherError {
     /// A solid is asked for, but the surface branches or its triangles face opposite ways.
     #[error(
         "{edges} edges of the mesh have more than two triangles, or two that face opposite ways, the first \
-         around {}: nothing says on which side of them its inside would be", place(*at_m)
+         around {}: the mesh has no inside there",
+        place(*at_m)
     )]
     SolidBranches {
         /// Number of such edges.
@@ -159,22 +161,21 @@ pub enum MesherError {
     },
     /// A solid is asked for, but the mesh's border touches itself.
     #[error(
-        "the border of the mesh goes twice through {}: its walls would touch in a line, which is no solid; \
-         another triangle there, or one less, parts them", place(*at_m)
+        "the border of the mesh goes twice through {}: the walls of a solid would touch in a line; \
+         add or remove a triangle there",
+        place(*at_m)
     )]
     SolidTouches {
         /// Position in metres.
         at_m: [f64; 3],
     },
     /// A solid is asked for, but the mesh is made for a view.
-    #[error(
-        "what is made for a view is not made solid: a point every so many texels, or a tolerance, can be"
-    )]
+    #[error("a mesh for a view cannot be made solid: use points every N texels, or a tolerance")]
     SolidOfView,
     /// One side of the relief is asked for, but the mesh folds over.
     #[error(
-        "the mesh folds over where it is displaced, or nearly, at {:.4}, {:.4}, {:.4}: nothing is on one \
-         side of it there", at_m[0], at_m[1], at_m[2]
+        "the displaced mesh folds over, or nearly, at {:.4}, {:.4}, {:.4}: no triangle lies on one side of \
+         it there", at_m[0], at_m[1], at_m[2]
     )]
     SideOfFold {
         /// Middle of a triangle that folds, in metres.
@@ -182,42 +183,48 @@ pub enum MesherError {
     },
     /// One side of the relief is asked for, but the two sides of a seam read different heights.
     #[error(
-        "the two sides of a seam see heights of the map that are {seams_m} m apart: what bridges them is on \
-         both sides"
+        "the two sides of a seam read heights of the map that are {seams_m} m apart: triangles between \
+         them lie on both sides"
     )]
     SideOfSeams {
         /// Greatest difference of the heights, in metres.
         seams_m: f64,
     },
     /// A solid is asked for, but the map has holes and the mesh is not a plane.
-    #[error("only a plane is made solid around holes: on other meshes there are no walls around them")]
+    #[error("only a plane with holes can be made solid: other meshes get no walls around holes")]
     SolidOfHoles,
     /// All triangles lie over holes.
-    #[error("every triangle lies over a hole of the height map: nothing is left")]
+    #[error("every triangle lies over a hole of the height map: no triangle remains")]
     AllHoles,
     /// A part is asked for, but the mesh is not a plane.
-    #[error("only planes are cut into parts: two triangles that make a rectangle with straight texture")]
+    #[error("only planes can be cut into parts: two triangles that make a rectangle with straight texture")]
     PartOfNoPlane,
     /// The part does not exist.
-    #[error("there is no part {},{} of {}x{} parts", part.at[0], part.at[1], part.of[0], part.of[1])]
+    #[error(
+        "part {},{} does not exist: there are {}x{} parts, counted from 0",
+        part.at[0], part.at[1], part.of[0], part.of[1]
+    )]
     NoPart {
         /// The part.
         part: Part,
     },
     /// The parts are smaller than two texels.
-    #[error("{}x{} parts are too many: each must be two texels wide and high", part.of[0], part.of[1])]
+    #[error(
+        "{}x{} parts are too many: each must be at least two texels wide and high",
+        part.of[0], part.of[1]
+    )]
     TooManyParts {
         /// One of the parts.
         part: Part,
     },
     /// The mesh has more triangles than are allowed.
-    #[error("the coarsest mesh has more than {most} triangles")]
+    #[error("even the coarsest mesh has more than {most} triangles: allow more")]
     MoreThan {
         /// Greatest number allowed.
         most: u64,
     },
     /// The mesh needs more memory than is allowed.
-    #[error("the mesh takes more than {limit} bytes while it is made")]
+    #[error("the mesh takes more than {limit} bytes while it is made: allow more, or make it coarser")]
     NoMemory {
         /// Greatest number of bytes allowed.
         limit: u64,
@@ -227,7 +234,8 @@ pub enum MesherError {
     Cancelled(#[from] Cancelled),
     /// The mesh has more vertices than 32-bit numbers count.
     #[error(
-        "the mesh would have {vertices} vertices and {triangles} triangles, or more: {MOST} are possible"
+        "the mesh would have {vertices} vertices and {triangles} triangles, or more: at most {MOST} are \
+         possible"
     )]
     TooLarge {
         /// Vertices that were counted until there were too many.
@@ -264,11 +272,13 @@ pub enum StreamError<E> {
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
     /// A vertex is displaced beyond the range of `f32`.
-    #[error("a vertex is displaced beyond what 32-bit numbers hold")]
+    #[error(
+        "a vertex is displaced beyond the range of 32-bit numbers: choose a smaller displacement or mesh"
+    )]
     NotFinite,
     /// The whole mesh does not fit into memory.
     #[error(
-        "{count} {what} do not fit into the memory at once: take the mesh block by block, or make it coarser"
+        "{count} {what} do not fit into memory at once: stream the mesh block by block, or make it coarser"
     )]
     OutOfMemory {
         /// Number of items.

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use relief_core::Watch;
 
 use crate::edge::Along;
-use crate::interior::{Fill, Filled, STEPS, Wanted};
+use crate::interior::{Fill, FillRequest, Filled, STEPS};
 use crate::surface::Relief;
 use crate::{Fit, Judge, MeshSettings, MesherError};
 
@@ -42,7 +42,7 @@ pub fn least_tolerance(relief: &Relief, judge: Judge) -> f64 {
 /// Budget of triangles and memory for all patches. It counts triangles, so that the order of
 /// patches does not matter.
 #[derive(Debug)]
-pub struct Room<'a> {
+pub struct FillBudget<'a> {
     judge: Judge,
     fit: Fit,
     /// Greatest number of triangles in all.
@@ -50,32 +50,32 @@ pub struct Room<'a> {
     /// Greatest number of triangles that are held (half of the memory), and of a patch in work (a
     /// quarter of it).
     held: u64,
-    made: u64,
+    in_work: u64,
     limit: u64,
     triangles: AtomicU64,
     watch: Watch<'a>,
 }
 
-impl<'a> Room<'a> {
+impl<'a> FillBudget<'a> {
     pub fn new(settings: &MeshSettings, most: u64, watch: Watch<'a>) -> Self {
         let limit = settings.max_bytes;
-        let (held, made) = (limit / 2 / BYTES_HELD, limit / 4 / BYTES_MADE);
+        let (held, in_work) = (limit / 2 / BYTES_HELD, limit / 4 / BYTES_MADE);
         let MeshSettings { judge, fit, .. } = *settings;
-        Self { judge, fit, most, held, made, limit, triangles: AtomicU64::new(0), watch }
+        Self { judge, fit, most, held, in_work, limit, triangles: AtomicU64::new(0), watch }
     }
 
     /// Returns the greatest number of triangles of a patch.
-    fn of_patch(&self) -> u64 {
-        self.made.min(self.most).min(u64::from(u32::MAX / 4))
+    fn most_in_patch(&self) -> u64 {
+        self.in_work.min(self.most).min(u64::from(u32::MAX / 4))
     }
 
     /// Returns the request to fill a patch to `tolerance`.
-    pub fn wanted(&self, tolerance: f64) -> Wanted<'a> {
-        Wanted {
+    pub fn request(&self, tolerance: f64) -> FillRequest<'a> {
+        FillRequest {
             tolerance,
             judge: self.judge,
             fit: self.fit,
-            most: self.of_patch() as u32,
+            most: self.most_in_patch() as u32,
             watch: self.watch,
         }
     }
@@ -89,10 +89,10 @@ impl<'a> Room<'a> {
     }
 
     /// Adds a filled patch to the count. Returns an error if it exceeds the budget.
-    pub fn taken(&self, filled: Option<Filled>) -> Result<Filled, MesherError> {
+    pub fn admit(&self, filled: Option<Filled>) -> Result<Filled, MesherError> {
         let Some(filled) = filled else {
             self.watch.check()?;
-            self.check(self.of_patch() + 1, self.made)?;
+            self.check(self.most_in_patch() + 1, self.in_work)?;
             return Err(MesherError::NoMemory { limit: self.limit });
         };
         let own = filled.triangles.len() as u64;

@@ -41,7 +41,6 @@ mod error;
 mod filling;
 mod folds;
 mod interior;
-mod kept;
 mod mesher;
 mod patch;
 mod plan;
@@ -53,19 +52,20 @@ mod smooth;
 mod stream;
 mod surface;
 mod triangles;
+mod vertex_set;
 mod view;
 
 pub use cache_order::cache_misses;
 pub use certificate::Certificate;
 pub use choices::{BaseSurface, Directions, Fit, Judge, Seams, Shading, Side};
 pub use crack::{CrackPart, CrackTest, Cracks};
-pub use cull::{Cull, Everything, Outside};
+pub use cull::{Cull, FullBounds, Outside};
 pub use edge::{EDGE_RULES, EdgeRule, Spacing, Weights, edge_rule};
 pub use error::{MesherError, StreamError};
 pub use folds::{FoldedBase, Folds};
 pub use interior::{INTERIORS, Interior, check_pair, interior};
 pub use mesher::Mesher;
-pub use settings::{MeshSettings, Part, Put};
+pub use settings::{MeshSettings, Part, Pose};
 pub use slices::{
     BoxSlice, BoxSlicer, SliceAnchor, SliceBlock, SliceDirection, SliceError, SliceSettings, SliceVertex,
     Slicer,

@@ -12,25 +12,25 @@ use rayon::prelude::*;
 use relief_core::mesh::{Mesh, MeshBlock, Vertex};
 use relief_core::{HeightMap, Watch};
 
-use self::block::Made;
+use self::block::FinishedBlock;
 pub use self::outline::Bottom;
-use self::outline::{Outline, Room, Sides};
+use self::outline::{Outline, ShiftLimits, Sides};
 use self::solid::Solid;
 use crate::crack::CrackTest;
-use crate::cull::{self, Cull, Everything, Sight};
+use crate::cull::{self, Cull, FullBounds, ViewVolume};
 use crate::edge::Divides;
 use crate::error::MOST;
 use crate::filling::Filling;
 use crate::folds::{FoldedBase, Folds};
 use crate::interior::{Fills, Pattern};
-use crate::kept::Kept;
 use crate::plan::{Plan, Work};
 use crate::plane::{Adapted, Grid, Rectangle};
 use crate::smooth::{self, Normals};
 use crate::surface::Relief;
 use crate::triangles::{self, Triangles};
+use crate::vertex_set::VertexSet;
 use crate::{
-    Bounds, Certificate, MeshSettings, MesherError, Part, Put, Rounded, Shading, Spacing, Stream,
+    Bounds, Certificate, MeshSettings, MesherError, Part, Pose, Rounded, Shading, Spacing, Stream,
     StreamError, Streamed, Weights, check_pair,
 };
 
@@ -47,14 +47,14 @@ pub struct Mesher {
     solid: Option<Solid>,
     relief: Relief,
     shading: Shading,
-    put: Put,
+    pose: Pose,
     blocks: Vec<Work>,
     /// Culling of triangles that a camera does not see.
-    unseen: Option<(Sight, Cull)>,
+    unseen: Option<(ViewVolume, Cull)>,
     /// Remaining vertices; `None` if nothing is left out.
-    kept: Option<Kept>,
+    used: Option<VertexSet>,
     /// Number of vertices before any is left out.
-    made_vertices: u64,
+    all_vertices: u64,
     vertices: u64,
     triangles: u64,
     bytes: u64,
@@ -126,7 +126,7 @@ impl Mesher {
     ///
     /// Fails if
     /// - the edge rule and the interior do not go together, or not with this base,
-    /// - a setting is out of range, or the tolerance cannot be kept,
+    /// - a setting is out of range, or the tolerance cannot be reached,
     /// - the base has no triangles,
     /// - the mesh would have more vertices or triangles than 32-bit numbers count, or
     /// - the mesh would take more memory than is allowed.
@@ -271,28 +271,28 @@ impl Mesher {
             Base::Adapted(plane) => plane.bytes(),
         };
         let cull = settings.cull.filter(|cull| cull.leaves_out());
-        let unseen = settings.view.as_ref().map(Sight::new).zip(cull);
+        let unseen = settings.view.as_ref().map(ViewVolume::new).zip(cull);
         let is_left_out = relief.has_holes() || unseen.is_some();
         let bytes = patches as u64 * Self::BYTES_PER_TRIANGLE
             + (blocks.len() * size_of::<Work>()) as u64
             + of_normals
             + of_tiles
-            + if is_left_out { Kept::bytes(vertices) } else { 0 }
+            + if is_left_out { VertexSet::bytes(vertices) } else { 0 }
             + if is_outlined { Sides::BYTES_PER_TRIANGLE * triangles } else { 0 }
             + solid.as_ref().map_or(0, Solid::bytes)
             + at_hand as u64 * largest * BYTES_IN_A_BLOCK;
-        let made_vertices = vertices;
+        let all_vertices = vertices;
         let shading = settings.shading;
         let mesher = Self {
             base,
             solid,
             relief,
             shading,
-            put: settings.put,
+            pose: settings.pose,
             blocks,
             unseen,
-            kept: None,
-            made_vertices,
+            used: None,
+            all_vertices,
             vertices,
             triangles,
             bytes,
@@ -303,7 +303,7 @@ impl Mesher {
         if is_outlined && bytes > settings.max_bytes {
             return Err(MesherError::NoMemory { limit: settings.max_bytes });
         }
-        let mesher = mesher.without_what_is_left_out(watch)?;
+        let mesher = mesher.without_hidden(watch)?;
         let outlined = settings.solid_m.filter(|_| is_outlined);
         match outlined {
             Some(solid_m) => mesher.outlined(solid_m, settings.error_m, most, watch),
@@ -313,20 +313,21 @@ impl Mesher {
 
     /// Leaves out triangles over holes and unseen ones. They follow from the positions of points,
     /// so all triangles are made for it and discarded.
-    fn without_what_is_left_out(self, watch: &Watch) -> Result<Self, MesherError> {
-        let mut kept = Kept::of_none(self.vertices);
+    fn without_hidden(self, watch: &Watch) -> Result<Self, MesherError> {
+        let mut used = VertexSet::empty(self.vertices);
         for group in self.blocks.chunks(rayon::current_num_threads() * BLOCKS_PER_THREAD) {
             watch.check()?;
-            let left: Vec<Vec<[u32; 3]>> = group.par_iter().map(|work| self.left(work)).collect();
-            for triangles in left {
-                kept.add(&triangles);
+            let remaining: Vec<Vec<[u32; 3]>> =
+                group.par_iter().map(|work| self.remaining_triangles(work)).collect();
+            for triangles in remaining {
+                used.add(&triangles);
             }
         }
-        if self.relief.has_holes() && kept.triangles() == 0 {
+        if self.relief.has_holes() && used.triangles() == 0 {
             return Err(MesherError::AllHoles);
         }
-        kept.count();
-        Ok(Self { vertices: kept.vertices(), triangles: kept.triangles(), kept: Some(kept), ..self })
+        used.count();
+        Ok(Self { vertices: used.vertices(), triangles: used.triangles(), used: Some(used), ..self })
     }
 
     /// Adds walls along the outline of a plane with holes, and a bottom.
@@ -337,23 +338,24 @@ impl Mesher {
         most: u64,
         watch: &Watch,
     ) -> Result<Self, MesherError> {
-        let (Some(rectangle), Some(mut kept)) = (self.base.rectangle(), self.kept.take()) else {
+        let (Some(rectangle), Some(mut used)) = (self.base.rectangle(), self.used.take()) else {
             return Err(MesherError::SolidOfHoles);
         };
-        if kept.triangles() > u64::from(u32::MAX / 3) {
-            return Err(MesherError::TooLarge { vertices: self.vertices, triangles: 2 * kept.triangles() });
+        if used.triangles() > u64::from(u32::MAX / 3) {
+            return Err(MesherError::TooLarge { vertices: self.vertices, triangles: 2 * used.triangles() });
         }
         let depth_m = solid::lowest_m(&self.relief) - solid::error_m(&self.base) - solid_m;
         let bottom = rectangle.bottom(&self.relief, depth_m);
         let exact = self.base.certificate().is_none();
         let tolerance_m = if exact { f64::INFINITY } else { tolerance_m };
-        let room = Room { texel_m: rectangle.texel_m(&self.relief), tolerance_m };
+        let limits = ShiftLimits { texel_m: rectangle.texel_m(&self.relief), tolerance_m };
         let sides = {
-            let mut triangles = Vec::with_capacity(kept.triangles() as usize);
+            let mut triangles = Vec::with_capacity(used.triangles() as usize);
             for group in self.groups() {
                 watch.check()?;
-                let left: Vec<Vec<[u32; 3]>> = group.par_iter().map(|work| self.left(work)).collect();
-                triangles.extend(left.into_iter().flatten());
+                let remaining: Vec<Vec<[u32; 3]>> =
+                    group.par_iter().map(|work| self.remaining_triangles(work)).collect();
+                triangles.extend(remaining.into_iter().flatten());
             }
             Sides::of(&triangles)
         };
@@ -362,14 +364,14 @@ impl Mesher {
         for group in self.groups() {
             watch.check()?;
             let vertices: Vec<Vec<(u32, Vertex)>> =
-                group.par_iter().map(|work| self.wanted(work, &wanted)).collect();
+                group.par_iter().map(|work| self.find_vertices(work, &wanted)).collect();
             found.extend(vertices.into_iter().flatten());
         }
-        let mut outline = Outline::new(sides, &found, self.made_vertices as u32, bottom, room);
-        kept.add_vertices(self.made_vertices, outline.copy_count());
-        kept.count();
-        let (above, walls) = (kept.vertices(), u64::from(outline.wall_count()));
-        let (vertices, triangles) = (2 * above, 2 * kept.triangles() + 2 * walls);
+        let mut outline = Outline::new(sides, &found, self.all_vertices as u32, bottom, limits);
+        used.add_vertices(self.all_vertices, outline.copy_count());
+        used.count();
+        let (above, walls) = (used.vertices(), u64::from(outline.wall_count()));
+        let (vertices, triangles) = (2 * above, 2 * used.triangles() + 2 * walls);
         if vertices.max(triangles) > MOST {
             return Err(MesherError::TooLarge { vertices, triangles });
         }
@@ -381,7 +383,7 @@ impl Mesher {
         self.blocks.extend(closing);
         let bytes = self.bytes + outline.bytes();
         let solid = Some(Solid::Outline(outline));
-        Ok(Self { vertices, triangles, kept: Some(kept), solid, bytes, ..self })
+        Ok(Self { vertices, triangles, used: Some(used), solid, bytes, ..self })
     }
 
     /// Returns the blocks in groups that are made at once.
@@ -415,8 +417,8 @@ impl Mesher {
 
     /// Returns the bounds of the whole mesh, including the parts left out. Returns `None` if there
     /// is no culling for a view.
-    pub fn everything(&self) -> Option<&Everything> {
-        self.base.triangles().and_then(Triangles::everything)
+    pub fn full_bounds(&self) -> Option<&FullBounds> {
+        self.base.triangles().and_then(Triangles::full_bounds)
     }
 
     /// Returns the greatest memory that streaming takes, in bytes, without the height map and the
@@ -441,11 +443,11 @@ impl Mesher {
         let mut watch = how.watch;
         if self.shading == Shading::Mesh {
             watch = how.watch.piece(0.5, 1.0);
-            let mut sums = Normals::new(self.made_vertices);
+            let mut sums = Normals::new(self.all_vertices);
             let watch = how.watch.piece(0.0, 0.5);
             let plain = Stream { check: false, grid: None, cache_order: false, watch, ..*how };
-            self.each_block(&plain, None, |made| {
-                sums.add(made.block.positions(), &made.smooth);
+            self.each_block(&plain, None, |finished| {
+                sums.add(finished.block.positions(), &finished.smooth);
                 Ok(())
             })?;
             normals = Some(sums);
@@ -453,20 +455,20 @@ impl Mesher {
         let mut test = how.check.then(CrackTest::default);
         let (mut bounds_m, mut rounded) = (EMPTY, Rounded::default());
         let (mut folds, mut folds_below) = (Folds::default(), Folds::default());
-        self.each_block(&Stream { watch, ..*how }, normals.as_ref(), |made| {
-            if let (Some(test), Some(part)) = (&mut test, made.part.take()) {
+        self.each_block(&Stream { watch, ..*how }, normals.as_ref(), |finished| {
+            if let (Some(test), Some(part)) = (&mut test, finished.part.take()) {
                 test.add(part);
             }
-            let [least, greatest] = made.bounds_m;
+            let [least, greatest] = finished.bounds_m;
             bounds_m = [bounds_m[0].min(least), bounds_m[1].max(greatest)];
-            for (folds, all) in [(&mut folds, &made.folds), (&mut folds_below, &made.folds_below)] {
+            for (folds, all) in [(&mut folds, &finished.folds), (&mut folds_below, &finished.folds_below)] {
                 for found in all {
-                    let middle_m = self.put.position(found.middle_m, how.size);
+                    let middle_m = self.pose.position(found.middle_m, how.size);
                     folds.add(FoldedBase { middle_m, ..*found });
                 }
             }
-            rounded = rounded.with(made.rounded);
-            sink(&made.block).map_err(StreamError::Sink)
+            rounded = rounded.with(finished.rounded);
+            sink(&finished.block).map_err(StreamError::Sink)
         })?;
         Ok(Streamed {
             bounds_m,
@@ -486,10 +488,10 @@ impl Mesher {
     pub fn bounds(&self, size: f64, watch: &Watch) -> Result<Bounds, StreamError<Infallible>> {
         let how = Stream { size, check: false, grid: None, cache_order: false, watch: *watch };
         let mut bounds = Bounds { positions_m: EMPTY, uvs: [Vec2::INFINITY, Vec2::NEG_INFINITY] };
-        self.each_block(&how, None, |made| {
-            let ([least, greatest], [low, high]) = (made.bounds_m, bounds.positions_m);
+        self.each_block(&how, None, |finished| {
+            let ([least, greatest], [low, high]) = (finished.bounds_m, bounds.positions_m);
             bounds.positions_m = [low.min(least), high.max(greatest)];
-            for vertex in &made.block.vertices {
+            for vertex in &finished.block.vertices {
                 bounds.uvs = [bounds.uvs[0].min(vertex.uv), bounds.uvs[1].max(vertex.uv)];
             }
             Ok(())
@@ -505,8 +507,8 @@ impl Mesher {
     pub fn mesh(&self) -> Result<Mesh, StreamError<Infallible>> {
         let watch = Watch::none();
         let how = Stream { size: 1.0, check: false, grid: None, cache_order: false, watch };
-        let mut vertices = room_for("vertices", self.vertices)?;
-        let mut triangles = room_for("triangles", self.triangles)?;
+        let mut vertices = reserved("vertices", self.vertices)?;
+        let mut triangles = reserved("triangles", self.triangles)?;
         self.stream(&how, |block| {
             vertices.extend_from_slice(&block.vertices);
             triangles.extend_from_slice(&block.triangles);
@@ -517,15 +519,15 @@ impl Mesher {
 
     /// Makes a group of blocks in parallel. It does not depend on the sink's type, so that it is
     /// compiled here, once.
-    fn made_of_all(
+    fn finished_blocks(
         &self,
         group: &[Work],
         how: &Stream,
         normals: Option<&Normals>,
         into: Vec<MeshBlock>,
-    ) -> Vec<Option<Made>> {
+    ) -> Vec<Option<FinishedBlock>> {
         let each = group.par_iter().zip(into);
-        each.map(|(work, block)| self.made(work, how, normals, block)).collect()
+        each.map(|(work, block)| self.finished_block(work, how, normals, block)).collect()
     }
 
     /// Makes all blocks, a group at a time, and passes them to `take` one after the other.
@@ -533,7 +535,7 @@ impl Mesher {
         &self,
         how: &Stream,
         normals: Option<&Normals>,
-        mut take: impl FnMut(&mut Made) -> Result<(), StreamError<E>>,
+        mut take: impl FnMut(&mut FinishedBlock) -> Result<(), StreamError<E>>,
     ) -> Result<(), StreamError<E>> {
         let at_once = rayon::current_num_threads() * BLOCKS_PER_THREAD;
         let mut groups = self.blocks.chunks(at_once);
@@ -542,19 +544,19 @@ impl Mesher {
         loop {
             how.watch.check()?;
             let group = groups.next().unwrap_or_default();
-            let mut next: Vec<Option<Made>> = Vec::new();
+            let mut next: Vec<Option<FinishedBlock>> = Vec::new();
             spare.resize_with(group.len().max(spare.len()), MeshBlock::default);
             let into = spare.split_off(spare.len() - group.len());
             // Finished blocks are taken while the next ones are made.
             let taken: Result<(), StreamError<E>> = rayon::in_place_scope(|scope| {
                 if !group.is_empty() {
-                    scope.spawn(|_| next = self.made_of_all(group, how, normals, into));
+                    scope.spawn(|_| next = self.finished_blocks(group, how, normals, into));
                 }
-                ready.drain(..).try_for_each(|made: Option<Made>| {
-                    let mut made = made.ok_or(StreamError::NotFinite)?;
-                    take(&mut made)?;
+                ready.drain(..).try_for_each(|finished: Option<FinishedBlock>| {
+                    let mut finished = finished.ok_or(StreamError::NotFinite)?;
+                    take(&mut finished)?;
                     done += 1;
-                    spare.push(made.block);
+                    spare.push(finished.block);
                     Ok(())
                 })
             });
@@ -570,10 +572,10 @@ impl Mesher {
 }
 
 /// Returns an empty list with capacity for `count` items, if the memory can be had.
-fn room_for<T>(what: &'static str, count: u64) -> Result<Vec<T>, StreamError<Infallible>> {
+fn reserved<T>(what: &'static str, count: u64) -> Result<Vec<T>, StreamError<Infallible>> {
     let mut list = Vec::new();
-    let room = usize::try_from(count).ok().and_then(|count| list.try_reserve_exact(count).ok());
-    room.map(|()| list).ok_or(StreamError::OutOfMemory { count, what })
+    let result = usize::try_from(count).ok().and_then(|count| list.try_reserve_exact(count).ok());
+    result.map(|()| list).ok_or(StreamError::OutOfMemory { count, what })
 }
 
 #[cfg(test)]
@@ -637,8 +639,8 @@ mod tests {
 
     #[test]
     fn a_list_that_no_memory_holds_is_refused() {
-        assert!(room_for::<u64>("vertices", 3).is_ok_and(|list| list.capacity() >= 3));
-        let refused = room_for::<u64>("vertices", u64::MAX / 4).map(drop);
+        assert!(reserved::<u64>("vertices", 3).is_ok_and(|list| list.capacity() >= 3));
+        let refused = reserved::<u64>("vertices", u64::MAX / 4).map(drop);
         assert!(matches!(refused, Err(StreamError::OutOfMemory { what: "vertices", .. })), "{refused:?}");
     }
 }

@@ -83,7 +83,7 @@ impl Plan {
     }
 
     /// Plans items of different sizes, as many in a block as fill it.
-    fn together(&mut self, count: u32, size_of: impl Fn(u32) -> u64, work: impl Fn(Range<u32>) -> Work) {
+    fn grouped(&mut self, count: u32, size_of: impl Fn(u32) -> u64, work: impl Fn(Range<u32>) -> Work) {
         let (mut first, mut size) = (0, 0);
         for at in 0..count {
             size += size_of(at);
@@ -96,7 +96,7 @@ impl Plan {
 
     /// Plans vertices along edges, or along sides of tiles. `points` returns their number.
     fn edges(&mut self, count: u32, points: impl Fn(u32) -> u32) {
-        self.together(count, |edge| points(edge).into(), Work::Edges);
+        self.grouped(count, |edge| points(edge).into(), Work::Edges);
     }
 
     /// Plans a mesh over triangles.
@@ -137,7 +137,7 @@ impl Plan {
         self.vertices = filled.vertices();
         self.triangles = (0..base.count()).map(|patch| u64::from(filled.counts(patch)[1])).sum();
         let size = |patch: u32| filled.counts(patch).map(u64::from).iter().sum();
-        self.together(base.count(), size, Work::Filled);
+        self.grouped(base.count(), size, Work::Filled);
     }
 
     /// Plans a mesh over the filled tiles of a plane.
@@ -171,7 +171,7 @@ impl Plan {
         self.each(solid.corner_count(), Work::Below);
         self.each(solid.patch_count(), Work::Underside);
         let size = |wall: u32| 2 * solid.wall_triangles(base, wall);
-        self.together(solid.wall_count(), size, Work::Walls);
+        self.grouped(solid.wall_count(), size, Work::Walls);
         Ok(())
     }
 

@@ -69,27 +69,27 @@ pub struct MeshSettings {
     /// triangles.
     pub holes: bool,
     /// Pose of the finished mesh.
-    pub put: Put,
+    pub pose: Pose,
 }
 
 /// Pose of a finished mesh: it is turned about `y`, then moved along `y`. The factor `size` of
 /// [`Stream`](crate::Stream) applies after both.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Put {
+pub struct Pose {
     /// Cosine and sine of the angle about `y`, from `+x` toward `-z`.
     pub turn: [f64; 2],
     /// Metres along `y`.
     pub lift_m: f64,
 }
 
-impl Put {
+impl Pose {
     /// No turn and no lift.
-    pub const STAY: Self = Self { turn: [1.0, 0.0], lift_m: 0.0 };
+    pub const IDENTITY: Self = Self { turn: [1.0, 0.0], lift_m: 0.0 };
 
     /// Returns a turned direction.
     pub(crate) fn turned(&self, of: DVec3) -> DVec3 {
         let [cos, sin] = self.turn;
-        if self.turn == Self::STAY.turn {
+        if self.turn == Self::IDENTITY.turn {
             return of;
         }
         DVec3::new(cos * of.x + sin * of.z, of.y, cos * of.z - sin * of.x)
@@ -101,10 +101,10 @@ impl Put {
     }
 }
 
-impl Default for Put {
+impl Default for Pose {
     /// No turn and no lift.
     fn default() -> Self {
-        Self::STAY
+        Self::IDENTITY
     }
 }
 
@@ -173,7 +173,7 @@ impl Default for MeshSettings {
             shading: Shading::default(),
             seams: Seams::default(),
             holes: false,
-            put: Put::STAY,
+            pose: Pose::IDENTITY,
         }
     }
 }

@@ -21,7 +21,7 @@ pub struct Relief {
 
 /// Base point with its lift and its level of the map.
 #[derive(Clone, Copy, Debug)]
-pub struct Placed {
+pub struct SurfacePoint {
     pub base: BasePoint,
     /// Height of the smooth base above it in metres.
     pub lift_m: f64,
@@ -29,7 +29,7 @@ pub struct Placed {
     pub level: f64,
 }
 
-impl Placed {
+impl SurfacePoint {
     /// Creates a point on level 0, without a lift.
     pub fn new(base: BasePoint) -> Self {
         Self { base, lift_m: 0.0, level: 0.0 }
@@ -38,14 +38,14 @@ impl Placed {
 
 /// Displacement of a point.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen {
+pub struct Displacement {
     /// Displacement in metres.
     pub metres: f64,
     /// Derivatives of the height by `u` and `v`.
     pub slope: [f64; 2],
 }
 
-impl Seen {
+impl Displacement {
     /// Returns the displacement with another length in metres.
     pub fn at_metres(self, metres: f64) -> Self {
         Self { metres, ..self }
@@ -54,7 +54,7 @@ impl Seen {
 
 /// Extent of the map under a triangle.
 #[derive(Clone, Copy, Debug)]
-pub struct Under {
+pub struct MapExtent {
     /// Least and greatest height.
     pub heights: [f64; 2],
     /// Greatest rise from a texel to the next one, along both axes.
@@ -113,7 +113,7 @@ fn place_in(map: &HeightMap, uv: DVec2) -> [f64; 2] {
 
 /// Returns the height at texture coordinates, and its derivatives by `u` and `v`.
 #[inline(always)]
-fn seen_in(map: &HeightMap, uv: DVec2) -> [f64; 3] {
+fn height_and_slope_in(map: &HeightMap, uv: DVec2) -> [f64; 3] {
     let (height, [along, down]) = per_tile(map, place_in(map, uv));
     [height, along, down]
 }
@@ -133,8 +133,8 @@ impl Relief {
 
     /// Sets whether holes of the map count, if it has any.
     #[must_use]
-    pub fn with_holes(self, are_seen: bool) -> Self {
-        Self { has_holes: are_seen && self.map.holes().is_some(), ..self }
+    pub fn with_holes(self, do_count: bool) -> Self {
+        Self { has_holes: do_count && self.map.holes().is_some(), ..self }
     }
 
     /// Returns whether there are holes that count.
@@ -171,8 +171,8 @@ impl Relief {
 
     /// Returns a point displaced by the height of its level.
     #[inline(always)]
-    pub fn displaced(&self, placed: &Placed) -> DVec3 {
-        self.displaced_by(&placed.base, self.metres_at(placed))
+    pub fn displaced(&self, point: &SurfacePoint) -> DVec3 {
+        self.displaced_by(&point.base, self.metres_at(point))
     }
 
     /// Returns a base point displaced by `metres`.
@@ -255,7 +255,7 @@ impl Relief {
 
     /// Returns the extent of the map in the rectangle around a triangle. Places of the corners are
     /// counted from the centre of the first texel.
-    pub fn under(&self, places: [[f64; 2]; 3]) -> Under {
+    pub fn extent_under(&self, places: [[f64; 2]; 3]) -> MapExtent {
         let range = [0, 1].map(|axis| {
             let all = places.map(|place| place[axis]);
             let least = all.into_iter().fold(f64::INFINITY, f64::min).floor();
@@ -265,16 +265,16 @@ impl Relief {
             (least as i64, greatest.min(least + most) as i64)
         });
         let [(from_i, to_i), (from_j, to_j)] = range;
-        let mut under = Under { heights: [f64::INFINITY, f64::NEG_INFINITY], steepest: [0.0; 2] };
+        let mut extent = MapExtent { heights: [f64::INFINITY, f64::NEG_INFINITY], steepest: [0.0; 2] };
         for j in from_j..=to_j {
             for i in from_i..=to_i {
                 let [h00, h10, h01, _] = self.map.cell(i, j).map(f64::from);
-                under.heights = [under.heights[0].min(h00), under.heights[1].max(h00)];
+                extent.heights = [extent.heights[0].min(h00), extent.heights[1].max(h00)];
                 let rises = [h10 - h00, h01 - h00];
-                under.steepest = [0, 1].map(|axis| under.steepest[axis].max(rises[axis].abs()));
+                extent.steepest = [0, 1].map(|axis| extent.steepest[axis].max(rises[axis].abs()));
             }
         }
-        under
+        extent
     }
 
     /// Returns the greatest twist of all cells.
@@ -291,37 +291,37 @@ impl Relief {
     }
 
     #[inline(always)]
-    fn metres_at(&self, placed: &Placed) -> f64 {
+    fn metres_at(&self, point: &SurfacePoint) -> f64 {
         let height_in = |map: &HeightMap| {
-            let [x, y] = place_in(map, placed.base.uv);
+            let [x, y] = place_in(map, point.base.uv);
             map.height_at_place(x, y)
         };
         let height = if self.has_levels() {
-            self.mixed(placed.level, |map| [height_in(map)])[0]
+            self.mixed(point.level, |map| [height_in(map)])[0]
         } else {
             height_in(&self.map)
         };
-        self.metres(height) + placed.lift_m
+        self.metres(height) + point.lift_m
     }
 
     /// Returns the displacement of a point.
     #[inline(always)]
-    pub fn seen(&self, placed: &Placed) -> Seen {
-        let uv = placed.base.uv;
+    pub fn displacement(&self, point: &SurfacePoint) -> Displacement {
+        let uv = point.base.uv;
         let [height, along, down] = if self.has_levels() {
-            self.mixed(placed.level, |map| seen_in(map, uv))
+            self.mixed(point.level, |map| height_and_slope_in(map, uv))
         } else {
-            seen_in(&self.map, uv)
+            height_and_slope_in(&self.map, uv)
         };
-        Seen { metres: self.metres(height) + placed.lift_m, slope: [along, down] }
+        Displacement { metres: self.metres(height) + point.lift_m, slope: [along, down] }
     }
 
     /// Returns the displacement at a place of a map without coarser levels, where `i + ½` is the
     /// centre of texel `i`.
     #[inline(always)]
-    pub fn seen_at(&self, [x, y]: [f64; 2]) -> Seen {
+    pub fn displacement_at(&self, [x, y]: [f64; 2]) -> Displacement {
         let (height, slope) = per_tile(&self.map, [x - 0.5, y - 0.5]);
-        Seen { metres: self.metres(height), slope }
+        Displacement { metres: self.metres(height), slope }
     }
 
     /// Returns the values of two levels, mixed, or of the map where there is one level.
@@ -342,14 +342,14 @@ impl Relief {
 
     /// Returns the vertex of a base point, displaced and shaded in its frame.
     #[inline(always)]
-    pub fn vertex_of(&self, base: &BasePoint, seen: Seen, frame: &Frame) -> Vertex {
-        self.shaded(self.displaced_by(base, seen.metres), base, seen, frame)
+    pub fn vertex_of(&self, base: &BasePoint, displacement: Displacement, frame: &Frame) -> Vertex {
+        self.shaded(self.displaced_by(base, displacement.metres), base, displacement, frame)
     }
 
-    /// Returns the vertex at a position that another side of a seam defines. `placed` and `frame`
+    /// Returns the vertex at a position that another side of a seam defines. `point` and `frame`
     /// are its own.
-    pub fn vertex_at(&self, position: DVec3, placed: &Placed, frame: &Frame) -> Vertex {
-        self.shaded(position, &placed.base, self.seen(placed), frame)
+    pub fn vertex_at(&self, position: DVec3, point: &SurfacePoint, frame: &Frame) -> Vertex {
+        self.shaded(position, &point.base, self.displacement(point), frame)
     }
 
     /// Returns the vertex at a position. Its normal is the normal of the displaced surface, its
@@ -361,15 +361,15 @@ impl Relief {
     /// `M` by the slopes alone. `T` is the base's derivative in the plane perpendicular to its
     /// normal, so that the normal is the base's where there is no relief.
     #[inline(always)]
-    fn shaded(&self, position: DVec3, base: &BasePoint, seen: Seen, frame: &Frame) -> Vertex {
+    fn shaded(&self, position: DVec3, base: &BasePoint, displacement: Displacement, frame: &Frame) -> Vertex {
         let up = frame.normal.normalize_or_zero();
         let scale_m = self.map.scale_m();
         let is_level = matches!(self.shading, Shading::Derivative | Shading::Rotation);
-        let metres = if is_level { 0.0 } else { seen.metres };
+        let metres = if is_level { 0.0 } else { displacement.metres };
         let length = if self.directions == Directions::Raw { 0.0 } else { base.normal.length() };
         let derivative = |axis: usize| {
             let flat = frame.tangents[axis] - up * up.dot(frame.tangents[axis]);
-            let rise = scale_m * seen.slope[axis];
+            let rise = scale_m * displacement.slope[axis];
             let (mut direction, mut turn) = (base.normal, frame.turns[axis]);
             if length > 0.0 {
                 direction /= length;
@@ -381,7 +381,7 @@ impl Relief {
         let is_mirrored = frame.tangents[1].cross(frame.tangents[0]).dot(up) < 0.0;
         let handed = if is_mirrored { -1.0 } else { 1.0 };
         let normal = if self.shading == Shading::Rotation {
-            let rises = seen.slope.map(|slope| scale_m * slope);
+            let rises = displacement.slope.map(|slope| scale_m * slope);
             turned(up, frame.tangents, rises, handed)
         } else {
             down.cross(along) * handed

@@ -48,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sides_have_a_point_every_so_many_texels() {
+    fn sides_have_a_point_every_n_texels() {
         let every = |texels| MeshSettings { texels, ..MeshSettings::default() };
         for (along, texels, expected) in [
             ([8.0, 0.0], 1, 8),

@@ -31,7 +31,7 @@ pub struct Weights {
 }
 
 /// Parts of an edge between which heights are sampled.
-const LOOKS: u32 = 16;
+const SAMPLES: u32 = 16;
 
 impl Weights {
     /// No weights: edges have as many parts as voxels.
@@ -61,10 +61,10 @@ impl Weights {
         });
         let [a, b] = ends.map(BasePoint::from);
         let at = |k: u32| {
-            let part = f64::from(k) / f64::from(LOOKS);
+            let part = f64::from(k) / f64::from(SAMPLES);
             relief.height_at_uv(a.uv + (b.uv - a.uv) * part)
         };
-        let heights: Vec<f64> = (0..=LOOKS).map(at).collect();
+        let heights: Vec<f64> = (0..=SAMPLES).map(at).collect();
         let length = a.position.distance(b.position);
         let rise: f64 = heights.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum();
         let slope = if length > 0.0 { (relief.map().scale_m() * rise / length).abs() } else { 0.0 };

@@ -8,7 +8,9 @@ use std::ops::Range;
 
 use relief_core::registry::{Publication, UnknownName};
 
-pub use adapt::{Facet, Filled, Gap, Ground, INTERIOR as ADAPT, STEPS, Seen, Turning, Wanted, Window, along};
+pub use adapt::{
+    Distances, Facet, FillRequest, Filled, Gap, Ground, INTERIOR as ADAPT, STEPS, Turning, Window, along,
+};
 pub use dice::INTERIOR as DICE;
 pub use sweep::INTERIOR as SWEEP;
 
@@ -55,7 +57,7 @@ pub struct Fill {
 }
 
 /// Function that fills a patch over a ground.
-pub type FillOf<G> = fn(&G, border: &[([i32; 2], f32)], Wanted<'_>) -> Option<Filled>;
+pub type FillOf<G> = fn(&G, border: &[([i32; 2], f32)], FillRequest<'_>) -> Option<Filled>;
 
 /// Pattern that depends on the points of the sides alone.
 #[derive(Clone, Copy, Debug)]

@@ -42,7 +42,7 @@ pub const INTERIOR: Interior = Interior {
         section: "3.4",
     },
     takes: &[Spacing::Voxels],
-    why: "a sweep goes through voxels, and needs a point of each side in every voxel along it",
+    why: "a sweep needs a point of each side in every voxel along it",
     fills: Fills::Patch(Pattern { steps, counts, cut }),
 };
 
@@ -65,7 +65,7 @@ struct Sweep {
 
 /// Point in the plane of the sweep.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct PlanePoint {
     /// Coordinates are `[x / w, y / w]`.
     x: i64,
     y: i64,
@@ -79,7 +79,7 @@ struct Place {
 const SIDES: [u8; 3] = [1, 2, 4];
 
 /// Index of a point in the cut, and its coordinates.
-type Point = (u32, Place);
+type Point = (u32, PlanePoint);
 
 /// Column of points.
 #[derive(Debug, Default)]
@@ -176,14 +176,14 @@ impl Sweep {
     }
 
     /// Returns the top point of a number.
-    fn upper(&self, number: i64) -> Place {
+    fn upper(&self, number: i64) -> PlanePoint {
         let ([n, m], [x, y], [end_x, end_y]) = (self.parts, self.apex, self.end);
         if number <= n {
             let sides = if number == n { SIDES[1] | SIDES[2] } else { SIDES[1] };
-            Place { x: x * number, y: y * number, w: n, sides }
+            PlanePoint { x: x * number, y: y * number, w: n, sides }
         } else {
             let k = number - n;
-            Place { x: x * (m - k) + end_x * k, y: y * (m - k) + end_y * k, w: m, sides: SIDES[2] }
+            PlanePoint { x: x * (m - k) + end_x * k, y: y * (m - k) + end_y * k, w: m, sides: SIDES[2] }
         }
     }
 
@@ -208,7 +208,7 @@ impl Sweep {
         let from = rounded(self.end[1] * column, self.end[0]) + 1;
         let (top, _) = self.top(column);
         let heights = [top.start, top.end - 1].map(|number| {
-            let Place { y, w, .. } = self.upper(number);
+            let PlanePoint { y, w, .. } = self.upper(number);
             rounded(y, w)
         });
         from..heights[0].min(heights[1]).max(from)
@@ -262,11 +262,11 @@ impl Sweep {
         let bottom = self.border([0, 1], column, self.end[0]);
         let of_top = [column == 0, column == self.end[0]];
         let sides = SIDES[0] | if of_top[0] { SIDES[1] } else { 0 } | if of_top[1] { SIDES[2] } else { 0 };
-        let place = Place { x: column * self.end[0], y: self.end[1] * column, w: self.end[0], sides };
+        let place = PlanePoint { x: column * self.end[0], y: self.end[1] * column, w: self.end[0], sides };
         into.points.push((cut.point(bottom), place));
         for (number, y) in (first..).zip(self.inner(column)) {
             let point = PatchPoint::Inner { number, weights: self.weights([column, y]) };
-            into.points.push((cut.point(point), Place { x: column, y, w: 1, sides: 0 }));
+            into.points.push((cut.point(point), PlanePoint { x: column, y, w: 1, sides: 0 }));
         }
         into.below_top = into.points.len();
         let (range, top) = self.top(column);
@@ -362,7 +362,8 @@ impl Sweep {
     /// above the one before. So nothing is turned over, and the shorter diagonal leads to the point
     /// above the lower of the two.
     fn zip_grid(&self, from: [Point; 2], at: [usize; 2], in_grid: [usize; 2], cut: &mut Cut) -> [usize; 2] {
-        let [(mut left, Place { y: mut y_left, .. }), (mut right, Place { y: mut y_right, .. })] = from;
+        let [(mut left, PlanePoint { y: mut y_left, .. }), (mut right, PlanePoint { y: mut y_right, .. })] =
+            from;
         let [mut i, mut j] = at;
         cut.triangles.reserve(in_grid[0] - i + in_grid[1] - j);
         while i + 1 < in_grid[0] && j + 1 < in_grid[1] {
@@ -401,16 +402,16 @@ impl Column {
 }
 
 /// Returns the sign of a triangle's area.
-fn turn([a, b, c]: [Place; 3]) -> i32 {
-    let along = |to: Place| [to.x * a.w - a.x * to.w, to.y * a.w - a.y * to.w].map(i128::from);
+fn turn([a, b, c]: [PlanePoint; 3]) -> i32 {
+    let along = |to: PlanePoint| [to.x * a.w - a.x * to.w, to.y * a.w - a.y * to.w].map(i128::from);
     let ([bx, by], [cx, cy]) = (along(b), along(c));
     (bx * cy - by * cx).signum() as i32
 }
 
 /// Returns whether a way is no longer than another one, as the sum of its extents along both axes.
-fn is_no_longer(way: [Place; 2], other: [Place; 2]) -> bool {
+fn is_no_longer(way: [PlanePoint; 2], other: [PlanePoint; 2]) -> bool {
     let length =
-        |[a, b]: [Place; 2]| [(b.x * a.w - a.x * b.w).abs() + (b.y * a.w - a.y * b.w).abs(), a.w * b.w];
+        |[a, b]: [PlanePoint; 2]| [(b.x * a.w - a.x * b.w).abs() + (b.y * a.w - a.y * b.w).abs(), a.w * b.w];
     let ([of, by], [of_other, by_other]) = (length(way).map(i128::from), length(other).map(i128::from));
     of * by_other <= of_other * by
 }

@@ -14,17 +14,17 @@ use crate::cache_order::cache_order;
 use crate::crack::CrackPart;
 use crate::folds::{self, FoldedBase};
 use crate::interior::{Cut, Pattern};
-use crate::kept::Kept;
 use crate::patch::{Patch, PatchPoint};
 use crate::plan::Work;
 use crate::plane::{Adapted, Faces, Grid, Tile};
 use crate::smooth::Normals;
 use crate::surface::Relief;
 use crate::triangles::{self, EdgeVertices, Inside, Numbered, PatchBorder, Triangles};
-use crate::{Put, Rounded, Shading, Stream};
+use crate::vertex_set::VertexSet;
+use crate::{Pose, Rounded, Shading, Stream};
 
 /// Finished block with its measurements.
-pub struct Made {
+pub struct FinishedBlock {
     pub block: MeshBlock,
     pub part: Option<CrackPart>,
     /// Numbers of the triangles' corners for smooth normals.
@@ -40,26 +40,26 @@ pub struct Made {
 impl Mesher {
     /// Builds a block, in the memory of one that is not needed any more. Returns `None` if a
     /// position is not finite.
-    pub fn made(
+    pub fn finished_block(
         &self,
         work: &Work,
         how: &Stream,
         normals: Option<&Normals>,
         block: MeshBlock,
-    ) -> Option<Made> {
+    ) -> Option<FinishedBlock> {
         let smooth = (self.shading == Shading::Mesh && normals.is_none()).then(Vec::new);
-        let kept = self.kept.as_ref();
+        let used = self.used.as_ref();
         let outline = self.outline();
-        let mut making =
-            Making { block: emptied(block), normals, smooth, kept, outline, ..Making::default() };
-        self.make(work, &mut making);
-        let count = making.block.triangles.len();
-        making.block.owners.resize(count, MeshBlock::NO_OWNER);
+        let mut builder =
+            BlockBuilder { block: emptied(block), normals, smooth, used, outline, ..BlockBuilder::default() };
+        self.build(work, &mut builder);
+        let count = builder.block.triangles.len();
+        builder.block.owners.resize(count, MeshBlock::NO_OWNER);
         if how.cache_order {
-            making.order();
+            builder.order();
         }
-        let Making { mut block, smooth, folds, folds_below, .. } = making;
-        put(&mut block, &self.put, how.size);
+        let BlockBuilder { mut block, smooth, folds, folds_below, .. } = builder;
+        apply_pose(&mut block, &self.pose, how.size);
         let rounded = how.grid.map(|grid| round(&mut block, &grid)).unwrap_or_default();
         let (mut bounds_m, mut is_finite) = (EMPTY, true);
         for Vertex { position, .. } in &block.vertices {
@@ -71,26 +71,26 @@ impl Mesher {
         }
         let part = how.check.then(|| CrackPart::of(&block.points, &block.corners));
         let smooth = smooth.unwrap_or_default();
-        Some(Made { block, part, smooth, bounds_m, folds, folds_below, rounded })
+        Some(FinishedBlock { block, part, smooth, bounds_m, folds, folds_below, rounded })
     }
 
     /// Returns the triangles of a block that are not left out. Their corners have the numbers of
     /// all vertices, before any is left out.
-    pub fn left(&self, work: &Work) -> Vec<[u32; 3]> {
+    pub fn remaining_triangles(&self, work: &Work) -> Vec<[u32; 3]> {
         // Vertices alone make no triangles.
         if matches!(work, Work::Corners(_) | Work::Edges(_)) {
             return Vec::new();
         }
-        let mut making = Making { is_counted: true, ..Making::default() };
-        self.make(work, &mut making);
-        making.block.triangles
+        let mut builder = BlockBuilder { is_counted: true, ..BlockBuilder::default() };
+        self.build(work, &mut builder);
+        builder.block.triangles
     }
 
     /// Returns the vertices of a block that are in `wanted`, with their numbers.
-    pub fn wanted(&self, work: &Work, wanted: &HashSet<u32>) -> Vec<(u32, Vertex)> {
-        let mut making = Making { wanted: Some(wanted), ..Making::default() };
-        self.make(work, &mut making);
-        making.found
+    pub fn find_vertices(&self, work: &Work, wanted: &HashSet<u32>) -> Vec<(u32, Vertex)> {
+        let mut builder = BlockBuilder { wanted: Some(wanted), ..BlockBuilder::default() };
+        self.build(work, &mut builder);
+        builder.found
     }
 
     fn outline(&self) -> Option<&Outline> {
@@ -100,83 +100,84 @@ impl Mesher {
         }
     }
 
-    fn make(&self, work: &Work, making: &mut Making) {
+    fn build(&self, work: &Work, builder: &mut BlockBuilder) {
         match (&self.base, work) {
             (_, Work::Copies(range)) => {
                 for at in self.outline().into_iter().flat_map(|_| range.clone()) {
                     if let Some(outline) = self.outline() {
                         let (vertex, numbered) = outline.copy(at);
-                        making.vertex(vertex, numbered);
+                        builder.vertex(vertex, numbered);
                     }
                 }
             }
             (_, Work::Beneath(at)) => {
                 if let Some(outline) = self.outline() {
-                    let (kept, outlined) = (making.kept, Some(outline));
-                    let mut above = Making { kept, outline: outlined, ..Making::default() };
-                    self.make(&self.blocks[*at as usize], &mut above);
-                    making.beneath(above.block, outline);
+                    let (used, outlined) = (builder.used, Some(outline));
+                    let mut above = BlockBuilder { used, outline: outlined, ..BlockBuilder::default() };
+                    self.build(&self.blocks[*at as usize], &mut above);
+                    builder.beneath(above.block, outline);
                 }
             }
             (_, Work::Outline(range)) => {
                 if let Some(outline) = self.outline() {
-                    range.clone().for_each(|at| making.wall(outline, at));
+                    range.clone().for_each(|at| builder.wall(outline, at));
                 }
             }
             (Base::Triangles(base, pattern), Work::Patches { from, to, first_inner, first_vertex }) => {
-                self.patches(base, pattern, [*from, *to], [*first_inner, *first_vertex], making);
+                self.patches(base, pattern, [*from, *to], [*first_inner, *first_vertex], builder);
             }
             (Base::Grid(grid, pattern), Work::Tile(number)) => {
-                self.tile(grid, pattern, &grid.tile(*number), making);
+                self.tile(grid, pattern, &grid.tile(*number), builder);
             }
             (Base::Adapted(plane), Work::Corners(range)) => {
                 for number in range.clone() {
-                    making.vertex(plane.corner_vertex(&self.relief, number), Numbered::both(number));
+                    builder.vertex(plane.corner_vertex(&self.relief, number), Numbered::both(number));
                 }
             }
             (Base::Adapted(plane), Work::Edges(range)) => {
                 for side in range.clone() {
                     for at in 0..plane.points_of_side(side) {
                         let vertex = plane.side_vertex(&self.relief, side, at);
-                        making.vertex(vertex, Numbered::both(plane.first_of_side(side) + at));
+                        builder.vertex(vertex, Numbered::both(plane.first_of_side(side) + at));
                     }
                 }
             }
-            (Base::Adapted(plane), Work::Tile(number)) => self.filled_tile(plane, *number, making),
+            (Base::Adapted(plane), Work::Tile(number)) => self.filled_tile(plane, *number, builder),
             (Base::Filled(filled), Work::Filled(range)) => {
                 for patch in range.clone() {
-                    self.filled_patch(filled, patch, making);
+                    self.filled_patch(filled, patch, builder);
                 }
             }
             (base, Work::Solid(first)) => {
                 if let (Some(Solid::Plane(solid)), Some(rectangle)) = (&self.solid, base.rectangle()) {
-                    making.faces(solid.faces(rectangle, &self.relief, *first), rectangle.is_turned);
+                    builder.faces(solid.faces(rectangle, &self.relief, *first), rectangle.is_turned);
                 }
             }
             (base, Work::Below(range)) => {
                 if let (Some(Solid::Triangles(solid)), Some(base)) = (&self.solid, base.triangles()) {
                     for place in range.clone() {
                         let (vertex, numbered) = solid.corner(base, place);
-                        making.vertex(vertex, numbered);
+                        builder.vertex(vertex, numbered);
                     }
                 }
             }
             (base, Work::Underside(range)) => {
                 if let (Some(Solid::Triangles(solid)), Some(base)) = (&self.solid, base.triangles()) {
-                    making.underside(base, range.clone().map(|place| solid.triangle(base, place)));
+                    builder.underside(base, range.clone().map(|place| solid.triangle(base, place)));
                 }
             }
             (base, Work::Walls(range)) => {
                 if let (Some(Solid::Triangles(solid)), Some(base)) = (&self.solid, base.triangles()) {
                     for wall in range.clone() {
-                        making.faces(solid.wall(base, &self.relief, wall), false);
+                        builder.faces(solid.wall(base, &self.relief, wall), false);
                     }
                 }
             }
             (base, Work::Corners(range)) => {
                 if let Some(base) = base.triangles() {
                     for number in range.clone() {
-                        making.vertex(base.corner_vertex(&self.relief, number), base.corner_numbered(number));
+                        builder
+                            .vertex(base.corner_vertex(&self.relief, number), base.corner_numbered(number));
                     }
                 }
             }
@@ -186,7 +187,7 @@ impl Mesher {
                         let vertices = EdgeVertices::new(base, edge);
                         for at in 1..=base.points_of_edge(edge) {
                             let (vertex, numbered) = vertices.at(&self.relief, at);
-                            making.vertex(vertex, numbered);
+                            builder.vertex(vertex, numbered);
                         }
                     }
                 }
@@ -202,7 +203,7 @@ impl Mesher {
         pattern: &Pattern,
         [from, to]: [[u32; 2]; 2],
         first: [u32; 2],
-        making: &mut Making,
+        builder: &mut BlockBuilder,
     ) {
         let [mut first_inner, mut first_vertex] = first;
         let mut cut = Cut::default();
@@ -221,28 +222,28 @@ impl Mesher {
             let (border, inside) = (PatchBorder::new(base, &self.relief, patch), Inside::new(base, patch));
             self.leave_out(&mut cut, |point| self.relief.place(inside.uv(base, patch, point)));
             let numbers = [first_inner, first_vertex];
-            let placing = Placing {
+            let points_of_patch = PatchPoints {
                 cut: &cut,
                 border: &border,
                 inside: &inside,
                 relief: &self.relief,
                 numbers,
-                making,
+                builder,
                 points: &mut points,
             };
             // Compiled for the machine's SIMD width; the bits are the same.
-            let own = Lanes::Eight.run_up_to_eight(placing);
-            if let Some((sight, cull)) = &self.unseen {
+            let own = Lanes::Eight.run_up_to_eight(points_of_patch);
+            if let Some((volume, cull)) = &self.unseen {
                 // Triangles without all of their corners were left out when they were counted.
                 cut.triangles.retain(|corners| {
                     let corners = corners.map(|corner| points[corner as usize]);
-                    corners.iter().all(|(numbered, _)| making.knows(numbered.number))
-                        && !sight.is_unseen(corners.map(|(_, position)| position), cull)
+                    corners.iter().all(|(numbered, _)| builder.knows(numbered.number))
+                        && !volume.is_unseen(corners.map(|(_, position)| position), cull)
                 });
             }
-            making.owner = base.whole(patch);
-            making.triangles(&cut.triangles, &points, false);
-            making.folds.extend(self.folded(base, patch, &cut, &points));
+            builder.owner = base.whole(patch);
+            builder.triangles(&cut.triangles, &points, false);
+            builder.folds.extend(self.folded(base, patch, &cut, &points));
             first_vertex += own;
             first_inner = 0;
         }
@@ -262,7 +263,7 @@ impl Mesher {
         // Directions between are sums of the corners' directions. Nearly always this test is
         // enough.
         let directions = base.directions(patch);
-        if !Lanes::Eight.run_up_to_eight(Folding { triangles: &cut.triangles, points, directions }) {
+        if !Lanes::Eight.run_up_to_eight(FoldTest { triangles: &cut.triangles, points, directions }) {
             return None;
         }
         let is_folded = |corners: &&[u32; 3]| {
@@ -294,7 +295,7 @@ impl Mesher {
         });
     }
 
-    fn filled_tile(&self, plane: &Adapted, tile: u32, making: &mut Making) {
+    fn filled_tile(&self, plane: &Adapted, tile: u32, builder: &mut BlockBuilder) {
         let mut triangles = plane.triangles(tile).to_vec();
         self.leave_out_of(&mut triangles, |at| plane.place(tile, at).map(|place| place - 0.5));
         let border = plane.border_points(&self.relief, tile);
@@ -302,13 +303,13 @@ impl Mesher {
             border.into_iter().map(|(number, position)| (Numbered::both(number), position)).collect();
         for at in 0..plane.counts(tile)[0] {
             let numbered = Numbered::both(plane.first_of_tile(tile) + at);
-            points.push((numbered, making.vertex(plane.inner_vertex(&self.relief, tile, at), numbered)));
+            points.push((numbered, builder.vertex(plane.inner_vertex(&self.relief, tile, at), numbered)));
         }
         // Filled tiles turn from `u` to `v`, patterns from `v` to `u`.
-        making.triangles(&triangles, &points, !plane.is_turned());
+        builder.triangles(&triangles, &points, !plane.is_turned());
     }
 
-    fn filled_patch(&self, filled: &triangles::Adapted, patch: u32, making: &mut Making) {
+    fn filled_patch(&self, filled: &triangles::Adapted, patch: u32, builder: &mut BlockBuilder) {
         let base = filled.base();
         let (mut cut, border) = (filled.cut(patch), PatchBorder::new(base, &self.relief, patch));
         let inside = Inside::new(base, patch);
@@ -321,16 +322,16 @@ impl Mesher {
                     let numbered = Numbered::both(filled.first_of_patch(patch) + number);
                     let height = filled.inner_height(patch, number);
                     let vertex = inside.vertex_at(&self.relief, weights, height);
-                    (numbered, making.vertex(vertex, numbered))
+                    (numbered, builder.vertex(vertex, numbered))
                 }
             });
         }
-        making.owner = base.whole(patch);
-        making.triangles(&cut.triangles, &points, false);
-        making.folds.extend(self.folded(base, patch, &cut, &points));
+        builder.owner = base.whole(patch);
+        builder.triangles(&cut.triangles, &points, false);
+        builder.folds.extend(self.folded(base, patch, &cut, &points));
     }
 
-    fn tile(&self, plane: &Grid, pattern: &Pattern, tile: &Tile, making: &mut Making) {
+    fn tile(&self, plane: &Grid, pattern: &Pattern, tile: &Tile, builder: &mut BlockBuilder) {
         let shape = Patch::Tile(plane.lines(tile));
         let mut cut = Cut::default();
         (pattern.cut)(&shape, 0..(pattern.steps)(&shape), 0, &mut cut);
@@ -342,25 +343,30 @@ impl Mesher {
             // A grid has points on its lines alone.
             PatchPoint::Inner { .. } => [f64::NAN; 2],
         });
-        let points =
-            Lanes::Eight.run_up_to_eight(Tiling { cut: &cut, plane, tile, relief: &self.relief, making });
-        making.triangles(&cut.triangles, &points, plane.is_turned());
+        let points = Lanes::Eight.run_up_to_eight(TilePoints {
+            cut: &cut,
+            plane,
+            tile,
+            relief: &self.relief,
+            builder,
+        });
+        builder.triangles(&cut.triangles, &points, plane.is_turned());
     }
 }
 
 /// Points of a patch to be computed.
-struct Placing<'a, 'm> {
+struct PatchPoints<'a, 'm> {
     cut: &'a Cut,
     border: &'a PatchBorder<'a>,
     inside: &'a Inside,
     relief: &'a Relief,
     /// First inner point of the patch that belongs to this block, and the number of its vertex.
     numbers: [u32; 2],
-    making: &'a mut Making<'m>,
+    builder: &'a mut BlockBuilder<'m>,
     points: &'a mut Vec<(Numbered, Vec3)>,
 }
 
-impl WithSimd for Placing<'_, '_> {
+impl WithSimd for PatchPoints<'_, '_> {
     /// Number of vertices that belong to this block.
     type Output = u32;
 
@@ -372,20 +378,20 @@ impl WithSimd for Placing<'_, '_> {
             self.points.push(match *point {
                 PatchPoint::Border { side, at } => {
                     let numbered = self.border.numbered(side, at);
-                    let is_known = self.making.knows(numbered.number);
+                    let is_known = self.builder.knows(numbered.number);
                     (numbered, if is_known { self.border.position(side, at) } else { Vec3::NAN })
                 }
                 PatchPoint::Inner { number, weights } => {
                     let number_of = first_vertex.wrapping_add(number).wrapping_sub(first_inner);
                     let numbered = Numbered::both(number_of);
                     own += u32::from(number >= first_inner);
-                    if !self.making.knows(number_of) {
+                    if !self.builder.knows(number_of) {
                         (numbered, Vec3::NAN)
-                    } else if number < first_inner || self.making.is_counted {
+                    } else if number < first_inner || self.builder.is_counted {
                         (numbered, self.inside.position(self.relief, weights))
                     } else {
                         let vertex = self.inside.vertex(self.relief, weights);
-                        (numbered, self.making.vertex(vertex, numbered))
+                        (numbered, self.builder.vertex(vertex, numbered))
                     }
                 }
             });
@@ -395,28 +401,28 @@ impl WithSimd for Placing<'_, '_> {
 }
 
 /// Points of a tile of a plane to be computed.
-struct Tiling<'a, 'm> {
+struct TilePoints<'a, 'm> {
     cut: &'a Cut,
     plane: &'a Grid,
     tile: &'a Tile,
     relief: &'a Relief,
-    making: &'a mut Making<'m>,
+    builder: &'a mut BlockBuilder<'m>,
 }
 
-impl WithSimd for Tiling<'_, '_> {
+impl WithSimd for TilePoints<'_, '_> {
     /// Numbers and positions of the points.
     type Output = Vec<(Numbered, Vec3)>;
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) -> Self::Output {
-        let Self { cut, plane, tile, relief, making } = self;
+        let Self { cut, plane, tile, relief, builder } = self;
         let mut points = Vec::with_capacity(cut.points.len());
         for point in &cut.points {
             if let PatchPoint::Border { side, at } = *point {
                 let lines = [tile.first[0] + side as usize, tile.first[1] + at as usize];
                 let numbered = Numbered::both(plane.number(lines));
                 let position = if Grid::is_own(tile, lines) {
-                    making.vertex(plane.vertex(relief, lines), numbered)
+                    builder.vertex(plane.vertex(relief, lines), numbered)
                 } else {
                     plane.position(relief, lines)
                 };
@@ -428,13 +434,13 @@ impl WithSimd for Tiling<'_, '_> {
 }
 
 /// Triangles to be tested for folds, with the directions of displacement at their patch's corners.
-struct Folding<'a> {
+struct FoldTest<'a> {
     triangles: &'a [[u32; 3]],
     points: &'a [(Numbered, Vec3)],
     directions: [DVec3; 3],
 }
 
-impl WithSimd for Folding<'_> {
+impl WithSimd for FoldTest<'_> {
     /// Whether any triangle may be folded.
     type Output = bool;
 
@@ -451,13 +457,13 @@ impl WithSimd for Folding<'_> {
 
 /// Block under construction.
 #[derive(Default)]
-struct Making<'a> {
+struct BlockBuilder<'a> {
     block: MeshBlock,
     /// Smooth numbers of the triangles' corners, if normals are computed from these triangles.
     smooth: Option<Vec<[u32; 3]>>,
     normals: Option<&'a Normals>,
     /// Remaining vertices, once they are known.
-    kept: Option<&'a Kept>,
+    used: Option<&'a VertexSet>,
     /// Whether triangles alone are needed.
     is_counted: bool,
     /// Outline along which touching pieces are parted.
@@ -471,7 +477,7 @@ struct Making<'a> {
     owner: u32,
 }
 
-impl Making<'_> {
+impl BlockBuilder<'_> {
     /// Adds a vertex, unless no triangle uses it, and returns its position.
     #[inline(always)]
     fn vertex(&mut self, mut vertex: Vertex, numbered: Numbered) -> Vec3 {
@@ -491,7 +497,7 @@ impl Making<'_> {
     /// Returns whether a triangle may use the vertex `number`.
     #[inline(always)]
     fn knows(&self, number: u32) -> bool {
-        self.kept.is_none_or(|kept| kept.contains(number))
+        self.used.is_none_or(|used| used.contains(number))
     }
 
     /// Adds faces with their own vertices.
@@ -550,7 +556,7 @@ impl Making<'_> {
         }
         let number = |corner: u32| {
             let number = numbered(corner).number;
-            self.kept.map_or(number, |kept| kept.number(number))
+            self.used.map_or(number, |used| used.number(number))
         };
         let numbers = |[a, b, c]: [u32; 3]| [number(a), number(b), number(c)];
         self.block.triangles.extend(triangles.clone().map(numbers));
@@ -560,7 +566,7 @@ impl Making<'_> {
 
     /// Adds a triangle whose corners may lie where pieces touch.
     fn parted(&mut self, outline: &Outline, mut numbers: [u32; 3], mut corners: [u32; 3]) {
-        let own = [0, 1, 2].map(|k| outline.instead(numbers[k], numbers[(k + 1) % 3]));
+        let own = [0, 1, 2].map(|k| outline.replacement(numbers[k], numbers[(k + 1) % 3]));
         for k in 0..3 {
             if let Some((number, position)) = own[k] {
                 numbers[k] = number;
@@ -568,7 +574,7 @@ impl Making<'_> {
                 self.block.points.push(position);
             }
         }
-        self.block.triangles.push(numbers.map(|number| self.kept.map_or(number, |kept| kept.number(number))));
+        self.block.triangles.push(numbers.map(|number| self.used.map_or(number, |used| used.number(number))));
         self.block.corners.push(corners);
     }
 
@@ -589,7 +595,7 @@ impl Making<'_> {
         let place = self.block.points.len() as u32;
         self.block.points.extend(ends.map(|(_, position)| position));
         self.block.points.extend(ends.map(|(_, position)| outline.below(position)));
-        let [a, b] = ends.map(|(number, _)| self.kept.map_or(number, |kept| kept.number(number)));
+        let [a, b] = ends.map(|(number, _)| self.used.map_or(number, |used| used.number(number)));
         let numbers = [a, b, outline.first_below + a, outline.first_below + b];
         for corners in [[1, 0, 2], [1, 2, 3]] {
             self.block.triangles.push(corners.map(|corner| numbers[corner]));
@@ -623,12 +629,12 @@ fn ordered<T: Copy>(list: &[T], order: &[u32]) -> Vec<T> {
 }
 
 /// Moves, turns and scales a block into place. Equal positions stay equal.
-fn put(block: &mut MeshBlock, put: &Put, size: f64) {
-    if size == 1.0 && *put == Put::STAY {
+fn apply_pose(block: &mut MeshBlock, pose: &Pose, size: f64) {
+    if size == 1.0 && *pose == Pose::IDENTITY {
         return;
     }
-    let position = |of: Vec3| put.position(of.as_dvec3(), size).as_vec3();
-    let direction = |of: Vec3, size: f64| (put.turned(of.as_dvec3()) * DVec3::splat(size)).as_vec3();
+    let position = |of: Vec3| pose.position(of.as_dvec3(), size).as_vec3();
+    let direction = |of: Vec3, size: f64| (pose.turned(of.as_dvec3()) * DVec3::splat(size)).as_vec3();
     for vertex in &mut block.vertices {
         vertex.position = position(vertex.position);
         vertex.normal = direction(vertex.normal, 1.0);

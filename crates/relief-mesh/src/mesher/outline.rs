@@ -46,7 +46,7 @@ impl Bottom {
 
 /// Limits on moving vertices apart.
 #[derive(Clone, Copy, Debug)]
-pub struct Room {
+pub struct ShiftLimits {
     /// Side of a texel in metres.
     pub texel_m: f64,
     /// Tolerance of the triangles' heights in metres.
@@ -135,7 +135,7 @@ impl Sides {
 pub struct Outline {
     bottom: Bottom,
     /// Number of vertices before pieces are parted. Copies have the next numbers.
-    made: u32,
+    originals: u32,
     /// Copies of vertices at which pieces touch: the number of the original, and the copy.
     copies: Vec<(u32, Vertex)>,
     /// Index of the copy that a triangle uses, by the vertex and the next corner.
@@ -150,10 +150,16 @@ pub struct Outline {
 
 impl Outline {
     /// Creates the walls along `sides`, whose vertices are in `found`.
-    pub fn new(sides: Sides, found: &HashMap<u32, Vertex>, made: u32, bottom: Bottom, room: Room) -> Self {
+    pub fn new(
+        sides: Sides,
+        found: &HashMap<u32, Vertex>,
+        originals: u32,
+        bottom: Bottom,
+        limits: ShiftLimits,
+    ) -> Self {
         let (mut copies, mut places) = (Vec::new(), HashMap::new());
         for (vertex, fan) in &sides.fans {
-            let Some(copy) = moved(*vertex, fan, found, &bottom, &room) else { continue };
+            let Some(copy) = shifted(*vertex, fan, found, &bottom, &limits) else { continue };
             for [next, _] in fan {
                 places.insert([*vertex, *next], copies.len() as u32);
             }
@@ -165,7 +171,7 @@ impl Outline {
             .filter_map(|[start, ..]| found.get(start).map(|vertex| (*start, vertex.position)));
         let positions = positions.collect();
         let mut outline =
-            Self { bottom, made, copies, places, border: Vec::new(), positions, first_below: 0 };
+            Self { bottom, originals, copies, places, border: Vec::new(), positions, first_below: 0 };
         outline.border =
             sides.border.iter().map(|&[a, b, c]| [outline.own(a, b), outline.own(b, c)]).collect();
         outline
@@ -190,23 +196,23 @@ impl Outline {
     /// Returns a copy, which parts pieces.
     pub fn copy(&self, at: u32) -> (Vertex, Numbered) {
         let (of, vertex) = self.copies[at as usize];
-        (vertex, Numbered { number: self.made + at, smooth: of })
+        (vertex, Numbered { number: self.originals + at, smooth: of })
     }
 
     /// Returns number and position of the copy that a triangle uses in place of a vertex, if it
     /// does. The next corner identifies the triangle.
     #[inline]
-    pub fn instead(&self, vertex: u32, next: u32) -> Option<(u32, Vec3)> {
+    pub fn replacement(&self, vertex: u32, next: u32) -> Option<(u32, Vec3)> {
         let at = *self.places.get(&[vertex, next])?;
-        Some((self.made + at, self.copies[at as usize].1.position))
+        Some((self.originals + at, self.copies[at as usize].1.position))
     }
 
     fn own(&self, vertex: u32, next: u32) -> u32 {
-        self.instead(vertex, next).map_or(vertex, |(number, _)| number)
+        self.replacement(vertex, next).map_or(vertex, |(number, _)| number)
     }
 
     fn position(&self, number: u32) -> Vec3 {
-        match number.checked_sub(self.made) {
+        match number.checked_sub(self.originals) {
             Some(copy) => self.copies[copy as usize].1.position,
             None => self.positions.get(&number).copied().unwrap_or(Vec3::NAN),
         }
@@ -231,12 +237,12 @@ impl Outline {
 
 /// Returns a copy of a vertex, moved into the triangles around it. It moves along the triangle in
 /// their middle, so that it stays in its plane.
-fn moved(
+fn shifted(
     vertex: u32,
     fan: &[[u32; 2]],
     found: &HashMap<u32, Vertex>,
     bottom: &Bottom,
-    room: &Room,
+    limits: &ShiftLimits,
 ) -> Option<Vertex> {
     let own = found.get(&vertex)?;
     let at = |number: u32| found.get(&number).map(|vertex| vertex.position.as_dvec3());
@@ -255,10 +261,10 @@ fn moved(
         change = change.max((toward.dot(normal) / normal.dot(bottom.up)).abs());
     }
     let far = bottom.flat(toward).length();
-    let most = (APART[0] * room.texel_m).min(APART[1] * nearest) / far;
+    let most = (APART[0] * limits.texel_m).min(APART[1] * nearest) / far;
     let largest = from.abs().max_element();
     let least = (LEAST * largest).min(APART[1] * nearest) / far;
-    let part = most.min(CHANGE * room.tolerance_m / change).max(least);
+    let part = most.min(CHANGE * limits.tolerance_m / change).max(least);
     let part = if part.is_finite() { part } else { 0.0 };
     let uv: Vec2 = own.uv + toward_uv * part as f32;
     Some(Vertex { position: point::stored(from + toward * part), uv, ..*own })

@@ -11,8 +11,8 @@ use super::span::{Span, TILE, spans};
 use super::{BorderPoint, Rectangle};
 use crate::edge::{Along, Knot, LONGEST, divided};
 use crate::error::MOST;
-use crate::filling::{Filling, Room, least_tolerance};
-use crate::interior::{Filled, Gap, STEPS, Seen, Window};
+use crate::filling::{FillBudget, Filling, least_tolerance};
+use crate::interior::{Distances, Filled, Gap, STEPS, Window};
 use crate::surface::{Relief, twist_of};
 use crate::{Certificate, Judge, MeshSettings, MesherError};
 
@@ -81,21 +81,21 @@ impl Adapted {
         }
         adapted.first_of_side.push(numbered(vertices, 0)?);
         let done = AtomicU64::new(0);
-        let room = Room::new(settings, filling.most, *watch);
+        let budget = FillBudget::new(settings, filling.most, *watch);
         let tiles: Result<Vec<Filled>, MesherError> = (0..across * down)
             .into_par_iter()
             .map(|tile| {
                 watch.check()?;
-                let wanted = room.wanted(tolerance);
+                let request = budget.request(tolerance);
                 let filled =
-                    (fill.tile)(&adapted.window(relief, tile), &adapted.border(relief, tile), wanted);
-                let filled = room.taken(filled)?;
+                    (fill.tile)(&adapted.window(relief, tile), &adapted.border(relief, tile), request);
+                let filled = budget.admit(filled)?;
                 watch.at((done.fetch_add(1, Ordering::Relaxed) + 1) as f32 / (across * down) as f32)?;
                 Ok(filled)
             })
             .collect();
         adapted.tiles = tiles?;
-        let triangles = room.triangles();
+        let triangles = budget.triangles();
         for tile in 0..across * down {
             adapted.first_of_tile.push(numbered(vertices, triangles)?);
             vertices += (adapted.tiles[tile].points.len() - adapted.border_count(tile)) as u64;
@@ -109,17 +109,18 @@ impl Adapted {
     /// Collects the errors of the tiles.
     fn certify(&mut self, relief: &Relief, metres: f64) {
         // Returns the greatest distance of the relief from the raised triangles, and its place.
-        let farthest = |seen: &Seen| -> Gap {
-            let [above, below] = [seen.above, seen.below].map(|gap| (gap.height - self.raise, gap.place));
+        let farthest = |distances: &Distances| -> Gap {
+            let [above, below] =
+                [distances.above, distances.below].map(|gap| (gap.height - self.raise, gap.place));
             let (height, place) = if above.0.abs() >= below.0.abs() { above } else { below };
             Gap { height, place }
         };
-        let gap = |tile: usize| farthest(&self.tiles[tile].seen).height.abs();
+        let gap = |tile: usize| farthest(&self.tiles[tile].distances).height.abs();
         let all = 0..self.tiles.len();
         let Some(worst) = all.reduce(|worst, tile| if gap(tile) > gap(worst) { tile } else { worst }) else {
             return;
         };
-        let Gap { height, place } = farthest(&self.tiles[worst].seen);
+        let Gap { height, place } = farthest(&self.tiles[worst].distances);
         let (spans, sides) = (self.spans_of(worst), relief.sides());
         let uv = [0, 1].map(|axis| {
             let span: Span = spans[axis];
@@ -129,11 +130,15 @@ impl Adapted {
             let part = place[axis] - step;
             (if part == 0.0 { here } else { here + (next - here) * part }) / sides[axis]
         });
-        let seen = self.tiles.iter().fold(Seen::NOTHING, |seen, tile| seen.with(&tile.seen));
-        let count = seen.count.max(1) as f64;
+        let distances =
+            self.tiles.iter().fold(Distances::NOTHING, |distances, tile| distances.with(&tile.distances));
+        let count = distances.count.max(1) as f64;
         // On one side all distances have the same sign.
-        let mean =
-            if self.raise == 0.0 { seen.sum / count } else { (self.raise - seen.signed / count).abs() };
+        let mean = if self.raise == 0.0 {
+            distances.sum / count
+        } else {
+            (self.raise - distances.signed / count).abs()
+        };
         let judge = self.certificate.judge;
         let error_m = height.abs() * metres;
         self.certificate = Certificate { error_m, uv, mean_m: metres * mean, ..Certificate::exact(judge) };

@@ -14,7 +14,7 @@ pub use solid::{BorderPoint, Faces, Solid};
 
 use crate::error::MOST;
 use crate::mesher::Bottom;
-use crate::surface::{Frame, Relief, Seen};
+use crate::surface::{Displacement, Frame, Relief};
 use crate::{MesherError, Part, point};
 
 /// Texels of a tile along a side.
@@ -207,18 +207,18 @@ impl Rectangle {
     /// Returns the vertex of a place on the relief.
     #[inline(always)]
     pub fn vertex(&self, relief: &Relief, place: [f64; 2]) -> Vertex {
-        self.vertex_of(relief, place, relief.seen_at(place))
+        self.vertex_of(relief, place, relief.displacement_at(place))
     }
 
     /// Returns the vertex of a place at a height of the map.
     pub fn vertex_at(&self, relief: &Relief, place: [f64; 2], height: f64) -> Vertex {
-        self.vertex_of(relief, place, relief.seen_at(place).at_metres(relief.metres(height)))
+        self.vertex_of(relief, place, relief.displacement_at(place).at_metres(relief.metres(height)))
     }
 
     #[inline(always)]
-    fn vertex_of(&self, relief: &Relief, place: [f64; 2], seen: Seen) -> Vertex {
+    fn vertex_of(&self, relief: &Relief, place: [f64; 2], displacement: Displacement) -> Vertex {
         let frame = Frame { normal: self.normal, tangents: self.tangents, turns: [DVec3::ZERO; 2] };
-        relief.vertex_of(&self.base(relief, place), seen, &frame)
+        relief.vertex_of(&self.base(relief, place), displacement, &frame)
     }
 }
 

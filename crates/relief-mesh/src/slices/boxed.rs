@@ -54,7 +54,7 @@ impl BoxSlicer {
         let [low, high] = bounds;
         let is_length = |length: f64| length > 0.0 && length.is_finite();
         if !(is_length(spacing_m) && (high - low).to_array().into_iter().all(is_length)) {
-            return Err(SliceError::Together);
+            return Err(SliceError::NoSpacing);
         }
         let axis = match direction {
             SliceDirection::Surface => 0,
@@ -247,7 +247,7 @@ mod tests {
             [(BOUNDS, 0.0), (BOUNDS, f64::NAN), ([BOUNDS[0], BOUNDS[0]], 0.1), ([BOUNDS[1], BOUNDS[0]], 0.1)]
         {
             let slicer = BoxSlicer::new(bounds, spacing_m, SliceDirection::Surface);
-            assert!(matches!(slicer, Err(SliceError::Together)), "{bounds:?} {spacing_m}");
+            assert!(matches!(slicer, Err(SliceError::NoSpacing)), "{bounds:?} {spacing_m}");
         }
         let slicer = BoxSlicer::new(BOUNDS, 0.1, SliceDirection::Surface).expect("a box");
         let cancel = std::sync::atomic::AtomicBool::new(true);

@@ -100,7 +100,7 @@ impl<'a> Slicer<'a> {
         let texel_m = (tile_m[0] / size[0]).min(tile_m[1] / size[1]);
         let is_length = |length: f64| length > 0.0 && length.is_finite();
         let (layers, spacing_m, step_uv) = match count {
-            0 if !is_length(texel_m) => return Err(SliceError::Together),
+            0 if !is_length(texel_m) => return Err(SliceError::NoSpacing),
             0 => ((scale_m / texel_m - ROUNDING).ceil().max(1.0) as u64, texel_m, size.map(f64::recip)),
             count => {
                 let spacing_m = scale_m / f64::from(count);
@@ -109,7 +109,7 @@ impl<'a> Slicer<'a> {
         };
         let steps = [step_uv[0], step_uv[1], spacing_m];
         if direction != SliceDirection::Surface && !steps.into_iter().all(is_length) {
-            return Err(SliceError::Together);
+            return Err(SliceError::NoSpacing);
         }
         let bias_m = map.bias_m();
         let (vertices, triangles) = (0, 0);

@@ -226,8 +226,8 @@ fn what_cannot_be_sliced_is_refused_and_what_is_cancelled_ends() {
     let base = square(1).expect("a mesh");
     let flat = map(0.0, 0.0);
     let refused = |direction| Slicer::new(&base, &flat, SliceSettings { count: 3, direction }).map(|_| ());
-    assert_eq!(refused(SliceDirection::AcrossU), Err(SliceError::Together));
-    assert_eq!(refused(SliceDirection::Screen(camera(), SliceAnchor::Eye)), Err(SliceError::Together));
+    assert_eq!(refused(SliceDirection::AcrossU), Err(SliceError::NoSpacing));
+    assert_eq!(refused(SliceDirection::Screen(camera(), SliceAnchor::Eye)), Err(SliceError::NoSpacing));
     assert_eq!(refused(SliceDirection::Surface), Ok(()));
     let usual = map(0.1, 0.0);
     for direction in [SliceDirection::Surface, SliceDirection::AcrossV, SliceDirection::Facing(camera())] {

@@ -9,14 +9,14 @@ use relief_core::mesh::Mesh;
 use super::profile::turning;
 use super::{Triangles, counted};
 use crate::error::MOST;
-use crate::filling::{Filling, Room};
+use crate::filling::{FillBudget, Filling};
 use crate::interior::{Cut, Facet, Filled, Gap, Ground, Turning};
 use crate::patch::PatchPoint;
 use crate::surface::Relief;
 use crate::{BaseSurface, Certificate, Directions, MeshSettings, MesherError, Side};
 
 /// Patches that one task fills.
-const TOGETHER: usize = 64;
+const PATCHES_PER_TASK: usize = 64;
 
 /// Greatest difference of heights at a seam that counts as rounding, as a part of the tolerance.
 const SEAMS: f64 = 1e-3;
@@ -35,7 +35,7 @@ pub struct Adapted {
 }
 
 /// Fillings of several patches.
-struct Several {
+struct Fillings {
     inner: Vec<([u16; 2], f32)>,
     triangles: Vec<[u32; 3]>,
     counts: Vec<[u32; 2]>,
@@ -78,7 +78,7 @@ impl Adapted {
         let refused = [
             ("directions by their angles", settings.directions == Directions::Angle),
             (
-                "one side, over a cubic base or along directions of length 1,",
+                "one side over a cubic base or along directions of length 1",
                 settings.side != Side::Both
                     && (settings.base == BaseSurface::Pn || settings.directions != Directions::Raw),
             ),
@@ -87,25 +87,25 @@ impl Adapted {
             return Err(MesherError::OnPlanesAlone { what });
         }
         let base = Triangles::new(mesh, relief, settings, filling.most, watch)?;
-        let (room, done) = (Room::new(settings, filling.most, *watch), AtomicU64::new(0));
+        let (budget, done) = (FillBudget::new(settings, filling.most, *watch), AtomicU64::new(0));
         let patches: Vec<u32> = (0..base.count()).collect();
-        let made: Result<Vec<Several>, MesherError> = patches
-            .par_chunks(TOGETHER)
+        let fillings: Result<Vec<Fillings>, MesherError> = patches
+            .par_chunks(PATCHES_PER_TASK)
             .map(|patches| {
                 watch.check()?;
-                let mut made = Several {
+                let mut filling_of_task = Fillings {
                     inner: Vec::new(),
                     triangles: Vec::new(),
                     counts: Vec::with_capacity(patches.len()),
                     error: Errors::NONE,
                 };
                 for &patch in patches {
-                    base.fill(relief, patch, settings, (&filling, &room), &mut made)?;
+                    base.fill(relief, patch, settings, (&filling, &budget), &mut filling_of_task)?;
                 }
                 let count = patches.len() as u64;
                 let before = done.fetch_add(count, Ordering::Relaxed);
                 watch.at((before + count) as f32 / base.count() as f32)?;
-                Ok(made)
+                Ok(filling_of_task)
             })
             .collect();
         let mut adapted = Self {
@@ -116,7 +116,7 @@ impl Adapted {
             certificate: Certificate::exact(settings.judge),
         };
         let mut errors = Errors::NONE;
-        for several in made? {
+        for several in fillings? {
             let (mut inner, mut triangles) = (adapted.inner.len() as u64, adapted.triangles.len() as u64);
             for [points, own] in several.counts {
                 adapted.first.push([counted(inner)?, counted(triangles)?]);
@@ -266,15 +266,15 @@ impl Triangles {
         if !self.is_welded {
             return 0.0;
         }
-        let seen = match at {
+        let leader = match at {
             0 => self.at_corner(self.triangles[patch as usize][side as usize]),
             _ => {
                 let (edge, at) = self.on_side(patch, side, at);
                 self.on_edge(edge, at)
             }
         };
-        let apart = relief.height_at_uv(seen.base.uv) - own;
-        apart.abs() * relief.map().scale_m() * relief.reach(seen.base.normal.length())
+        let apart = relief.height_at_uv(leader.base.uv) - own;
+        apart.abs() * relief.map().scale_m() * relief.reach(leader.base.normal.length())
     }
 
     /// Fills a patch.
@@ -283,8 +283,8 @@ impl Triangles {
         relief: &Relief,
         patch: u32,
         settings: &MeshSettings,
-        (filling, room): (&Filling, &Room<'_>),
-        into: &mut Several,
+        (filling, budget): (&Filling, &FillBudget<'_>),
+        into: &mut Fillings,
     ) -> Result<(), MesherError> {
         let error_m = settings.side.part() * settings.error_m;
         let (facet, longest) = self.facet(relief, patch, error_m);
@@ -299,14 +299,18 @@ impl Triangles {
             })
             .collect();
         let tolerance = relief.tolerance(error_m, longest);
-        let filled = room.taken((filling.fill.facet)(&facet, &border, room.wanted(tolerance)))?;
-        let Filled { points, heights, triangles, seen } = filled;
+        let filled = budget.admit((filling.fill.facet)(&facet, &border, budget.request(tolerance)))?;
+        let Filled { points, heights, triangles, distances } = filled;
         let metres = relief.height_m(error_m, longest);
         let raise = self.raise_m() * longest / metres;
-        let gap = [seen.above, seen.below].map(|gap| Gap { height: gap.height - raise, ..gap });
+        let gap = [distances.above, distances.below].map(|gap| Gap { height: gap.height - raise, ..gap });
         let gap = if gap[0].height.abs() >= gap[1].height.abs() { gap[0] } else { gap[1] };
         // On one side all distances have the same sign.
-        let sum = if raise == 0.0 { seen.sum } else { (raise * seen.count as f64 - seen.signed).abs() };
+        let sum = if raise == 0.0 {
+            distances.sum
+        } else {
+            (raise * distances.count as f64 - distances.signed).abs()
+        };
         let uv = {
             let corners = self.triangles[patch as usize].map(|vertex| self.corners.base(vertex).uv);
             let [a, b, c] = facet.weights(gap.place);
@@ -316,7 +320,7 @@ impl Triangles {
             error_m: gap.height.abs() * metres,
             uv,
             sum_m: sum * metres,
-            count: seen.count,
+            count: distances.count,
             seams_m,
         });
         into.counts.push([(points.len() - border.len()) as u32, triangles.len() as u32]);

@@ -5,7 +5,7 @@ use relief_core::mesh::{BasePoint, Vertex};
 
 use super::shape::Shape;
 use super::{Corners, Numbered, Triangles, level};
-use crate::surface::{Frame, Placed, Relief};
+use crate::surface::{Frame, Relief, SurfacePoint};
 use crate::{BaseSurface, cubic, point};
 
 /// Edge with the values at its ends, looked up once for all of its points.
@@ -37,8 +37,8 @@ enum Smooth {
 
 impl<'a> AlongEdge<'a> {
     pub fn new(base: &'a Triangles, edge: u32) -> Self {
-        let seen = base.seen(edge);
-        let ends = base.edges.ends(seen);
+        let leader = base.leader(edge);
+        let ends = base.edges.ends(leader);
         let texels = |vertex: u32| base.footprints.get(vertex as usize).copied();
         let footprints = match ends.map(texels) {
             [Some(a), Some(b)] => Some([ends.map(|vertex| 1.0 / base.share(vertex)), [a, b]]),
@@ -52,7 +52,7 @@ impl<'a> AlongEdge<'a> {
             smooth: match (&base.parts, base.base) {
                 (Some(parts), _) => Smooth::Part(Box::new(parts.of_side(ends))),
                 (None, BaseSurface::Flat) => Smooth::Flat,
-                (None, BaseSurface::Lift) => Smooth::Lift(base.lift(seen)),
+                (None, BaseSurface::Lift) => Smooth::Lift(base.lift(leader)),
                 (None, BaseSurface::Pn) => Smooth::Cubic(base.bent(edge)),
             },
             footprints,
@@ -67,7 +67,7 @@ impl<'a> AlongEdge<'a> {
     /// Returns a point on the side that defines the displacement: in a welded mesh all sides use
     /// the same.
     #[inline(always)]
-    pub fn placed(&self, place: [u32; 2]) -> Placed {
+    pub fn surface_point(&self, place: [u32; 2]) -> SurfacePoint {
         let weights = self.weights(place);
         let [a, b] = &self.ends;
         let mut base = BasePoint {
@@ -93,13 +93,13 @@ impl<'a> AlongEdge<'a> {
             }
         };
         let level = self.footprints.map_or(0.0, |[depths, texels]| level(depths, texels, parts));
-        Placed { base, lift_m: lift_m + self.raise_m, level }
+        SurfacePoint { base, lift_m: lift_m + self.raise_m, level }
     }
 
     /// Returns the position of a point.
     #[inline(always)]
     pub fn position(&self, relief: &Relief, place: [u32; 2]) -> Vec3 {
-        point::stored(relief.displaced(&self.placed(place)))
+        point::stored(relief.displaced(&self.surface_point(place)))
     }
 }
 
@@ -129,14 +129,14 @@ impl<'a> EdgeVertices<'a> {
     /// Returns the vertex with `at` parts before it, and its numbers.
     pub fn at(&self, relief: &Relief, at: u32) -> (Vertex, Numbered) {
         let place = self.base.edges.place(self.edge, at);
-        let seen = self.along.placed(place);
+        let leading = self.along.surface_point(place);
         let weights = self.along.weights(place);
         let part = weights[1] / (weights[0] + weights[1]);
         let [a, b] = self.frames;
         let frame = Frame::weighted(&[a, b, a], [1.0 - part, part, 0.0]);
         let uv = point::between(self.uvs[0], self.uvs[1], weights);
-        let position = relief.displaced(&seen);
-        let own = Placed { base: BasePoint { uv, ..seen.base }, ..seen };
+        let position = relief.displaced(&leading);
+        let own = SurfacePoint { base: BasePoint { uv, ..leading.base }, ..leading };
         (relief.vertex_at(position, &own, &frame), self.base.edges.numbered(self.edge, at))
     }
 }

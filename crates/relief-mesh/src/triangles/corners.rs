@@ -30,7 +30,7 @@ pub struct Corners {
     turns: Vec<[Vec3; 2]>,
     /// Vertex whose texture coordinates define the displacement of each vertex; empty where it is
     /// the vertex itself.
-    seen: Vec<u32>,
+    leaders: Vec<u32>,
     /// Vertices that triangles use, in the order in which they are written.
     pub used: Vec<u32>,
     /// Index of each vertex in `used`.
@@ -47,7 +47,7 @@ impl Corners {
     pub fn new(mesh: &Mesh, point_of: &[u32], [is_welded, shared]: [bool; 2], along: Directions) -> Self {
         let vertices = mesh.vertices().to_vec();
         let directions = if is_welded { welded_directions(mesh, point_of) } else { Vec::new() };
-        let (between, turns, seen, used) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (between, turns, leaders, used) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let (numbers, smooth) = (Vec::new(), Vec::new());
         let is_by_angle = along == Directions::Angle;
         let mut corners = Self {
@@ -56,7 +56,7 @@ impl Corners {
             directions,
             between,
             turns,
-            seen,
+            leaders,
             used,
             numbers,
             smooth,
@@ -64,7 +64,7 @@ impl Corners {
         };
         corners.keep(mesh.triangles());
         if is_welded {
-            corners.seen = first_used(point_of, &corners.used);
+            corners.leaders = first_used(point_of, &corners.used);
         }
         if is_welded && shared {
             corners.share();
@@ -98,12 +98,12 @@ impl Corners {
     fn share(&mut self) {
         self.is_shared = true;
         let all = std::mem::take(&mut self.used);
-        self.used = all.iter().copied().filter(|&vertex| self.seen(vertex) == vertex).collect();
+        self.used = all.iter().copied().filter(|&vertex| self.leader(vertex) == vertex).collect();
         for (number, &vertex) in self.used.iter().enumerate() {
             self.numbers[vertex as usize] = number as u32;
         }
         for &vertex in &all {
-            self.numbers[vertex as usize] = self.numbers[self.seen(vertex) as usize];
+            self.numbers[vertex as usize] = self.numbers[self.leader(vertex) as usize];
         }
         self.smooth.clone_from(&self.numbers);
     }
@@ -144,8 +144,8 @@ impl Corners {
     }
 
     /// Returns the vertex that defines the displacement of a vertex.
-    pub fn seen(&self, vertex: u32) -> u32 {
-        self.seen.get(vertex as usize).copied().unwrap_or(vertex)
+    pub fn leader(&self, vertex: u32) -> u32 {
+        self.leaders.get(vertex as usize).copied().unwrap_or(vertex)
     }
 
     pub fn numbered(&self, vertex: u32) -> Numbered {

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use relief_core::{HeightBounds, Watch};
 
 use super::Triangles;
-use crate::cull::{Everything, Hull, Sight};
+use crate::cull::{FullBounds, Hull, ViewVolume};
 use crate::surface::Relief;
 use crate::view::log2;
 use crate::{BaseSurface, MeshSettings, MesherError, cubic};
@@ -34,24 +34,24 @@ impl Triangles {
         watch: &Watch,
     ) -> Result<Self, MesherError> {
         let Some((cull, view)) = settings.cull.zip(settings.view) else { return Ok(self) };
-        let sight = Sight::new(&view);
+        let volume = ViewVolume::new(&view);
         let bounds = Bounds { relief, levels: relief.levels().map(HeightBounds::new).collect() };
-        let look = |patch: u32| {
+        let hull_of = |patch: u32| {
             watch.check()?;
             let hull = self.hull(&bounds, patch);
-            Ok((sight.misses(&hull, &cull.outside), hull))
+            Ok((volume.misses(&hull, &cull.outside), hull))
         };
-        let looked: Result<Vec<(bool, Hull)>, MesherError> =
-            (0..self.count()).into_par_iter().map(look).collect();
-        let looked = looked?;
+        let hulls: Result<Vec<(bool, Hull)>, MesherError> =
+            (0..self.count()).into_par_iter().map(hull_of).collect();
+        let hulls = hulls?;
         let nothing = [f64::INFINITY, f64::NEG_INFINITY];
-        let depths_m = looked.iter().fold(nothing, |[near, far], (_, hull)| {
-            let [from, to] = sight.depths_m(hull);
+        let depths_m = hulls.iter().fold(nothing, |[near, far], (_, hull)| {
+            let [from, to] = volume.depths_m(hull);
             [near.min(from), far.max(to)]
         });
-        let around = looked.iter().flat_map(|(_, hull)| hull.around()).collect();
-        self.everything = Some(Everything { depths_m, around });
-        let kept: Vec<u32> = (0..self.count()).filter(|&patch| !looked[patch as usize].0).collect();
+        let around = hulls.iter().flat_map(|(_, hull)| hull.around()).collect();
+        self.full_bounds = Some(FullBounds { depths_m, around });
+        let kept: Vec<u32> = (0..self.count()).filter(|&patch| !hulls[patch as usize].0).collect();
         self.whole = kept.iter().map(|&patch| self.whole(patch)).collect();
         self.triangles = kept.iter().map(|&patch| self.triangles[patch as usize]).collect();
         self.corners.keep(&self.triangles);
@@ -61,8 +61,8 @@ impl Triangles {
 
     /// Returns the bounds of all patches, including the ones left out. Returns `None` without
     /// culling.
-    pub fn everything(&self) -> Option<&Everything> {
-        self.everything.as_ref()
+    pub fn full_bounds(&self) -> Option<&FullBounds> {
+        self.full_bounds.as_ref()
     }
 
     /// Returns the bound of a displaced patch.
@@ -77,7 +77,7 @@ impl Triangles {
         let [mut low_m, mut high_m] = self.metres(bounds, patch);
         if self.base == BaseSurface::Lift {
             // The products of weights, two by two, sum to at most a third.
-            let lifts = sides.map(|side| self.lift(self.seen(side)) / 3.0);
+            let lifts = sides.map(|side| self.lift(self.leader(side)) / 3.0);
             low_m += lifts.into_iter().fold(0.0, f64::min);
             high_m += lifts.into_iter().fold(0.0, f64::max);
         }
@@ -89,7 +89,7 @@ impl Triangles {
             let flat = (base[0].position + base[1].position + base[2].position) / 3.0;
             let mut sum = DVec3::ZERO;
             for side in sides {
-                let [a, b] = self.edges.ends(self.seen(side)).map(|end| self.corners.base(end).position);
+                let [a, b] = self.edges.ends(self.leader(side)).map(|end| self.corners.base(end).position);
                 let bent = self.bent(side);
                 for (bent, flat) in bent.into_iter().zip([(a * 2.0 + b) / 3.0, (a + b * 2.0) / 3.0]) {
                     radius_m = bent.distance(flat).max(radius_m);
@@ -115,9 +115,10 @@ impl Triangles {
     /// metres.
     fn metres(&self, bounds: &Bounds, patch: u32) -> [f64; 2] {
         let corners = self.triangles[patch as usize];
-        let ends = self.edges.sides(patch).map(|side| self.edges.ends(self.seen(side)));
-        let seen = corners.map(|vertex| self.corners.seen(vertex));
-        let levels = self.levels(corners.iter().chain(&seen).chain(ends.as_flattened()), bounds.levels.len());
+        let ends = self.edges.sides(patch).map(|side| self.edges.ends(self.leader(side)));
+        let leaders = corners.map(|vertex| self.corners.leader(vertex));
+        let levels =
+            self.levels(corners.iter().chain(&leaders).chain(ends.as_flattened()), bounds.levels.len());
         self.metres_of(bounds, patch, levels)
     }
 
@@ -126,8 +127,8 @@ impl Triangles {
     /// leader.
     pub fn metres_of(&self, bounds: &Bounds, patch: u32, levels: Range<usize>) -> [f64; 2] {
         let corners = self.triangles[patch as usize];
-        let ends = self.edges.sides(patch).map(|side| self.edges.ends(self.seen(side)));
-        let seen = corners.map(|vertex| self.corners.seen(vertex));
+        let ends = self.edges.sides(patch).map(|side| self.edges.ends(self.leader(side)));
+        let leaders = corners.map(|vertex| self.corners.leader(vertex));
         let uv = |vertex: u32| self.corners.base(vertex).uv;
         let mut heights = [f32::INFINITY, f32::NEG_INFINITY];
         let mut add = |places: &[DVec2]| {
@@ -140,8 +141,8 @@ impl Triangles {
             }
         };
         add(&corners.map(uv));
-        for seen in seen.into_iter().filter(|seen| !corners.contains(seen)) {
-            add(&[uv(seen)]);
+        for leader in leaders.into_iter().filter(|leader| !corners.contains(leader)) {
+            add(&[uv(leader)]);
         }
         for ends in ends.into_iter().filter(|ends| !ends.iter().all(|end| corners.contains(end))) {
             add(&ends.map(uv));

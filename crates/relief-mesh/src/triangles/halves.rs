@@ -11,7 +11,7 @@ use crate::surface::Relief;
 use crate::{Mesher, MesherError, point};
 
 /// Number of triangles that are cut between two checks for cancellation.
-const BETWEEN_LOOKS: usize = 1 << 16;
+const TRIANGLES_PER_CHECK: usize = 1 << 16;
 
 /// Limits of triangles and memory, and the source of cancellation.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +36,7 @@ impl Limits<'_> {
         }
     }
 
-    fn look(&self) -> Result<(), MesherError> {
+    fn check_cancelled(&self) -> Result<(), MesherError> {
         Ok(self.watch.check()?)
     }
 }
@@ -117,8 +117,8 @@ pub fn halved(
         let mut parts = Vec::with_capacity(count as usize);
         let mut finer_weights = Vec::with_capacity(count as usize);
         for (at, ((corners, whole), weights)) in triangles.into_iter().zip(whole).zip(weights).enumerate() {
-            if at % BETWEEN_LOOKS == 0 {
-                limits.look()?;
+            if at % TRIANGLES_PER_CHECK == 0 {
+                limits.check_cancelled()?;
             }
             let first = finer.len();
             halves.cut(corners, &long, &mut finer);

@@ -7,7 +7,7 @@ use super::Triangles;
 use super::halves::PartWeights;
 use super::shape::{Shape, in_whole};
 use crate::patch::PatchPoint;
-use crate::surface::{Frame, Placed, Relief};
+use crate::surface::{Frame, Relief, SurfacePoint};
 use crate::{direction, point};
 
 /// Patch with the values at its corners and sides, looked up once for all of its inner points.
@@ -68,7 +68,7 @@ impl Inside {
     }
 
     #[inline(always)]
-    fn placed(&self, weights: [f64; 3]) -> Placed {
+    fn surface_point(&self, weights: [f64; 3]) -> SurfacePoint {
         let mut base = self.base(weights);
         let lift_m = match &self.shape {
             Shape::Flat => 0.0,
@@ -82,7 +82,7 @@ impl Inside {
             None => 0.0,
             Some([depths, texels]) => super::level(*depths, *texels, weights),
         };
-        Placed { base, lift_m: lift_m + self.raise_m, level }
+        SurfacePoint { base, lift_m: lift_m + self.raise_m, level }
     }
 
     /// Returns the direction of displacement at a point, of any length.
@@ -119,25 +119,25 @@ impl Inside {
     /// Returns the position of a point.
     #[inline(always)]
     pub fn position(&self, relief: &Relief, weights: [f64; 2]) -> Vec3 {
-        let placed = self.placed(self.weights(weights));
-        point::stored(relief.displaced(&placed))
+        let point = self.surface_point(self.weights(weights));
+        point::stored(relief.displaced(&point))
     }
 
     /// Returns the vertex at a point.
     #[inline(always)]
     pub fn vertex(&self, relief: &Relief, weights: [f64; 2]) -> Vertex {
         let weights = self.weights(weights);
-        let placed = self.placed(weights);
-        let seen = relief.seen(&placed);
-        relief.vertex_of(&placed.base, seen, &Frame::weighted(&self.frames, weights))
+        let point = self.surface_point(weights);
+        let displacement = relief.displacement(&point);
+        relief.vertex_of(&point.base, displacement, &Frame::weighted(&self.frames, weights))
     }
 
     /// Returns the vertex at a point that lies at a height of the map.
     #[inline(always)]
     pub fn vertex_at(&self, relief: &Relief, weights: [f64; 2], height: f64) -> Vertex {
         let weights = self.weights(weights);
-        let placed = self.placed(weights);
-        let seen = relief.seen(&placed).at_metres(relief.metres(height) + placed.lift_m);
-        relief.vertex_of(&placed.base, seen, &Frame::weighted(&self.frames, weights))
+        let point = self.surface_point(weights);
+        let displacement = relief.displacement(&point).at_metres(relief.metres(height) + point.lift_m);
+        relief.vertex_of(&point.base, displacement, &Frame::weighted(&self.frames, weights))
     }
 }

@@ -35,11 +35,11 @@ pub use self::patch_border::PatchBorder;
 use self::shape::{Parts, Shape, WholeEdge};
 pub use self::solid::Solid;
 pub use self::tables::{BaseTables, TableEdge, TablePatch, TableVertex};
-use crate::cull::Everything;
+use crate::cull::FullBounds;
 use crate::edge::Divides;
 use crate::error::MOST;
 use crate::patch::{Patch, PatchPoint};
-use crate::surface::{Placed, Relief};
+use crate::surface::{Relief, SurfacePoint};
 use crate::view::{Voxel, log2};
 use crate::{BaseSurface, MeshSettings, MesherError, Seams, Side, Weights, cubic, point};
 
@@ -66,7 +66,7 @@ pub struct Triangles {
     /// Border, if a solid is to be made.
     border: Option<Border>,
     /// Bounds of all patches, including the ones left out.
-    everything: Option<Everything>,
+    full_bounds: Option<FullBounds>,
 }
 
 /// Numbers of a vertex of the mesh: its own, and the number that shares its normal.
@@ -175,11 +175,11 @@ impl Triangles {
                     let edge = |ends: &[u32; 2]| {
                         let [a, b] = ends.map(|end| reaches[end as usize]);
                         // The first edge at a seam defines the points of a welded mesh.
-                        let seen = if is_welded { all[0] } else { *ends };
+                        let leader = if is_welded { all[0] } else { *ends };
                         let (shape, part) = match &parts {
-                            Some(parts) => parts.of_side(seen),
+                            Some(parts) => parts.of_side(leader),
                             None => (
-                                along_whole(&corners, seen, settings.base),
+                                along_whole(&corners, leader, settings.base),
                                 [point::CORNERS[0], point::CORNERS[1]],
                             ),
                         };
@@ -217,7 +217,7 @@ impl Triangles {
             can_fold,
             whole,
             border,
-            everything: None,
+            full_bounds: None,
         })
     }
 
@@ -273,16 +273,16 @@ impl Triangles {
     }
 
     /// Returns a corner as its leader defines it: in a welded mesh all sides have the same leader.
-    fn at_corner(&self, vertex: u32) -> Placed {
-        let seen = self.corners.seen(vertex);
-        let level = self.level([seen], [1.0]);
-        let mut base = self.corners.base(seen);
+    fn at_corner(&self, vertex: u32) -> SurfacePoint {
+        let leader = self.corners.leader(vertex);
+        let level = self.level([leader], [1.0]);
+        let mut base = self.corners.base(leader);
         let mut lift_m = self.raise_m();
-        if let Some((shape, weights)) = self.parts.as_ref().and_then(|parts| parts.of_vertex(seen)) {
+        if let Some((shape, weights)) = self.parts.as_ref().and_then(|parts| parts.of_vertex(leader)) {
             base.position = shape.position(weights).unwrap_or(base.position);
             lift_m += shape.lift_m(weights);
         }
-        Placed { level, lift_m, ..Placed::new(base) }
+        SurfacePoint { level, lift_m, ..SurfacePoint::new(base) }
     }
 
     /// Returns the shape of a smooth base over a patch, and the weights of the patch in it. Without
@@ -295,7 +295,7 @@ impl Triangles {
         let (corners, sides) = (self.triangles[patch as usize], self.edges.sides(patch));
         let shape = match self.base {
             BaseSurface::Flat => Shape::Flat,
-            BaseSurface::Lift => Shape::Lift(sides.map(|side| self.lift(self.seen(side)))),
+            BaseSurface::Lift => Shape::Lift(sides.map(|side| self.lift(self.leader(side)))),
             BaseSurface::Pn => {
                 let bent = [0, 1, 2].map(|k| {
                     let [first, second] = self.bent(sides[k]);
@@ -314,18 +314,18 @@ impl Triangles {
     }
 
     /// Returns a point along an edge as the edge's leader defines it.
-    fn on_edge(&self, edge: u32, at: u32) -> Placed {
-        AlongEdge::new(self, edge).placed(self.edges.place(edge, at))
+    fn on_edge(&self, edge: u32, at: u32) -> SurfacePoint {
+        AlongEdge::new(self, edge).surface_point(self.edges.place(edge, at))
     }
 
     /// Returns the leader of an edge: the edge between the same positions that defines its points.
-    fn seen(&self, edge: u32) -> u32 {
+    fn leader(&self, edge: u32) -> u32 {
         if self.is_welded { self.edges.first_at_seam(edge) } else { edge }
     }
 
     /// Returns the inner control points of a cubic edge, in the order of its ends.
     fn bent(&self, edge: u32) -> [DVec3; 2] {
-        cubic::bent(self.edges.ends(self.seen(edge)).map(|end| self.corners.base(end)))
+        cubic::bent(self.edges.ends(self.leader(edge)).map(|end| self.corners.base(end)))
     }
 
     fn lift(&self, edge: u32) -> f64 {
@@ -335,9 +335,9 @@ impl Triangles {
     /// Returns the vertex at a corner of the base, by the corner's number.
     pub fn corner_vertex(&self, relief: &Relief, number: u32) -> Vertex {
         let vertex = self.corners.used[number as usize];
-        let seen = self.at_corner(vertex);
-        let own = Placed { base: self.corners.base(vertex), ..seen };
-        relief.vertex_at(relief.displaced(&seen), &own, &self.corners.frame(vertex))
+        let leading = self.at_corner(vertex);
+        let own = SurfacePoint { base: self.corners.base(vertex), ..leading };
+        relief.vertex_at(relief.displaced(&leading), &own, &self.corners.frame(vertex))
     }
 
     /// Returns the numbers of a corner of the base, by the corner's number.

@@ -7,7 +7,7 @@
 use relief_core::mesh::Mesh;
 
 use super::halves::{Halved, Limits, halved as halved_where};
-use crate::cull::{Hull, Outside, Sight};
+use crate::cull::{Hull, Outside, ViewVolume};
 use crate::surface::Relief;
 use crate::{BaseSurface, MeshSettings, MesherError};
 
@@ -31,7 +31,7 @@ pub fn halved(
     if settings.base != BaseSurface::Flat || view.camera.is_orthographic() {
         return Ok(None);
     }
-    let (grid, sight) = (view.voxels()?, Sight::new(&view));
+    let (grid, volume) = (view.voxels()?, ViewVolume::new(&view));
     let heights = relief.levels().map(|level| level.extremes().map(f64::from));
     let [low, high] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [least, greatest]| {
         [low.min(least), high.max(greatest)]
@@ -44,7 +44,7 @@ pub fn halved(
             let places = corners.map(|vertex| position(vertex).as_dvec3());
             let [a, b, c] = places;
             let hull = Hull { points: [a, b, c, a, b, c], radius_m: reach_m };
-            places.iter().any(|place| grid.is_before(*place)) && !sight.misses(&hull, &Outside::ALL)
+            places.iter().any(|place| grid.is_before(*place)) && !volume.misses(&hull, &Outside::ALL)
         };
         let near = if triangles.len() > TRIANGLES.max(2 * mesh.triangles().len()) {
             Vec::new()

@@ -110,14 +110,14 @@ impl OneSide {
 /// where it may fold.
 fn factor(relief: &Relief, corners: [BasePoint; 3], [beside_m, lift_m]: [f64; 2]) -> f64 {
     let places = corners.map(|corner| relief.place(corner.uv));
-    let ground = relief.under(places);
-    let [low, high] = ground.heights.map(|height| relief.metres(height));
+    let extent = relief.extent_under(places);
+    let [low, high] = extent.heights.map(|height| relief.metres(height));
     let displaced = [low.min(high) - beside_m - lift_m, low.max(high) + beside_m + lift_m];
     let from_first = |of: fn(&BasePoint) -> DVec3| [1, 2].map(|k| of(&corners[k]) - of(&corners[0]));
     let [sides, turns] = [from_first(|corner| corner.position), from_first(|corner| corner.normal)];
     let slopes = [1, 2].map(|k| {
         let [across, down] = [0, 1].map(|axis| (places[k][axis] - places[0][axis]).abs());
-        relief.map().scale_m().abs() * (across * ground.steepest[0] + down * ground.steepest[1]) + lift_m
+        relief.map().scale_m().abs() * (across * extent.steepest[0] + down * extent.steepest[1]) + lift_m
     });
     let along = |axis: usize| displaced.map(|metres| sides[axis] + turns[axis] * metres);
     let [first, second] = [along(0), along(1)];

@@ -95,9 +95,9 @@ impl Parts {
     ) -> Result<Self, MesherError> {
         let all = Edges::new(mesh, point_of, corners, |_| Ok(Division::WHOLE))?;
         let edges = (0..all.count()).map(|edge| {
-            let seen = if is_welded { all.first_at_seam(edge) } else { edge };
-            let lift_m = if base == BaseSurface::Lift { all.lift(seen) } else { 0.0 };
-            WholeEdge { ends: all.ends(seen).map(|end| corners.base(end)), lift_m }
+            let leader = if is_welded { all.first_at_seam(edge) } else { edge };
+            let lift_m = if base == BaseSurface::Lift { all.lift(leader) } else { 0.0 };
+            WholeEdge { ends: all.ends(leader).map(|end| corners.base(end)), lift_m }
         });
         let edges: Vec<WholeEdge> = edges.collect();
         let shapes = (0..).zip(mesh.triangles()).map(|(triangle, vertices)| {

@@ -53,7 +53,7 @@ impl Solid {
         let mut places = vec![NONE; base.corners.count()];
         let mut corners = Vec::new();
         for vertex in patches.iter().flat_map(|&patch| base.triangles[patch as usize]) {
-            let vertex = base.corners.seen(vertex);
+            let vertex = base.corners.leader(vertex);
             let place = &mut places[vertex as usize];
             if *place == NONE {
                 *place = corners.len() as u32;
@@ -156,7 +156,7 @@ impl Solid {
     }
 
     fn numbered(&self, base: &Triangles, vertex: u32) -> Numbered {
-        Numbered::both(self.first + self.places[base.corners.seen(vertex) as usize])
+        Numbered::both(self.first + self.places[base.corners.leader(vertex) as usize])
     }
 }
 
@@ -206,10 +206,10 @@ impl Triangles {
     /// along directions of at least this length.
     fn hollow(&self, patches: &[u32], shortest: f64) -> f64 {
         let own = patches.iter().flat_map(|&patch| self.edges.sides(patch)).map(|edge| {
-            let seen = self.seen(edge);
+            let leader = self.leader(edge);
             WholeEdge {
-                ends: self.edges.ends(seen).map(|end| self.corners.base(end)),
-                lift_m: self.lift(seen),
+                ends: self.edges.ends(leader).map(|end| self.corners.base(end)),
+                lift_m: self.lift(leader),
             }
         });
         let sides: Vec<WholeEdge> = match &self.parts {

@@ -10,7 +10,7 @@ use super::cull::Bounds;
 use super::edges::{Division, Edges};
 use super::halves::{Limits, halved};
 use super::{Corners, Triangles, texels_per_metre};
-use crate::cull::{Everything, ROUNDING};
+use crate::cull::{FullBounds, ROUNDING};
 use crate::surface::Relief;
 use crate::{BaseSurface, Directions, MesherError, Shading, View};
 
@@ -56,7 +56,7 @@ pub struct TableVertex {
     /// Texture coordinates.
     pub uv: Vec2,
     /// Vertex whose texture coordinates define the displacement at this position.
-    pub seen: u32,
+    pub leader: u32,
     /// Texels of the map in a metre around it.
     pub texels_per_m: f32,
 }
@@ -67,7 +67,7 @@ pub struct TableEdge {
     /// Vertices, in the same order for all edges between the same positions.
     pub ends: [u32; 2],
     /// Ends of the edge between these positions that defines their points.
-    pub seen: [u32; 2],
+    pub leader: [u32; 2],
     /// Greatest change of `u` and `v` along any edge between these positions.
     pub along: Vec2,
     /// First and last triangle at the edge, the same where there is one; `None` if there are more
@@ -137,21 +137,21 @@ impl BaseTables {
             can_fold: false,
             whole: Vec::new(),
             border: None,
-            everything: None,
+            full_bounds: None,
         };
         Ok(base.tables(mesh, &relief))
     }
 
     /// Returns the bounds of the displaced base for a view, including invisible parts.
-    pub fn everything(&self, view: &View) -> Everything {
+    pub fn full_bounds(&self, view: &View) -> FullBounds {
         let (eye, forward) = (view.camera.eye(), view.camera.forward());
         let nothing = [f64::INFINITY, f64::NEG_INFINITY];
         let [near, far] = self.around.iter().fold(nothing, |[near, far], point| {
             let depth = forward.dot(*point - eye);
             [near.min(depth), far.max(depth)]
         });
-        let room = ROUNDING * self.largest_m.max(eye.abs().max_element());
-        Everything { depths_m: [near - room, far + room], around: self.around.to_vec() }
+        let margin = ROUNDING * self.largest_m.max(eye.abs().max_element());
+        FullBounds { depths_m: [near - margin, far + margin], around: self.around.to_vec() }
     }
 
     /// Returns the largest coordinate of the displaced base in metres.
@@ -173,7 +173,7 @@ impl Triangles {
                 tangents: frame.tangents.map(|tangent| tangent.as_vec3()),
                 turns: frame.turns.map(|turn| turn.as_vec3()),
                 uv: vertex.uv,
-                seen: self.corners.seen(number),
+                leader: self.corners.leader(number),
                 texels_per_m: texels_per_metre(vertex, sides) as f32,
             }
         });
@@ -189,13 +189,13 @@ impl Triangles {
         let mut along = vec![Vec2::ZERO; self.edges.count() as usize];
         for edge in 0..self.edges.count() {
             let [a, b] = self.edges.ends(edge).map(|end| mesh.vertices()[end as usize].uv);
-            let most = &mut along[self.seen(edge) as usize];
+            let most = &mut along[self.leader(edge) as usize];
             *most = most.max((b - a).abs());
         }
         let edges = (0..self.edges.count()).zip(owners).map(|(edge, (count, patches))| TableEdge {
             ends: self.edges.ends(edge),
-            seen: self.edges.ends(self.seen(edge)),
-            along: along[self.seen(edge) as usize],
+            leader: self.edges.ends(self.leader(edge)),
+            along: along[self.leader(edge) as usize],
             patches: (count <= 2).then_some(patches),
         });
         let bounds = Bounds { relief, levels: relief.levels().map(HeightBounds::new).collect() };
@@ -225,8 +225,8 @@ impl Triangles {
 
 /// Returns a displacement as it is stored: rounded away from 0, never toward it.
 fn outward(metres: f64) -> f32 {
-    let room = f64::from(f32::EPSILON) * metres.abs();
-    (metres + if metres < 0.0 { -room } else { room }) as f32
+    let margin = f64::from(f32::EPSILON) * metres.abs();
+    (metres + if metres < 0.0 { -margin } else { margin }) as f32
 }
 
 #[cfg(test)]
@@ -263,23 +263,23 @@ mod tests {
     }
 
     #[test]
-    fn seams_see_one_place_and_all_lies_within_what_is_around() {
+    fn seams_have_one_place_and_all_lies_within_what_is_around() {
         let tables = tables(&cube(1).expect("a mesh"), 32);
         for vertex in &tables.vertices {
-            let seen = &tables.vertices[vertex.seen as usize];
-            assert_eq!((seen.position, seen.direction), (vertex.position, vertex.direction));
+            let leader = &tables.vertices[vertex.leader as usize];
+            assert_eq!((leader.position, leader.direction), (vertex.position, vertex.direction));
         }
         for edge in &tables.edges {
             let at = |ends: [u32; 2]| ends.map(|end| tables.vertices[end as usize].position);
-            assert_eq!(at(edge.ends), at(edge.seen));
+            assert_eq!(at(edge.ends), at(edge.leader));
         }
-        assert!(tables.edges.iter().any(|edge| edge.ends != edge.seen));
+        assert!(tables.edges.iter().any(|edge| edge.ends != edge.leader));
         for patch in &tables.patches {
             assert!(-0.021 < patch.metres[0] && patch.metres[0] < patch.metres[1] && patch.metres[1] < 0.081);
         }
         let camera = Camera::new(DVec3::new(3.0, 0.0, 0.0), DVec3::ZERO, 40.0);
         let view = View::new(camera.expect("a camera"), [64, 64]);
-        let [near, far] = tables.everything(&view).depths_m;
+        let [near, far] = tables.full_bounds(&view).depths_m;
         assert!(2.3 < near && near < 2.6 && 3.4 < far && far < 3.7, "{near} {far}");
     }
 }

@@ -184,7 +184,7 @@ fn cull(scene: &Scene, surface: &Surface, view: &View) -> Option<Cull> {
         Light::Point { position_m, .. } => position_m.extend(1.0),
     });
     // What is no number leaves nothing out.
-    let outside = Outside::of_ways_to(places, view, beside_m);
+    let outside = Outside::of_light_paths(places, view, beside_m);
     let outside = if beside_m.is_finite() { outside } else { Outside::NOTHING };
     Some(Cull { outside, backs: false })
 }
@@ -265,7 +265,7 @@ impl Displaced {
                     Some(object) => {
                         sliced::triangles_of_object(&of.mesh, object, (settings, camera), left, &watch)
                     }
-                    None => Err(GeometryError::Slices(SliceError::Together)),
+                    None => Err(GeometryError::Slices(SliceError::NoSpacing)),
                 },
                 Cut::Tessellated(view, levels, cull, by) => {
                     let known = self.bases.iter().find(|known| known.of.has_base_of(&of));
@@ -363,7 +363,7 @@ fn made(
         Err(_) => return Err(GeometryError::NotFinite),
     }
     let faces = faces.into_iter().zip(std::iter::repeat(Shell::whole()));
-    Ok((Arc::new(Triangles::new(corners, faces).among(mesher.everything().cloned())), bytes))
+    Ok((Arc::new(Triangles::new(corners, faces).among(mesher.full_bounds().cloned())), bytes))
 }
 
 /// A vertex as the shaders have it.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use relief_core::mesh::Mesh;
 use relief_core::{HeightMap, Watch};
-use relief_mesh::{BaseTables, Cull, Everything, MesherError, TableEdge, TablePatch, TableVertex, View};
+use relief_mesh::{BaseTables, Cull, FullBounds, MesherError, TableEdge, TablePatch, TableVertex, View};
 use relief_shaders::cpu::{BaseEdge, BasePatch, BaseVertex, Tessellation as Grid};
 use relief_shaders::wgsl::TESSELLATE_COUNTLESS;
 
@@ -86,8 +86,8 @@ impl TessellatedBase {
     }
 
     /// Where all of it may be, also what is not seen.
-    pub fn everything(&self, view: &View) -> Everything {
-        self.tables.everything(view)
+    pub fn everything(&self, view: &View) -> FullBounds {
+        self.tables.full_bounds(view)
     }
 
     /// Room for the triangles of a view that are not too many.
@@ -165,7 +165,7 @@ fn vertex(of: &TableVertex) -> BaseVertex {
     let [turn_u, turn_v] = of.turns.map(|turn| turn.to_array().into());
     BaseVertex {
         position: of.position.to_array().into(),
-        seen: of.seen,
+        seen: of.leader,
         direction: of.direction.to_array().into(),
         texels_per_m: of.texels_per_m,
         normal: of.normal.to_array().into(),
@@ -180,7 +180,7 @@ fn vertex(of: &TableVertex) -> BaseVertex {
 fn edge(of: &TableEdge) -> BaseEdge {
     let patches = of.patches.unwrap_or([TESSELLATE_COUNTLESS; 2]);
     let along = of.along.to_array().into();
-    BaseEdge { ends: of.ends.into(), seen: of.seen.into(), along, patches: patches.into() }
+    BaseEdge { ends: of.ends.into(), seen: of.leader.into(), along, patches: patches.into() }
 }
 
 fn patch(of: &TablePatch) -> BasePatch {

@@ -1,7 +1,7 @@
 //! Triangles that share their corners.
 
 use glam::DVec3;
-use relief_mesh::Everything;
+use relief_mesh::FullBounds;
 use relief_shaders::cpu::{Corner, Face, Shell, Triangle};
 
 use crate::prepare::Tessellation;
@@ -13,7 +13,7 @@ use crate::prepare::Tessellation;
 pub struct Triangles {
     corners: Vec<Corner>,
     faces: Vec<Face>,
-    everything: Option<Everything>,
+    everything: Option<FullBounds>,
     tessellation: Option<Tessellation>,
     slices: Vec<u32>,
 }
@@ -27,7 +27,7 @@ impl Triangles {
     }
 
     /// Triangles that a backend makes of a base, all of which lie there. None are here.
-    pub(crate) fn to_be_made(tessellation: Tessellation, everything: Everything) -> Self {
+    pub(crate) fn to_be_made(tessellation: Tessellation, everything: FullBounds) -> Self {
         let (everything, tessellation) = (Some(everything), Some(tessellation));
         Self { everything, tessellation, ..Self::default() }
     }
@@ -39,7 +39,7 @@ impl Triangles {
 
     /// The same, made for a camera with others that were left out, all of which lie there.
     #[must_use]
-    pub(crate) fn among(self, everything: Option<Everything>) -> Self {
+    pub(crate) fn among(self, everything: Option<FullBounds>) -> Self {
         Self { everything, ..self }
     }
 

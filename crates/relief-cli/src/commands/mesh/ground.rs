@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use relief_core::mesh::Builtin;
 use relief_io::{CoordinateSystem, GridTransform, Ground, read_ground};
-use relief_mesh::Put;
+use relief_mesh::Pose;
 use relief_scene::{MeshChoice, Surface};
 use serde_json::{Value, json};
 
@@ -113,14 +113,14 @@ impl Metres {
 
     /// Returns the placement of a surface's mesh: turned so that `x` is east, with the lowest
     /// height at 0 if nothing states its height.
-    pub fn put(&self, arguments: &Arguments, surface: &Surface) -> Put {
+    pub fn put(&self, arguments: &Arguments, surface: &Surface) -> Pose {
         let map = surface.height_map();
         let says = arguments.placement.bias.is_some()
             || (map.stated_displacement_m().is_some() && arguments.placement.scale.is_none());
         // The exact number that the lowest vertex has.
         let lift_m = if self.is_known() && !says { -f64::from(map.bias_m() as f32) } else { 0.0 };
-        let turn = self.placement.as_ref().map_or(Put::STAY.turn, MapPlacement::turn);
-        Put { turn, lift_m }
+        let turn = self.placement.as_ref().map_or(Pose::IDENTITY.turn, MapPlacement::turn);
+        Pose { turn, lift_m }
     }
 
     /// Returns the heights of a surface's mesh.

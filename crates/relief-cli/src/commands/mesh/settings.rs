@@ -150,7 +150,7 @@ impl Arguments {
             shading: self.shading.unwrap_or_default(),
             seams: self.seams.unwrap_or_default(),
             holes: self.holes,
-            put: metres.put(self, surface),
+            pose: metres.put(self, surface),
             ..usual
         }
     }

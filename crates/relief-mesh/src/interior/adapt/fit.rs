@@ -64,7 +64,7 @@ pub fn fit<G: Ground>(tile: &mut Refined<G>, tolerance: f64, watch: &Watch) {
     let mut least = f64::INFINITY;
     let mut fit = Fit { tile, corners, free, samples: Vec::new(), moves: vec![0.0; count] };
     for round in ROUNDS {
-        fit.look();
+        fit.measure();
         let excess = fit.excess(tolerance, 0.0);
         if excess < least {
             least = excess;
@@ -79,7 +79,7 @@ pub fn fit<G: Ground>(tile: &mut Refined<G>, tolerance: f64, watch: &Watch) {
             }
         }
     }
-    fit.look();
+    fit.measure();
     if fit.excess(tolerance, 0.0) >= least {
         tile.heights = kept;
     }
@@ -95,11 +95,11 @@ fn beyond(gap: f64, tolerance: f64) -> f64 {
 
 impl<G: Ground> Fit<'_, '_, G> {
     /// Finds the greatest distances above and below each triangle and edge.
-    fn look(&mut self) {
+    fn measure(&mut self) {
         let tile = &*self.tile;
         self.samples.clear();
         let free = self.free as u32;
-        let mut seen = vec![false; self.moves.len()];
+        let mut is_done = vec![false; self.moves.len()];
         for (triangle, &points) in self.corners.iter().enumerate() {
             let triangle = triangle as u32;
             let mut take = |gap: Gap, weights: [f32; 3]| {
@@ -121,8 +121,8 @@ impl<G: Ground> Fit<'_, '_, G> {
             for k in 0..3 {
                 if tile.judge == Judge::Texels {
                     let point = points[k] as usize;
-                    if !seen[point] {
-                        seen[point] = true;
+                    if !is_done[point] {
+                        is_done[point] = true;
                         let (at, height) = corners[k];
                         let mut own = [0.0; 3];
                         own[k] = 1.0;

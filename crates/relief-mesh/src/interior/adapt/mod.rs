@@ -22,8 +22,8 @@ use super::{Fill, Fills, Interior};
 use crate::{Fit, Judge, Spacing};
 pub use facet::{Facet, along};
 pub use ground::{Gap, Ground};
+pub use refine::Distances;
 use refine::Refined;
-pub use refine::Seen;
 pub use turning::Turning;
 pub use window::{STEPS, Window};
 
@@ -35,7 +35,7 @@ pub const INTERIOR: Interior = Interior {
         section: "4",
     },
     takes: &[Spacing::Uneven],
-    why: "sides that do not go by the tolerance have more points than it asks for, or too few",
+    why: "sides that are not divided by the tolerance have too many points, or too few",
     fills: Fills::Ground(Fill { tile: fill_tile, facet: fill_facet }),
 };
 
@@ -48,7 +48,7 @@ const ROUNDING: f64 = 2e-7;
 
 /// Request to fill a patch.
 #[derive(Clone, Copy, Debug)]
-pub struct Wanted<'a> {
+pub struct FillRequest<'a> {
     /// Greatest distance of the surface from a triangle, as a height of the map.
     pub tolerance: f64,
     /// Places at which distances are measured.
@@ -72,50 +72,50 @@ pub struct Filled {
     /// the second.
     pub triangles: Vec<[u32; 3]>,
     /// Distances of the surface from the triangles.
-    pub seen: Seen,
+    pub distances: Distances,
 }
 
 // Not generic, so that the code is compiled in this crate alone: a constant's functions are
 // compiled wherever it is read.
-fn fill_tile(ground: &Window, border: &[([i32; 2], f32)], wanted: Wanted<'_>) -> Option<Filled> {
-    fill(ground, border, wanted)
+fn fill_tile(ground: &Window, border: &[([i32; 2], f32)], request: FillRequest<'_>) -> Option<Filled> {
+    fill(ground, border, request)
 }
 
-fn fill_facet(ground: &Facet, border: &[([i32; 2], f32)], wanted: Wanted<'_>) -> Option<Filled> {
-    fill(ground, border, wanted)
+fn fill_facet(ground: &Facet, border: &[([i32; 2], f32)], request: FillRequest<'_>) -> Option<Filled> {
+    fill(ground, border, request)
 }
 
 /// Fills a patch. The points of its border are its corners, in the ground's order, and then any
 /// others. Returns `None` if it would have too many triangles, or was cancelled.
-fn fill<G: Ground>(ground: &G, border: &[([i32; 2], f32)], wanted: Wanted<'_>) -> Option<Filled> {
-    if wanted.watch.is_cancelled() {
+fn fill<G: Ground>(ground: &G, border: &[([i32; 2], f32)], request: FillRequest<'_>) -> Option<Filled> {
+    if request.watch.is_cancelled() {
         return None;
     }
     // So that the results hold in `f64`, too.
-    let tolerance = wanted.tolerance * (1.0 - 1e-5) - ROUNDING;
+    let tolerance = request.tolerance * (1.0 - 1e-5) - ROUNDING;
     let refined = |fit: Fit| {
-        let mut tile = Refined::new(ground, wanted.judge, border);
+        let mut tile = Refined::new(ground, request.judge, border);
         match fit {
-            Fit::None => tile.refine(tolerance, &wanted)?,
+            Fit::None => tile.refine(tolerance, &request)?,
             Fit::Heights => {
-                tile.refine(LOOSER * tolerance, &wanted)?;
-                fit::fit(&mut tile, tolerance, &wanted.watch);
+                tile.refine(LOOSER * tolerance, &request)?;
+                fit::fit(&mut tile, tolerance, &request.watch);
                 tile.moved();
-                tile.refine(tolerance, &wanted)?;
+                tile.refine(tolerance, &request)?;
             }
         }
-        let seen = tile.seen();
-        Some((tile, seen))
+        let distances = tile.distances();
+        Some((tile, distances))
     };
-    let (mut tile, mut seen) = refined(wanted.fit)?;
+    let (mut tile, mut distances) = refined(request.fit)?;
     // A point whose height was moved may be too far off, and no point can be inserted there.
-    if seen.greatest() > wanted.tolerance && wanted.fit != Fit::None {
-        (tile, seen) = refined(Fit::None)?;
+    if distances.greatest() > request.tolerance && request.fit != Fit::None {
+        (tile, distances) = refined(Fit::None)?;
     }
     Some(Filled {
         points: tile.mesh.points().iter().map(|point| point.map(|at| at as u16)).collect(),
         heights: tile.heights.iter().map(|&height| height as f32).collect(),
         triangles: (0..tile.mesh.count()).map(|triangle| tile.mesh.triangle(triangle)).collect(),
-        seen,
+        distances,
     })
 }

@@ -5,7 +5,7 @@
 
 use std::collections::BinaryHeap;
 
-use super::Wanted;
+use super::FillRequest;
 use super::delaunay::{Delaunay, Location, NONE};
 use super::ground::{Corner, Gap, Ground};
 use crate::Judge;
@@ -30,12 +30,12 @@ pub struct Refined<'a, G> {
     changed: Vec<u32>,
     /// Number of calls of `update`, and the last one that measured each triangle.
     turn: u32,
-    looked: Vec<u32>,
+    updated: Vec<u32>,
 }
 
 /// Distances of the surface from triangles, exact in `f64`.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen {
+pub struct Distances {
     /// Greatest distance of the surface above them.
     pub above: Gap,
     /// Greatest distance of the surface below them, less than 0.
@@ -48,7 +48,7 @@ pub struct Seen {
     pub count: u64,
 }
 
-impl Seen {
+impl Distances {
     /// No distances.
     pub const NOTHING: Self = Self { above: LEVEL, below: LEVEL, sum: 0.0, signed: 0.0, count: 0 };
 
@@ -114,7 +114,7 @@ impl<'a, G: Ground> Refined<'a, G> {
             queue: BinaryHeap::new(),
             changed: Vec::new(),
             turn: 0,
-            looked: Vec::new(),
+            updated: Vec::new(),
         };
         for point in ground.outline().into_iter().filter(|&point| ground.is_inside(point)) {
             let at = refined.mesh.locate(point, near);
@@ -152,19 +152,19 @@ impl<'a, G: Ground> Refined<'a, G> {
     /// Inserts points until no triangle is farther from the surface than `tolerance`, or the
     /// farther ones cannot be divided. Returns `None` if there are then more triangles than wanted,
     /// or if cancelled.
-    pub fn refine(&mut self, tolerance: f64, wanted: &Wanted<'_>) -> Option<()> {
-        self.look(tolerance);
+    pub fn refine(&mut self, tolerance: f64, request: &FillRequest<'_>) -> Option<()> {
+        self.update(tolerance);
         while let Some(queued) = self.queue.pop() {
             let triangle = queued as u32;
             let gap = self.worst[triangle as usize];
             if queue_key(gap, triangle) != queued {
                 continue;
             }
-            if self.mesh.count() > wanted.most || wanted.watch.is_cancelled() {
+            if self.mesh.count() > request.most || request.watch.is_cancelled() {
                 return None;
             }
             if self.insert(triangle, gap.place) {
-                self.look(tolerance);
+                self.update(tolerance);
             }
         }
         Some(())
@@ -178,16 +178,16 @@ impl<'a, G: Ground> Refined<'a, G> {
     }
 
     /// Measures the changed triangles, and queues those that are too far off.
-    fn look(&mut self, tolerance: f64) {
+    fn update(&mut self, tolerance: f64) {
         let mut changed = std::mem::take(&mut self.changed);
         self.mesh.take_changed(&mut changed);
         self.turn += 1;
         let count = self.mesh.count() as usize;
         self.worst.resize(count, LEVEL);
-        self.looked.resize(count, 0);
+        self.updated.resize(count, 0);
         self.edges.resize(3 * count, ([NONE; 2], LEVEL));
         for &triangle in &changed {
-            if std::mem::replace(&mut self.looked[triangle as usize], self.turn) == self.turn {
+            if std::mem::replace(&mut self.updated[triangle as usize], self.turn) == self.turn {
                 continue;
             }
             let corners = self.corners(triangle);
@@ -276,12 +276,12 @@ impl<'a, G: Ground> Refined<'a, G> {
     }
 
     /// Returns the distances of all triangles, computed in `f64`.
-    pub fn seen(&self) -> Seen {
+    pub fn distances(&self) -> Distances {
         let ground = self.ground;
         let mut is_counted = vec![false; ground.centres()];
         let corner = self.mesh.points()[0];
         let level = Gap { height: 0.0, place: corner.map(f64::from) };
-        let mut seen = Seen { above: level, below: level, ..Seen::NOTHING };
+        let mut distances = Distances { above: level, below: level, ..Distances::NOTHING };
         for triangle in 0..self.mesh.count() {
             let corners = self.corners(triangle);
             if ground.is_left_out(corners) {
@@ -291,11 +291,11 @@ impl<'a, G: Ground> Refined<'a, G> {
             ground.each_centre(corners, |centre, gap, place| {
                 // A centre on an edge belongs to both triangles.
                 if !std::mem::replace(&mut is_counted[centre], true) {
-                    seen.sum += gap.abs();
-                    seen.signed += gap;
-                    seen.count += 1;
+                    distances.sum += gap.abs();
+                    distances.signed += gap;
+                    distances.count += 1;
                 }
-                seen.take_bent(gap, bend, place);
+                distances.take_bent(gap, bend, place);
             });
             if self.judge == Judge::Texels {
                 continue;
@@ -306,12 +306,12 @@ impl<'a, G: Ground> Refined<'a, G> {
                 if bend > 0.0 || ground.has_holes() || self.mesh.opposite(edge) == NONE || a < b {
                     let gaps = ground.along([a, b].map(|point| self.corner(point)));
                     for gap in [gaps.above, gaps.below] {
-                        seen.take_bent(gap.height, bend, || gap.place);
+                        distances.take_bent(gap.height, bend, || gap.place);
                     }
                 }
             }
         }
-        seen
+        distances
     }
 }
 

@@ -166,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn pieces_are_bent_as_little_as_is_said() {
+    fn pieces_are_bent_within_the_bound() {
         let directions = [DVec3::Y, DVec3::new(0.6, 0.8, 0.0), DVec3::new(0.0, 0.8, 0.6)];
         let flat = Turning::flat(directions);
         let uneven = [directions[0], directions[1] * 0.7, directions[2] * 1.3];
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn products_of_weights_come_to_no_more() {
+    fn products_of_weights_reach_the_bound() {
         for numbers in [[1.0, 1.0, 1.0], [1.0, 0.5, 0.5], [3.0, 1.0, 0.0], [0.7, 1.0, 0.6], [0.0; 3]] {
             let [a, b, c] = numbers;
             let mut most = 0.0_f64;

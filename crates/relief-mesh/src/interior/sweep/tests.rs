@@ -7,15 +7,15 @@ type Triangle = [[i32; 3]; 3];
 
 /// Totals over all pieces of the tested triangles.
 #[derive(Debug, Default)]
-struct Found {
+struct Totals {
     pieces: u64,
     without_area: u64,
 }
 
 /// Test of the pieces of triangles, with reused buffers.
 #[derive(Default)]
-struct Looking {
-    found: Found,
+struct Checker {
+    totals: Totals,
     cut: Cut,
     edges: HashMap<[u32; 2], u32>,
 }
@@ -50,10 +50,10 @@ fn sides(point: PatchPoint) -> u32 {
     }
 }
 
-impl Looking {
+impl Checker {
     /// Checks that the pieces tile the triangle, none is turned over or has three corners on a
     /// side, every point of the border is used, and all counts are right.
-    fn at(&mut self, voxels: Triangle) {
+    fn check(&mut self, voxels: Triangle) {
         let parts = parts(voxels);
         let patch = Patch::Triangle { parts, voxels };
         let count = steps(&patch);
@@ -72,7 +72,7 @@ impl Looking {
             let [a, b, c] = corners.map(|corner| weights(corner, parts));
             let twice = (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
             assert!(twice >= -1e-12, "{voxels:?}: a piece of area {twice}");
-            self.found.without_area += u64::from(twice <= 1e-12);
+            self.totals.without_area += u64::from(twice <= 1e-12);
             area += twice;
             let [a, b, c] = corners.map(sides);
             assert_eq!(a & b & c, 0, "{voxels:?}: three corners on a side");
@@ -82,7 +82,7 @@ impl Looking {
                 highest = highest.max(edge[0] + 1);
             }
         }
-        self.found.pieces += triangles.len() as u64;
+        self.totals.pieces += triangles.len() as u64;
         assert!((area - 1.0).abs() < 1e-9, "{voxels:?}: {area}");
         assert!(self.edges.values().all(|&count| count == 1), "{voxels:?}");
         let mut open: Vec<[u32; 2]> =
@@ -103,18 +103,18 @@ impl Looking {
 
 #[test]
 fn all_triangles_of_a_small_lattice_are_tiled() {
-    let mut looking = Looking::default();
+    let mut checker = Checker::default();
     let corner = |code: i32| [code % 5, code / 5 % 5, code / 25];
     for code in 0..125 * 125 * 125 {
         let voxels = [corner(code % 125), corner(code / 125 % 125), corner(code / (125 * 125))];
         // Moved copies of a triangle are cut alike.
         let is_first = (0..3).all(|axis| voxels.iter().any(|corner| corner[axis] == 0));
         if is_first {
-            looking.at(voxels);
+            checker.check(voxels);
         }
     }
-    println!("{:?}", looking.found);
-    assert!(looking.found.pieces > 1_000_000);
+    println!("{:?}", checker.totals);
+    assert!(checker.totals.pieces > 1_000_000);
 }
 
 #[test]
@@ -124,7 +124,7 @@ fn a_million_triangles_are_tiled() {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         ((state >> 33) % below) as i32
     };
-    let mut looking = Looking::default();
+    let mut checker = Checker::default();
     for made in 0..1_000_000_usize {
         // Flat triangles, narrow ones, and a few large ones.
         let size = if made % 5000 == 0 { 300 } else { [3, 7, 12][made % 3] };
@@ -132,10 +132,10 @@ fn a_million_triangles_are_tiled() {
         let mut corner = || [random(size), random(flat), random(size)];
         let mut voxels = [corner(), corner(), corner()];
         voxels.iter_mut().for_each(|corner| corner.rotate_left(made / 9 % 3));
-        looking.at(voxels);
+        checker.check(voxels);
     }
-    println!("{:?}", looking.found);
-    assert!(looking.found.pieces > 10_000_000);
+    println!("{:?}", checker.totals);
+    assert!(checker.totals.pieces > 10_000_000);
 }
 
 #[test]

@@ -76,7 +76,7 @@ impl Case {
     }
 
     /// Returns the numbers of the remaining patches.
-    fn kept(&self, outside: Outside) -> Vec<u32> {
+    fn remaining(&self, outside: Outside) -> Vec<u32> {
         let settings = MeshSettings { cull: Some(Cull { outside, backs: true }), ..self.settings };
         let mut whole = self.whole();
         // Parts of a triangle are distinct.
@@ -93,7 +93,7 @@ impl Case {
     }
 
     /// Returns the triangles of each patch.
-    fn made(&self) -> Vec<Vec<[DVec3; 3]>> {
+    fn triangles(&self) -> Vec<Vec<[DVec3; 3]>> {
         let (base, pattern) = (self.whole(), self.pattern());
         let of_patch = |patch: u32| {
             let (shape, mut cut) = (base.patch(patch), Cut::default());
@@ -198,13 +198,13 @@ fn is_front(view: &View, [a, b, c]: [DVec3; 3]) -> bool {
 
 /// Numbers of items that are left out though visible, left out, and not visible.
 #[derive(Clone, Copy, Debug, Default)]
-struct Found {
+struct Tally {
     seen: usize,
     out: usize,
     unseen: usize,
 }
 
-impl Found {
+impl Tally {
     fn add(&mut self, is_out: bool, is_seen: bool) {
         self.seen += usize::from(is_out && is_seen);
         self.out += usize::from(is_out);
@@ -228,18 +228,18 @@ fn sees(view: &View, cull: Cull, triangles: &[[DVec3; 3]]) -> bool {
 
 #[test]
 fn no_patch_that_is_seen_is_left_out_and_most_that_are_not_are() {
-    let mut all = Found::default();
+    let mut all = Tally::default();
     for case in cases() {
-        let (view, made) = (case.view(), case.made());
-        assert!(case.kept(Outside::NOTHING).into_iter().eq(0..made.len() as u32), "{}", case.what);
-        let kept = case.kept(Outside::ALL);
-        let mut found = Found::default();
+        let (view, made) = (case.view(), case.triangles());
+        assert!(case.remaining(Outside::NOTHING).into_iter().eq(0..made.len() as u32), "{}", case.what);
+        let rest = case.remaining(Outside::ALL);
+        let mut tally = Tally::default();
         for (patch, triangles) in made.iter().enumerate() {
-            let is_out = kept.binary_search(&(patch as u32)).is_err();
-            found.add(is_out, sees(&view, CHOICES[0], triangles));
+            let is_out = rest.binary_search(&(patch as u32)).is_err();
+            tally.add(is_out, sees(&view, CHOICES[0], triangles));
         }
-        assert_eq!(found.seen, 0, "{}: {found:?}", case.what);
-        (all.out, all.unseen) = (all.out + found.out, all.unseen + found.unseen);
+        assert_eq!(tally.seen, 0, "{}: {tally:?}", case.what);
+        (all.out, all.unseen) = (all.out + tally.out, all.unseen + tally.unseen);
     }
     println!("{all:?}");
     assert!(2 * all.out > all.unseen && all.out > 1000, "{all:?}");
@@ -247,18 +247,18 @@ fn no_patch_that_is_seen_is_left_out_and_most_that_are_not_are() {
 
 #[test]
 fn planes_that_are_not_moved_out_and_backs_of_the_base_leave_out_what_is_seen() {
-    let [mut unmoved, mut corners_alone] = [(); 2].map(|()| Found::default());
+    let [mut unmoved, mut corners_alone] = [(); 2].map(|()| Tally::default());
     for case in cases() {
         let (view, base) = (case.view(), case.whole());
-        let sight = Sight::new(&view);
+        let volume = ViewVolume::new(&view);
         let flat = case.map.clone().with_displacement(0.0, 0.0).expect("lengths");
         let flat = Relief::new(&flat, case.settings.directions, Shading::Exact);
         let bounds = Bounds { relief: &flat, levels: vec![HeightBounds::new(&case.map)] };
-        for (patch, triangles) in (0u32..).zip(case.made()) {
+        for (patch, triangles) in (0u32..).zip(case.triangles()) {
             let hull = Hull { radius_m: 0.0, ..base.hull(&bounds, patch) };
-            unmoved.add(sight.misses(&hull, &Outside::ALL), sees(&view, CHOICES[0], &triangles));
+            unmoved.add(volume.misses(&hull, &Outside::ALL), sees(&view, CHOICES[0], &triangles));
             let corners = base.triangles[patch as usize].map(|vertex| base.corners.vertex(vertex).position);
-            let is_back = sight.is_back(corners);
+            let is_back = volume.is_back(corners);
             corners_alone.add(is_back, sees(&view, CHOICES[1], &triangles));
         }
     }
@@ -286,41 +286,41 @@ fn by_vertices(mesher: &Mesher) -> Vec<[Vertex; 3]> {
 
 #[test]
 fn no_triangle_that_is_seen_is_left_out_most_that_are_not_are_and_the_rest_is_as_it_was() {
-    let mut sums = [(); 3].map(|()| Found::default());
+    let mut sums = [(); 3].map(|()| Tally::default());
     let (mut empty, mut uncut) = (0, 0);
     for case in cases() {
         let (whole, plain) = (case.mesher(Some(Cull::default())), case.mesher(None));
         let triangles = by_vertices(&whole);
-        assert!(plain.everything().is_none());
+        assert!(plain.full_bounds().is_none());
         if case.whole().triangles.len() == case.mesh.triangles().len() {
             assert!(triangles == by_vertices(&plain), "{}", case.what);
             uncut += 1;
         }
         let view = case.view();
-        let [near, far] = whole.everything().expect("it is for a view").depths_m;
+        let [near, far] = whole.full_bounds().expect("it is for a view").depths_m;
         for corner in triangles.iter().flatten() {
             let depth = view.camera.forward().dot(corner.position.as_dvec3() - view.camera.eye());
             assert!((near..=far).contains(&depth), "{}: {depth} of {near} to {far}", case.what);
         }
         for (cull, sums) in CHOICES.into_iter().zip(&mut sums) {
             let culled = case.mesher(Some(cull));
-            assert!(culled.everything() == whole.everything(), "{}", case.what);
-            let kept = by_vertices(&culled);
-            let (mut left, mut found) = (kept.iter().peekable(), Found::default());
+            assert!(culled.full_bounds() == whole.full_bounds(), "{}", case.what);
+            let rest = by_vertices(&culled);
+            let (mut left, mut tally) = (rest.iter().peekable(), Tally::default());
             for corners in &triangles {
-                let is_kept = left.next_if_eq(&corners).is_some();
+                let is_there = left.next_if_eq(&corners).is_some();
                 let positions = corners.map(|corner| corner.position.as_dvec3());
-                found.add(!is_kept, sees(&view, cull, &[positions]));
+                tally.add(!is_there, sees(&view, cull, &[positions]));
             }
             assert!(left.next().is_none(), "{}: {cull:?}", case.what);
-            println!("{}: {cull:?}: {found:?}", case.what);
-            assert_eq!(found.seen, 0, "{}: {cull:?}: {found:?}", case.what);
+            println!("{}: {cull:?}: {tally:?}", case.what);
+            assert_eq!(tally.seen, 0, "{}: {cull:?}: {tally:?}", case.what);
             // Culling of backs knows nothing of the space behind the eye, and pictures have a
             // margin.
-            let few = cull.outside == Outside::NOTHING || 10 * found.unseen < triangles.len();
-            assert!(few || 2 * found.out > found.unseen, "{}: {cull:?}: {found:?}", case.what);
-            (sums.out, sums.unseen) = (sums.out + found.out, sums.unseen + found.unseen);
-            empty += usize::from(kept.is_empty());
+            let few = cull.outside == Outside::NOTHING || 10 * tally.unseen < triangles.len();
+            assert!(few || 2 * tally.out > tally.unseen, "{}: {cull:?}: {tally:?}", case.what);
+            (sums.out, sums.unseen) = (sums.out + tally.out, sums.unseen + tally.unseen);
+            empty += usize::from(rest.is_empty());
         }
     }
     println!("{sums:?}, {empty} empty, {uncut} uncut");
@@ -358,11 +358,11 @@ fn nothing_on_the_way_from_what_is_seen_to_a_light_is_left_out() {
     ];
     let (mut ways, mut out, mut met_by_all) = (0, 0, 0);
     for (at, case) in cases().into_iter().enumerate().filter(|(at, _)| at % 4 == 1) {
-        let (view, made, lights) = (case.view(), case.made(), lights[at % 3]);
-        let outside = Outside::of_ways_to(lights, &view, 0.0);
+        let (view, made, lights) = (case.view(), case.triangles(), lights[at % 3]);
+        let outside = Outside::of_light_paths(lights, &view, 0.0);
         let of = |outside: Outside| -> Vec<usize> {
-            let kept = case.kept(outside);
-            (0..made.len()).filter(|patch| kept.binary_search(&(*patch as u32)).is_err()).collect()
+            let rest = case.remaining(outside);
+            (0..made.len()).filter(|patch| rest.binary_search(&(*patch as u32)).is_err()).collect()
         };
         let meet = |patches: &[usize], from: DVec3, light: DVec4| {
             let way = light.truncate() - from * light.w;
@@ -400,14 +400,14 @@ fn meets(from: DVec3, way: DVec3, w: f64, [a, b, c]: [DVec3; 3]) -> bool {
 #[test]
 fn triangles_that_rounding_may_turn_over_are_no_backs() {
     let camera = Camera::new(DVec3::Z, DVec3::ZERO, 90.0).expect("a camera");
-    let sight = Sight::new(&View::new(camera, [200, 200]));
+    let volume = ViewVolume::new(&View::new(camera, [200, 200]));
     let [a, b] = [Vec3::ZERO, Vec3::X];
     // A hundred pixels to a metre at this depth.
-    assert!(!sight.is_back([a, b, Vec3::Y]) && sight.is_back([b, a, Vec3::Y]));
-    assert!(!sight.is_back([b, a, Vec3::Y * 1e-4]) && sight.is_back([b, a, Vec3::Y * 1e-3]));
+    assert!(!volume.is_back([a, b, Vec3::Y]) && volume.is_back([b, a, Vec3::Y]));
+    assert!(!volume.is_back([b, a, Vec3::Y * 1e-4]) && volume.is_back([b, a, Vec3::Y * 1e-3]));
     // A triangle without an area is not visible. One that reaches behind the eye has no place in
     // the picture.
-    assert!(sight.is_back([a, b, b]) && !sight.is_back([b, a, Vec3::new(0.0, 1.0, 3.0)]));
+    assert!(volume.is_back([a, b, b]) && !volume.is_back([b, a, Vec3::new(0.0, 1.0, 3.0)]));
 }
 
 #[test]

@@ -6,7 +6,7 @@ const WORD: u32 = u64::BITS;
 
 /// Set of the vertices of remaining triangles, with consecutive numbers.
 #[derive(Debug)]
-pub struct Kept {
+pub struct VertexSet {
     /// One bit for each vertex.
     words: Vec<u64>,
     /// Number of the set's vertices before each word.
@@ -14,9 +14,9 @@ pub struct Kept {
     triangles: u64,
 }
 
-impl Kept {
+impl VertexSet {
     /// Creates an empty set over `vertices` vertices, at most 2^32.
-    pub fn of_none(vertices: u64) -> Self {
+    pub fn empty(vertices: u64) -> Self {
         Self { words: vec![0; vertices.div_ceil(WORD.into()) as usize], before: Vec::new(), triangles: 0 }
     }
 
@@ -81,19 +81,19 @@ mod tests {
 
     #[test]
     fn vertices_are_numbered_without_those_that_are_left_out() {
-        let mut kept = Kept::of_none(200);
+        let mut used = VertexSet::empty(200);
         let triangles = [[0, 63, 64], [64, 65, 199], [7, 63, 128]];
-        kept.add(&triangles[..2]);
-        kept.add(&triangles[2..]);
-        kept.count();
-        let all: Vec<u32> = (0..200).filter(|&vertex| kept.contains(vertex)).collect();
+        used.add(&triangles[..2]);
+        used.add(&triangles[2..]);
+        used.count();
+        let all: Vec<u32> = (0..200).filter(|&vertex| used.contains(vertex)).collect();
         assert_eq!(all, [0, 7, 63, 64, 65, 128, 199]);
-        let numbers: Vec<u32> = all.iter().map(|&vertex| kept.number(vertex)).collect();
+        let numbers: Vec<u32> = all.iter().map(|&vertex| used.number(vertex)).collect();
         assert_eq!(numbers, [0, 1, 2, 3, 4, 5, 6]);
-        assert_eq!((kept.vertices(), kept.triangles()), (7, 3));
-        kept.add_vertices(200, 3);
-        kept.count();
-        assert_eq!([200, 201, 202].map(|vertex| kept.number(vertex)), [7, 8, 9]);
-        assert_eq!(kept.vertices(), 10);
+        assert_eq!((used.vertices(), used.triangles()), (7, 3));
+        used.add_vertices(200, 3);
+        used.count();
+        assert_eq!([200, 201, 202].map(|vertex| used.number(vertex)), [7, 8, 9]);
+        assert_eq!(used.vertices(), 10);
     }
 }
